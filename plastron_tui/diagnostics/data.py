@@ -1,0 +1,77 @@
+"""The diagnostic, its place, and its remedy."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import Enum
+from pathlib import Path
+
+
+class Severity(str, Enum):
+    """How bad it is. A program with an error generates nothing; a warning stops nothing."""
+
+    ERROR = "error"
+    WARNING = "warning"
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """A half-open range of bytes of a file's text."""
+
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Edit:
+    """Replace the bytes of `span` by `text`."""
+
+    span: Span
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Fix:
+    """A remedy that can be applied as it is."""
+
+    title: str
+    edits: tuple[Edit, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """A second place that explains the first, such as an earlier declaration."""
+
+    span: Span
+    message: str
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnostic:
+    """One mistake.
+
+    Attributes:
+        code: the stable name of the kind of mistake, a key of `CODES`.
+        message: lower case, no full stop, about the span.
+        span: the smallest range that is wrong; None when it is about the file as a whole.
+        file: the file that the span lies in; None for a text that has no file yet.
+        help: the remedy, in words.
+        fix: the remedy, as an edit.
+        labels: other places that matter.
+        severity: an error unless the code says otherwise.
+    """
+
+    code: str
+    message: str
+    span: Span | None = None
+    file: Path | None = None
+    help: str | None = None
+    fix: Fix | None = None
+    labels: tuple[Label, ...] = ()
+    severity: Severity = Severity.ERROR
+
+
+def has_errors(diagnostics: Iterable[Diagnostic]) -> bool:
+    """Tell whether any of the diagnostics is an error."""
+    return any(diagnostic.severity is Severity.ERROR for diagnostic in diagnostics)

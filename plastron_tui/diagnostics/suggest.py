@@ -1,0 +1,26 @@
+"""The nearest of the names that would have been right."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import islice
+
+# Beyond this many names a suggestion costs more than it helps.
+_MOST_NAMES = 5_000
+
+
+def nearest(word: str, names: Iterable[str]) -> str | None:
+    """Return the name closest to `word`, or None when none is close."""
+    from difflib import get_close_matches  # slow to import, and needed for mistakes only
+
+    by_lower: dict[str, str] = {}
+    for name in islice(names, _MOST_NAMES):
+        by_lower.setdefault(name.lower(), name)
+    found = get_close_matches(word.lower(), by_lower, n=1, cutoff=0.6)
+    return by_lower[found[0]] if found else None
+
+
+def did_you_mean(word: str, names: Iterable[str]) -> str | None:
+    """Return a help line that offers the nearest name, or None when none is close."""
+    name = nearest(word, names)
+    return f"did you mean `{name}`?" if name is not None else None

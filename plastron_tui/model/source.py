@@ -1,0 +1,99 @@
+"""What a reader found in a node's source file, and the changes that an editor is asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import Enum
+from pathlib import Path
+
+from plastron_tui.diagnostics import Span
+from plastron_tui.ros.interfaces import InterfaceName
+
+from .workspace import Client, Publisher, Service, Subscription
+
+
+class EndpointKind(str, Enum):
+    """What a call site creates. The values are the keys of `plastron inspect --format json`."""
+
+    PUBLISHER = "publishers"
+    SUBSCRIPTION = "subscriptions"
+    SERVICE = "services"
+    CLIENT = "clients"
+    ACTION_SERVER = "action_servers"
+    ACTION_CLIENT = "action_clients"
+    TIMER = "timers"
+    PARAMETER = "parameters"
+
+
+@dataclass(frozen=True, slots=True)
+class SourceEndpoint:
+    """One call site.
+
+    Attributes:
+        kind: what the call creates.
+        name: the topic, service, action or parameter where the source says it literally, else
+            None. A timer has none.
+        expression: the source text that decides the name (a timer's: its period or rate); where
+            a literal default decides it, the text of the whole expression.
+        type: the interface, None where the source does not say it.
+        type_expression: the source text of the type, "" where there is none.
+        callback: the callback's name as the source has it (`on_chatter` for `self.on_chatter`),
+            None where there is none or it has no name.
+        default: the literal default of a name that is read from a parameter.
+        span: the call.
+    """
+
+    kind: EndpointKind
+    name: str | None
+    expression: str
+    span: Span
+    line: int
+    type: InterfaceName | None = None
+    type_expression: str = ""
+    callback: str | None = None
+    default: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class SourceNode:
+    """A node of a file: its name, None where the file does not say it, and its call sites."""
+
+    name: str | None
+    expression: str
+    endpoints: tuple[SourceEndpoint, ...]
+    span: Span | None = None
+
+    def of_kind(self, kind: EndpointKind) -> Iterator[SourceEndpoint]:
+        """Yield the endpoints of one kind, in the order of the file."""
+        return (endpoint for endpoint in self.endpoints if endpoint.kind is kind)
+
+
+@dataclass(frozen=True, slots=True)
+class SourceFile:
+    """A source file, as bytes, with the nodes that it holds."""
+
+    path: Path
+    text: bytes
+    library: str
+    nodes: tuple[SourceNode, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Add:
+    """Ask an editor for an endpoint that is not in the file yet."""
+
+    endpoint: Publisher | Subscription | Service | Client
+
+
+@dataclass(frozen=True, slots=True)
+class Remove:
+    """Ask an editor to take every call site of an endpoint out of the file."""
+
+    kind: EndpointKind
+    name: str
+    span: Span | None = None
+    """The statement that asked, for a refusal to point at."""
+
+
+Change = Add | Remove

@@ -1,0 +1,120 @@
+"""What a program builds: nodes, their endpoints, and the messages that they send.
+
+The same endpoints describe a node that was created and one that was loaded from a file, so
+that targets, panels and graphs see one kind of node.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from plastron_tui.diagnostics import Span
+from plastron_tui.ros.interfaces import InterfaceName
+
+if TYPE_CHECKING:
+    from .source import SourceFile
+    from .values import MessageValue
+
+DEFAULT_RATE = 10.0
+"""How often a message is published where the program does not say, in hertz."""
+
+
+@dataclass(frozen=True, slots=True)
+class Message:
+    """A message that a program created, under its variable's name."""
+
+    variable: str
+    value: MessageValue
+    span: Span
+
+
+@dataclass(slots=True)
+class Publication:
+    """One message on its way to a topic, and how often it is sent, in hertz."""
+
+    message: Message
+    rate: float
+
+
+@dataclass(slots=True)
+class Publisher:
+    """A topic that a node publishes; `publications` is empty for one that was read from a file."""
+
+    topic: str
+    type: InterfaceName | None
+    publications: list[Publication] = field(default_factory=list)
+    span: Span | None = None
+
+
+@dataclass(slots=True)
+class Subscription:
+    """A topic that a node listens to; without a `callback` the target names one."""
+
+    topic: str
+    type: InterfaceName | None
+    callback: str | None = None
+    span: Span | None = None
+
+
+@dataclass(slots=True)
+class Service:
+    """A service that a node provides; without a `handler` the target names one."""
+
+    name: str
+    type: InterfaceName | None
+    handler: str | None = None
+    span: Span | None = None
+
+
+@dataclass(slots=True)
+class Client:
+    """A service that a node calls, with the request of each call, in order."""
+
+    name: str
+    type: InterfaceName | None
+    requests: list[MessageValue] = field(default_factory=list)
+    span: Span | None = None
+
+
+@dataclass(slots=True)
+class Node:
+    """A node, as the program has it so far.
+
+    The four dictionaries are keyed by the graph name as it is written, in the order in which
+    the endpoints came. `source` is the file that a loaded node came from, None for one that
+    was created.
+    """
+
+    name: str
+    variable: str
+    span: Span
+    library: str | None = None
+    source: SourceFile | None = None
+    publishers: dict[str, Publisher] = field(default_factory=dict)
+    subscriptions: dict[str, Subscription] = field(default_factory=dict)
+    services: dict[str, Service] = field(default_factory=dict)
+    clients: dict[str, Client] = field(default_factory=dict)
+
+    @property
+    def is_idle(self) -> bool:
+        """Whether the node would do nothing."""
+        return not (self.publishers or self.subscriptions or self.services or self.clients)
+
+
+@dataclass(frozen=True, slots=True)
+class Generation:
+    """A `generate_node`: the node as it was then, and the client library asked for."""
+
+    node: Node
+    library: str
+    span: Span
+
+
+@dataclass(slots=True)
+class Workspace:
+    """All that a program built, by variable, and what it asked to generate."""
+
+    nodes: dict[str, Node] = field(default_factory=dict)
+    messages: dict[str, Message] = field(default_factory=dict)
+    generations: list[Generation] = field(default_factory=list)

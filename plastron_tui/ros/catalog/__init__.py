@@ -1,0 +1,1 @@
+"""The interface types of each ROS distribution, read from YAML when first needed."""
