@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Union
+from typing import TypeAlias
 
 from plastron_tui.ros.interfaces import InterfaceName
 
@@ -13,11 +13,12 @@ class MessageValue:
     """The fields of a message that were given a value, by name, in the order of the type.
 
     What is not there keeps its default. A scalar is a Python `bool`, `int`, `float` or `str`
-    that fits its field (a float field always has a `float`); an array is a tuple.
+    that fits its field (a float field always has a `float`); an array is a tuple; a `time` or
+    `duration` of ROS 1 is a tuple of its seconds and nanoseconds.
     """
 
     type: InterfaceName
     fields: dict[str, Value]
 
 
-Value = Union[bool, int, float, str, MessageValue, tuple["Value", ...]]
+Value: TypeAlias = "bool | int | float | str | MessageValue | tuple[Value, ...]"

@@ -29,7 +29,7 @@ class Message:
     span: Span
 
 
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True)
 class Publication:
     """One message on its way to a topic, and how often it is sent, in hertz."""
 
@@ -37,17 +37,17 @@ class Publication:
     rate: float
 
 
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True)
 class Publisher:
     """A topic that a node publishes; `publications` is empty for one that was read from a file."""
 
     topic: str
     type: InterfaceName | None
-    publications: list[Publication] = field(default_factory=list)
+    publications: tuple[Publication, ...] = ()
     span: Span | None = None
 
 
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True)
 class Subscription:
     """A topic that a node listens to; without a `callback` the target names one."""
 
@@ -57,7 +57,7 @@ class Subscription:
     span: Span | None = None
 
 
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True)
 class Service:
     """A service that a node provides; without a `handler` the target names one."""
 
@@ -67,13 +67,13 @@ class Service:
     span: Span | None = None
 
 
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True)
 class Client:
     """A service that a node calls, with the request of each call, in order."""
 
     name: str
     type: InterfaceName | None
-    requests: list[MessageValue] = field(default_factory=list)
+    requests: tuple[MessageValue, ...] = ()
     span: Span | None = None
 
 

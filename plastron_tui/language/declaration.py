@@ -1,0 +1,188 @@
+"""What a statement is: its sentence, its slots, and what is said about it.
+
+A statement is declared once, by a class with a sentence. Lowering, the formatter, the
+explanation of a syntax error, completion, forms and the language reference are derived from
+the declaration.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import Enum
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from tree_sitter import Node
+
+from plastron_tui.diagnostics import Span
+
+if TYPE_CHECKING:
+    from typing_extensions import dataclass_transform
+else:
+
+    def dataclass_transform(**_: object) -> Callable[[Any], Any]:
+        """Only type checkers need the real one."""
+        return lambda decorated: decorated
+
+
+class SlotKind(Enum):
+    """What fills a slot: how it is written in a usage line, and in words."""
+
+    NODE_NAME = "'NODE_NAME'", "a node name in single quotes"
+    NEW_NODE = "VARIABLE", "a variable for the node"
+    NEW_MESSAGE = "MESSAGE", "a variable for the message"
+    NODE = "VARIABLE", "the variable of a node"
+    MESSAGE = "MESSAGE", "the variable of a message"
+    TOPIC = "'TOPIC_NAME'", "a topic name in single quotes"
+    SERVICE = "'SERVICE_NAME'", "a service name in single quotes"
+    MESSAGE_TYPE = "MESSAGE_TYPE", "a message type"
+    SERVICE_TYPE = "SERVICE_TYPE", "a service type"
+    INPUT = "VALUES | none", "values, or `none`"
+    RATE = "NUMBER", "a number"
+    FUNCTION = "FUNCTION", "the name of a function"
+    LIBRARY = "CLIENT_LIBRARY", "a client library"
+    FILE = "FILE_NAME | 'RELATIVE/PATH.py'", "a file name, or a path in single quotes"
+
+    def __init__(self, placeholder: str, words: str) -> None:
+        self.placeholder = placeholder
+        self.words = words
+
+    @property
+    def is_variable(self) -> bool:
+        """Whether a variable fills the slot."""
+        return self in (SlotKind.NEW_NODE, SlotKind.NEW_MESSAGE, SlotKind.NODE, SlotKind.MESSAGE)
+
+    @property
+    def is_quoted(self) -> bool:
+        """Whether single quotes are around what fills the slot."""
+        return self in (SlotKind.NODE_NAME, SlotKind.TOPIC, SlotKind.SERVICE)
+
+
+@dataclass(frozen=True, slots=True)
+class Slot:
+    """A place in a sentence: the grammar's field, what fills it, and a line about it."""
+
+    name: str
+    kind: SlotKind
+    help: str
+
+
+@dataclass(frozen=True, slots=True)
+class Clause:
+    """A part of a sentence that may be left out."""
+
+    elements: tuple[str | Slot, ...]
+
+
+Element = str | Slot | Clause
+
+
+@dataclass(frozen=True, slots=True)
+class Declaration:
+    """All that is known of a statement."""
+
+    type: type[Statement]
+    kind: str
+    elements: tuple[Element, ...]
+    summary: str
+    example: str
+
+    @property
+    def keyword(self) -> str:
+        """The word that only this statement has."""
+        return next(element for element in self.elements if isinstance(element, str))
+
+    @property
+    def slots(self) -> tuple[Slot, ...]:
+        """The slots, in the order of the sentence."""
+        return tuple(
+            part
+            for element in self.elements
+            for part in (element.elements if isinstance(element, Clause) else (element,))
+            if isinstance(part, Slot)
+        )
+
+    @property
+    def usage(self) -> str:
+        """The sentence with its slots in capitals, and optional clauses in brackets."""
+
+        def show(element: Element) -> str:
+            match element:
+                case Slot(kind=kind):
+                    return kind.placeholder
+                case Clause(elements=parts):
+                    return "[" + " ".join(map(show, parts)) + "]"
+                case word:
+                    return word
+
+        return " ".join(map(show, self.elements))
+
+
+# Not frozen: a program has one of these a line, and a frozen dataclass is five times as slow
+# to make. Nothing assigns to them.
+@dataclass(slots=True, eq=False)
+class Statement:
+    """A statement of a program, with the node of the tree that it was lowered from."""
+
+    syntax: Node
+
+    @property
+    def span(self) -> Span:
+        """Where the whole statement stands."""
+        return Span(self.syntax.start_byte, self.syntax.end_byte)
+
+    def span_of(self, slot: str) -> Span:
+        """Return where a slot's text stands; the statement's span when the slot is empty."""
+        child = self.syntax.child_by_field_name(slot)
+        return self.span if child is None else Span(child.start_byte, child.end_byte)
+
+
+DECLARATIONS: dict[type[Statement], Declaration] = {}
+
+S = TypeVar("S", bound=Statement)
+
+
+def slot(kind: SlotKind, help: str) -> Any:  # noqa: A002 - the word that users of it read best
+    """Declare a slot; its name is the attribute's, which is the grammar's field."""
+    return dataclasses.field(metadata={"slot": (kind, help)})
+
+
+@dataclass_transform(field_specifiers=(slot,))
+def statement(
+    kind: str, sentence: str, *, summary: str, example: str
+) -> Callable[[type[S]], type[S]]:
+    """Declare a statement.
+
+    `sentence` has words, `{slots}`, and optional clauses in brackets; `kind` is the grammar's
+    node.
+    """
+
+    def declare(cls: type[S]) -> type[S]:
+        made = dataclass(slots=True, eq=False)(cls)
+        slots = {
+            field.name: Slot(field.name, *field.metadata["slot"])
+            for field in dataclasses.fields(made)
+            if "slot" in field.metadata
+        }
+        DECLARATIONS[made] = Declaration(
+            made, kind, _parse_sentence(sentence, slots), summary, example
+        )
+        return made
+
+    return declare
+
+
+def _parse_sentence(sentence: str, slots: dict[str, Slot]) -> tuple[Element, ...]:
+    elements: list[Element] = []
+    clause: list[str | Slot] | None = None
+    for word in sentence.replace("[", "[ ").replace("]", " ]").split():
+        if word == "[":
+            clause = []
+        elif word == "]":
+            elements.append(Clause(tuple(clause or ())))
+            clause = None
+        else:
+            part = slots[word[1:-1]] if word.startswith("{") else word
+            (elements if clause is None else clause).append(part)
+    return tuple(elements)

@@ -1,0 +1,120 @@
+"""The values that a program gives to a message or a request, as they are written."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple, TypeAlias
+
+from tree_sitter import Node
+
+from .grammar import kind_id
+
+NUMBER = kind_id("number")
+STRING = kind_id("string")
+BOOLEAN = kind_id("boolean")
+LIST = kind_id("list")
+NESTED = kind_id("nested")
+ARGUMENTS = kind_id("arguments")
+NAMED_ARGUMENT = kind_id("named_argument")
+STRING_CONTENT = kind_id("string_content")
+COMMENTS = frozenset({kind_id("line_comment"), kind_id("block_comment")})
+
+_ESCAPES = {'\\"': '"', "\\\\": "\\", "\\n": "\n", "\\t": "\t"}
+
+Slice = Callable[[int, int], str]
+"""Returns the text between two byte offsets."""
+
+
+class Literal(NamedTuple):
+    """A number, a string or a boolean."""
+
+    value: bool | int | float | str
+    syntax: Node
+
+
+class ListValue(NamedTuple):
+    """Values in brackets."""
+
+    items: tuple[InputValue, ...]
+    syntax: Node
+
+
+class NestedValue(NamedTuple):
+    """The values of a nested message, in parentheses."""
+
+    arguments: tuple[Argument, ...]
+    syntax: Node
+
+
+class NamedArgument(NamedTuple):
+    """A value with the path of its field."""
+
+    path: tuple[str, ...]
+    value: InputValue
+    syntax: Node
+
+
+InputValue: TypeAlias = "Literal | ListValue | NestedValue"
+Argument: TypeAlias = "InputValue | NamedArgument"
+Input: TypeAlias = tuple[Argument, ...]
+"""The arguments of an input; `none` has none."""
+
+
+def lower_input(node: Node, text: Slice) -> Input:
+    """Lower what stands after the word `input`."""
+    return _arguments(node, text) if node.kind_id == ARGUMENTS else ()
+
+
+def _arguments(node: Node, text: Slice) -> tuple[Argument, ...]:
+    return tuple(
+        [
+            _named(child, text) if child.kind_id == NAMED_ARGUMENT else _value(child, text)
+            for child in node.named_children
+            if child.kind_id not in COMMENTS
+        ]
+    )
+
+
+def _named(node: Node, text: Slice) -> NamedArgument:
+    path = node.child_by_field_name("field")
+    value = node.child_by_field_name("value")
+    assert path is not None and value is not None  # a node without errors has both
+    names = tuple(
+        text(part.start_byte, part.end_byte)
+        for part in path.named_children
+        if part.kind_id not in COMMENTS
+    )
+    return NamedArgument(names, _value(value, text), node)
+
+
+def _value(node: Node, text: Slice) -> InputValue:
+    kind = node.kind_id
+    if kind == NUMBER:
+        return Literal(lower_number(text(node.start_byte, node.end_byte)), node)
+    if kind == STRING:
+        return Literal(_string(node, text), node)
+    if kind == BOOLEAN:
+        return Literal(text(node.start_byte, node.end_byte) == "True", node)
+    children = [child for child in node.named_children if child.kind_id not in COMMENTS]
+    if kind == LIST:
+        return ListValue(tuple([_value(child, text) for child in children]), node)
+    return NestedValue(_arguments(children[0], text) if children else (), node)
+
+
+def lower_number(text: str) -> int | float:
+    """Return the number that a text says; one too large for a float is infinite."""
+    try:
+        return int(text)
+    except ValueError:  # a fraction, an exponent, or more digits than Python takes
+        return float(text)
+
+
+def _string(node: Node, text: Slice) -> str:
+    parts = []
+    for part in node.named_children:
+        written = text(part.start_byte, part.end_byte)
+        if part.kind_id == STRING_CONTENT:
+            parts.append(written)
+        else:
+            parts.append(_ESCAPES.get(written) or chr(int(written[2:], 16)))
+    return "".join(parts)

@@ -1,0 +1,143 @@
+"""From the tree to statements."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from enum import Enum, auto
+from typing import Any
+
+from tree_sitter import Node
+
+from plastron_tui.diagnostics import Diagnostic
+
+from . import statements as _statements  # noqa: F401 - declares the statements
+from .declaration import DECLARATIONS, Declaration, SlotKind, Statement
+from .document import Document
+from .grammar import field_id, kind_id
+from .inputs import COMMENTS, lower_input, lower_number
+from .pause import collection_paused
+from .syntax_errors import explain
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """The statements of a text, in order, and what kept the rest from being statements.
+
+    `broken_words` are the words of lines that are no statements: what such a line was to
+    declare is not unknown, only broken.
+    """
+
+    statements: tuple[Statement, ...]
+    diagnostics: tuple[Diagnostic, ...] = ()
+    broken_words: frozenset[str] = frozenset()
+
+
+class _Lowered(Enum):
+    """How the text of a slot becomes its value."""
+
+    TEXT = auto()
+    QUOTED = auto()
+    FILE = auto()
+    NUMBER = auto()
+    INPUT = auto()
+
+
+_BY_SLOT_KIND = {
+    SlotKind.RATE: _Lowered.NUMBER,
+    SlotKind.INPUT: _Lowered.INPUT,
+    SlotKind.FILE: _Lowered.FILE,
+}
+
+_Plan = tuple[Callable[..., Statement], tuple[tuple[int, _Lowered], ...]]
+
+
+def _plan(declaration: Declaration) -> _Plan:
+    return declaration.type, tuple(
+        (
+            field_id(slot.name),
+            _Lowered.QUOTED if slot.kind.is_quoted else _BY_SLOT_KIND.get(slot.kind, _Lowered.TEXT),
+        )
+        for slot in declaration.slots
+    )
+
+
+_PLANS: dict[int, _Plan] = {
+    kind_id(declaration.kind): _plan(declaration) for declaration in DECLARATIONS.values()
+}
+
+
+def lower(document: Document) -> Program:
+    """Turn the tree of a document into statements and diagnostics.
+
+    A line that does not parse gives one diagnostic and no statement.
+    """
+    source = document.text
+    root = document.tree.root_node
+    if source.isascii():
+        text = source.decode("ascii").__getitem__
+
+        def read(start: int, end: int) -> str:
+            return text(slice(start, end))
+
+    else:
+
+        def read(start: int, end: int) -> str:
+            return source[start:end].decode("utf-8", "replace")
+
+    found: list[Statement] = []
+    broken: list[Node] = []
+    with collection_paused():
+        for node in _flattened(root) if root.has_error else root.children:
+            plan = _PLANS.get(node.kind_id)
+            if plan is not None and not node.has_error:
+                found.append(_lower_statement(node, plan, read))
+            elif node.kind_id not in COMMENTS:
+                broken.append(node)
+    if not broken:
+        return Program(tuple(found))
+    broken_rows = {row for node in broken for row in _rows(node)}
+    whole = []
+    for statement in found:
+        # A statement with something else on its line is not what its writer meant.
+        if broken_rows.isdisjoint(_rows(statement.syntax)):
+            whole.append(statement)
+        else:
+            broken.append(statement.syntax)
+    broken.sort(key=lambda node: node.start_byte)
+    diagnostics, words = explain(source, broken)
+    return Program(tuple(whole), diagnostics, words)
+
+
+def _rows(node: Node) -> range:
+    return range(node.start_point.row, node.end_point.row + 1)
+
+
+def _flattened(root: Node) -> Iterator[Node]:
+    """Yield what stands at the top level, and the statements that recovery put into an error."""
+    for node in root.children:
+        if node.is_error and any(child.kind_id in _PLANS for child in node.children):
+            yield from node.children
+        else:
+            yield node
+
+
+def _lower_statement(node: Node, plan: _Plan, text: Callable[[int, int], str]) -> Statement:
+    make, slots = plan
+    values: list[Any] = [node]
+    for field, how in slots:
+        child = node.child_by_field_id(field)
+        if child is None:
+            values.append(None)
+        elif how is _Lowered.TEXT:
+            values.append(text(child.start_byte, child.end_byte))
+        elif how is _Lowered.QUOTED:
+            values.append(text(child.start_byte + 1, child.end_byte - 1))
+        elif how is _Lowered.INPUT:
+            values.append(lower_input(child, text))
+        elif how is _Lowered.NUMBER:
+            values.append(lower_number(text(child.start_byte, child.end_byte)))
+        else:
+            written = text(child.start_byte, child.end_byte)
+            values.append(written[1:-1] if child.type == "path" else written)
+    return make(*values)

@@ -1,0 +1,188 @@
+"""The statements of the language, each declared once."""
+
+from __future__ import annotations
+
+from .declaration import SlotKind, Statement, slot, statement
+from .inputs import Input
+
+NAME_HELP = "what the node is called in the ROS graph"
+TOPIC_HELP = "the topic, a name that nodes share"
+SERVICE_HELP = "the service, a name that nodes share"
+LIBRARY_HELP = "rospy, rclpy, roscpp, rclcpp or nodelet; without it, the one that is in use"
+CALLBACK_HELP = "the function that is called; made if the file has none of that name"
+
+
+@statement(
+    "create_node_statement",
+    "create_node {name} as {variable} [using {library}]",
+    summary="Make a new node.",
+    example="create_node 'talker' as talker",
+)
+class CreateNode(Statement):
+    """Make a new node."""
+
+    name: str = slot(SlotKind.NODE_NAME, NAME_HELP)
+    variable: str = slot(SlotKind.NEW_NODE, "what the program calls the node")
+    library: str | None = slot(SlotKind.LIBRARY, LIBRARY_HELP)
+
+
+@statement(
+    "load_statement",
+    "load {source} as {variable}",
+    summary="Read a node from a source file, to change it.",
+    example="load 'scripts/driver.py' as driver",
+)
+class Load(Statement):
+    """Read a node from a source file."""
+
+    source: str = slot(
+        SlotKind.FILE,
+        "a file in the output folder by its name, or a path from the program's folder",
+    )
+    variable: str = slot(SlotKind.NEW_NODE, "what the program calls the node")
+
+    @property
+    def is_path(self) -> bool:
+        """Whether the file is given as a path in quotes, not as a bare name."""
+        child = self.syntax.child_by_field_name("source")
+        return child is not None and child.type == "path"
+
+
+@statement(
+    "create_message_statement",
+    "create_message {variable} of message_type {type} and input {input}",
+    summary="Make a message with its values.",
+    example="create_message origin of message_type Point and input 0, 0, 0",
+)
+class CreateMessage(Statement):
+    """Make a message with its values."""
+
+    variable: str = slot(SlotKind.NEW_MESSAGE, "what the program calls the message")
+    type: str = slot(SlotKind.MESSAGE_TYPE, "the type of the message")
+    input: Input = slot(SlotKind.INPUT, "the values of its fields, in order or by name")
+
+
+@statement(
+    "subscribe_statement",
+    "subscribe {node} to {topic} of message_type {type} [calling {function}]",
+    summary="Let a node listen to a topic.",
+    example="subscribe listener to 'chatter' of message_type String",
+)
+class Subscribe(Statement):
+    """Let a node listen to a topic."""
+
+    node: str = slot(SlotKind.NODE, "the node that listens")
+    topic: str = slot(SlotKind.TOPIC, TOPIC_HELP)
+    type: str = slot(SlotKind.MESSAGE_TYPE, "the type of the topic's messages")
+    function: str | None = slot(SlotKind.FUNCTION, CALLBACK_HELP)
+
+
+@statement(
+    "unsubscribe_statement",
+    "unsubscribe {node} from {topic}",
+    summary="Let a node no longer listen to a topic.",
+    example="unsubscribe listener from 'chatter'",
+)
+class Unsubscribe(Statement):
+    """Let a node no longer listen to a topic."""
+
+    node: str = slot(SlotKind.NODE, "the node that listens")
+    topic: str = slot(SlotKind.TOPIC, TOPIC_HELP)
+
+
+@statement(
+    "publish_statement",
+    "{node} publish {message} to {topic} of message_type {type} [at {rate} hz]",
+    summary="Let a node send a message to a topic, again and again.",
+    example="talker publish greeting to 'chatter' of message_type String at 2 hz",
+)
+class Publish(Statement):
+    """Let a node send a message to a topic, again and again."""
+
+    node: str = slot(SlotKind.NODE, "the node that sends")
+    message: str = slot(SlotKind.MESSAGE, "the message that it sends")
+    topic: str = slot(SlotKind.TOPIC, TOPIC_HELP)
+    type: str = slot(SlotKind.MESSAGE_TYPE, "the type of the topic's messages")
+    rate: int | float | None = slot(SlotKind.RATE, "how often, in hertz; 10 without it")
+
+
+@statement(
+    "stop_publishing_statement",
+    "{node} stop_publishing to {topic}",
+    summary="Let a node no longer send to a topic.",
+    example="talker stop_publishing to 'chatter'",
+)
+class StopPublishing(Statement):
+    """Let a node no longer send to a topic."""
+
+    node: str = slot(SlotKind.NODE, "the node that sends")
+    topic: str = slot(SlotKind.TOPIC, TOPIC_HELP)
+
+
+@statement(
+    "client_requests_statement",
+    "{node} client_requests {service} of service_type {type} with input {input}",
+    summary="Let a node call a service.",
+    example="caller client_requests 'add' of service_type AddTwoInts with input 5, 6",
+)
+class ClientRequests(Statement):
+    """Let a node call a service."""
+
+    node: str = slot(SlotKind.NODE, "the node that asks")
+    service: str = slot(SlotKind.SERVICE, SERVICE_HELP)
+    type: str = slot(SlotKind.SERVICE_TYPE, "the type of the service")
+    input: Input = slot(SlotKind.INPUT, "the values of the request, in order or by name")
+
+
+@statement(
+    "stop_request_statement",
+    "{node} stop_request {service}",
+    summary="Let a node no longer call a service.",
+    example="caller stop_request 'add'",
+)
+class StopRequest(Statement):
+    """Let a node no longer call a service."""
+
+    node: str = slot(SlotKind.NODE, "the node that asks")
+    service: str = slot(SlotKind.SERVICE, SERVICE_HELP)
+
+
+@statement(
+    "provides_service_statement",
+    "{node} provides_service {service} of service_type {type} [calling {function}]",
+    summary="Let a node answer the calls of a service.",
+    example="adder provides_service 'add' of service_type AddTwoInts",
+)
+class ProvidesService(Statement):
+    """Let a node answer the calls of a service."""
+
+    node: str = slot(SlotKind.NODE, "the node that answers")
+    service: str = slot(SlotKind.SERVICE, SERVICE_HELP)
+    type: str = slot(SlotKind.SERVICE_TYPE, "the type of the service")
+    function: str | None = slot(SlotKind.FUNCTION, CALLBACK_HELP)
+
+
+@statement(
+    "stop_service_statement",
+    "{node} stop_service {service}",
+    summary="Let a node no longer answer the calls of a service.",
+    example="adder stop_service 'add'",
+)
+class StopService(Statement):
+    """Let a node no longer answer the calls of a service."""
+
+    node: str = slot(SlotKind.NODE, "the node that answers")
+    service: str = slot(SlotKind.SERVICE, SERVICE_HELP)
+
+
+@statement(
+    "generate_node_statement",
+    "generate_node {node} [using {library}]",
+    summary="Write a node to its source file.",
+    example="generate_node talker",
+)
+class GenerateNode(Statement):
+    """Write a node to its source file."""
+
+    node: str = slot(SlotKind.NODE, "the node that is written")
+    library: str | None = slot(SlotKind.LIBRARY, LIBRARY_HELP)
