@@ -23,4 +23,44 @@ class Code:
     good: str = ""
 
 
-CODES: dict[str, Code] = {}
+CODES: dict[str, Code] = {
+    code.name: code
+    for code in (
+        Code(
+            "cannot-write",
+            "The operating system refuses to write a file, or something that is no file is in its "
+            "place. Nothing was changed. Free some space, or choose another output folder.",
+        ),
+        Code(
+            "outside-output",
+            "A file would be written outside of the output folder: its name, or a symbolic link, "
+            "leads out. Remove the link, or name the folder with `-o`.",
+        ),
+        Code(
+            "file-conflict",
+            "A file in the output folder holds what Plastron did not write. It is left alone; "
+            "`load` it in the program, or overwrite it with `--force`, which keeps a backup.",
+        ),
+        Code(
+            "changed-on-disk",
+            "A file was changed by somebody else between reading and writing it. Run it again.",
+        ),
+        Code(
+            "bad-definition",
+            "A `.msg`, `.srv` or `.action` file has a mistake, or cannot be read; its type counts "
+            "as not there. Mend the line, or the file.",
+        ),
+        Code(
+            "same-file",
+            "Two nodes of a program would be written to one file. Give one of them another name.",
+        ),
+        Code(
+            "bad-manifest",
+            "The output folder's `.plastron.json` cannot be read, so that every file that is in "
+            "the way counts as written by hand. The next `generate` replaces it, with a backup.",
+        ),
+    )
+}
+
+IO_CODES = frozenset({"cannot-write", "outside-output"})
+"""The codes of files that cannot be read or written: a command then exits with 2, not 1."""

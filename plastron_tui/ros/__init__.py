@@ -1,0 +1,1 @@
+"""What ROS knows: graph names, interface types and their fields, primitive values."""

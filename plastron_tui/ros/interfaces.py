@@ -64,11 +64,16 @@ Scalar = bool | int | float | str
 
 
 class Field(NamedTuple):
-    """A field of a message; `default` is what ROS 2 definitions may give it."""
+    """A field of a message.
+
+    `default` is what ROS 2 definitions may give it; `comment` is the first sentence of what
+    the definition says about it.
+    """
 
     name: str
     type: FieldType
     default: Scalar | tuple[Scalar, ...] | None = None
+    comment: str = ""
 
 
 class Constant(NamedTuple):

@@ -1,0 +1,184 @@
+"""The catalog: look an interface up by its full or its bare name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from plastron_tui.diagnostics import Diagnostic, did_you_mean
+from plastron_tui.ros.definition import MAX_DEFINITION_BYTES, parse_definition
+from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
+from plastron_tui.ros.primitives import PRIMITIVES
+
+from . import data
+from .distributions import DISTRIBUTIONS
+from .folders import TypeFolders
+
+_GEOMETRY = ("Point", "Vector3", "Quaternion", "Pose2D", "Pose", "Twist")
+
+# What these bare names mean, whatever else is installed (the language's table of types).
+_WELL_KNOWN: Mapping[InterfaceKind, Mapping[str, str]] = {
+    InterfaceKind.MESSAGE: {
+        **dict.fromkeys(("String", "Char", "Int32", "Float32"), "std_msgs"),
+        **dict.fromkeys(_GEOMETRY, "geometry_msgs"),
+    },
+    InterfaceKind.SERVICE: {
+        **dict.fromkeys(("Empty", "SetBool", "Trigger"), "std_srvs"),
+        **dict.fromkeys(("WaypointClear", "WaypointPull"), "mavros_msgs"),
+        "WordCount": "basics",
+    },
+    InterfaceKind.ACTION: {},
+}
+_ADD_TWO_INTS = {1: "beginner_tutorials", 2: "example_interfaces"}
+
+_Key = tuple[InterfaceKind, InterfaceName]
+
+# Messages within messages, in files of a user's; real ones have fewer than ten levels.
+_DEEPEST_NESTING = 50
+
+
+class Catalog:
+    """The interface types of one distribution, and on top those of the type folders.
+
+    The packages of a distribution are what its release says they are: a definition in a type
+    folder does not change them. It does replace a type of a package that the catalog holds only
+    a few types of, such as `mavros_msgs`, and it adds every other package. Type folders are
+    listed when a name is looked up that the distribution does not settle.
+
+    Attributes:
+        distribution: the name of the distribution.
+        ros_version: 1 or 2.
+        problems: what is wrong in the definitions that were read so far; a type whose
+            definition has a mistake is not found.
+    """
+
+    def __init__(self, distribution: str, type_folders: Sequence[Path] = ()) -> None:
+        """Make a catalog; no file is read yet.
+
+        Args:
+            distribution: one of `DISTRIBUTIONS`.
+            type_folders: folders that hold packages (at any depth), package folders, or `msg`,
+                `srv` and `action` folders; the first that has a type wins.
+
+        Raises:
+            ValueError: the distribution is not one of `DISTRIBUTIONS`.
+        """
+        if distribution not in DISTRIBUTIONS:
+            raise ValueError(f"no distribution `{distribution}` in the catalog")
+        self.distribution = distribution
+        self.ros_version = DISTRIBUTIONS[distribution]
+        self.problems: list[Diagnostic] = []
+        self._folders = TypeFolders(type_folders)
+        self._open: list[_Key] = []
+        self._found: dict[_Key, Interface | None] = {}
+        self._candidates: dict[tuple[InterfaceKind, str], tuple[InterfaceName, ...]] = {}
+
+    def find(self, name: InterfaceName, kind: InterfaceKind) -> Interface | None:
+        """Return the interface of a full name, None when there is none such.
+
+        A definition with a mistake, and one whose messages contain each other without end or
+        are not to be found, adds to `problems` and is not found.
+        """
+        key = (kind, name)
+        try:
+            return self._found[key]
+        except KeyError:
+            pass
+        interface = self._read(key)
+        self._found[key] = interface
+        return interface
+
+    def candidates(self, bare: str, kind: InterfaceKind) -> tuple[InterfaceName, ...]:
+        """Return every interface that a bare name may mean, sorted.
+
+        A name of the language's table has its one meaning, or none where the distribution
+        does not have it.
+        """
+        key = (kind, bare)
+        known = self._candidates.get(key)
+        if known is None:
+            known = self._candidates[key] = tuple(self._meanings(bare, kind))
+        return known
+
+    def names(self, kind: InterfaceKind) -> Sequence[InterfaceName]:
+        """Return the names of all interfaces of a kind, sorted."""
+        own = data.index(self.distribution).names[kind]
+        return sorted({*own, *self._folders.names(kind)})
+
+    def packages(self, kind: InterfaceKind) -> Sequence[str]:
+        """Return the packages that have interfaces of a kind, sorted."""
+        return sorted({name.package for name in self.names(kind)})
+
+    def _meanings(self, bare: str, kind: InterfaceKind) -> Iterator[InterfaceName]:
+        package = _WELL_KNOWN[kind].get(bare)
+        if bare == "AddTwoInts" and kind is InterfaceKind.SERVICE:
+            package = _ADD_TWO_INTS[self.ros_version]
+        own = data.index(self.distribution).by_bare[kind].get(bare, ())
+        if package is not None:
+            yield from (name for name in own if name.package == package)
+        else:
+            yield from sorted({*own, *self._folders.by_bare(kind).get(bare, ())})
+
+    def _read(self, key: _Key) -> Interface | None:
+        kind, name = key
+        index = data.index(self.distribution)
+        is_own = name in index.names[kind]
+        if not is_own or name.package in index.partial:
+            file = self._folders.file(name, kind)
+            if file is not None:
+                return self._read_file(key, file)
+        if not is_own:
+            return None
+        text = data.definitions(self.distribution, name.package)[kind.value][name.name]
+        definition = parse_definition(text, name, kind, self.ros_version)
+        assert definition.interface is not None, f"{name}: {definition.diagnostics}"
+        return definition.interface
+
+    def _read_file(self, key: _Key, file: Path) -> Interface | None:
+        kind, name = key
+        try:
+            with file.open("rb") as stream:
+                # One byte beyond the limit tells that a file is too long, however long it is.
+                source = stream.read(MAX_DEFINITION_BYTES + 1)
+        except OSError as error:
+            reason = (error.strerror or "not a file").lower()
+            self._report(f"the definition of `{name}` cannot be read: {reason}", file)
+            return None
+        definition = parse_definition(source, name, kind, self.ros_version, file)
+        self.problems += definition.diagnostics
+        interface = definition.interface
+        if interface is None:
+            return None
+        self._open.append(key)
+        is_sound = self._has_sound_messages(interface, file)
+        self._open.pop()
+        return interface if is_sound else None
+
+    def _has_sound_messages(self, interface: Interface, file: Path) -> bool:
+        """Tell whether the messages within a user's type are found; if not, report it once."""
+        for field in (field for section in interface.sections for field in section.fields):
+            message = field.type.message
+            if message is None:
+                continue
+            if (InterfaceKind.MESSAGE, message) in self._open:
+                self._report(f"`{interface.name}` contains itself, in field `{field.name}`", file)
+                return False
+            if len(self._open) > _DEEPEST_NESTING:
+                self._report(f"`{interface.name}` is a message within too many others", file)
+                return False
+            if self.find(message, InterfaceKind.MESSAGE) is None:
+                # A definition that is there has been reported itself.
+                if self._folders.file(message, InterfaceKind.MESSAGE) is None:
+                    text = f"field `{field.name}` is of type `{message}`, which does not exist"
+                    self._report(text, file, self._similar(message))
+                return False
+        return True
+
+    def _similar(self, message: InterfaceName) -> str | None:
+        known = self.candidates(message.name, InterfaceKind.MESSAGE)
+        if known:
+            return "write " + " or ".join(f"`{name}`" for name in known)
+        return did_you_mean(message.name, PRIMITIVES[self.ros_version])
+
+    def _report(self, message: str, file: Path, remedy: str | None = None) -> None:
+        self.problems.append(Diagnostic("bad-definition", message, file=file, help=remedy))

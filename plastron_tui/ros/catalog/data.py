@@ -1,0 +1,63 @@
+"""The YAML files of the catalog, each read once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+
+_DATA = Path(__file__).parent
+
+Definitions = Mapping[str, Mapping[str, str]]
+"""The definitions of a package: by kind (`msg`, `srv`, `action`), then by name."""
+
+
+@dataclass(frozen=True, slots=True)
+class Index:
+    """The names of a distribution's interfaces.
+
+    Attributes:
+        names: the interfaces of each kind, sorted.
+        by_bare: of each kind, the full names by bare name.
+        partial: the packages that the catalog holds only a few types of.
+    """
+
+    names: Mapping[InterfaceKind, frozenset[InterfaceName]]
+    by_bare: Mapping[InterfaceKind, Mapping[str, tuple[InterfaceName, ...]]]
+    partial: frozenset[str]
+
+
+@cache
+def index(distribution: str) -> Index:
+    """Return the index of a distribution."""
+    data = _load(_DATA / distribution / "index.yaml")
+    names: dict[InterfaceKind, frozenset[InterfaceName]] = {}
+    by_bare: dict[InterfaceKind, dict[str, tuple[InterfaceName, ...]]] = {}
+    for kind in InterfaceKind:
+        table: dict[str, tuple[InterfaceName, ...]] = {}
+        for package, listed in data[kind.value].items():
+            for name in listed.split():
+                table[name] = (*table.get(name, ()), InterfaceName(package, name))
+        by_bare[kind] = table
+        names[kind] = frozenset(name for found in table.values() for name in found)
+    return Index(names, by_bare, frozenset((data["partial"] or "").split()))
+
+
+@cache
+def definitions(distribution: str, package: str) -> Definitions:
+    """Return the definitions of a package that the distribution's index lists."""
+    data: Definitions = _load(_DATA / distribution / f"{package}.yaml")
+    return data
+
+
+def _load(file: Path) -> Any:
+    import yaml  # a program whose types are all known needs none of it
+
+    # libyaml reads ten times as fast, and not every PyYAML was built with it.
+    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    with file.open("rb") as stream:
+        return yaml.load(stream, Loader=loader)

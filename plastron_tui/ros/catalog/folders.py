@@ -1,0 +1,150 @@
+"""Definitions in folders: installed ROS packages, and the workspace's own."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+
+_KINDS = {kind.value: kind for kind in InterfaceKind}
+_TYPE_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
+_XML_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+_XML_NAME = re.compile(r"<name>\s*([A-Za-z0-9_-]+)\s*</name>")
+# What tells ROS's own tools to leave a folder out.
+_IGNORE_MARKERS = frozenset({"CATKIN_IGNORE", "COLCON_IGNORE", "AMENT_IGNORE"})
+_MANIFESTS = frozenset({"package.xml", "manifest.xml"})
+_MOST_FOLDERS = 20_000
+_DEEPEST = 12
+
+
+def installed_folders(
+    environ: Mapping[str, str], ros_version: int | None = None
+) -> tuple[Path, ...]:
+    """Return the folders in which a sourced ROS keeps its packages, the first searched first.
+
+    They are the folders of `ROS_PACKAGE_PATH` (ROS 1) and the `share` folders of
+    `AMENT_PREFIX_PATH` (ROS 2); only those of one generation when `ros_version` is given.
+    """
+    folders: list[Path] = []
+    if ros_version in (None, 1):
+        folders += [Path(entry) for entry in _entries(environ, "ROS_PACKAGE_PATH")]
+    if ros_version in (None, 2):
+        folders += [Path(entry, "share") for entry in _entries(environ, "AMENT_PREFIX_PATH")]
+    return tuple(folder for folder in dict.fromkeys(folders) if folder.is_dir())
+
+
+def _entries(environ: Mapping[str, str], variable: str) -> list[str]:
+    entries = environ.get(variable, "").split(os.pathsep)
+    return [entry for entry in entries if entry and "\0" not in entry]
+
+
+class TypeFolders:
+    """The definition files in some folders, listed when first asked for."""
+
+    def __init__(self, folders: Sequence[Path]) -> None:
+        self._folders = tuple(folders)
+        self._files: dict[InterfaceKind, dict[InterfaceName, Path]] | None = None
+        self._by_bare: dict[InterfaceKind, dict[str, list[InterfaceName]]] = {}
+
+    def file(self, name: InterfaceName, kind: InterfaceKind) -> Path | None:
+        """Return the file that defines an interface, None when no folder has one."""
+        return self._listed()[kind].get(name)
+
+    def names(self, kind: InterfaceKind) -> Sequence[InterfaceName]:
+        """Return the names of the interfaces of a kind, in no order."""
+        return tuple(self._listed()[kind])
+
+    def by_bare(self, kind: InterfaceKind) -> Mapping[str, Sequence[InterfaceName]]:
+        """Return the full names by bare name."""
+        if kind not in self._by_bare:
+            table: dict[str, list[InterfaceName]] = {}
+            for name in self._listed()[kind]:
+                table.setdefault(name.name, []).append(name)
+            self._by_bare[kind] = table
+        return self._by_bare[kind]
+
+    def _listed(self) -> dict[InterfaceKind, dict[InterfaceName, Path]]:
+        if self._files is None:
+            self._files = {kind: {} for kind in InterfaceKind}
+            for folder in self._folders:
+                for package, kind, listing in _interface_folders(folder):
+                    for name, file in _definitions(listing, kind):
+                        self._files[kind].setdefault(InterfaceName(package, name), file)
+        return self._files
+
+
+def _definitions(folder: Path, kind: InterfaceKind) -> Iterator[tuple[str, Path]]:
+    for entry in _children(folder):
+        stem, suffix = os.path.splitext(entry.name)  # noqa: PTH122 - a Path for each is slow
+        if suffix == f".{kind.value}" and _TYPE_NAME.fullmatch(stem):
+            yield stem, folder / entry.name
+
+
+def _interface_folders(root: Path) -> Iterator[tuple[str, InterfaceKind, Path]]:
+    """Yield the `msg`, `srv` and `action` folders under a root, with their packages."""
+    if root.name in _KINDS:
+        yield _package_name(root.absolute().parent), _KINDS[root.name], root
+        return
+    # The packages of an installation are side by side, and share/ has much else to walk.
+    deepest = 1 if root.name == "share" else _DEEPEST
+    waiting = [(root, 0)]
+    seen: set[tuple[int, int]] = set()
+    while waiting and len(seen) < _MOST_FOLDERS:
+        folder, depth = waiting.pop()
+        children = _children(folder)
+        names = {entry.name for entry in children}
+        if names & _IGNORE_MARKERS or not _is_first_visit(folder, seen):
+            continue
+        kinds = [name for name in _KINDS if name in names]
+        if kinds and (depth or names & _MANIFESTS or root.name != "share"):
+            package = folder.name if root.name == "share" else _package_name(folder.absolute())
+            yield from ((package, _KINDS[name], folder / name) for name in kinds)
+        if names & _MANIFESTS or depth == deepest:
+            continue
+        below = [entry.name for entry in children if _is_walkable(entry)]
+        waiting += [(folder / name, depth + 1) for name in sorted(below, reverse=True)]
+
+
+def _is_walkable(entry: os.DirEntry[str]) -> bool:
+    if entry.name.startswith((".", "__")) or entry.name in _KINDS:
+        return False
+    try:
+        return entry.is_dir()
+    except OSError:
+        return False
+
+
+def _is_first_visit(folder: Path, seen: set[tuple[int, int]]) -> bool:
+    """Tell whether a folder is new; symbolic links can lead to one again."""
+    try:
+        status = folder.stat()
+    except OSError:
+        return False
+    key = (status.st_dev, status.st_ino)
+    if key in seen:
+        return False
+    seen.add(key)
+    return True
+
+
+def _children(folder: Path) -> list[os.DirEntry[str]]:
+    """Return the entries of a folder, by name; none when it cannot be listed."""
+    try:
+        with os.scandir(folder) as entries:
+            return sorted(entries, key=lambda entry: entry.name)
+    except (OSError, ValueError):
+        return []
+
+
+def _package_name(folder: Path) -> str:
+    """Return a package's name: what its manifest says, else the name of its folder."""
+    try:
+        with (folder / "package.xml").open("rb") as stream:
+            manifest = stream.read(100_000).decode("utf-8", "replace")
+    except (OSError, ValueError):
+        return folder.name
+    match = _XML_NAME.search(_XML_COMMENT.sub("", manifest))
+    return match[1] if match else folder.name

@@ -1,0 +1,124 @@
+"""The values in a definition: constants, default values, and where a comment starts."""
+
+from __future__ import annotations
+
+from .interfaces import Scalar
+from .primitives import PRIMITIVES, check_scalar
+
+_BOOLS = {"true": True, "1": True, "false": False, "0": False}
+_ESCAPES = {"\\": "\\", '"': '"', "'": "'", "n": "\n", "t": "\t"}
+
+
+def split_comment(text: str, ros_version: int, type_name: str = "") -> tuple[str, str]:
+    """Split what follows a name into the code and the comment, which starts at a `#`.
+
+    A string constant of ROS 1 reaches to the end of the line, `#` or not; within the quotes of
+    a ROS 2 string a `#` is a character like any other.
+    """
+    if ros_version == 1 and type_name == "string":
+        return text, ""
+    if "#" not in text:
+        return text, ""
+    at = _comment_start(text) if ros_version == 2 else text.index("#")
+    if at < 0:
+        return text, ""
+    return text[:at].rstrip(), text[at:].lstrip("#").strip()
+
+
+def _comment_start(text: str) -> int:
+    """Return where the first `#` outside quotes is, -1 when there is none."""
+    quote = ""
+    is_escaped = False
+    for at, character in enumerate(text):
+        if is_escaped:
+            is_escaped = False
+        elif quote:
+            is_escaped = character == "\\"
+            if character == quote:
+                quote = ""
+        elif character == "#":
+            return at
+        elif character in "\"'" and text[:at].rstrip()[-1:] in ("", "=", "[", ","):
+            quote = character
+    # A quote that nothing closes was an apostrophe.
+    return text.find("#") if quote else -1
+
+
+def parse_literal(type_name: str, text: str, ros_version: int) -> Scalar | ValueError:
+    """Return the value that a literal has in a definition, or why it has none."""
+    kind = PRIMITIVES[ros_version][type_name].kind
+    value: Scalar
+    if kind is bool:
+        if text.lower() not in _BOOLS:
+            return ValueError(f"`{_cut(text)}` is not a `bool`")
+        return _BOOLS[text.lower()]
+    if kind is str:
+        value = _unquoted(text) if ros_version == 2 else text
+    else:
+        try:
+            value = _integer(text) if kind is int else float(text)
+        except ValueError:
+            return ValueError(f"`{_cut(text)}` is not a value of `{type_name}`")
+    problem = check_scalar(type_name, value, ros_version)
+    return value if problem is None else ValueError(problem)
+
+
+def parse_array(type_name: str, text: str, ros_version: int) -> tuple[Scalar, ...] | ValueError:
+    """Return the values of a literal such as `[1, 2, 3]`, or why it has none."""
+    if not (text.startswith("[") and text.endswith("]") and len(text) > 1):
+        return ValueError("the default value of an array is a list in brackets")
+    values: list[Scalar] = []
+    for part in _split_elements(text[1:-1]):
+        value = parse_literal(type_name, part.strip(), ros_version)
+        if isinstance(value, ValueError):
+            return value
+        values.append(value)
+    return tuple(values)
+
+
+def _split_elements(text: str) -> list[str]:
+    """Split at the commas outside quotes; no text gives no elements."""
+    parts: list[str] = []
+    start = 0
+    quote = ""
+    is_escaped = False
+    for at, character in enumerate(text):
+        if is_escaped:
+            is_escaped = False
+        elif quote:
+            is_escaped = character == "\\"
+            if character == quote:
+                quote = ""
+        elif character in "\"'":
+            quote = character
+        elif character == ",":
+            parts.append(text[start:at])
+            start = at + 1
+    rest = text[start:]
+    return [*parts, rest] if parts or rest.strip() else []
+
+
+def _integer(text: str) -> int:
+    # A leading zero is decimal, as Python's own int() reads it; `0x` needs to be asked for.
+    try:
+        return int(text)
+    except ValueError:
+        return int(text, 0)
+
+
+def _unquoted(text: str) -> str:
+    if len(text) < 2 or text[0] not in "\"'" or text[-1] != text[0]:
+        return text
+    result: list[str] = []
+    characters = iter(text[1:-1])
+    for character in characters:
+        if character != "\\":
+            result.append(character)
+            continue
+        escaped = next(characters, "\\")
+        result.append(_ESCAPES.get(escaped, f"\\{escaped}"))
+    return "".join(result)
+
+
+def _cut(text: str) -> str:
+    return text if len(text) <= 40 else f"{text[:39]}…"
