@@ -4,13 +4,14 @@ A pass returns its result together with its diagnostics, and never raises for wh
 wrote. How they look (text, JSON, an underline in an editor) is for the renderers.
 """
 
-from .codes import CODES, Code
+from .codes import CODES, IO_CODES, Code
 from .data import Diagnostic, Edit, Fix, Label, Severity, Span, has_errors
 from .lines import LineIndex, Position
 from .suggest import did_you_mean
 
 __all__ = [
     "CODES",
+    "IO_CODES",
     "Code",
     "Diagnostic",
     "Edit",

@@ -1,0 +1,293 @@
+"""What writing would do, file by file, before anything is written.
+
+Making a plan reads the disk and changes nothing. `--dry-run` and `--diff` stop at the plan; the
+writer carries it out.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import stat
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+from pathlib import Path
+
+from plastron_tui.diagnostics import Diagnostic
+
+from .manifest import NAME as MANIFEST_NAME
+from .manifest import Manifest
+
+TEMPORARY_PREFIX = ".plastron-"
+"""How the names of the writer's temporary files start."""
+
+
+class FileState(str, Enum):
+    """What writing would do to a file. The values are what a person reads."""
+
+    CREATE = "create"
+    IDENTICAL = "identical"
+    CHANGED = "changed"
+    CONFLICT = "conflict"
+
+
+@dataclass(frozen=True, slots=True)
+class OutputFile:
+    """A file that is wanted.
+
+    Attributes:
+        name: the file's name, without a folder.
+        text: what it shall hold.
+        is_executable: whether it gets the executable bit.
+        merged_from: the bytes that the text was derived from, where they are the file's own
+            present bytes: such a text keeps what was written by hand, and replaces exactly these
+            bytes. None for a text that was made anew.
+        path: where to write instead of the output folder (`--in-place`); the caller vouches
+            for it, and a symbolic link there is followed.
+    """
+
+    name: str
+    text: bytes
+    is_executable: bool = True
+    merged_from: bytes | None = None
+    path: Path | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class PlannedFile:
+    """A file, what is on the disk now, and what shall be.
+
+    Attributes:
+        name: the file's name, for people.
+        path: the file that is written, symbolic links resolved.
+        text: what it shall hold.
+        state: what writing does.
+        is_executable: whether it gets the executable bit.
+        before: what it holds now; None when there is no such file.
+        status: the file's status when `before` was read: the writer looks again.
+        entry: the name under which the manifest remembers `text` once it is written; None for a
+            text that holds handwork, and for a file outside the folder.
+        problem: why a conflict is one, as the diagnostic to give where it is not forced.
+    """
+
+    name: str
+    path: Path
+    text: bytes
+    state: FileState
+    is_executable: bool = True
+    before: bytes | None = None
+    status: os.stat_result | None = None
+    entry: str | None = None
+    problem: Diagnostic | None = None
+
+    @property
+    def mode_before(self) -> int | None:
+        """The permission bits of the file now, None when there is no such file."""
+        return None if self.status is None else stat.S_IMODE(self.status.st_mode)
+
+
+@dataclass(frozen=True, slots=True)
+class FilePlan:
+    """All files of one `generate`, in the order in which they were asked for."""
+
+    folder: Path
+    files: tuple[PlannedFile, ...]
+
+    @property
+    def conflicts(self) -> tuple[Diagnostic, ...]:
+        """The diagnostics of the files that only `--force` overwrites."""
+        return tuple(file.problem for file in self.files if file.problem is not None)
+
+
+class _RefusedError(Exception):
+    """A file that cannot be planned; never leaves this module."""
+
+    def __init__(self, diagnostic: Diagnostic) -> None:
+        super().__init__(diagnostic.message)
+        self.diagnostic = diagnostic
+
+
+def make_plan(
+    folder: Path,
+    files: Sequence[OutputFile],
+    manifest: Manifest,
+    *,
+    within: Path | None = None,
+) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
+    """Compare the wanted files with the disk.
+
+    The diagnostics are errors that no `--force` mends; a file that has one is not in the plan,
+    and the plan should then not be written. Conflicts are not among them: see
+    `FilePlan.conflicts`. A file that was asked for twice with the same text is planned once.
+
+    Args:
+        folder: the output folder; it need not exist.
+        files: the files that are wanted.
+        manifest: what Plastron wrote there before.
+        within: where the folder must lie, links resolved, when nobody named it expressly: so
+            that a link in somebody's repository does not lead the default folder astray.
+    """
+    try:
+        real_folder = _real_folder(folder, within)
+    except _RefusedError as refused:
+        return FilePlan(folder, ()), (refused.diagnostic,)
+    planned: dict[Path, PlannedFile] = {}
+    diagnostics: list[Diagnostic] = []
+    for file in files:
+        new = _plan_or_refuse(folder, real_folder, file, manifest)
+        if isinstance(new, Diagnostic):
+            diagnostics.append(new)
+        elif planned.setdefault(new.path, new).text != new.text:
+            message = f"two nodes would be written to `{file.name}`"
+            remedy = "give one of the nodes another name"
+            diagnostics.append(_diagnostic("same-file", message, folder / file.name, remedy))
+    return FilePlan(folder, tuple(planned.values())), tuple(diagnostics)
+
+
+def _plan_or_refuse(
+    folder: Path, real_folder: str, file: OutputFile, manifest: Manifest
+) -> PlannedFile | Diagnostic:
+    try:
+        return _plan_file(folder, real_folder, file, manifest)
+    except _RefusedError as refused:
+        return refused.diagnostic
+
+
+def _plan_file(folder: Path, real_folder: str, file: OutputFile, manifest: Manifest) -> PlannedFile:
+    shown = file.path or folder / file.name
+    path, status = _target(shown, real_folder, file)
+    before = None if status is None else _read(path, shown)
+    state, problem = _state(file, before, status, manifest, shown)
+    is_inside = file.path is None or os.path.dirname(path) == real_folder
+    is_own = file.merged_from is None or manifest.has(file.name, file.merged_from)
+    return PlannedFile(
+        file.name,
+        Path(path),
+        file.text,
+        state,
+        file.is_executable,
+        before,
+        status,
+        entry=file.name if is_inside and is_own else None,
+        problem=problem,
+    )
+
+
+def _state(
+    file: OutputFile,
+    before: bytes | None,
+    status: os.stat_result | None,
+    manifest: Manifest,
+    shown: Path,
+) -> tuple[FileState, Diagnostic | None]:
+    if file.merged_from is not None and before != file.merged_from:
+        message = f"`{file.name}` changed on the disk since it was read"
+        remedy = "run it again to start from what the file holds now"
+        return FileState.CONFLICT, _diagnostic("changed-on-disk", message, shown, remedy)
+    if before is None or status is None:
+        return FileState.CREATE, None
+    if before == file.text:
+        lacks_bit = file.is_executable and not status.st_mode & stat.S_IXUSR
+        return FileState.CHANGED if lacks_bit else FileState.IDENTICAL, None
+    if file.merged_from is not None or manifest.has(file.name, before):
+        return FileState.CHANGED, None
+    if file.name in manifest.digests:
+        message = f"`{file.name}` was changed by hand"
+    else:
+        message = f"`{file.name}` exists and was not written by plastron"
+    remedy = "`load` it to keep what it holds, or use `--force` to overwrite it and keep a backup"
+    return FileState.CONFLICT, _diagnostic("file-conflict", message, shown, remedy)
+
+
+def _real_folder(folder: Path, within: Path | None) -> str:
+    try:
+        real = os.path.realpath(os.fsencode(folder))
+        root = None if within is None else os.path.realpath(os.fsencode(within))
+    except (OSError, ValueError) as error:
+        message = f"`{str(folder)!a}` cannot be the name of a folder"
+        raise _RefusedError(_diagnostic("cannot-write", message, None)) from error
+    if root is not None and not _is_inside(real, root):
+        message = f"the output folder `{folder}` is a link that leads out of `{within}`"
+        remedy = "name the folder with `-o` if that is what you want"
+        raise _RefusedError(_diagnostic("outside-output", message, folder, remedy))
+    if os.path.lexists(real) and not os.path.isdir(real):
+        message = f"the output folder `{folder}` is not a folder"
+        raise _RefusedError(_diagnostic("cannot-write", message, folder))
+    return os.fsdecode(real)
+
+
+def _target(shown: Path, real_folder: str, file: OutputFile) -> tuple[str, os.stat_result | None]:
+    """Return the real path of the file that is written, and its status."""
+    if not _is_plain_name(file.name):
+        message = f"{file.name!a} cannot be the name of a file in the output folder"
+        raise _RefusedError(_diagnostic("outside-output", message, None))
+    try:
+        if file.path is not None:
+            path = os.path.realpath(file.path)
+            status = _status(path)
+        else:
+            path = os.path.join(real_folder, file.name)
+            status = _status(path)
+            if status is not None and stat.S_ISLNK(status.st_mode):
+                path = os.path.realpath(path)
+                status = _status(path)
+    except (OSError, ValueError) as error:
+        raise _RefusedError(cannot_write(shown, error)) from error
+    if file.path is None and not _is_inside(os.fsencode(path), os.fsencode(real_folder)):
+        message = f"`{file.name}` is a symbolic link that leads out of the output folder"
+        remedy = "remove the link, or choose another folder with `-o`"
+        raise _RefusedError(_diagnostic("outside-output", message, shown, remedy))
+    if status is not None and not stat.S_ISREG(status.st_mode):
+        what = "a folder" if stat.S_ISDIR(status.st_mode) else "not a plain file"
+        message = f"cannot write `{file.name}`: it is {what}"
+        raise _RefusedError(_diagnostic("cannot-write", message, shown))
+    return path, status
+
+
+def _is_plain_name(name: str) -> bool:
+    """Tell whether a name means a file of the folder itself, and none of Plastron's own."""
+    if not name or name in {".", "..", MANIFEST_NAME} or name.startswith(TEMPORARY_PREFIX):
+        return False
+    try:
+        os.fsencode(name)
+    except UnicodeEncodeError:
+        return False
+    return name.isprintable() and not {"/", "\\"} & set(name)
+
+
+def _is_inside(path: bytes, folder: bytes) -> bool:
+    return path == folder or path.startswith(folder.rstrip(b"/") + b"/")
+
+
+def _status(path: str) -> os.stat_result | None:
+    try:
+        return os.lstat(path)
+    except FileNotFoundError:
+        return None
+
+
+def _read(path: str, shown: Path) -> bytes:
+    try:
+        return Path(path).read_bytes()
+    except OSError as error:
+        raise _RefusedError(cannot_write(shown, error)) from error
+
+
+def cannot_write(file: Path, error: Exception) -> Diagnostic:
+    """Return the diagnostic for what the operating system said about a file."""
+    reason = getattr(error, "strerror", None) or str(error)
+    remedy = None
+    number = getattr(error, "errno", None)
+    if number in {errno.ENOSPC, errno.EDQUOT}:
+        remedy = "free some space and run it again; nothing was changed"
+    elif number in {errno.EACCES, errno.EPERM, errno.EROFS}:
+        remedy = "choose a folder that you may write to with `-o`"
+    message = f"cannot write `{file.name}`: {reason[:1].lower()}{reason[1:]}"
+    return _diagnostic("cannot-write", message, file, remedy)
+
+
+def _diagnostic(
+    code: str, message: str, file: Path | None, remedy: str | None = None
+) -> Diagnostic:
+    return Diagnostic(code, message, file=file, help=remedy)
