@@ -1,0 +1,1 @@
+"""The workspace that a program builds, and the interpreter that builds it."""

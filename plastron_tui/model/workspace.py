@@ -6,7 +6,7 @@ that targets, panels and graphs see one kind of node.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Span
@@ -100,6 +100,16 @@ class Node:
     def is_idle(self) -> bool:
         """Whether the node would do nothing."""
         return not (self.publishers or self.subscriptions or self.services or self.clients)
+
+    def snapshot(self) -> Node:
+        """Return the node as it is now, untouched by what later statements do to it."""
+        return replace(
+            self,
+            publishers=dict(self.publishers),
+            subscriptions=dict(self.subscriptions),
+            services=dict(self.services),
+            clients=dict(self.clients),
+        )
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,211 @@
+"""What every statement is checked for: its variables, names, types, values."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from keyword import iskeyword
+from typing import Any
+
+from plastron_tui.diagnostics import Diagnostic, Label, Span, did_you_mean
+from plastron_tui.language import statements as st
+from plastron_tui.language.declaration import Statement
+from plastron_tui.ros.interfaces import Interface, InterfaceKind
+from plastron_tui.ros.names import (
+    NameProblem,
+    check_node_name,
+    check_service_name,
+    check_topic_name,
+)
+
+from .fitting import Fitter
+from .setting import Setting
+from .types import TypeProblem, TypeResolver
+from .values import MessageValue
+from .workspace import Message, Node, Workspace
+
+_HIGHEST_RATE = 1e6
+"""More than any node sends, in hertz; a typing error."""
+
+
+class Mistake(Exception):  # noqa: N818 - control flow, from a check to `interpret`
+    """The statement at hand has a mistake; without a diagnostic, it follows from another."""
+
+    def __init__(self, diagnostic: Diagnostic | None = None) -> None:
+        self.diagnostic = diagnostic
+
+
+_CHECKS: dict[str, Callable[[str, int], NameProblem | None]] = {
+    "name": check_node_name,
+    "topic": check_topic_name,
+    "service": check_service_name,
+}
+
+
+class Checks:
+    """Looks up what a statement names, and raises a mistake where there is none such."""
+
+    def __init__(self, setting: Setting, broken: Iterable[str]) -> None:
+        self.workspace = Workspace()
+        self._setting = setting
+        self._broken = set(broken)
+        self._version = setting.libraries[setting.library]
+        self._resolvers: dict[int, TypeResolver] = {}
+        self._fitters: dict[int, Fitter] = {}
+
+    def _check_new_variable(self, statement: Statement, variable: str) -> None:
+        if not variable[0].isalpha():
+            raise Mistake(
+                Diagnostic(
+                    "invalid-variable",
+                    f"a variable starts with a letter, and `{variable}` does not",
+                    statement.span_of("variable"),
+                    help=f"write `{variable.lstrip('_') or 'node1'}`",
+                )
+            )
+        workspace = self.workspace
+        node = workspace.nodes.get(variable)
+        earlier = node or workspace.messages.get(variable)
+        if earlier is None:
+            return
+        raise Mistake(
+            Diagnostic(
+                "variable-exists",
+                f"a {'message' if node is None else 'node'} `{variable}` exists already",
+                statement.span_of("variable"),
+                help="nodes and messages share one namespace; choose another name",
+                labels=(Label(earlier.span, "first created here"),),
+            )
+        )
+
+    def _node(self, statement: Any) -> Node:
+        node = self.workspace.nodes.get(statement.node)
+        if node is not None:
+            return node
+        raise self._unknown(statement, "node", self.workspace.nodes, self.workspace.messages)
+
+    def _message(self, statement: st.Publish) -> Message:
+        message = self.workspace.messages.get(statement.message)
+        if message is not None:
+            return message
+        raise self._unknown(statement, "message", self.workspace.messages, self.workspace.nodes)
+
+    def _unknown(
+        self, statement: Statement, slot: str, known: Iterable[str], others: Iterable[str]
+    ) -> Mistake:
+        """Make the mistake of a variable that names no node (or no message)."""
+        variable: str = getattr(statement, slot)
+        if variable in self._broken:
+            return Mistake()
+        if variable in others:
+            other = "message" if slot == "node" else "node"
+            text: str | None = f"`{variable}` is a {other}"
+        else:
+            text = did_you_mean(variable, known)
+        return Mistake(
+            Diagnostic(
+                f"unknown-{slot}", f"no {slot} `{variable}`", statement.span_of(slot), help=text
+            )
+        )
+
+    def _library(self, statement: st.CreateNode | st.GenerateNode) -> str | None:
+        library = statement.library
+        if library is None or library in self._setting.libraries:
+            return library
+        names = ", ".join(self._setting.libraries)
+        raise Mistake(
+            Diagnostic(
+                "unknown-library",
+                f"no client library `{library}`",
+                statement.span_of("library"),
+                help=did_you_mean(library, self._setting.libraries) or f"there are {names}",
+            )
+        )
+
+    def _version_of(self, node: Node) -> int:
+        return self._version if node.library is None else self._setting.libraries[node.library]
+
+    def _check_name(self, statement: Statement, slot: str, name: str, version: int) -> None:
+        problem = _CHECKS[slot](name, version)
+        if problem is None:
+            return
+        start = statement.span_of(slot).start + 1  # within the quotes
+        before = len(name[: problem.offset].encode())
+        length = len(name[problem.offset : problem.offset + problem.length].encode())
+        raise Mistake(
+            Diagnostic(
+                "invalid-name",
+                problem.message,
+                Span(start + before, start + before + length),
+                help=None if problem.suggestion is None else f"write '{problem.suggestion}'",
+            )
+        )
+
+    def _type(
+        self, statement: Statement, text: str, kind: InterfaceKind, version: int
+    ) -> Interface:
+        found = self._resolver(version).resolve(text, kind)
+        if not isinstance(found, TypeProblem):
+            return found
+        raise Mistake(
+            Diagnostic(found.code, found.message, statement.span_of("type"), help=found.help)
+        )
+
+    def _resolver(self, version: int) -> TypeResolver:
+        resolver = self._resolvers.get(version)
+        if resolver is None:
+            catalog = self._setting.catalog(version)
+            resolver = self._resolvers[version] = TypeResolver(catalog)
+            self._fitters[version] = Fitter(catalog)
+        return resolver
+
+    def _fit(
+        self, statement: st.CreateMessage | st.ClientRequests, type_: Interface, version: int
+    ) -> MessageValue:
+        value = self._fitters[version].fit(type_, statement)
+        if isinstance(value, Diagnostic):
+            raise Mistake(value)
+        return value
+
+    def _rate(self, statement: Statement, rate: int | float) -> float:
+        if 0 < rate <= _HIGHEST_RATE:
+            return float(rate)
+        raise Mistake(
+            Diagnostic(
+                "invalid-rate",
+                f"a rate is more than 0 and at most {_HIGHEST_RATE:g} hz",
+                statement.span_of("rate"),
+            )
+        )
+
+    def _check_function(self, statement: Statement, function: str | None) -> None:
+        if function is not None and iskeyword(function):
+            raise Mistake(
+                Diagnostic(
+                    "invalid-function",
+                    f"`{function}` is a keyword of Python and cannot be a function",
+                    statement.span_of("function"),
+                    help=f"write `{function}_`",
+                )
+            )
+
+    def _take(
+        self, statement: Statement, slot: str, endpoints: dict[str, Any], code: str, verb: str
+    ) -> None:
+        """Take an endpoint away from the statement's node, or say that it has none such."""
+        name: str = getattr(statement, slot)
+        if endpoints.pop(name, None) is None:
+            variable: str = getattr(statement, "node")  # noqa: B009 - every such statement has one
+            raise Mistake(
+                Diagnostic(
+                    code,
+                    f"`{variable}` does not {verb} `{name}`",
+                    statement.span_of(slot),
+                    help=did_you_mean(name, endpoints),
+                )
+            )
+
+
+def exists_already(statement: Statement, code: str, what: str, name: str) -> Mistake:
+    """Make the mistake of an endpoint that the node has already."""
+    slot = "topic" if hasattr(statement, "topic") else "service"
+    return Mistake(Diagnostic(code, f"{what} `{name}` already", statement.span_of(slot)))

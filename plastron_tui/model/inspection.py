@@ -1,0 +1,57 @@
+"""What `plastron inspect --format json` prints for a file."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .source import EndpointKind, SourceEndpoint, SourceFile, SourceNode
+
+_NAME_KEYS = {
+    EndpointKind.PUBLISHER: "topic",
+    EndpointKind.SUBSCRIPTION: "topic",
+    EndpointKind.SERVICE: "service",
+    EndpointKind.CLIENT: "service",
+    EndpointKind.ACTION_SERVER: "action",
+    EndpointKind.ACTION_CLIENT: "action",
+    EndpointKind.PARAMETER: "name",
+}
+_WITH_TYPE = frozenset(_NAME_KEYS) - {EndpointKind.PARAMETER}
+_WITH_CALLBACK = frozenset(
+    {
+        EndpointKind.SUBSCRIPTION,
+        EndpointKind.SERVICE,
+        EndpointKind.ACTION_SERVER,
+        EndpointKind.TIMER,
+    }
+)
+
+
+def inspect_json(source: SourceFile) -> dict[str, Any]:
+    """Describe a file as JSON: one entry for each call site, in the order of the file."""
+    return {
+        "file": str(source.path),
+        "client_library": source.library,
+        "nodes": [_node(node) for node in source.nodes],
+    }
+
+
+def _node(node: SourceNode) -> dict[str, Any]:
+    return {
+        "name": node.name,
+        **{kind.value: [_endpoint(found) for found in node.of_kind(kind)] for kind in EndpointKind},
+    }
+
+
+def _endpoint(endpoint: SourceEndpoint) -> dict[str, Any]:
+    found: dict[str, Any] = {}
+    if (key := _NAME_KEYS.get(endpoint.kind)) is not None:
+        found[key] = endpoint.name
+    found["expression"] = endpoint.expression
+    if endpoint.default is not None:
+        found["default"] = endpoint.default
+    if endpoint.kind in _WITH_TYPE:
+        found["type"] = str(endpoint.type) if endpoint.type is not None else None
+    if endpoint.kind in _WITH_CALLBACK:
+        found["callback"] = endpoint.callback
+    found["line"] = endpoint.line
+    return found

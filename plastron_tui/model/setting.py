@@ -1,0 +1,53 @@
+"""What a program is interpreted in: client libraries, interface types, files to load."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.ros.catalog import Catalog
+
+from .source import SourceFile
+from .workspace import Generation
+
+
+@dataclass(frozen=True, slots=True)
+class LoadRequest:
+    """What a `load` asks for: a file by its bare name, or by a path from the program's folder.
+
+    `generated` is what the program has asked to generate so far: a program may load what it
+    generates.
+    """
+
+    source: str
+    is_path: bool
+    generated: tuple[Generation, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Loaded:
+    """What a reader made of a request; `source` is None when it could not read the file."""
+
+    source: SourceFile | None
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+Reader = Callable[[LoadRequest], Loaded]
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """What a program is interpreted in.
+
+    Attributes:
+        library: the client library of a node that names none.
+        libraries: the client libraries that there are, each with its generation of ROS.
+        catalog: gives the interface types for a generation of ROS.
+        read: reads the files that the program loads.
+    """
+
+    library: str
+    libraries: Mapping[str, int]
+    catalog: Callable[[int], Catalog]
+    read: Reader

@@ -1,0 +1,104 @@
+"""Type names, as a program writes them, looked up in a distribution."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from plastron_tui.diagnostics.suggest import nearest
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
+
+_WORDS = {
+    InterfaceKind.MESSAGE: "message type",
+    InterfaceKind.SERVICE: "service type",
+    InterfaceKind.ACTION: "action type",
+}
+_MOST_LISTED = 8
+
+
+@dataclass(frozen=True, slots=True)
+class TypeProblem:
+    """Why a type name means nothing, or too much."""
+
+    code: str
+    message: str
+    help: str | None
+
+
+class TypeResolver:
+    """Looks up type names in one distribution, each only once."""
+
+    def __init__(self, catalog: Catalog) -> None:
+        self.catalog = catalog
+        self._known: dict[tuple[str, InterfaceKind], Interface | TypeProblem] = {}
+
+    def resolve(self, text: str, kind: InterfaceKind) -> Interface | TypeProblem:
+        """Return the interface that `Point`, `pkg/Point` or `pkg/msg/Point` means."""
+        key = (text, kind)
+        found = self._known.get(key)
+        if found is None:
+            found = self._known[key] = self._resolve(text, kind)
+        return found
+
+    def _resolve(self, text: str, kind: InterfaceKind) -> Interface | TypeProblem:
+        *prefix, name = text.split("/")
+        if not prefix:
+            return self._bare(name, kind)
+        package, *folder = prefix
+        if folder and folder[0] != kind.value:
+            return TypeProblem(
+                "unknown-type",
+                f"`{text}` is no {_WORDS[kind]}",
+                f"a {_WORDS[kind]} is written {package}/{kind.value}/{name}",
+            )
+        full = InterfaceName(package, name)
+        found = self.catalog.find(full, kind)
+        return found if found is not None else self._unknown(full, kind)
+
+    def _bare(self, name: str, kind: InterfaceKind) -> Interface | TypeProblem:
+        candidates = self.catalog.candidates(name, kind)
+        if len(candidates) == 1:
+            found = self.catalog.find(candidates[0], kind)
+            return found if found is not None else self._unknown(candidates[0], kind)
+        if candidates:
+            listed = [str(candidate) for candidate in candidates[:_MOST_LISTED]]
+            return TypeProblem(
+                "ambiguous-type",
+                f"several packages have a {_WORDS[kind]} `{name}`",
+                f"write one of {', '.join(listed)}",
+            )
+        return self._no_such(name, name, kind)
+
+    def _unknown(self, full: InterfaceName, kind: InterfaceKind) -> TypeProblem:
+        if full.package in self.catalog.packages(kind):
+            return self._no_such(str(full), full.name, kind, full.package)
+        guess = nearest(full.package, self.catalog.packages(kind))
+        return TypeProblem(
+            "unknown-type",
+            f"no package `{full.package}` with {_WORDS[kind]}s is known in "
+            f"{self.catalog.distribution}",
+            f"did you mean `{guess}/{full.name}`?"
+            if guess is not None
+            else "source the workspace that has it, or name its folder under `types` in "
+            "plastron.yaml",
+        )
+
+    def _no_such(
+        self, shown: str, name: str, kind: InterfaceKind, package: str | None = None
+    ) -> TypeProblem:
+        message = f"no {_WORDS[kind]} `{shown}` is known in {self.catalog.distribution}"
+        other = InterfaceKind.SERVICE if kind is InterfaceKind.MESSAGE else InterfaceKind.MESSAGE
+        if package is None and self.catalog.candidates(name, other):
+            return TypeProblem(
+                "unknown-type", message, f"`{name}` is a {_WORDS[other]}, not a {_WORDS[kind]}"
+            )
+        names = {
+            full.name: full
+            for full in self.catalog.names(kind)
+            if package is None or full.package == package
+        }
+        guess = nearest(name, names)
+        if guess is None:
+            return TypeProblem("unknown-type", message, "`plastron types` lists what is known")
+        text = guess if package is None else str(names[guess])
+        return TypeProblem("unknown-type", message, f"did you mean `{text}`?")
