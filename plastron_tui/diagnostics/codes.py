@@ -59,6 +59,25 @@ CODES: dict[str, Code] = {
             "The output folder's `.plastron.json` cannot be read, so that every file that is in "
             "the way counts as written by hand. The next `generate` replaces it, with a backup.",
         ),
+        Code(
+            "no-node",
+            "A file holds no node that Plastron can read: it is no text, or uses neither rospy nor "
+            "rclpy. Name the file of the node itself.",
+        ),
+        Code(
+            "file-too-large",
+            "A file is larger than any node that a person writes, and is not read.",
+        ),
+        Code(
+            "endpoint-in-use",
+            "An endpoint cannot be taken out of a hand-written file, because code beyond plain "
+            "publishing uses it; the message lists the lines. Change these lines by hand first.",
+        ),
+        Code(
+            "edit-refused",
+            "A change of a hand-written file is not possible, or would have changed more than was "
+            "asked for; the message says why. Nothing was written. Make the change by hand.",
+        ),
     )
 }
 

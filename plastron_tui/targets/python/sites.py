@@ -1,0 +1,368 @@
+"""The call sites of a file that create endpoints, and the nodes that they belong to."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+from tree_sitter import Node
+
+from plastron_tui.diagnostics import Span
+from plastron_tui.model.source import EndpointKind, SourceEndpoint
+from plastron_tui.ros.interfaces import InterfaceName
+
+from .arguments import Arguments
+from .calls import Argument, CallShape, ClientLibrary
+from .names import Defaulted, Known, Resolver
+from .scopes import Scope, ScopeTree, build_scopes
+from .syntax import Syntax, parse
+
+# How people call a variable that holds a node, where nothing else says what it is.
+_NODE_VARIABLE = re.compile(r"_*(\w+_)?(node|lifecycle_node)(handle)?_*$", re.IGNORECASE)
+# Packages whose classes are no nodes, so that a class derived from them is none either.
+_NO_NODES = frozenset(
+    {"threading", "multiprocessing", "unittest", "enum", "abc", "typing", "collections", "logging"}
+    | {"PyQt5", "PyQt6", "PySide2", "PySide6", "python_qt_binding", "tkinter", "dataclasses"}
+)
+_PARTIALS = frozenset({"functools.partial"})
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Site:
+    """A call that creates an endpoint.
+
+    Attributes:
+        endpoint: what it creates, as data.
+        call: the call in the tree.
+        scope: the scope that the call is in.
+        receiver: the source of the object whose method is called, "" for a plain function.
+        owner: the class of the file whose instance the receiver is, None for any other.
+        arguments: the call's arguments.
+        shape: the shape that the call matched.
+    """
+
+    endpoint: SourceEndpoint
+    call: Node
+    scope: Scope
+    receiver: str
+    owner: Scope | None
+    arguments: Arguments
+    shape: CallShape
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class NodeSite:
+    """A place that makes a node, or names one.
+
+    Attributes:
+        name: the name where the source says it literally.
+        expression: the source text that decides the name.
+        call: the call, None for a node class whose name comes from elsewhere.
+        scope: the scope of the call, or that of the class.
+        owner: the node class of the file, None for a node that a function makes.
+    """
+
+    name: str | None
+    expression: str
+    call: Node | None
+    scope: Scope
+    owner: Scope | None = None
+
+
+@dataclass(slots=True)
+class Analysis:
+    """All that the reader and the editor know of a file."""
+
+    syntax: Syntax
+    library: ClientLibrary
+    scopes: ScopeTree
+    resolver: Resolver
+    captures: dict[str, list[Node]]
+    sites: list[Site] = field(default_factory=list)
+    nodes: list[NodeSite] = field(default_factory=list)
+
+
+def analyze(text: bytes | Syntax, library: ClientLibrary) -> Analysis:
+    """Find the call sites of a file that create endpoints of a client library."""
+    syntax = parse(text) if isinstance(text, bytes) else text
+    captures = syntax.captures("structure")
+    scopes = build_scopes(syntax, captures)
+    calls = sorted(captures.get("call", []), key=lambda node: node.start_byte)
+    resolver = Resolver(syntax, scopes, calls, library)
+    analysis = Analysis(syntax, library, scopes, resolver, captures)
+    finder = _Finder(analysis)
+    for call in calls:
+        finder.visit(call)
+    finder.add_node_classes()
+    # An outer call comes before the calls in its arguments, as in the text.
+    analysis.sites.sort(key=lambda site: (site.call.start_byte, site.endpoint.span.start))
+    return analysis
+
+
+class _Finder:
+    def __init__(self, analysis: Analysis) -> None:
+        self._a = analysis
+        self._functions = analysis.library.functions()
+        self._methods = analysis.library.methods()
+        self._node_calls = analysis.library.node_calls
+        self._node_classes = analysis.library.node_classes
+        self._receivers: dict[tuple[int, str], bool] = {}
+
+    def visit(self, call: Node) -> None:
+        callee = call.child_by_field_name("function")
+        if callee is None or callee.type not in ("identifier", "attribute"):
+            return
+        scope = self._a.scopes.at(call.start_byte)
+        shape: CallShape | None = None
+        holder: Node | None = None
+        if callee.type == "attribute":
+            name = callee.child_by_field_name("attribute")
+            text = self._a.syntax.slice(name) if name is not None else ""
+            shape = self._methods.get(text)
+            holder = callee.child_by_field_name("object")
+            if shape is not None and holder is not None:
+                arguments = Arguments.of(call, self._a.syntax)
+                if self._is_node(holder, scope, shape, arguments):
+                    self._add(call, shape, scope, holder, arguments)
+                return
+        for qualified in self._a.resolver.qualified(callee, scope):
+            if qualified in self._functions:
+                arguments = Arguments.of(call, self._a.syntax)
+                self._add(call, self._functions[qualified], scope, None, arguments)
+                return
+            if qualified in self._node_calls:
+                self._add_node(call, scope, self._node_calls[qualified])
+                return
+            if qualified in self._node_classes:
+                self._add_node(call, scope, Argument(0, "node_name"))
+                return
+
+    def _add_node(self, call: Node, scope: Scope, argument: Argument) -> None:
+        name, expression = self._node_name(call, scope, argument)
+        self._a.nodes.append(NodeSite(name, expression, call, scope))
+
+    def _node_name(self, call: Node, scope: Scope, argument: Argument) -> tuple[str | None, str]:
+        given = Arguments.of(call, self._a.syntax).get(argument)
+        if given is None:
+            return None, ""
+        folded = self._a.resolver.fold(given, scope)
+        is_known = isinstance(folded, Known) and isinstance(folded.value, str)
+        name = folded.value if is_known and isinstance(folded, Known) else None
+        return (name if isinstance(name, str) else None), self._a.syntax.slice(given)
+
+    def add_node_classes(self) -> None:
+        """Add the classes that derive from a node class, under the name that they give."""
+        if not self._node_classes:
+            return
+        for owner in self._a.scopes.classes():
+            is_used = any(site.owner is owner and site.receiver for site in self._a.sites)
+            if self.is_node_class(owner, is_used):
+                call, name, expression = self._class_name(owner)
+                self._a.nodes.append(NodeSite(name, expression, call, owner, owner))
+        self._a.nodes.sort(key=lambda node: (node.call or node.scope.node).start_byte)
+
+    def is_node_class(self, owner: Scope, is_used: bool) -> bool:
+        """Whether instances of a class of the file are nodes; `is_used` as such, at least."""
+        if self._a.resolver.derives_from(owner, self._node_classes):
+            return True
+        return is_used and self._may_be_node(owner)
+
+    def _class_name(self, owner: Scope) -> tuple[Node | None, str | None, str]:
+        """Find the call that names a node class: its own constructor's, or its maker's."""
+        syntax = self._a.syntax
+        for call in self._a.captures.get("call", []):
+            if not (owner.start <= call.start_byte < owner.end):
+                continue
+            scope = self._a.scopes.at(call.start_byte)
+            function = scope.enclosing("function")
+            if function is None or function.parent is not owner or function.name != "__init__":
+                continue
+            callee = call.child_by_field_name("function")
+            text = "".join(syntax.slice(callee).split()) if callee is not None else ""
+            holder, _, method = text.rpartition(".")
+            if method != "__init__":
+                continue
+            is_super = holder.startswith("super(") and holder.endswith(")")
+            offset = 0 if is_super else 1
+            return self._base_name(owner, call, scope, offset)
+        if not any(s.parent is owner and s.name == "__init__" for s in self._a.scopes.all):
+            return self._maker_name(owner)
+        return None, None, ""
+
+    def _base_name(
+        self, owner: Scope, call: Node, scope: Scope, offset: int
+    ) -> tuple[Node | None, str | None, str]:
+        name, expression = self._node_name(call, scope, Argument(offset, "node_name"))
+        if name is None and not expression:
+            # A base class of the file may name the node.
+            for base in self._a.resolver.base_scopes(owner)[:8]:
+                if base is not owner:
+                    _, name, expression = self._class_name(base)
+                    if name is not None:
+                        return call, name, expression
+        return call, name, expression
+
+    def _maker_name(self, owner: Scope) -> tuple[Node | None, str | None, str]:
+        found = []
+        for call in self._a.captures.get("call", []):
+            callee = call.child_by_field_name("function")
+            if callee is not None and self._a.syntax.slice(callee) == owner.name:
+                found.append(call)
+        names = {
+            self._node_name(call, self._a.scopes.at(call.start_byte), Argument(0, "node_name"))
+            for call in found
+        }
+        if len(names) == 1:
+            name, expression = names.pop()
+            return None, name, expression
+        return None, None, ""
+
+    def _is_node(self, holder: Node, scope: Scope, shape: CallShape, arguments: Arguments) -> bool:
+        """Whether a method's object is a node, as far as the file can tell."""
+        resolver = self._a.resolver
+        instance = resolver.instance(holder, scope)
+        if instance is not None:
+            if instance.qualified:
+                return instance.qualified in self._node_classes | self._node_calls.keys()
+            owner = instance.scope
+            if owner is not None and resolver.derives_from(owner, self._node_classes):
+                return True
+            if owner is None or not self._is_typed(shape, arguments, scope):
+                return False
+            return self._may_be_node(owner) or self.heir(owner) is not None
+        if holder.type == "call" and self._is_super(holder, scope):
+            return True
+        if not self._is_called_node(holder, scope):
+            return False
+        return shape.type is None or self._is_typed(shape, arguments, scope)
+
+    def _is_super(self, holder: Node, scope: Scope) -> bool:
+        callee = holder.child_by_field_name("function")
+        owner = scope.enclosing("class")
+        return (
+            callee is not None
+            and self._a.syntax.slice(callee) == "super"
+            and owner is not None
+            and self._a.resolver.derives_from(owner, self._node_classes)
+        )
+
+    def heir(self, owner: Scope) -> Scope | None:
+        """Return the node class of the file that inherits from a class that is none itself."""
+        for other in self._a.scopes.classes():
+            if owner in self._a.resolver.base_scopes(other) and self._a.resolver.derives_from(
+                other, self._node_classes
+            ):
+                return other
+        return None
+
+    def _may_be_node(self, owner: Scope) -> bool:
+        """Whether a class derives from a class of another file, which may be a node's."""
+        return any(
+            name.partition(".")[0] not in _NO_NODES
+            for name in self._a.resolver.foreign_bases(owner)
+        )
+
+    def _is_called_node(self, holder: Node, scope: Scope) -> bool:
+        """Whether an object that comes from elsewhere goes by the name of a node."""
+        node = holder
+        if holder.type == "attribute":
+            node = holder.child_by_field_name("attribute") or holder
+        if node.type != "identifier" or not _NODE_VARIABLE.match(self._a.syntax.slice(node)):
+            return False
+        # A bare name must at least be bound; an attribute may be set by another file.
+        return holder.type == "attribute" or scope.lookup(self._a.syntax.slice(node)) is not None
+
+    def _is_typed(self, shape: CallShape, arguments: Arguments, scope: Scope) -> bool:
+        """Whether the call names an interface type where the shape wants one."""
+        if shape.type is None:
+            return True
+        return self._a.resolver.interface(arguments.get(shape.type), scope) is not None
+
+    def _add(
+        self, call: Node, shape: CallShape, scope: Scope, holder: Node | None, arguments: Arguments
+    ) -> None:
+        owner: Scope | None = None
+        receiver = ""
+        if shape.node is not None:
+            holder = arguments.get(shape.node)
+        if holder is not None:
+            receiver = self._a.syntax.slice(holder)
+            instance = self._a.resolver.instance(holder, scope)
+            owner = instance.scope if instance is not None else None
+            if owner is None and holder.type == "call":
+                owner = scope.enclosing("class")
+        if owner is not None and not self._a.resolver.derives_from(owner, self._node_classes):
+            owner = self.heir(owner) or owner
+        for name_node in self._name_nodes(shape, arguments):
+            endpoint = self._endpoint(call, shape, scope, arguments, name_node)
+            self._a.sites.append(Site(endpoint, call, scope, receiver, owner, arguments, shape))
+
+    def _name_nodes(self, shape: CallShape, arguments: Arguments) -> list[Node | None]:
+        """Return the argument that names the endpoint, or each name of a list of parameters."""
+        node = arguments.get(shape.name)
+        if "declare_parameters" not in shape.callees or node is None:
+            return [node]
+        if node.type not in ("list", "tuple"):
+            return [node]
+        found: list[Node | None] = []
+        for item in node.named_children:
+            if item.type == "tuple" and item.named_child_count:
+                found.append(item.named_children[0])
+            elif item.type != "comment":
+                found.append(item)
+        return found
+
+    def _endpoint(
+        self,
+        call: Node,
+        shape: CallShape,
+        scope: Scope,
+        arguments: Arguments,
+        name_node: Node | None,
+    ) -> SourceEndpoint:
+        syntax, resolver = self._a.syntax, self._a.resolver
+        name: str | None = None
+        default: str | None = None
+        if name_node is not None and shape.kind is not EndpointKind.TIMER:
+            folded = resolver.fold(name_node, scope)
+            if isinstance(folded, Known) and isinstance(folded.value, str):
+                name = folded.value
+            elif isinstance(folded, Defaulted):
+                default = folded.value
+        type_node = arguments.get(shape.type) if shape.type is not None else None
+        callback = arguments.get(shape.callback) if shape.callback is not None else None
+        return SourceEndpoint(
+            kind=shape.kind,
+            name=name,
+            expression=self._expression(name_node, arguments),
+            span=Span(call.start_byte, call.end_byte),
+            line=call.start_point.row + 1,
+            type=self._interface(type_node, scope),
+            type_expression=syntax.slice(type_node) if type_node is not None else "",
+            callback=self.callback_name(callback, scope),
+            default=default,
+        )
+
+    def _expression(self, node: Node | None, arguments: Arguments) -> str:
+        node = node if node is not None else arguments.splat
+        return self._a.syntax.slice(node) if node is not None else ""
+
+    def _interface(self, node: Node | None, scope: Scope) -> InterfaceName | None:
+        return self._a.resolver.interface(node, scope) if node is not None else None
+
+    def callback_name(self, node: Node | None, scope: Scope) -> str | None:
+        """Return the name of a callback, None for one that has no name."""
+        node = callback_target(node, scope, self._a)
+        if node is None or node.type not in ("identifier", "attribute"):
+            return None
+        return self._a.syntax.slice(node).rpartition(".")[2].strip()
+
+
+def callback_target(node: Node | None, scope: Scope, analysis: Analysis) -> Node | None:
+    """Unwrap `functools.partial(callback, …)`."""
+    while node is not None and node.type == "call":
+        callee = node.child_by_field_name("function")
+        if not any(name in _PARTIALS for name in analysis.resolver.qualified(callee, scope)):
+            return None
+        node = Arguments.of(node, analysis.syntax).get(Argument(0, ""))
+    return node

@@ -1,0 +1,109 @@
+"""A Python file as bytes, and its syntax tree over exactly these bytes."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cache
+from importlib import resources
+
+import tree_sitter_python
+from tree_sitter import Language, Node, Parser, Query, QueryCursor, Tree
+
+BOM = b"\xef\xbb\xbf"
+# PEP 263: a coding line is one of the first two lines.
+_CODING = re.compile(rb"^[ \t\f]*#.*?coding[:=][ \t]*([-\w.]+)")
+
+# A byte that is not UTF-8 ends a string or a comment for tree-sitter. In a file of another
+# encoding every such byte is parsed as a letter, so that no offset moves.
+_AS_LETTERS = bytes(byte if byte < 0x80 else ord("x") for byte in range(256))
+
+
+@cache
+def language() -> Language:
+    """Return the Python grammar."""
+    return Language(tree_sitter_python.language())
+
+
+@cache
+def query(name: str) -> Query:
+    """Return a compiled query of this package; compiling is slow, so each is compiled once."""
+    file = resources.files(__package__) / "queries" / f"{name}.scm"
+    return Query(language(), file.read_text("utf-8"))
+
+
+@dataclass(frozen=True, slots=True)
+class Syntax:
+    """A parsed file: `text` is what is on the disk, `tree` is over the same offsets."""
+
+    text: bytes
+    encoding: str
+    tree: Tree
+
+    @property
+    def root(self) -> Node:
+        """The module."""
+        return self.tree.root_node
+
+    def slice(self, node: Node) -> str:
+        """Return the source of a node."""
+        return self.between(node.start_byte, node.end_byte)
+
+    def between(self, start: int, end: int) -> str:
+        """Return the source between two offsets."""
+        return self.text[start:end].decode(self.encoding, "replace")
+
+    def encode(self, text: str) -> bytes:
+        """Return new source in the encoding of the file.
+
+        Raises:
+            UnicodeEncodeError: the encoding has no such character.
+        """
+        return text.encode(self.encoding)
+
+    def captures(self, name: str) -> dict[str, list[Node]]:
+        """Run a query over the whole file."""
+        return QueryCursor(query(name)).captures(self.root)
+
+
+def parse(text: bytes) -> Syntax:
+    """Parse a file, whatever its encoding, without moving an offset."""
+    encoding = _encoding(text)
+    source = text if encoding == "utf-8" else text.translate(_AS_LETTERS)
+    return Syntax(text, encoding, Parser(language()).parse(source))
+
+
+def _encoding(text: bytes) -> str:
+    try:
+        text.decode("utf-8")
+    except UnicodeDecodeError:
+        return _declared(text)
+    return "utf-8"
+
+
+def _declared(text: bytes) -> str:
+    for line in text.split(b"\n", 2)[:2]:
+        if found := _CODING.match(line):
+            name = found[1].decode("ascii", "replace")
+            try:
+                "\x00".encode(name)
+                b"a".decode(name)
+            except (LookupError, UnicodeError):
+                break
+            # A coding line that the bytes contradict is no better than none.
+            return name if name.lower().replace("_", "-") not in {"utf-8", "utf8"} else "latin-1"
+    return "latin-1"
+
+
+def count_errors(root: Node) -> int:
+    """Count the places where the text does not parse."""
+    if not root.has_error:
+        return 0
+    found = 0
+    stack = [root]
+    while stack:
+        node = stack.pop()
+        if node.is_error or node.is_missing:
+            found += 1
+        stack.extend(child for child in node.children if child.has_error)
+    return found
