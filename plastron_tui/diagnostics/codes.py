@@ -27,6 +27,11 @@ CODES: dict[str, Code] = {
     code.name: code
     for code in (
         Code(
+            "template-error",
+            "A template in the project's template folder has a mistake, or asks for something that "
+            "a node does not have. Mend it, or take it away to use Plastron's own.",
+        ),
+        Code(
             "cannot-write",
             "The operating system refuses to write a file, or something that is no file is in its "
             "place. Nothing was changed. Free some space, or choose another output folder.",

@@ -1,0 +1,52 @@
+"""The client libraries that Plastron writes, reads and edits.
+
+A target is loaded when it is first asked for. Those of other distributions register under the
+entry point group `plastron.targets`, which is looked at only for names that are not Plastron's
+own, since listing entry points is slow.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .base import Target
+
+GROUP = "plastron.targets"
+"""The entry point group of targets: a name, and a `Target` class that takes a template folder."""
+
+_OWN = {
+    "rospy": ("plastron_tui.targets.rospy", "RospyTarget"),
+    "rclpy": ("plastron_tui.targets.rclpy", "RclpyTarget"),
+}
+
+
+def find_target(name: str, template_folder: Path | None = None) -> Target | None:
+    """Return the target of a client library, None when there is none of that name.
+
+    Args:
+        name: the client library, such as `rospy`.
+        template_folder: a folder of the user's own templates, with a folder for each library.
+    """
+    if name in _OWN:
+        module, attribute = _OWN[name]
+        factory = getattr(import_module(module), attribute)
+    else:
+        from importlib.metadata import entry_points
+
+        found = list(entry_points(group=GROUP, name=name))
+        if not found:
+            return None
+        factory = found[0].load()
+    target: Target = factory(template_folder)
+    return target
+
+
+def target_names() -> tuple[str, ...]:
+    """Return the names of all targets, Plastron's own first."""
+    from importlib.metadata import entry_points
+
+    others = {entry.name for entry in entry_points(group=GROUP)} - set(_OWN)
+    return (*_OWN, *sorted(others))

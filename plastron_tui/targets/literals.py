@@ -1,0 +1,64 @@
+"""Python literals that evaluate to exactly the value, written as `ruff format` leaves them."""
+
+from __future__ import annotations
+
+import keyword
+from functools import lru_cache
+from unicodedata import category, east_asian_width
+
+_ESCAPES = {"\\": "\\\\", "\n": "\\n", "\r": "\\r", "\t": "\\t"}
+
+
+def string(value: str) -> str:
+    """Write a string.
+
+    What does not print (control and bidirectional characters, lone surrogates, line
+    separators) is escaped, so that the source shows what the string holds. Double quotes,
+    unless single ones need fewer escapes.
+    """
+    quote = "'" if value.count('"') > value.count("'") else '"'
+    return quote + "".join(_character(each, quote) for each in value) + quote
+
+
+def number(value: int | float) -> str:
+    """Write a finite number; a float keeps its point or exponent."""
+    return repr(value).replace("e+", "e")
+
+
+def octet(value: int) -> str:
+    """Write one byte as `bytes` of length one; a negative one as its two's complement."""
+    byte = value & 0xFF
+    if chr(byte) == '"':
+        return "b'\"'"
+    text = _character(chr(byte), '"') if byte < 0x80 else f"\\x{byte:02x}"
+    return f'b"{text}"'
+
+
+def is_name(text: str) -> bool:
+    """Tell whether the text can be a name in Python source, and nothing else."""
+    return text.isascii() and text.isidentifier() and not keyword.iskeyword(text)
+
+
+def width(text: str) -> int:
+    """Return the columns that a text takes in a terminal, as line lengths are counted."""
+    return len(text) if text.isascii() else sum(map(_columns, text))
+
+
+def _character(character: str, quote: str) -> str:
+    if character in _ESCAPES:
+        return _ESCAPES[character]
+    if character == quote:
+        return "\\" + quote
+    if character.isprintable():
+        return character
+    code = ord(character)
+    if code < 0x100:
+        return f"\\x{code:02x}"
+    return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
+
+
+@lru_cache(maxsize=4096)
+def _columns(character: str) -> int:
+    if category(character) in {"Mn", "Me"}:
+        return 0
+    return 2 if east_asian_width(character) in {"W", "F"} else 1

@@ -1,0 +1,92 @@
+"""The target `rclpy`: Python nodes for ROS 2."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import ClassVar
+
+from plastron_tui.model.values import Value
+from plastron_tui.model.workspace import Node
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import FieldType, InterfaceName
+
+from . import literals
+from .base import Rendered, Target
+from .dialect import Dialect, plain_scalar
+from .imports import Imports
+from .rendering import render_python
+
+# What `rclpy.node.Node` has, private parts apart (Humble to Kilted): a callback of the same name
+# would take its place.
+_NODE_METHODS = """
+    PARAM_REL_TOL add_on_set_parameters_callback add_post_set_parameters_callback
+    add_pre_set_parameters_callback add_waitable clients context count_clients count_publishers
+    count_services count_subscribers create_client create_guard_condition create_publisher
+    create_rate create_service create_subscription create_timer declare_parameter
+    declare_parameters default_callback_group describe_parameter describe_parameters
+    destroy_client destroy_guard_condition destroy_node destroy_publisher destroy_rate
+    destroy_service destroy_subscription destroy_timer executor get_client_names_and_types_by_node
+    get_clients_info_by_service get_clock get_fully_qualified_name
+    get_fully_qualified_node_names get_logger get_name
+    get_namespace get_node_names get_node_names_and_namespaces
+    get_node_names_and_namespaces_with_enclaves get_parameter get_parameter_or
+    get_parameter_type get_parameter_types get_parameters get_parameters_by_prefix
+    get_publisher_names_and_types_by_node get_publishers_info_by_topic
+    get_servers_info_by_service get_service_names_and_types
+    get_service_names_and_types_by_node get_subscriber_names_and_types_by_node
+    get_subscriptions_info_by_topic get_topic_names_and_types get_type_description_service guards
+    handle has_parameter list_parameters publishers remove_on_set_parameters_callback
+    remove_post_set_parameters_callback remove_pre_set_parameters_callback remove_waitable
+    resolve_service_name resolve_topic_name services set_descriptor set_parameters
+    set_parameters_atomically subscriptions timers undeclare_parameter wait_for_node waitables
+"""
+
+
+class RclpyTarget(Target):
+    """Writes, reads and edits rclpy nodes."""
+
+    name: ClassVar[str] = "rclpy"
+    ros_version: ClassVar[int] = 2
+
+    def __init__(self, template_folder: Path | None = None) -> None:
+        self._template_folder = template_folder
+
+    def render(self, node: Node, catalog: Catalog) -> Rendered:
+        """Write a created node as a new Python file."""
+        return render_python(node, catalog, DIALECT, self._template_folder)
+
+
+class _Rclpy(Dialect):
+    __slots__ = ()
+
+    def scalar(self, type_: FieldType, value: Value, imports: Imports) -> str:
+        """Write one value of exactly the type that rclpy's messages assert.
+
+        A `byte` is a `bytes` of length one (the `octet` of rosidl_generator_py); a `char` is an
+        integer, and a floating point field takes nothing but a `float`.
+        """
+        if type_.name == "byte" and isinstance(value, int):
+            return literals.octet(value)
+        if type_.name in {"float32", "float64"} and isinstance(value, int):
+            return plain_scalar(float(value))
+        return plain_scalar(value)
+
+    def request(self, type_: InterfaceName, imports: Imports) -> str:
+        """Return the request class of a service's class."""
+        return f"{imports.use(f'{type_.package}.srv', type_.name)}.Request"
+
+    def response(self, type_: InterfaceName, imports: Imports) -> str:
+        """Return what makes a response; rclpy hands one to the handler, so that none is made."""
+        return f"{imports.use(f'{type_.package}.srv', type_.name)}.Response()"
+
+
+DIALECT = _Rclpy(
+    library="rclpy",
+    ros_version=2,
+    standard=("time",),
+    modules=("rclpy",),
+    symbols=(("rclpy.executors", "ExternalShutdownException"), ("rclpy.node", "Node")),
+    module_names=frozenset({"SERVICE_TIMEOUT", "main", "node"}),
+    method_names=frozenset(_NODE_METHODS.split()),
+    attribute_names=frozenset({"call", "call_services"}),
+)

@@ -1,0 +1,66 @@
+"""The target `rospy`: Python nodes for ROS 1."""
+
+from __future__ import annotations
+
+import keyword
+from pathlib import Path
+from typing import ClassVar
+
+from plastron_tui.model.values import Value
+from plastron_tui.model.workspace import Node
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import FieldType, InterfaceName
+
+from .base import Rendered, Target
+from .dialect import Dialect, plain_scalar
+from .imports import Imports
+from .rendering import render_python
+
+
+class RospyTarget(Target):
+    """Writes, reads and edits rospy nodes."""
+
+    name: ClassVar[str] = "rospy"
+    ros_version: ClassVar[int] = 1
+
+    def __init__(self, template_folder: Path | None = None) -> None:
+        self._template_folder = template_folder
+
+    def render(self, node: Node, catalog: Catalog) -> Rendered:
+        """Write a created node as a new Python file."""
+        return render_python(node, catalog, DIALECT, self._template_folder)
+
+
+class _Rospy(Dialect):
+    __slots__ = ()
+
+    def scalar(self, type_: FieldType, value: Value, imports: Imports) -> str:
+        """Write one value; a time is a pair of seconds and nanoseconds."""
+        if type_.name in {"time", "duration"} and isinstance(value, tuple):
+            seconds, nanoseconds = map(plain_scalar, value)
+            return f"rospy.{type_.name.capitalize()}({seconds}, {nanoseconds})"
+        return plain_scalar(value)
+
+    def field(self, name: str) -> str:
+        """Return a field's name; genpy puts `_` behind one that is a word of Python's own."""
+        return f"{name}_" if keyword.iskeyword(name) else name
+
+    def request(self, type_: InterfaceName, imports: Imports) -> str:
+        """Return the request class that genpy makes beside a service's class."""
+        return imports.use(f"{type_.package}.srv", f"{type_.name}Request")
+
+    def response(self, type_: InterfaceName, imports: Imports) -> str:
+        """Return an empty response of the class that genpy makes beside a service's class."""
+        return f"{imports.use(f'{type_.package}.srv', f'{type_.name}Response')}()"
+
+
+DIALECT = _Rospy(
+    library="rospy",
+    ros_version=1,
+    standard=(),
+    modules=("rospy",),
+    symbols=(),
+    module_names=frozenset({"SERVICE_TIMEOUT", "main", "node"}),
+    method_names=frozenset(),
+    attribute_names=frozenset({"call", "call_services"}),
+)
