@@ -73,6 +73,9 @@ ROS2_PACKAGES = [*COMMON, *CORE, "service_msgs", "tf2_msgs", "unique_identifier_
 # unique_identifier_msgs, which has a repository of its own.
 VERSIONS = {"jazzy": ("5.3.6", "2.0.3", "2.5.0"), "kilted": ("5.5.1", "2.3.0", "2.7.0")}
 
+# What stands for the fields of an empty message where a struct must not be empty.
+FILLER = "structure_needs_at_least_one_member"
+
 NEWER_THAN_HUMBLE = {"GetLoggerLevels", "SetLoggerLevels"}
 
 ADD_TWO_INTS = "int64 a\nint64 b\n---\nint64 sum\n"
@@ -196,7 +199,11 @@ def read_store(distribution: str) -> Found:
         if package not in ROS2_PACKAGES:
             continue
         section = Section(
-            tuple(Field(name, field_type(description)) for name, description in fields),
+            tuple(
+                Field(name, field_type(description))
+                for name, description in fields
+                if name != FILLER
+            ),
             tuple(Constant(name, kind, value) for name, kind, value in constants),
         )
         name = InterfaceName(package, short)
