@@ -11,7 +11,7 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import FieldType, InterfaceName
 
 from . import literals
-from .base import Rendered, Target
+from .base import ReadResult, Rendered, Target
 from .dialect import Dialect, plain_scalar
 from .imports import Imports
 from .rendering import render_python
@@ -54,6 +54,12 @@ class RclpyTarget(Target):
     def render(self, node: Node, catalog: Catalog) -> Rendered:
         """Write a created node as a new Python file."""
         return render_python(node, catalog, DIALECT, self._template_folder)
+
+    def read(self, path: Path, text: bytes) -> ReadResult:
+        """Read the nodes and endpoints of a Python file."""
+        from .python import read_python  # loads tree-sitter-python
+
+        return read_python(path, text, self.name)
 
 
 class _Rclpy(Dialect):
