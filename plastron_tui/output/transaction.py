@@ -101,7 +101,7 @@ class Transaction:
             self.at = folder
             self._make_folder(folder)
             descriptor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
-            self._locks.callback(os.close, descriptor)
+            self._locks.callback(_close, descriptor)
             self._folders[folder] = descriptor
             self._lock(descriptor)
 
@@ -154,7 +154,7 @@ class Transaction:
 
     def _keep(self, step: Step, old: str) -> None:
         """Keep a file's present text aside, to put it back or as the backup."""
-        self._undo.callback(self._try, _remove, old)
+        self._undo.callback(self._drop, old, step.path)
         try:
             _link_or_copy(step, old)
         except FileExistsError:
@@ -214,6 +214,11 @@ class Transaction:
             _sync_folder(descriptor)
         finally:
             os.close(descriptor)
+
+    def _drop(self, old: str, path: str) -> None:
+        """Remove a text that was kept aside, unless it is the last that is left of a file."""
+        if path not in (failed for failed, _ in self.failures):
+            self._try(_remove, old)
 
     def _try(self, undo: Callable[..., None], path: str, *others: str) -> None:
         try:
@@ -282,15 +287,22 @@ def _link_or_copy(step: Step, path: str) -> bool:
             raise
     descriptor = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC, 0o600)
     try:
-        _write_all(descriptor, step.before or b"")
-        _set_mode(descriptor, step.status, is_executable=False)
-        os.fsync(descriptor)
+        try:
+            _write_all(descriptor, step.before or b"")
+            _set_mode(descriptor, step.status, is_executable=False)
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
     except BaseException:
         _remove_quietly(path)
         raise
-    finally:
-        os.close(descriptor)
     return False
+
+
+def _close(descriptor: int) -> None:
+    """Close a folder, which lets its lock go; there is nothing in it that could be lost."""
+    with suppress(OSError):
+        os.close(descriptor)
 
 
 def _take_away(path: str, new: str) -> None:
@@ -306,7 +318,7 @@ def _put_back(path: str, new: str, old: str) -> None:
 
 
 def _remove(path: str) -> None:
-    with suppress(FileNotFoundError):
+    if os.path.lexists(path):  # a read-only file system refuses even what is not there
         os.unlink(path)
 
 
@@ -322,10 +334,12 @@ def _remove_if_same(path: str, other: str) -> None:
 
 
 def _remove_folder(path: str) -> None:
+    if not os.path.isdir(path):
+        return
     try:
         os.rmdir(path)
     except OSError as error:
-        if error.errno not in {errno.ENOENT, errno.ENOTEMPTY, errno.EEXIST, errno.ENOTDIR}:
+        if error.errno not in {errno.ENOENT, errno.ENOTEMPTY, errno.EEXIST}:
             raise
 
 
