@@ -301,7 +301,7 @@ def first_sentence(lines: list[str]) -> str:
     sentence = joined[: end.start()] if end else joined.removesuffix(".").removesuffix(":")
     if len(sentence) > _LONGEST_COMMENT:
         sentence = sentence[: _LONGEST_COMMENT - 1].rsplit(" ", 1)[0] + "…"
-    return "".join(character for character in sentence if character.isprintable())
+    return sentence
 
 
 def _first_lines(lines: list[str]) -> Iterator[str]:
@@ -311,7 +311,8 @@ def _first_lines(lines: list[str]) -> Iterator[str]:
     """
     has_text = False
     for line in lines:
-        text = " ".join(line.split())
+        text = "".join(c if c.isprintable() else " " if c == "\t" else "" for c in line)
+        text = " ".join(text.split())
         is_ornament = text.startswith("==") or not text.strip("-*#/ ")
         if has_text and (is_ornament or text[0].isupper()):
             return
