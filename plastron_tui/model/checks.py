@@ -189,20 +189,26 @@ class Checks:
             )
 
     def _take(
-        self, statement: Statement, slot: str, endpoints: dict[str, Any], code: str, verb: str
+        self,
+        statement: Statement,
+        slot: str,
+        node: Node,
+        endpoints: dict[str, Any],
+        code: str,
+        verb: str,
     ) -> None:
         """Take an endpoint away from the statement's node, or say that it has none such."""
         name: str = getattr(statement, slot)
         if endpoints.pop(name, None) is None:
-            variable: str = getattr(statement, "node")  # noqa: B009 - every such statement has one
             raise Mistake(
                 Diagnostic(
                     code,
-                    f"`{variable}` does not {verb} `{name}`",
+                    f"`{node.variable}` does not {verb} `{name}`",
                     statement.span_of(slot),
                     help=did_you_mean(name, endpoints),
                 )
             )
+        node.removed[name] = statement.span
 
 
 def exists_already(statement: Statement, code: str, what: str, name: str) -> Mistake:

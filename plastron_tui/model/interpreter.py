@@ -162,7 +162,8 @@ class _Interpreter(Checks):
 
     def _unsubscribe(self, statement: st.Unsubscribe) -> None:
         node = self._node(statement)
-        self._take(statement, "topic", node.subscriptions, "not-subscribed", "subscribe to")
+        endpoints = node.subscriptions
+        self._take(statement, "topic", node, endpoints, "not-subscribed", "subscribe to")
         self._topics.leave(node, EndpointKind.SUBSCRIPTION, statement.topic)
 
     def _publish(self, statement: st.Publish) -> None:
@@ -196,7 +197,7 @@ class _Interpreter(Checks):
 
     def _stop_publishing(self, statement: st.StopPublishing) -> None:
         node = self._node(statement)
-        self._take(statement, "topic", node.publishers, "not-publishing", "publish to")
+        self._take(statement, "topic", node, node.publishers, "not-publishing", "publish to")
         self._topics.leave(node, EndpointKind.PUBLISHER, statement.topic)
 
     def _client_requests(self, statement: st.ClientRequests) -> None:
@@ -215,7 +216,7 @@ class _Interpreter(Checks):
 
     def _stop_request(self, statement: st.StopRequest) -> None:
         node = self._node(statement)
-        self._take(statement, "service", node.clients, "not-requesting", "request")
+        self._take(statement, "service", node, node.clients, "not-requesting", "request")
         self._services.leave(node, EndpointKind.CLIENT, statement.service)
 
     def _provides_service(self, statement: st.ProvidesService) -> None:
@@ -234,7 +235,7 @@ class _Interpreter(Checks):
 
     def _stop_service(self, statement: st.StopService) -> None:
         node = self._node(statement)
-        self._take(statement, "service", node.services, "not-providing", "provide")
+        self._take(statement, "service", node, node.services, "not-providing", "provide")
         self._services.leave(node, EndpointKind.SERVICE, statement.service)
 
     def _generate_node(self, statement: st.GenerateNode) -> None:

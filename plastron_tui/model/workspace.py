@@ -83,7 +83,7 @@ class Node:
 
     The four dictionaries are keyed by the graph name as it is written, in the order in which
     the endpoints came. `source` is the file that a loaded node came from, None for one that
-    was created.
+    was created; `removed` says which statement took a name away last.
     """
 
     name: str
@@ -95,6 +95,7 @@ class Node:
     subscriptions: dict[str, Subscription] = field(default_factory=dict)
     services: dict[str, Service] = field(default_factory=dict)
     clients: dict[str, Client] = field(default_factory=dict)
+    removed: dict[str, Span] = field(default_factory=dict)
 
     @property
     def is_idle(self) -> bool:

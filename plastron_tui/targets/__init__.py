@@ -7,12 +7,16 @@ own, since listing entry points is slow.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from .base import Target
+    from .base import ReadResult, Target
+
+LIBRARIES: Mapping[str, int] = {"rospy": 1, "rclpy": 2, "roscpp": 1, "rclcpp": 2, "nodelet": 1}
+"""The client libraries that a program may name, each with its generation of ROS."""
 
 GROUP = "plastron.targets"
 """The entry point group of targets: a name, and a `Target` class that takes a template folder."""
@@ -50,3 +54,17 @@ def target_names() -> tuple[str, ...]:
 
     others = {entry.name for entry in entry_points(group=GROUP)} - set(_OWN)
     return (*_OWN, *sorted(others))
+
+
+def read_source(path: Path, text: bytes) -> ReadResult:
+    """Read a node's source file, whichever client library it uses."""
+    from plastron_tui.diagnostics import Diagnostic
+
+    from .base import ReadResult
+
+    if path.suffix in (".cpp", ".cc", ".hpp"):
+        message = f"plastron cannot read C++ files yet, such as `{path.name}`"
+        return ReadResult(None, (Diagnostic("unsupported-target", message),))
+    from .python import read_python
+
+    return read_python(path, text, None)

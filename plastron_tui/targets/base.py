@@ -73,5 +73,9 @@ class Target:
         """
         return Rendered(None, (self._cannot("change files of"),))
 
+    def port(self, node: Node, source: SourceFile, catalog: Catalog) -> Rendered:
+        """Write a node that was loaded from a file of another client library."""
+        return Rendered(None, (self._cannot(f"bring a node of `{source.library}` to"),))
+
     def _cannot(self, what: str) -> Diagnostic:
         return Diagnostic("unsupported-target", f"plastron cannot {what} `{self.name}` yet")

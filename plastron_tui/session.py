@@ -1,0 +1,264 @@
+"""The one object that the command line and the studio both drive.
+
+A session holds a program and gives, at any moment, what follows from it: statements, workspace,
+diagnostics, files. Each is made when it is first asked for, and again after an edit.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from plastron_tui.diagnostics import Diagnostic, LineIndex
+from plastron_tui.language import Document, Program, lower
+from plastron_tui.language.pause import collection_paused
+from plastron_tui.loader import NodeLoader
+from plastron_tui.model.interpreter import Interpretation, interpret
+from plastron_tui.model.setting import Setting
+from plastron_tui.model.workspace import Generation, Workspace
+from plastron_tui.project import DEFAULT_OUTPUT, Project, find_project
+from plastron_tui.ros.catalog import DISTRIBUTIONS, Catalog, default_distribution, installed_folders
+from plastron_tui.targets import LIBRARIES
+
+if TYPE_CHECKING:
+    from plastron_tui.generation import Generated
+    from plastron_tui.output.manifest import Manifest
+    from plastron_tui.output.plan import FilePlan
+    from plastron_tui.targets.base import Target
+
+LARGEST_PROGRAM = 16 * 1024 * 1024
+"""The largest program that is read, in bytes: some 300,000 statements."""
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """What the command line sets; what it leaves open the project file or the environment says."""
+
+    target: str | None = None
+    output: Path | None = None
+    in_place: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramText:
+    """What a program file holds, or why it cannot be read."""
+
+    text: bytes | None
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+def read_program(path: Path) -> ProgramText:
+    """Read the text of a program; what is no text is a diagnostic."""
+    try:
+        if path.stat().st_size > LARGEST_PROGRAM:
+            limit = LARGEST_PROGRAM // (1024 * 1024)
+            return _unreadable(path, f"`{path.name}` is larger than {limit} MB")
+        text = path.read_bytes()
+    except (OSError, ValueError) as error:
+        reason = (getattr(error, "strerror", None) or str(error)).lower()
+        return _unreadable(path, f"`{path.name}` cannot be read: {reason}")
+    return check_text(path, text)
+
+
+def check_text(path: Path | None, text: bytes) -> ProgramText:
+    """Check that bytes are the text of a program: UTF-8, without NUL bytes."""
+    if b"\0" in text:
+        return _unreadable(path, "the file has NUL bytes and is no text")
+    try:
+        text.decode("utf-8")
+    except UnicodeDecodeError as error:
+        line = text.count(b"\n", 0, error.start) + 1
+        return _unreadable(
+            path, f"the file is not UTF-8 (line {line})", "save it in the encoding UTF-8"
+        )
+    return ProgramText(text)
+
+
+def _unreadable(path: Path | None, message: str, remedy: str | None = None) -> ProgramText:
+    return ProgramText(None, (Diagnostic("unreadable-file", message, file=path, help=remedy),))
+
+
+class Session:
+    """A program, and all that follows from it."""
+
+    def __init__(
+        self,
+        text: bytes = b"",
+        path: Path | None = None,
+        options: Options | None = None,
+        environ: Mapping[str, str] = os.environ,
+    ) -> None:
+        """Start a session with a program's text; nothing is parsed twice, or before it is asked.
+
+        Args:
+            text: the program, as UTF-8.
+            path: the program's file, None for one that has none yet.
+            options: what the command line sets.
+            environ: the environment variables that say which ROS is sourced.
+        """
+        self.path = path
+        self.options = options or Options()
+        self.document = Document(text)
+        self._environ = environ
+        self._catalogs: dict[int, Catalog] = {}
+        self._targets: dict[str, Target | None] = {}
+        self._program: Program | None = None
+        self._interpretation: Interpretation | None = None
+
+    @cached_property
+    def folder(self) -> Path:
+        """The program's folder."""
+        return Path.cwd() if self.path is None else self.path.absolute().parent
+
+    @cached_property
+    def _project(self) -> tuple[Project, tuple[Diagnostic, ...]]:
+        return find_project(self.folder, LIBRARIES)
+
+    @property
+    def project(self) -> Project:
+        """What the project file says."""
+        return self._project[0]
+
+    @cached_property
+    def library(self) -> str:
+        """The client library of a node that names none."""
+        sourced = self._environ.get("ROS_VERSION")
+        return (
+            self.options.target
+            or self.project.target
+            or {"1": "rospy", "2": "rclpy"}.get(sourced or "", "rospy")
+        )
+
+    @property
+    def output(self) -> Path:
+        """The output folder."""
+        return self.options.output or self.project.output or self.folder / DEFAULT_OUTPUT
+
+    def catalog(self, ros_version: int) -> Catalog:
+        """Return the interface types of a generation of ROS."""
+        catalog = self._catalogs.get(ros_version)
+        if catalog is None:
+            chosen = self.project.distribution
+            if chosen is None or DISTRIBUTIONS[chosen] != ros_version:
+                chosen = default_distribution(ros_version, self._environ)
+            own = self.project.types or (self.folder,)
+            folders = (*own, *installed_folders(self._environ, ros_version))
+            catalog = self._catalogs[ros_version] = Catalog(chosen, folders)
+        return catalog
+
+    def edit(self, start: int, old_end: int, new: bytes) -> None:
+        """Replace the bytes from `start` to `old_end` of the program."""
+        self.document.edit(start, old_end, new)
+        self._program = None
+        self._interpretation = None
+
+    @property
+    def program(self) -> Program:
+        """The program's statements."""
+        if self._program is None:
+            self._program = lower(self.document)
+        return self._program
+
+    @property
+    def _meaning(self) -> Interpretation:
+        if self._interpretation is None:
+            with collection_paused():
+                self._interpretation = interpret(self.program, self._setting)
+        return self._interpretation
+
+    @cached_property
+    def _setting(self) -> Setting:
+        loader = NodeLoader(self.folder, self.output, self._rendered)
+        return Setting(self.library, LIBRARIES, self.catalog, loader)
+
+    @property
+    def workspace(self) -> Workspace:
+        """What the program builds."""
+        return self._meaning.workspace
+
+    @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """All that is wrong with the program and its project file."""
+        problems = [found for catalog in self._catalogs.values() for found in catalog.problems]
+        return (*self._project[1], *self._meaning.diagnostics, *problems)
+
+    def lines(self, file: Path | None) -> LineIndex | None:
+        """Return the lines of a file that a diagnostic is about; None is the program."""
+        if file is None or file == self.path:
+            return self.document.lines
+        try:
+            return LineIndex(file.read_bytes())
+        except OSError:
+            return None
+
+    def generated(self) -> tuple[Generated, ...]:
+        """Make the files that the program asks for; of two to one file the last counts."""
+        from plastron_tui.output.manifest import load_manifest
+
+        manifest, problems = load_manifest(self.output)
+        made = [self._generate(generation, manifest) for generation in self._last_generations()]
+        if problems and made:
+            from dataclasses import replace
+
+            made[0] = replace(made[0], diagnostics=(*problems, *made[0].diagnostics))
+        return tuple(made)
+
+    def _last_generations(self) -> list[Generation]:
+        last: dict[tuple[str, str], Generation] = {}
+        for generation in self.workspace.generations:
+            last[generation.node.variable, generation.library] = generation
+        return list(last.values())
+
+    def _generate(self, generation: Generation, manifest: Manifest) -> Generated:
+        from plastron_tui.generation import Generated, generate
+
+        target = self._target(generation.library)
+        if target is None:
+            message = f"plastron cannot generate `{generation.library}` yet"
+            problem = Diagnostic(
+                "unsupported-target", message, generation.span, help="use rospy or rclpy"
+            )
+            return Generated(generation, None, (problem,))
+        return generate(
+            generation,
+            target,
+            self.catalog(target.ros_version),
+            self.output,
+            manifest,
+            in_place=self.options.in_place,
+        )
+
+    def _rendered(self, generation: Generation) -> tuple[Path, bytes] | None:
+        """Return the file that an earlier `generate_node` makes, for a `load` that follows it."""
+        from plastron_tui.output.manifest import Manifest
+
+        file = self._generate(generation, Manifest()).file
+        return None if file is None else (self.output / file.name, file.text)
+
+    def _target(self, library: str) -> Target | None:
+        if library not in self._targets:
+            from plastron_tui.targets import find_target
+
+            self._targets[library] = find_target(library, self.project.templates)
+        return self._targets[library]
+
+    def plan(self) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
+        """Compare the files that the program asks for with the disk.
+
+        The diagnostics say why a file is missing from the plan; a plan that has errors is not
+        to be written.
+        """
+        from plastron_tui.output.manifest import load_manifest
+        from plastron_tui.output.plan import make_plan
+
+        made = self.generated()
+        files = [generated.file for generated in made if generated.file is not None]
+        manifest, _ = load_manifest(self.output)
+        within = self.folder if self.options.output is None else None
+        plan, problems = make_plan(self.output, files, manifest, within=within)
+        found = (*(found for generated in made for found in generated.diagnostics), *problems)
+        return plan, found
