@@ -348,3 +348,26 @@ def test_what_cannot_be_put_back_is_told_and_kept(tmp_path: Path, monkeypatch) -
     assert "cannot put `a.py` back" in result.diagnostics[1].message
     assert (folder / ".plastron-0.old").read_bytes() == b"old"
     assert (folder / "b.py").read_bytes() == b"old"
+
+
+@pytest.mark.parametrize("name", ["a.py", "b.py"], ids=["replaced", "new"])
+def test_an_editor_that_saves_while_the_writer_works(
+    tmp_path: Path, snapshot, monkeypatch, name: str
+) -> None:
+    (tmp_path / "a.py").write_bytes(b"old")
+    files = [OutputFile("c.py", b""), OutputFile("a.py", b"new", False, b"old")]
+    files.append(OutputFile("b.py", b"new"))
+    plan, _ = make_plan(tmp_path, files, load_manifest(tmp_path)[0])
+    # The first rename is of `c.py`: the others have long been looked at, and are not yet replaced.
+    real = os.replace
+
+    def replace(source: str, target: str) -> None:
+        if target.endswith("c.py"):
+            (tmp_path / name).write_bytes(b"saved by an editor")
+        real(source, target)
+
+    monkeypatch.setattr(os, "replace", replace)
+    result = write(plan, force=True)
+    assert [diagnostic.code for diagnostic in result.diagnostics] == ["changed-on-disk"]
+    left = {"a.py": (0o644, b"old")} | {name: (0o644, b"saved by an editor")}
+    assert snapshot(tmp_path) == left
