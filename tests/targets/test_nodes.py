@@ -42,8 +42,9 @@ def _lines(inspected: dict[str, Any]) -> list[str]:
 def test_a_node_reads_as_its_author_says(expected: Path) -> None:
     wanted = json.loads(expected.read_text(encoding="utf-8"))
     text = (expected.parent / wanted["file"]).read_bytes()
-    source = read_python(Path(wanted["file"]), text, library=None)
-    inspected = inspect_json(source)
+    result = read_python(Path(wanted["file"]), text, library=None)
+    assert result.source is not None, result.diagnostics
+    inspected = inspect_json(result.source)
     assert _lines(inspected) == _lines(wanted)
     assert inspected == wanted
 
@@ -51,7 +52,9 @@ def test_a_node_reads_as_its_author_says(expected: Path) -> None:
 @pytest.mark.parametrize("library", ["rospy", "rclpy"])
 def test_every_node_has_its_json(library: str) -> None:
     folder = NODES / library
-    wanted = {json.loads(path.read_text(encoding="utf-8"))["file"] for path in folder.glob("*.json")}
+    wanted = {
+        json.loads(path.read_text(encoding="utf-8"))["file"] for path in folder.glob("*.json")
+    }
     files = {path.name for path in folder.iterdir() if path.suffix != ".json" and path.is_file()}
     assert files == wanted
     assert len(files) >= 40

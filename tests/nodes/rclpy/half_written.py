@@ -3,8 +3,8 @@ from rclpy.node import Node
 from std_msgs.msg import String
 
 
-def helper(a, b:
-    return a
+def helper(a, b):
+    return a +
 
 
 class HalfWritten(Node):

@@ -34,13 +34,13 @@ class Changing(Node):
         t = self.create_publisher(String, self.only, 1)
         u = self.create_publisher(String, self.KIND, 1)
         v = self.create_publisher(String, SAME, 1)
-        w = self.create_publisher(String, self.late, 1)
         x = self.create_publisher(String, 'x' if i else 'y', 1)
         y = self.create_publisher(String, self.SAME, 1)
 
     def move(self):
         self.topic = 'b'
         self.late = 'now'
+        self.w = self.create_publisher(String, self.late, 1)
 
 
 rclpy.init()
