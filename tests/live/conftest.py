@@ -1,0 +1,101 @@
+from __future__ import annotations
+
+import os
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from xmlrpc.client import ServerProxy
+
+import pytest
+from graph import Graph
+from processes import Process, free_port, processes, skip_or_fail, wait_for
+
+ROS1_PYTHON = Path("/usr/bin/python3")
+ROS1_INSTALL = (
+    "ROS 1 is missing: apt-get install --no-install-recommends python3-rospy python3-roslaunch "
+    "python3-rosmaster python3-rostopic python3-rosservice python3-rosnode python3-std-msgs "
+    "python3-std-srvs python3-geometry-msgs python3-genpy python3-genmsg"
+)
+ROS1_MODULES = "rospy, rosmaster, roslaunch, genpy, std_msgs.msg, std_srvs.srv, geometry_msgs.msg"
+GENERATOR = Path("/usr/lib/genpy/gensrv_py.py")
+
+# Services of the language's table that Debian has no package for.
+SERVICES = {
+    "beginner_tutorials": {"AddTwoInts": "int64 a\nint64 b\n---\nint64 sum\n"},
+    "mavros_msgs": {
+        "WaypointClear": "---\nbool success\n",
+        "WaypointPull": "---\nbool success\nuint32 wp_received\n",
+    },
+    "basics": {"WordCount": "string words\n---\nuint32 count\n"},
+}
+
+
+@pytest.fixture(scope="session")
+def ros1_services(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the Python packages of the services, made by Debian's generator."""
+    check = subprocess.run(
+        [ROS1_PYTHON, "-c", f"import {ROS1_MODULES}"], capture_output=True, check=False
+    )
+    if check.returncode != 0 or not GENERATOR.exists():
+        skip_or_fail(ROS1_INSTALL)
+    root = tmp_path_factory.mktemp("services")
+    for package, services in SERVICES.items():
+        definitions = root / "definitions" / package
+        definitions.mkdir(parents=True)
+        module = root / "python" / package / "srv"
+        module.mkdir(parents=True)
+        (module.parent / "__init__.py").touch()
+        for name, text in services.items():
+            file = definitions / f"{name}.srv"
+            file.write_text(text)
+            _generator("-p", package, "-o", str(module), str(file))
+        _generator("--initpy", "-p", package, "-o", str(module))
+    return root / "python"
+
+
+def _generator(*arguments: str) -> None:
+    done = subprocess.run(
+        [ROS1_PYTHON, GENERATOR, *arguments], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.fixture(scope="session")
+def ros1_env(
+    ros1_services: Path, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[dict[str, str]]:
+    """The environment of a master that listens on the loopback interface only."""
+    home = tmp_path_factory.mktemp("ros1")
+    uri = f"http://127.0.0.1:{(port := free_port())}/"
+    kept = {name: os.environ[name] for name in ("PATH", "HOME", "LANG") if name in os.environ}
+    env = {
+        **kept,
+        "ROS_MASTER_URI": uri,
+        "ROS_IP": "127.0.0.1",
+        "ROS_HOME": str(home),
+        "ROS_LOG_DIR": str(home / "log"),
+        "PYTHONPATH": str(ros1_services),
+        "PYTHONUNBUFFERED": "1",
+    }
+    master = Process(["/usr/bin/roscore", "-p", str(port)], env, home / "roscore.log")
+    try:
+        wait_for("the master", lambda: _answers(uri), 30)
+        yield env
+    finally:
+        master.interrupt(20)
+
+
+def _answers(uri: str) -> bool:
+    try:
+        return bool(ServerProxy(uri).getPid("/test")[0] == 1)
+    except OSError:
+        return False
+
+
+@pytest.fixture
+def ros1(ros1_env: dict[str, str], tmp_path: Path) -> Iterator[Graph]:
+    logs = tmp_path / "logs"
+    logs.mkdir()
+    probe = Path(__file__).with_name("probe_ros1.py")
+    with processes() as started:
+        yield Graph("rospy", ROS1_PYTHON, probe, ros1_env, logs, started)

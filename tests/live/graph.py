@@ -1,0 +1,87 @@
+"""One interface to a running ROS graph of either generation, for the tests."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import count
+from pathlib import Path
+from typing import Any
+
+from processes import Process, wait_for
+
+
+@dataclass(frozen=True)
+class Received:
+    """What came over a topic: when (in seconds, of one clock), and the fields."""
+
+    time: float
+    message: dict[str, Any]
+
+
+@dataclass
+class Graph:
+    """Starts nodes and probes in one ROS graph.
+
+    `python` is the interpreter that has ROS, `probe` the script that speaks to the graph.
+    """
+
+    target: str
+    python: Path
+    probe: Path
+    env: Mapping[str, str]
+    folder: Path
+    started: list[Process]
+    _numbers: count[int] = field(default_factory=count)
+
+    def run(self, node: Path) -> Process:
+        """Start a node's file."""
+        return self._start([self.python, "-u", node], node.stem)
+
+    def listen(self, topics: Mapping[str, str], seconds: float) -> dict[str, list[Received]]:
+        """Return what comes over topics, by name: `topics` says the type of each.
+
+        The seconds count from the first message of the last topic to have one.
+        """
+        probe = self._start(
+            [self.python, self.probe, "listen", json.dumps(topics), str(seconds)], "listen"
+        )
+        assert probe.wait(seconds + 40) == 0, probe.output
+        found: dict[str, list[Received]] = {topic: [] for topic in topics}
+        for line in probe.output.splitlines():
+            if line.startswith('{"topic"'):
+                entry = json.loads(line)
+                found[entry["topic"]].append(Received(entry["time"], entry["message"]))
+        return found
+
+    def call(self, service: str, type_: str, request: Mapping[str, Any]) -> dict[str, Any]:
+        """Call a service and return its response."""
+        probe = self._start(
+            [self.python, self.probe, "call", service, type_, json.dumps(request)], "call"
+        )
+        assert probe.wait(40) == 0, probe.output
+        response: dict[str, Any] = json.loads(probe.output.splitlines()[-1])
+        return response
+
+    def endpoints(self, node: str) -> dict[str, list[str]]:
+        """Return what a node publishes, subscribes and provides, as the graph itself says."""
+        probe = self._start([self.python, self.probe, "endpoints", node], "endpoints")
+        assert probe.wait(40) == 0, probe.output
+        found: dict[str, list[str]] = json.loads(probe.output.splitlines()[-1])
+        return found
+
+    def wait_for_endpoint(self, node: str, kind: str, name: str) -> dict[str, list[str]]:
+        """Wait until a node has an endpoint, and return all that it has."""
+
+        def look() -> dict[str, list[str]] | None:
+            found = self.endpoints(node)
+            return found if name in found[kind] else None
+
+        return wait_for(f"{kind} {name} of {node}", look, 20)
+
+    def _start(self, command: Sequence[str | Path], name: str) -> Process:
+        log = self.folder / f"{next(self._numbers)}-{name}.log"
+        process = Process(command, self.env, log)
+        self.started.append(process)
+        return process

@@ -1,0 +1,77 @@
+"""Speak to a ROS 1 graph from the outside; run by the Python that has rospy."""
+
+import json
+import sys
+import threading
+import time
+from importlib import import_module
+from xmlrpc.client import ServerProxy
+
+import rosgraph
+import rospy
+
+
+def load(module, type_name):
+    package, name = type_name.split("/")
+    return getattr(import_module(package + "." + module), name)
+
+
+def plain(value):
+    if hasattr(value, "__slots__") and hasattr(value, "_type"):
+        return {name: plain(getattr(value, name)) for name in value.__slots__}
+    if isinstance(value, (list, tuple, bytes)):
+        return [plain(each) for each in value]
+    if hasattr(value, "to_nsec"):
+        return {"sec": value.secs, "nanosec": value.nsecs}
+    return value
+
+
+def listen(topics, seconds):
+    rospy.init_node("probe", anonymous=True, disable_signals=True)
+    lock = threading.Lock()
+    seen = set()
+    all_seen = threading.Event()
+
+    def receive(message, topic):
+        now = time.monotonic()
+        with lock:
+            seen.add(topic)
+            if len(seen) == len(topics):
+                all_seen.set()
+            entry = {"topic": topic, "time": now, "message": plain(message)}
+            sys.stdout.write(json.dumps(entry) + "\n")
+
+    for topic, type_name in topics.items():
+        rospy.Subscriber(topic, load("msg", type_name), receive, callback_args=topic)
+    all_seen.wait(20)
+    time.sleep(seconds)
+    with lock:
+        sys.stdout.flush()
+
+
+def call(service, type_name, request):
+    rospy.init_node("probe", anonymous=True, disable_signals=True)
+    rospy.wait_for_service(service, timeout=20)
+    response = rospy.ServiceProxy(service, load("srv", type_name))(**request)
+    print(json.dumps(plain(response)))
+
+
+def endpoints(node):
+    master = ServerProxy(rosgraph.get_master_uri())
+    _, _, (publishers, subscribers, services) = master.getSystemState("/probe")
+    kinds = {"publishers": publishers, "subscriptions": subscribers, "services": services}
+    found = {
+        kind: sorted(name for name, nodes in entries if "/" + node in nodes)
+        for kind, entries in kinds.items()
+    }
+    print(json.dumps(found))
+
+
+if __name__ == "__main__":
+    command, *arguments = sys.argv[1:]
+    if command == "listen":
+        listen(json.loads(arguments[0]), float(arguments[1]))
+    elif command == "call":
+        call(arguments[0], arguments[1], json.loads(arguments[2]))
+    else:
+        endpoints(arguments[0])

@@ -1,0 +1,120 @@
+"""Processes of a test: nodes and probes, each stopped by its own id."""
+
+from __future__ import annotations
+
+import os
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TypeVar
+
+import pytest
+
+PROGRAMS = Path(__file__).parents[1] / "programs"
+PLASTRON = Path(sys.executable).with_name("plastron")
+
+T = TypeVar("T")
+
+
+def skip_or_fail(reason: str) -> None:
+    """Skip where ROS is missing; where it has to be there (CI), fail."""
+    if os.environ.get("PLASTRON_REQUIRE_ROS"):
+        pytest.fail(reason)
+    pytest.skip(reason)
+
+
+def generate(program: str, output: Path, target: str) -> dict[str, Path]:
+    """Generate one of `tests/programs`, and return all nodes of the folder by their names."""
+    command = [PLASTRON, "generate", PROGRAMS / f"{program}.plastron", "-o", output]
+    done = subprocess.run(
+        [*map(str, command), "--target", target], capture_output=True, text=True, timeout=60
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return {file.name: file for file in sorted(output.glob("*.py"))}
+
+
+def free_port() -> int:
+    """Return a port of the loopback interface that nobody listens to."""
+    with socket.socket() as listener:
+        listener.bind(("127.0.0.1", 0))
+        port: int = listener.getsockname()[1]
+        return port
+
+
+def wait_for(what: str, look: Callable[[], T | None], seconds: float = 15.0) -> T:
+    """Return the first result of `look` that is true."""
+    deadline = time.monotonic() + seconds
+    while time.monotonic() < deadline:
+        found = look()
+        if found:
+            return found
+        time.sleep(0.05)
+    raise AssertionError(f"{what} did not come within {seconds} s")
+
+
+class Process:
+    """A process, and what it has printed so far."""
+
+    def __init__(self, command: Sequence[str | Path], env: Mapping[str, str], log: Path) -> None:
+        self._log = log
+        with log.open("wb") as stream:
+            self._popen = subprocess.Popen(
+                [str(part) for part in command],
+                env=dict(env),
+                stdin=subprocess.DEVNULL,
+                stdout=stream,
+                stderr=subprocess.STDOUT,
+                start_new_session=True,
+            )
+
+    @property
+    def output(self) -> str:
+        """What the process has printed."""
+        return self._log.read_text(encoding="utf-8", errors="replace")
+
+    def wait(self, seconds: float) -> int:
+        """Wait until it ends by itself, and return its exit status."""
+        return self._popen.wait(seconds)
+
+    def wait_to_print(self, text: str, seconds: float = 20.0) -> None:
+        """Wait until it has printed a text."""
+        deadline = time.monotonic() + seconds
+        while text not in self.output:
+            assert time.monotonic() < deadline, f"no {text!r} in:\n{self.output}"
+            time.sleep(0.05)
+
+    def interrupt(self, seconds: float = 10.0) -> int:
+        """End it as Ctrl-C does, and return its exit status."""
+        if self._popen.poll() is None:
+            self._popen.send_signal(signal.SIGINT)
+            try:
+                self._popen.wait(seconds)
+            except subprocess.TimeoutExpired:
+                self._popen.kill()
+                self._popen.wait()
+                raise AssertionError(
+                    f"still there {seconds} s after Ctrl-C:\n{self.output}"
+                ) from None
+        return self._popen.returncode
+
+    def kill(self) -> None:
+        """End it at once, however it is."""
+        if self._popen.poll() is None:
+            self._popen.kill()
+            self._popen.wait()
+
+
+@contextmanager
+def processes() -> Iterator[list[Process]]:
+    """Give a list for processes, all of which are ended at the end."""
+    started: list[Process] = []
+    try:
+        yield started
+    finally:
+        for process in reversed(started):
+            process.kill()
