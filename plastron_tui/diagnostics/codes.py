@@ -83,6 +83,35 @@ CODES: dict[str, Code] = {
             "A change of a hand-written file is not possible, or would have changed more than was "
             "asked for; the message says why. Nothing was written. Make the change by hand.",
         ),
+        Code(
+            "no-ros",
+            "No ROS of the wanted version is on this machine. The help line has the command that "
+            "installs one.",
+        ),
+        Code(
+            "half-a-ros",
+            "A ROS is installed in part: a client library without a middleware or a master, or a "
+            "sourced ROS without a client library. The help line has the command that adds the rest.",
+        ),
+        Code(
+            "missing-ros-package",
+            "The program uses messages or services of a package that the ROS on this machine does "
+            "not have. The help line has the command that installs it.",
+        ),
+        Code(
+            "no-master",
+            "No ROS 1 master answers at `ROS_MASTER_URI`, or none could be started there. Correct "
+            "the variable, or unset it: `plastron run` then starts a master of its own.",
+        ),
+        Code(
+            "remote-master",
+            "`ROS_MASTER_URI` names another machine, but nodes speak on this machine only unless "
+            "`--network` is given; a master on this machine is used instead.",
+        ),
+        Code(
+            "no-graph",
+            "The running graph could not be read; the message says why.",
+        ),
     )
 }
 

@@ -1,0 +1,220 @@
+"""One process of a run: started under guard, read line by line, reaped."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import subprocess
+import sys
+from collections import deque
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+_CHUNK = 1 << 16
+_LONGEST_LINE = 1 << 16
+_TAIL = 10
+
+
+@dataclass(frozen=True, slots=True)
+class Process:
+    """What is to be started.
+
+    Attributes:
+        name: what the output is labelled with.
+        argv: the program and its arguments.
+        environ: its whole environment; None for the supervisor's own.
+        cwd: its working folder; None for the supervisor's own.
+        is_helper: whether it only serves the nodes (a master, an observer): a run does not
+            wait for it, and stops it after the nodes.
+        fds: file descriptors that it inherits beside the standard ones.
+    """
+
+    name: str
+    argv: tuple[str, ...]
+    environ: Mapping[str, str] | None = None
+    cwd: Path | None = None
+    is_helper: bool = False
+    fds: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Exit:
+    """How a process ended.
+
+    Attributes:
+        process: which one.
+        status: its exit status, the negative signal number where a signal ended it, None where
+            it never started.
+        reason: why it never started, "" otherwise.
+        last_lines: the end of its output.
+        was_asked: whether the supervisor had told it to stop.
+    """
+
+    process: Process
+    status: int | None
+    reason: str = ""
+    last_lines: tuple[str, ...] = ()
+    was_asked: bool = False
+
+    @property
+    def is_failure(self) -> bool:
+        """Whether it ended badly, and of its own accord."""
+        return not self.was_asked and self.status != 0
+
+    @property
+    def words(self) -> str:
+        """What happened, in words, to follow the name."""
+        if self.status is None:
+            return f"never started: {self.reason}"
+        if self.status < 0:
+            try:
+                name = signal.Signals(-self.status).name
+            except ValueError:
+                name = f"signal {-self.status}"
+            return f"was ended by {name}"
+        if self.status:
+            return f"died with exit status {self.status}"
+        return "finished"
+
+
+class Guard:
+    """The supervisor's end of the guard process (see `guard.py`)."""
+
+    def __init__(self) -> None:
+        read_end, self._pipe = os.pipe()
+        try:
+            self._process = subprocess.Popen(
+                [sys.executable, "-I", "-S", str(Path(__file__).with_name("guard.py"))],
+                stdin=read_end,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+                start_new_session=True,
+            )
+        finally:
+            os.close(read_end)
+
+    def note_own_group(self) -> None:
+        """Note the calling process; to be called in a new child, before it becomes the node.
+
+        The child itself tells the guard, so that there is no moment in which the supervisor
+        could be killed and the node be unknown.
+        """
+        self._write(f"+{os.getpid()}\n")
+
+    def forget(self, group: int | None = None) -> None:
+        """Take a group off, or the last one that was noted."""
+        self._write(f"-{'' if group is None else group}\n")
+
+    def close(self) -> None:
+        """End the guard, and with it every group that is still noted."""
+        os.close(self._pipe)
+        self._process.wait()
+
+    def _write(self, line: str) -> None:
+        # A guard that somebody killed must not keep the nodes from being started.
+        with contextlib.suppress(OSError):
+            os.write(self._pipe, line.encode())
+
+
+class Child:
+    """A running process, the leader of a session and a process group of its own.
+
+    Attributes:
+        was_asked: whether it was told to stop.
+        is_at_end: whether its output has ended; it may still run then.
+    """
+
+    def __init__(self, process: Process, guard: Guard) -> None:
+        """Start the process; `OSError` where that is not possible."""
+        self.process = process
+        self.was_asked = False
+        self.is_at_end = False
+        self._guard = guard
+        self._partial = bytearray()
+        self._tail: deque[str] = deque(maxlen=_TAIL)
+        try:
+            self._popen = subprocess.Popen(
+                process.argv,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+                bufsize=0,
+                env=process.environ,
+                cwd=process.cwd,
+                start_new_session=True,
+                preexec_fn=guard.note_own_group,
+                pass_fds=process.fds,
+            )
+        except OSError:
+            guard.forget()
+            raise
+        assert self._popen.stdout is not None
+        self.fd = self._popen.stdout.fileno()
+        os.set_blocking(self.fd, False)
+
+    @property
+    def pid(self) -> int:
+        """The process, and its process group."""
+        return self._popen.pid
+
+    def read(self) -> Iterator[str]:
+        """Yield the lines that are there, at most a chunk of them."""
+        yield from self._lines(self._chunk() or b"")
+
+    def has_ended(self) -> bool:
+        """Tell whether the process is gone, and leave it unreaped.
+
+        As long as it is unreaped its number cannot become another group's.
+        """
+        flags = os.WEXITED | os.WNOHANG | os.WNOWAIT
+        return os.waitid(os.P_PID, self.pid, flags) is not None
+
+    def send(self, signum: int) -> None:
+        """Send a signal to the process and to all that it started in its group."""
+        self.was_asked = True
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            os.killpg(self.pid, signum)
+
+    def finish(self) -> Iterator[str]:
+        """Yield what is left of the output of a process that has ended, and close everything.
+
+        What it started and left in its group is killed: it held the pipe, and nobody would
+        stop it later.
+        """
+        assert self._popen.stdout is not None
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            os.killpg(self.pid, signal.SIGKILL)
+        while chunk := self._chunk():
+            yield from self._lines(chunk)
+        if self._partial:
+            yield from self._lines(b"\n")
+        self._popen.stdout.close()
+        self._guard.forget(self.pid)
+        self._popen.wait()
+
+    def exit(self) -> Exit:
+        """Tell how it ended, after `finish`."""
+        status = self._popen.returncode
+        return Exit(self.process, status, "", tuple(self._tail), self.was_asked)
+
+    def _chunk(self) -> bytes | None:
+        try:
+            chunk = os.read(self.fd, _CHUNK)
+        except BlockingIOError:
+            return None
+        self.is_at_end = not chunk
+        return chunk
+
+    def _lines(self, chunk: bytes) -> Iterator[str]:
+        self._partial += chunk
+        *lines, rest = bytes(self._partial).split(b"\n")
+        if len(rest) > _LONGEST_LINE:
+            lines.append(rest)
+            rest = b""
+        self._partial = bytearray(rest)
+        for line in lines:
+            text = line.decode("utf-8", "replace").rstrip("\r")
+            self._tail.append(text)
+            yield text

@@ -1,0 +1,103 @@
+"""What a run prints: the nodes' lines, labelled, and what happened to the nodes."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from collections.abc import Callable, Iterable, Mapping
+from typing import TextIO
+
+from .child import Exit, Process
+
+# Cyan, yellow, magenta, green, blue, then their bright kin: red is kept for what went wrong.
+_COLOURS = (36, 33, 35, 32, 34, 96, 93, 95, 92, 94)
+_RED = 31
+_DIM = 2
+OWN_NAME = "plastron"
+
+
+def wants_colour(stream: TextIO, environ: Mapping[str, str] = os.environ) -> bool:
+    """Tell whether to write colours: to a terminal, unless `NO_COLOR` or a dumb one says no."""
+    if environ.get("NO_COLOR") or environ.get("TERM") == "dumb":
+        return False
+    try:
+        return stream.isatty()
+    except ValueError:
+        return False
+
+
+class Console:
+    """Writes lines under the name of the node that they come from.
+
+    Nodes' lines go to `out`, what the run itself has to say to `err`. When nobody reads any
+    more (a closed terminal, a pipe to `head`), `on_gone` is called once and the rest is dropped.
+    """
+
+    def __init__(
+        self,
+        names: Iterable[str],
+        out: TextIO,
+        err: TextIO,
+        *,
+        on_gone: Callable[[], None] | None = None,
+        environ: Mapping[str, str] = os.environ,
+    ) -> None:
+        listed = list(dict.fromkeys(names))
+        self._width = max((len(name) for name in [*listed, OWN_NAME]), default=0)
+        self._colour_of = {
+            name: _COLOURS[index % len(_COLOURS)] for index, name in enumerate(listed)
+        }
+        self._out = out
+        self._err = err
+        self._on_gone = on_gone
+        self._is_gone = False
+        self._out_colour = wants_colour(out, environ)
+        self._err_colour = wants_colour(err, environ)
+
+    def line(self, process: Process, text: str) -> None:
+        """Write a line of a node."""
+        self.labelled(process.name, text)
+
+    def labelled(self, name: str, text: str) -> None:
+        """Write a line under a name."""
+        code = self._colour_of.get(name, _DIM)
+        self._write(self._out, self._label(name, code, self._out_colour) + text)
+
+    def notice(self, text: str, *, is_bad: bool = False) -> None:
+        """Write a line of the run itself."""
+        label = self._label(OWN_NAME, _RED if is_bad else _DIM, self._err_colour)
+        self._write(self._err, label + text)
+
+    def ended(self, end: Exit) -> None:
+        """Report how a process ended; a failure with the end of its output."""
+        if end.was_asked:
+            return
+        lines = end.last_lines if end.is_failure else ()
+        after = "; its last lines were:" if lines else ""
+        self.notice(f"{end.process.name} {end.words}{after}", is_bad=end.is_failure)
+        for line in lines:
+            self.notice(f"  {line}", is_bad=True)
+
+    def _label(self, name: str, code: int, in_colour: bool) -> str:
+        label = f"{name:<{self._width}} |"
+        return f"\x1b[{code}m{label}\x1b[0m " if in_colour else f"{label} "
+
+    def _write(self, stream: TextIO, line: str) -> None:
+        if self._is_gone:
+            return
+        try:
+            stream.write(line + "\n")
+            stream.flush()
+        except (OSError, ValueError):
+            self._is_gone = True
+            _silence(stream)
+            if self._on_gone is not None:
+                self._on_gone()
+
+
+def _silence(stream: TextIO) -> None:
+    # What is still in its buffer would fail again, with a traceback, when Python ends.
+    with contextlib.suppress(OSError, ValueError):
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, stream.fileno())
+        os.close(nowhere)
