@@ -7,7 +7,7 @@ diagnostics, files. Each is made when it is first asked for, and again after an 
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -167,11 +167,12 @@ class Session:
     def _meaning(self) -> Interpretation:
         if self._interpretation is None:
             with collection_paused():
-                self._interpretation = interpret(self.program, self._setting)
+                self._interpretation = interpret(self.program, self.setting)
         return self._interpretation
 
     @cached_property
-    def _setting(self) -> Setting:
+    def setting(self) -> Setting:
+        """What the program is interpreted in."""
         loader = NodeLoader(self.folder, self.output, self._rendered)
         return Setting(self.library, LIBRARIES, self.catalog, loader)
 
@@ -206,6 +207,12 @@ class Session:
 
             made[0] = replace(made[0], diagnostics=(*problems, *made[0].diagnostics))
         return tuple(made)
+
+    def generate(self, generation: Generation) -> Generated:
+        """Make the file of one `generate_node`."""
+        from plastron_tui.output.manifest import load_manifest
+
+        return self._generate(generation, load_manifest(self.output)[0])
 
     def _last_generations(self) -> list[Generation]:
         last: dict[tuple[str, str], Generation] = {}
@@ -252,10 +259,13 @@ class Session:
         The diagnostics say why a file is missing from the plan; a plan that has errors is not
         to be written.
         """
+        return self.plan_of(self.generated())
+
+    def plan_of(self, made: Sequence[Generated]) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
+        """Compare files with the disk, as `plan` does for all that the program asks for."""
         from plastron_tui.output.manifest import load_manifest
         from plastron_tui.output.plan import make_plan
 
-        made = self.generated()
         files = [generated.file for generated in made if generated.file is not None]
         manifest, _ = load_manifest(self.output)
         within = self.folder if self.options.output is None else None

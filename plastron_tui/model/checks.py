@@ -44,10 +44,10 @@ _CHECKS: dict[str, Callable[[str, int], NameProblem | None]] = {
 class Checks:
     """Looks up what a statement names, and raises a mistake where there is none such."""
 
-    def __init__(self, setting: Setting, broken: Iterable[str]) -> None:
+    def __init__(self, setting: Setting) -> None:
         self.workspace = Workspace()
         self._setting = setting
-        self._broken = set(broken)
+        self._broken: set[str] = set()
         self._version = setting.libraries[setting.library]
         self._resolvers: dict[int, TypeResolver] = {}
         self._fitters: dict[int, Fitter] = {}

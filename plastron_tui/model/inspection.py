@@ -55,3 +55,29 @@ def _endpoint(endpoint: SourceEndpoint) -> dict[str, Any]:
         found["callback"] = endpoint.callback
     found["line"] = endpoint.line
     return found
+
+
+def inspect_text(source: SourceFile) -> str:
+    """Describe a file for people: a line for each call site, under its node."""
+    lines = [f"{source.path} ({source.library})"]
+    for node in source.nodes:
+        lines.append(f"  node {node.name or _unknown(node.expression)}")
+        rows = [_row(endpoint) for kind in EndpointKind for endpoint in node.of_kind(kind)]
+        widths = [max(map(len, column), default=0) for column in zip(*rows, strict=True)]
+        lines += ["    " + "  ".join(map(str.ljust, row, widths)).rstrip() for row in rows]
+    return "\n".join(lines)
+
+
+def _row(endpoint: SourceEndpoint) -> tuple[str, str, str, str]:
+    type_ = str(endpoint.type) if endpoint.type is not None else endpoint.type_expression
+    what = endpoint.kind.value.replace("_", " ").removesuffix("s")
+    return (
+        f"line {endpoint.line}",
+        what,
+        endpoint.name or _unknown(endpoint.expression),
+        type_ + (f" calling {endpoint.callback}" if endpoint.callback else ""),
+    )
+
+
+def _unknown(expression: str) -> str:
+    return f"({' '.join(expression.split())})" if expression else "(unknown)"

@@ -6,7 +6,7 @@ mistake gives none.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -46,16 +46,18 @@ class Interpretation:
 
 def interpret(program: Program, setting: Setting) -> Interpretation:
     """Run the statements of a program and return the workspace that they build."""
-    interpreter = _Interpreter(program, setting)
+    interpreter = Interpreter(setting)
     with collection_paused():
-        interpreter.run(program.statements)
-    return Interpretation(interpreter.workspace, (*program.diagnostics, *interpreter.diagnostics))
+        diagnostics = interpreter.run(program)
+    return Interpretation(interpreter.workspace, diagnostics)
 
 
-class _Interpreter(Checks):
-    def __init__(self, program: Program, setting: Setting) -> None:
-        super().__init__(setting, program.broken_words)
-        self.diagnostics: list[Diagnostic] = []
+class Interpreter(Checks):
+    """Runs programs, one after the other, in one workspace."""
+
+    def __init__(self, setting: Setting) -> None:
+        super().__init__(setting)
+        self._diagnostics: list[Diagnostic] = []
         self._topics = Agreement("topic")
         self._services = Agreement("service")
         self._node_names: dict[str, Span] = {}
@@ -74,18 +76,22 @@ class _Interpreter(Checks):
             st.GenerateNode: self._generate_node,
         }
 
-    def run(self, statements: Iterable[Statement]) -> None:
+    def run(self, program: Program) -> tuple[Diagnostic, ...]:
+        """Run the statements of a program, and return all that is wrong with it."""
+        self._broken |= program.broken_words
+        self._diagnostics = list(program.diagnostics)
         run = self._run
-        for statement in statements:
+        for statement in program.statements:
             try:
                 run[type(statement)](statement)
             except Mistake as mistake:  # noqa: PERF203 - each statement has its own
                 if mistake.diagnostic is not None:
-                    self.diagnostics.append(mistake.diagnostic)
+                    self._diagnostics.append(mistake.diagnostic)
                 # What the statement was to declare is broken, not unknown.
                 declared = getattr(statement, "variable", None)
                 if declared is not None:
                     self._broken.add(declared)
+        return tuple(self._diagnostics)
 
     def _create_node(self, statement: st.CreateNode) -> None:
         self._check_new_variable(statement, statement.variable)
@@ -116,7 +122,7 @@ class _Interpreter(Checks):
         )
         loaded = self._setting.read(request)
         where = statement.span_of("source")
-        self.diagnostics.extend(
+        self._diagnostics.extend(
             found if found.file is not None else replace(found, span=where)
             for found in loaded.diagnostics
         )

@@ -1,0 +1,37 @@
+"""`plastron check`."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import click
+
+from plastron_tui.diagnostics.render import as_json
+
+from .common import Report, finish, format_option, open_sessions, programs_argument, target_option
+
+
+@click.command(epilog="Example: plastron check talker.plastron")
+@programs_argument
+@target_option
+@format_option("text", "json")
+def command(files: tuple[Path, ...], target: str | None, format_: str) -> None:
+    """Say what is wrong with programs.
+
+    Exits with 1 when a program has errors, and with 2 when a file cannot be read.
+    """
+    from plastron_tui.session import Options
+
+    report = Report()
+    found: list[dict[str, Any]] = []
+    for session in open_sessions(files, report, Options(target=target)):
+        if format_ == "json":
+            report.count(session.diagnostics)
+            found += as_json(session.diagnostics, session.lines, session.path)
+        else:
+            report.add(session.diagnostics, session.lines, session.path)
+    if format_ == "json":
+        click.echo(json.dumps(found, indent=2, ensure_ascii=False))
+    finish(report)

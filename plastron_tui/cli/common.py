@@ -1,0 +1,132 @@
+"""What the commands share: their arguments, and how they report."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+import click
+
+from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.diagnostics.codes import IO_CODES
+from plastron_tui.diagnostics.render import Lines, TextRenderer
+from plastron_tui.session import Options, Session, check_text, read_program
+from plastron_tui.targets import LIBRARIES
+
+STANDARD_INPUT = "-"
+
+_PATH = click.Path(path_type=Path, allow_dash=True)
+
+programs_argument = click.argument("files", nargs=-1, required=True, metavar="FILE...", type=_PATH)
+program_argument = click.argument("file", metavar="FILE", type=_PATH)
+target_option = click.option(
+    "--target",
+    "-t",
+    type=click.Choice(list(LIBRARIES)),
+    help="The client library of nodes that name none.",
+)
+output_option = click.option(
+    "--output",
+    "-o",
+    type=click.Path(path_type=Path),
+    metavar="DIR",
+    help="The output folder; without it, `output` beside the program.",
+)
+
+
+_Decorator = Callable[[Callable[..., Any]], Callable[..., Any]]
+
+
+def format_option(*formats: str) -> _Decorator:
+    """Return the option that chooses among formats, the first by default."""
+    return click.option(
+        "--format",
+        "-f",
+        "format_",
+        type=click.Choice(formats),
+        default=formats[0],
+        show_default=True,
+        help="How the result is written.",
+    )
+
+
+def use_color(stream: Any) -> bool:
+    """Tell whether a stream shows colours: a terminal, unless NO_COLOR says otherwise."""
+    if os.environ.get("NO_COLOR"):
+        return False
+    return bool(os.environ.get("FORCE_COLOR")) or stream.isatty()
+
+
+class Report:
+    """The diagnostics of a run of a command, written as they come, and its exit status."""
+
+    def __init__(self) -> None:
+        self.status = 0
+        self._errors = 0
+        self._warnings = 0
+
+    def add(
+        self, diagnostics: Iterable[Diagnostic], lines: Lines, program: Path | None = None
+    ) -> None:
+        """Write diagnostics to standard error, and remember how bad they are."""
+        renderer = TextRenderer(lines, program, color=use_color(sys.stderr))
+        for found in diagnostics:
+            click.echo(renderer.render(found) + "\n", err=True)
+            self.count((found,))
+
+    def count(self, diagnostics: Iterable[Diagnostic]) -> None:
+        """Remember how bad diagnostics are that are written elsewhere."""
+        for found in diagnostics:
+            if found.severity is Severity.WARNING:
+                self._warnings += 1
+                continue
+            self._errors += 1
+            self.status = max(self.status, 2 if found.code in IO_CODES else 1)
+
+    def unreadable(self, diagnostics: Iterable[Diagnostic]) -> None:
+        """Write why a file that was named cannot be read."""
+        self.add(diagnostics, lambda _: None)
+        self.status = 2
+
+    def finish(self) -> int:
+        """Say how much was wrong, and return the exit status."""
+        parts = [
+            f"{count} {word}{'' if count == 1 else 's'}"
+            for count, word in ((self._errors, "error"), (self._warnings, "warning"))
+            if count
+        ]
+        if parts:
+            click.echo(f"found {' and '.join(parts)}", err=True)
+        return self.status
+
+
+def open_session(file: Path, report: Report, options: Options | None = None) -> Session | None:
+    """Read a program; None when that fails, which is then reported."""
+    if str(file) == STANDARD_INPUT:
+        read = check_text(None, sys.stdin.buffer.read())
+        path = None
+    else:
+        read = read_program(file)
+        path = file
+    if read.text is None:
+        report.unreadable(read.diagnostics)
+        return None
+    return Session(read.text, path, options)
+
+
+def open_sessions(
+    files: Sequence[Path], report: Report, options: Options | None = None
+) -> list[Session]:
+    """Read several programs; what cannot be read is reported."""
+    sessions = (open_session(file, report, options) for file in files)
+    return [session for session in sessions if session is not None]
+
+
+def finish(report: Report) -> None:
+    """Leave the command with its exit status."""
+    status = report.finish()
+    if status:
+        click.get_current_context().exit(status)

@@ -1,0 +1,63 @@
+"""`plastron inspect`."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import click
+
+from plastron_tui.diagnostics import Diagnostic, LineIndex
+from plastron_tui.loader import LARGEST_FILE, read_node
+from plastron_tui.model.inspection import inspect_json, inspect_text
+from plastron_tui.model.program_text import program_of
+from plastron_tui.model.source import SourceFile
+from plastron_tui.targets import LIBRARIES
+
+from .common import Report, finish, format_option
+
+
+@click.command(epilog="Example: plastron inspect --format plastron scripts/driver.py")
+@click.argument(
+    "files", nargs=-1, required=True, metavar="NODE_FILE...", type=click.Path(path_type=Path)
+)
+@format_option("text", "json", "plastron")
+def command(files: tuple[Path, ...], format_: str) -> None:
+    """Show what node files hold: their nodes, topics, services and types.
+
+    As JSON, one file gives one object, and several give an object a line. As a program, what a
+    statement can say becomes a statement, and the rest a comment.
+    """
+    report = Report()
+    for file in files:
+        source = _read(file, report)
+        if source is None:
+            continue
+        if format_ == "json":
+            indent = 2 if len(files) == 1 else None
+            click.echo(json.dumps(inspect_json(source), indent=indent, ensure_ascii=False))
+        elif format_ == "plastron":
+            click.echo(program_of(source, LIBRARIES.get(source.library, 1)), nl=False)
+        else:
+            click.echo(inspect_text(source))
+    finish(report)
+
+
+def _read(file: Path, report: Report) -> SourceFile | None:
+    try:
+        if file.stat().st_size > LARGEST_FILE:
+            limit = LARGEST_FILE // (1024 * 1024)
+            report.unreadable([_unreadable(file, f"the file is larger than {limit} MB")])
+            return None
+        text = file.read_bytes()
+    except (OSError, ValueError) as error:
+        reason = (getattr(error, "strerror", None) or str(error)).lower()
+        report.unreadable([_unreadable(file, f"the file cannot be read: {reason}")])
+        return None
+    loaded = read_node(file, text)
+    report.add(loaded.diagnostics, lambda _: LineIndex(text), file)
+    return loaded.source
+
+
+def _unreadable(file: Path, message: str) -> Diagnostic:
+    return Diagnostic("unreadable-file", message, file=file)

@@ -1,0 +1,121 @@
+"""`plastron shell`."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import click
+
+from plastron_tui.diagnostics import has_errors
+from plastron_tui.language import DECLARATIONS, Document, lower
+from plastron_tui.model.interpreter import Interpreter
+from plastron_tui.model.workspace import Generation
+from plastron_tui.output.writer import write
+from plastron_tui.session import Options, Session, check_text
+
+from .common import Report, finish, output_option, target_option
+from .generate import show_plan
+
+_PROMPT = ">> "
+_LEAVE = ("exit", "quit")
+
+
+@click.command(epilog="Example: echo \"create_node 'a' as a\" | plastron shell")
+@output_option
+@target_option
+def command(output: Path | None, target: str | None) -> None:
+    """Take one statement at a time, at a prompt or from a pipe.
+
+    A statement with a mistake has no effect. `generate_node` writes its file at once. At the
+    prompt `help` lists the statements, and `exit` or Ctrl-D leaves.
+    """
+    report = Report()
+    shell = Shell(Session(options=Options(target, output)), report)
+    is_terminal = sys.stdin.isatty()
+    if is_terminal:
+        click.echo("Plastron. `help` lists the statements; `exit` leaves.")
+        _prepare_line_editing()
+    lines: Iterable[bytes] = _typed() if is_terminal else sys.stdin.buffer
+    for line in lines:
+        word = line.strip()
+        if is_terminal and word.decode(errors="replace") in _LEAVE:
+            break
+        if is_terminal and word == b"help":
+            _show_help()
+            continue
+        shell.take(line)
+    if not is_terminal:
+        finish(report)
+
+
+class Shell:
+    """Runs lines, one after the other, in one workspace."""
+
+    def __init__(self, session: Session, report: Report) -> None:
+        self._session = session
+        self._report = report
+        self._interpreter = Interpreter(session.setting)
+        self._done = 0
+
+    def take(self, line: bytes) -> None:
+        """Run a line, and write what is wrong with it."""
+        read = check_text(None, line)
+        if read.text is None:
+            self._report.add(read.diagnostics, lambda _: None)
+            return
+        document = Document(line)
+        # A label points into an earlier line, whose text is not this document's.
+        found = [replace(found, labels=()) for found in self._interpreter.run(lower(document))]
+        self._report.add(found, lambda file: self._session.lines(file) if file else document.lines)
+        generations = self._interpreter.workspace.generations
+        if not has_errors(found):
+            for generation in generations[self._done :]:
+                self._generate(generation, document)
+        self._done = len(generations)
+
+    def _generate(self, generation: Generation, document: Document) -> None:
+        plan, diagnostics = self._session.plan_of([self._session.generate(generation)])
+        diagnostics = (*diagnostics, *plan.conflicts)
+        if not has_errors(diagnostics):
+            show_plan(plan, self._session)
+            diagnostics = (*diagnostics, *write(plan).diagnostics)
+        self._report.add(diagnostics, lambda file: None if file else document.lines)
+
+
+def _typed() -> Iterator[bytes]:
+    while (line := _ask()) is not None:
+        yield line.encode("utf-8", "surrogateescape")
+
+
+def _ask() -> str | None:
+    try:
+        return input(_PROMPT)
+    except EOFError:
+        click.echo()
+        return None
+
+
+def _prepare_line_editing() -> None:
+    """Give the prompt a history and the completion of keywords, where Python has readline."""
+    try:
+        import readline
+    except ImportError:
+        return
+    from plastron_tui.language.syntax_errors import KEYWORDS
+
+    words = sorted(KEYWORDS)
+
+    def complete(text: str, state: int) -> str | None:
+        found = [word + " " for word in words if word.startswith(text)]
+        return found[state] if state < len(found) else None
+
+    readline.set_completer(complete)
+    readline.parse_and_bind("tab: complete")
+
+
+def _show_help() -> None:
+    for declaration in DECLARATIONS.values():
+        click.echo(f"{declaration.usage}\n    {declaration.summary}")

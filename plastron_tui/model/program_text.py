@@ -1,0 +1,136 @@
+"""A file's nodes, written as a program that generates equivalent ones."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from keyword import iskeyword
+
+from plastron_tui.language.syntax_errors import KEYWORDS
+from plastron_tui.ros.names import (
+    check_node_name,
+    check_service_name,
+    check_topic_name,
+    mended_node_name,
+)
+
+from .source import EndpointKind, SourceEndpoint, SourceFile, SourceNode
+
+_WORDS = {
+    EndpointKind.PUBLISHER: "publishes to",
+    EndpointKind.SUBSCRIPTION: "subscribes to",
+    EndpointKind.SERVICE: "provides the service",
+    EndpointKind.CLIENT: "requests the service",
+    EndpointKind.ACTION_SERVER: "serves the action",
+    EndpointKind.ACTION_CLIENT: "requests the action",
+    EndpointKind.TIMER: "has a timer of",
+    EndpointKind.PARAMETER: "uses the parameter",
+}
+_SERVICES = (EndpointKind.SERVICE, EndpointKind.CLIENT)
+
+
+class Variables:
+    """Hands out variables for the things of a program, each only once."""
+
+    def __init__(self) -> None:
+        self._taken: set[str] = set(KEYWORDS)
+
+    def new(self, name: str) -> str:
+        """Return a variable that is made from a name and not in use."""
+        base = re.sub(r"[^A-Za-z0-9_]+", "_", name).strip("_")
+        if not base[:1].isalpha() or not base.isascii():
+            base = f"node_{base}".rstrip("_")
+        variable, number = base, 2
+        while variable in self._taken:
+            variable, number = f"{base}_{number}", number + 1
+        self._taken.add(variable)
+        return variable
+
+
+def program_of(source: SourceFile, ros_version: int) -> str:
+    """Return a program of the nodes of a file.
+
+    Every endpoint whose name and type are known is a statement; what has no statement is a
+    comment.
+    """
+    variables = Variables()
+    nodes = source.nodes or ()
+    blocks = [_node(source, node, variables, ros_version) for node in nodes]
+    return "\n".join("\n".join(block) + "\n" for block in blocks)
+
+
+def _node(
+    source: SourceFile, node: SourceNode, variables: Variables, ros_version: int
+) -> Iterator[str]:
+    name = node.name
+    if name is None or check_node_name(name, ros_version) is not None:
+        told = f": {_shown(node.expression)}" if node.expression else ""
+        yield f"// the file does not say the node's name{told}"
+        stem = source.path.stem
+        name = stem if check_node_name(stem, ros_version) is None else mended_node_name(stem, 1)
+        name = name or "node"
+    variable = variables.new(name)
+    yield f"create_node '{name}' as {variable} using {source.library}"
+    seen: set[tuple[EndpointKind, str]] = set()
+    for endpoint in node.endpoints:
+        statement = _statement(endpoint, variable, variables, ros_version)
+        key = (endpoint.kind, endpoint.name or "")
+        if statement is None:
+            yield _comment(endpoint)
+        elif key in seen:
+            yield f"{_comment(endpoint)}, once more"
+        else:
+            seen.add(key)
+            yield from statement
+    if seen:
+        yield f"generate_node {variable}"
+
+
+def _statement(
+    endpoint: SourceEndpoint, node: str, variables: Variables, ros_version: int
+) -> tuple[str, ...] | None:
+    """Return the statements that make an endpoint, None when the language has none for it."""
+    name, type_ = endpoint.name, endpoint.type
+    check = check_service_name if endpoint.kind in _SERVICES else check_topic_name
+    if name is None or type_ is None or check(name, ros_version) is not None:
+        return None
+    match endpoint.kind:
+        case EndpointKind.PUBLISHER:
+            message = variables.new(f"{name.strip('/~').replace('/', '_')}_message")
+            return (
+                f"create_message {message} of message_type {type_} and input none",
+                f"{node} publish {message} to '{name}' of message_type {type_}",
+            )
+        case EndpointKind.SUBSCRIPTION:
+            return (f"subscribe {node} to '{name}' of message_type {type_}{_calling(endpoint)}",)
+        case EndpointKind.SERVICE:
+            return (
+                f"{node} provides_service '{name}' of service_type {type_}{_calling(endpoint)}",
+            )
+        case EndpointKind.CLIENT:
+            return (f"{node} client_requests '{name}' of service_type {type_} with input none",)
+        case _:
+            return None
+
+
+def _calling(endpoint: SourceEndpoint) -> str:
+    callback = endpoint.callback
+    if callback is None or not callback.isidentifier() or not callback.isascii():
+        return ""
+    if iskeyword(callback) or callback in KEYWORDS:
+        return ""
+    return f" calling {callback}"
+
+
+def _comment(endpoint: SourceEndpoint) -> str:
+    what = f"// line {endpoint.line}: {_WORDS[endpoint.kind]} {_shown(endpoint.expression)}"
+    if endpoint.type is not None:
+        what += f" of type {endpoint.type}"
+    elif endpoint.type_expression:
+        what += f" of type {_shown(endpoint.type_expression)}"
+    return what
+
+
+def _shown(expression: str) -> str:
+    text = " ".join(expression.split())
+    return text if len(text) <= 80 else f"{text[:77]}..."
