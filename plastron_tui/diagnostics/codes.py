@@ -91,7 +91,7 @@ CODES: dict[str, Code] = {
         Code(
             "half-a-ros",
             "A ROS is installed in part: a client library without a middleware or a master, or a "
-            "sourced ROS without a client library. The help line has the command that adds the rest.",
+            "sourced ROS without a client library. The help line says how to add the rest.",
         ),
         Code(
             "missing-ros-package",

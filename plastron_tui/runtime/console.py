@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TextIO
 
 from .child import Exit, Process
+from .table import Screen
 
 # Cyan, yellow, magenta, green, blue, then their bright kin: red is kept for what went wrong.
 _COLOURS = (36, 33, 35, 32, 34, 96, 93, 95, 92, 94)
@@ -51,6 +52,7 @@ class Console:
         self._err = err
         self._on_gone = on_gone
         self._is_gone = False
+        self._screen: Screen | None = None
         self._out_colour = wants_colour(out, environ)
         self._err_colour = wants_colour(err, environ)
 
@@ -68,6 +70,17 @@ class Console:
         label = self._label(OWN_NAME, _RED if is_bad else _DIM, self._err_colour)
         self._write(self._err, label + text)
 
+    def show(self, screen: Screen | None) -> None:
+        """Keep a table below the lines from now on, or leave the one there where it is."""
+        if self._screen is not None and screen is None:
+            self._put(self._out, self._screen.frame(is_forced=True))
+        self._screen = screen
+
+    def refresh(self) -> None:
+        """Draw the table anew where that is due."""
+        if self._screen is not None:
+            self._put(self._out, self._screen.frame())
+
     def ended(self, end: Exit) -> None:
         """Report how a process ended; a failure with the end of its output."""
         if end.was_asked:
@@ -83,10 +96,15 @@ class Console:
         return f"\x1b[{code}m{label}\x1b[0m " if in_colour else f"{label} "
 
     def _write(self, stream: TextIO, line: str) -> None:
-        if self._is_gone:
+        if self._screen is not None:
+            self._put(self._out, self._screen.erase())
+        self._put(stream, line + "\n")
+
+    def _put(self, stream: TextIO, text: str) -> None:
+        if self._is_gone or not text:
             return
         try:
-            stream.write(line + "\n")
+            stream.write(text)
             stream.flush()
         except (OSError, ValueError):
             self._is_gone = True

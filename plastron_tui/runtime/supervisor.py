@@ -51,6 +51,7 @@ class Supervisor:
         self._on_exit = on_exit
         self._on_tick = on_tick
         self._children: dict[int, Child] = {}
+        self._pipes: set[int] = set()
         self._stop_asked = threading.Event()
         self._handlers: dict[int, Any] = {}
 
@@ -73,6 +74,8 @@ class Supervisor:
         try:
             self._end_all()
         finally:
+            for fd in tuple(self._pipes):
+                self._close_pipe(fd)
             self._guard.close()
             self._selector.close()
             for signum, handler in self._handlers.items():
@@ -91,18 +94,24 @@ class Supervisor:
         return True
 
     def read(self, fd: int, on_bytes: Callable[[bytes], None]) -> None:
-        """Read a pipe beside the processes' own; it stays the caller's to close."""
+        """Read a pipe beside the processes' own, and close it in the end."""
         os.set_blocking(fd, False)
+        self._pipes.add(fd)
 
         def _read() -> Iterable[str]:
             with contextlib.suppress(BlockingIOError):
                 chunk = os.read(fd, 1 << 16)
                 if not chunk:
-                    self._selector.unregister(fd)
+                    self._close_pipe(fd)
                 on_bytes(chunk)
             return ()
 
         self._selector.register(fd, selectors.EVENT_READ, _read)
+
+    def _close_pipe(self, fd: int) -> None:
+        self._pipes.discard(fd)
+        self._selector.unregister(fd)
+        os.close(fd)
 
     def stop(self) -> None:
         """Ask for the end of the run, from any thread."""

@@ -1,0 +1,206 @@
+"""Runs a program's nodes with the ROS that is there: `plastron run` without its command line."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sys
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TextIO
+
+from plastron_tui.diagnostics import Diagnostic, has_errors
+
+from .child import Exit, Process
+from .console import Console
+from .environment import Environment, node_environ
+from .master import Master, ensure_master
+from .supervisor import Supervisor
+from .table import Screen, Ticker, Watch
+
+_OBSERVERS = Path(__file__).with_name("observers")
+_WATCH_NAME = "watch"
+
+
+@dataclass(frozen=True, slots=True)
+class NodeFile:
+    """A generated node: its name, its file, and the environment that runs it."""
+
+    name: str
+    path: Path
+    environment: Environment
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """How to run.
+
+    Attributes:
+        duration: seconds until the nodes are stopped; None for as long as they run.
+        network: whether the nodes may speak to other machines.
+        watch: whether to show what travels.
+    """
+
+    duration: float | None = None
+    network: bool = False
+    watch: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class RunResult:
+    """The exit status of a run (see `Supervisor.wait`), and what kept it from starting."""
+
+    status: int
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+def run_nodes(
+    nodes: Sequence[NodeFile],
+    options: Options = Options(),
+    *,
+    out: TextIO | None = None,
+    err: TextIO | None = None,
+    environ: Mapping[str, str] = os.environ,
+) -> RunResult:
+    """Run nodes until all have ended, the time is up, or a signal comes.
+
+    The nodes' lines go to `out`, what there is to say about the run to `err`.
+    """
+    return _Run(nodes, options, out or sys.stdout, err or sys.stderr, environ).go()
+
+
+class _Run:
+    """The parts of one run, wired together."""
+
+    def __init__(
+        self,
+        nodes: Sequence[NodeFile],
+        options: Options,
+        out: TextIO,
+        err: TextIO,
+        environ: Mapping[str, str],
+    ) -> None:
+        self._nodes = nodes
+        self._options = options
+        self._environ = environ
+        self._watch = Watch()
+        self._ticker = Ticker()
+        self._observers: list[Process] = []
+        self._calls = bytearray()
+        self._supervisor = Supervisor(self._on_line, self._on_exit, self._on_tick)
+        names = [*(node.name for node in nodes), *([_WATCH_NAME] if options.watch else [])]
+        self._console = Console(names, out, err, on_gone=self._supervisor.stop, environ=environ)
+        self._screen = Screen(self._watch, out) if options.watch and out.isatty() else None
+
+    def go(self) -> RunResult:
+        diagnostics: list[Diagnostic] = []
+        with self._supervisor:
+            master: Master | None = None
+            first = [node for node in self._nodes if node.environment.ros_version == 1][:1]
+            for node in first:
+                master, diagnostics = ensure_master(
+                    self._supervisor,
+                    node.environment,
+                    [one.name for one in self._nodes if one.environment.ros_version == 1],
+                    network=self._options.network,
+                    environ=self._environ,
+                )
+                self._tell(master)
+            if not has_errors(diagnostics) and not self._supervisor.is_stopping:
+                self._run(master)
+        status = 1 if has_errors(diagnostics) else self._supervisor.status
+        return RunResult(status, tuple(diagnostics))
+
+    def _tell(self, master: Master | None) -> None:
+        if master is not None:
+            verb = "using the" if master.process is None else "started a"
+            self._console.notice(f"{verb} ROS 1 master at {master.uri}")
+
+    def _run(self, master: Master | None) -> None:
+        with self._call_pipe() as pipe:
+            for node in self._nodes:
+                self._supervisor.start(self._process(node, master, pipe))
+        if self._options.watch:
+            self._start_observers(master)
+            self._console.show(self._screen)
+        self._supervisor.wait(self._options.duration)
+        if self._screen is None:
+            self._print_lines()
+        self._console.show(None)
+
+    @contextlib.contextmanager
+    def _call_pipe(self) -> Iterator[int | None]:
+        """Open the pipe by which the nodes report service calls, where they are watched.
+
+        Only the nodes keep its writing end.
+        """
+        if not self._options.watch:
+            yield None
+            return
+        read_end, write_end = os.pipe()
+        self._supervisor.read(read_end, self._on_calls)
+        try:
+            yield write_end
+        finally:
+            os.close(write_end)
+
+    def _process(self, node: NodeFile, master: Master | None, pipe: int | None) -> Process:
+        environ = self._node_environ(node.environment, master)
+        if pipe is None:
+            return Process(node.name, (str(node.environment.python), str(node.path)), environ)
+        environ["PLASTRON_EVENTS_FD"] = str(pipe)
+        environ["PLASTRON_ROS_VERSION"] = str(node.environment.ros_version)
+        traced = str(_OBSERVERS / "traced.py")
+        argv = (str(node.environment.python), traced, str(node.path))
+        return Process(node.name, argv, environ, fds=(pipe,))
+
+    def _start_observers(self, master: Master | None) -> None:
+        for environment in dict.fromkeys(node.environment for node in self._nodes):
+            process = Process(
+                _WATCH_NAME,
+                (
+                    str(environment.python),
+                    str(_OBSERVERS / "watch.py"),
+                    str(environment.ros_version),
+                ),
+                self._node_environ(environment, master),
+                is_helper=True,
+            )
+            self._observers.append(process)
+            self._supervisor.start(process)
+
+    def _node_environ(self, environment: Environment, master: Master | None) -> dict[str, str]:
+        return node_environ(
+            environment,
+            self._environ,
+            network=self._options.network,
+            master_uri=None if master is None else master.uri,
+        )
+
+    def _on_line(self, process: Process, line: str) -> None:
+        if process in self._observers:
+            self._watch.feed_topics(line)
+        elif not process.is_helper:
+            self._console.line(process, line)
+
+    def _on_exit(self, end: Exit) -> None:
+        self._console.ended(end)
+
+    def _on_calls(self, chunk: bytes) -> None:
+        self._calls += chunk
+        *lines, rest = bytes(self._calls).split(b"\n")
+        self._calls = bytearray(rest)
+        for line in lines:
+            text = self._watch.feed_call(line.decode("utf-8", "replace"))
+            if text is not None and self._screen is None:
+                self._console.labelled(_WATCH_NAME, text)
+
+    def _on_tick(self) -> None:
+        self._console.refresh()
+        if self._options.watch and self._screen is None and self._ticker.is_due():
+            self._print_lines()
+
+    def _print_lines(self) -> None:
+        for line in self._watch.lines():
+            self._console.labelled(_WATCH_NAME, line)

@@ -1,0 +1,171 @@
+"""Prints, as a line of JSON twice a second, each topic with its rate and last message.
+
+Its argument is the version of ROS. It is a node like any other, so that it sees what travels.
+"""
+
+from __future__ import annotations
+
+import importlib
+import json
+import sys
+import time
+from collections import deque
+from typing import Any
+
+from plastron_text import line_of  # type: ignore[import-not-found]
+
+_PERIOD = 0.5
+_WINDOW = 50
+_INFRASTRUCTURE = frozenset({"/rosout", "/rosout_agg", "/parameter_events"})
+
+
+class Topic:
+    """What was seen of a topic; the last message stays undecoded until it is asked for."""
+
+    def __init__(self, type_name: str) -> None:
+        self.type_name = type_name
+        self.count = 0
+        self.last: Any = None
+        self._times: deque[float] = deque(maxlen=_WINDOW)
+
+    def see(self, message: Any) -> None:
+        """Note a message."""
+        self.count += 1
+        self.last = message
+        self._times.append(time.monotonic())
+
+    @property
+    def rate(self) -> float:
+        """Messages a second over the latest ones, 0 when the topic went silent."""
+        if len(self._times) < 2:
+            return 0.0
+        first, last = self._times[0], self._times[-1]
+        period = (last - first) / (len(self._times) - 1)
+        if time.monotonic() - last > max(3 * period, 1.0):
+            return 0.0
+        return 1 / period if period > 0 else 0.0
+
+
+def _is_shown(name: str) -> bool:
+    # A name with a part that starts with `_` is hidden (ROS 2 design, "Topic and Service names").
+    return name not in _INFRASTRUCTURE and "/_" not in name
+
+
+def _print(topics: dict[str, Topic], decode: Any) -> None:
+    rows = [
+        {
+            "name": name,
+            "type": topic.type_name,
+            "rate": round(topic.rate, 2),
+            "count": topic.count,
+            "text": _decoded(decode, topic),
+        }
+        for name, topic in sorted(topics.items())
+    ]
+    print(json.dumps({"topics": rows}), flush=True)
+
+
+def _decoded(decode: Any, topic: Topic) -> str:
+    if topic.last is None:
+        return ""
+    try:
+        return str(line_of(decode(topic)))
+    except Exception as error:  # whatever a foreign message makes of its bytes
+        return f"({len(topic.last)} bytes: {error})"
+
+
+def watch_ros1() -> None:
+    """Watch the topics of a ROS 1 master."""
+    import roslib.message  # type: ignore[import-not-found]
+    import rospy  # type: ignore[import-not-found]
+
+    rospy.init_node("plastron_watch", anonymous=True, disable_signals=True)
+    topics: dict[str, Topic] = {}
+
+    def decode(topic: Topic) -> Any:
+        message_class = roslib.message.get_message_class(topic.type_name)
+        if message_class is None:
+            raise ValueError(f"{topic.type_name} is not installed")
+        return message_class().deserialize(topic.last)
+
+    def subscribe(name: str, type_name: str) -> None:
+        topic = topics[name] = Topic(type_name)
+        rospy.Subscriber(name, rospy.AnyMsg, lambda message: topic.see(message._buff))
+
+    try:
+        while not rospy.is_shutdown():
+            for name, type_name in rospy.get_published_topics():
+                if name not in topics and _is_shown(name):
+                    subscribe(name, type_name)
+            _print(topics, decode)
+            time.sleep(_PERIOD)
+    finally:
+        rospy.signal_shutdown("the watch ends")
+
+
+def watch_ros2() -> None:
+    """Watch the topics that ROS 2 discovers."""
+    import rclpy  # type: ignore[import-not-found]
+    from rclpy.serialization import deserialize_message  # type: ignore[import-not-found]
+    from rclpy.signals import SignalHandlerOptions  # type: ignore[import-not-found]
+
+    rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
+    node = rclpy.create_node("_plastron_watch", enable_rosout=False, start_parameter_services=False)
+    topics: dict[str, Topic] = {}
+
+    def decode(topic: Topic) -> Any:
+        return deserialize_message(topic.last, _ros2_class(topic.type_name))
+
+    def subscribe(name: str, type_name: str) -> None:
+        topic = topics[name] = Topic(type_name.replace("/msg/", "/"))
+        try:
+            message_class = _ros2_class(topic.type_name)
+        except (ImportError, AttributeError):
+            topic.type_name += " (not installed)"
+            return
+        node.create_subscription(message_class, name, topic.see, _ros2_qos(node, name), raw=True)
+
+    printed = 0.0
+    try:
+        while rclpy.ok():
+            rclpy.spin_once(node, timeout_sec=0.1)
+            if time.monotonic() - printed < _PERIOD:
+                continue
+            printed = time.monotonic()
+            for name, type_names in node.get_topic_names_and_types():
+                if name not in topics and _is_shown(name) and node.count_publishers(name):
+                    subscribe(name, type_names[0])
+            _print(topics, decode)
+    finally:
+        node.destroy_node()
+        rclpy.shutdown()
+
+
+def _ros2_class(type_name: str) -> Any:
+    package, name = type_name.split("/")
+    return getattr(importlib.import_module(f"{package}.msg"), name)
+
+
+def _ros2_qos(node: Any, topic: str) -> Any:
+    """Return a quality of service that every publisher of the topic can serve."""
+    from rclpy.qos import (  # type: ignore[import-not-found]
+        DurabilityPolicy,
+        QoSProfile,
+        ReliabilityPolicy,
+    )
+
+    profiles = [info.qos_profile for info in node.get_publishers_info_by_topic(topic)]
+    is_reliable = all(one.reliability == ReliabilityPolicy.RELIABLE for one in profiles)
+    is_kept = all(one.durability == DurabilityPolicy.TRANSIENT_LOCAL for one in profiles)
+    return QoSProfile(
+        depth=100,
+        reliability=ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT,
+        durability=DurabilityPolicy.TRANSIENT_LOCAL if is_kept else DurabilityPolicy.VOLATILE,
+    )
+
+
+if __name__ == "__main__":
+    try:
+        watch_ros1() if sys.argv[1] == "1" else watch_ros2()
+    except KeyboardInterrupt:
+        sys.exit(0)
