@@ -6,11 +6,17 @@
 /// <reference types="tree-sitter-cli/dsl" />
 // @ts-check
 
-// A newline is a token, not an extra: it always ends a statement, so that what is
-// half typed on one line never swallows the next.
-
-/** @param {RuleOrLiteral} rule */
-const commaSep1 = rule => seq(rule, repeat(seq(',', rule)));
+// A line is a statement, and stays one while it is half typed. Three things make sure of that:
+//
+// - The newline is a token, not an extra: it always ends the statement.
+// - A statement may end early, after any part of it, with a stop. If the line is over, the stop is
+//   the MISSING node `incomplete`: it stands in no text, the parser adds it. So a line that ends too
+//   early costs the parser less than to look for the rest of it in the next one.
+// - If the line goes on with a word that does not fit, the parser makes that word an ERROR, the
+//   scanner hands it the empty `_cut`, and what follows on the line is `skipped`, which takes
+//   anything. So there is one mistake a line, and none reaches over the end of its line.
+//
+// Both ways the statement has an error in it: no statement without one lacks a part.
 
 const KEYWORDS = [
   'create_node', 'load', 'create_message', 'subscribe', 'unsubscribe', 'publish',
@@ -20,12 +26,106 @@ const KEYWORDS = [
   'to', 'from', 'calling', 'at', 'hz', 'True', 'False',
 ];
 
+/** @param {RuleOrLiteral} rule */
+const commaSep1 = rule => seq(rule, repeat(seq(',', rule)));
+
+/**
+ * A list that breaks off after a comma, or within an item.
+ * @param {RuleOrLiteral} rule
+ * @param {RuleOrLiteral} unfinishedRule
+ */
+const unfinishedCommaSep1 = (rule, unfinishedRule) => choice(
+  unfinishedRule,
+  seq(rule, repeat(seq(',', rule)), ',', optional(unfinishedRule)),
+);
+
+/**
+ * A part that may itself break off.
+ * @param {RuleOrLiteral} whole
+ * @param {RuleOrLiteral} unfinished
+ */
+const part = (whole, unfinished) => ({ whole, unfinished });
+
+/**
+ * Any beginning of the parts, at least a piece of the first, at most all of them.
+ * @returns {RuleOrLiteral}
+ */
+function unfinished([first, ...rest]) {
+  const whole = first.whole ?? first;
+  const begun = rest.length ? seq(whole, optional(unfinished(rest))) : whole;
+  return first.unfinished ? choice(begun, first.unfinished) : begun;
+}
+
+/**
+ * A statement of these parts, and of those in `tail` if there are any, all or none of them.
+ * @param {GrammarSymbols<string>} $
+ */
+function statement($, parts, tail = []) {
+  const whole = list => list.map(item => item.whole ?? item);
+  const end = tail.length ? [optional(seq(...whole(tail)))] : [];
+  return choice(
+    seq(...whole(parts), ...end),
+    seq(unfinished([...parts, ...tail]), stop($)),
+  );
+}
+
+/**
+ * A statement that begins with a node. Of the node alone nobody can say which statement it begins.
+ * @param {GrammarSymbols<string>} $
+ */
+function nodeStatement($, parts, tail = []) {
+  const node = variable($, 'node');
+  const [keyword, ...rest] = parts;
+  return statement($, [seq(node, keyword), ...rest], tail);
+}
+
+/** @param {GrammarSymbols<string>} $ */
+const stop = $ => choice($.incomplete, seq($._cut, optional($.skipped)));
+
+const variable = ($, name) => field(name, alias($.identifier, $.variable));
+const using = $ => ['using', field('library', alias($.identifier, $.client_library))];
+const calling = $ => ['calling', field('function', alias($.identifier, $.function))];
+const type = $ => part(field('type', $.type), field('type', alias($._unfinished_type, $.type)));
+const ofMessageType = $ => ['of', 'message_type', type($)];
+const ofServiceType = $ => ['of', 'service_type', type($)];
+// input = "none" | argument { "," argument }
+const input = $ => part(
+  field('input', choice($.none, $.arguments)),
+  field('input', alias($._unfinished_arguments, $.arguments)),
+);
+
 module.exports = grammar({
   name: 'plastron',
 
   word: $ => $.identifier,
 
   extras: $ => [/[ \t\f\r\uFEFF]/, $.line_comment, $.block_comment],
+
+  externals: $ => [
+    $._newline,
+    // The end of a line that is not finished. It is empty: the newline itself is in no error.
+    '\n',
+    // The quote that begins a string.
+    $._quote,
+    $.string_content,
+    $.block_comment,
+    // What follows is an error wherever it stands, but taken as a whole.
+    // "text" where no string may stand
+    $.quoted,
+    // From a quote to the end of the line.
+    $.unclosed_quote,
+    // Characters that begin no word.
+    $.unexpected,
+    // From `/*` to the end of the line, where no `*/` follows anywhere.
+    $.unclosed_comment,
+    // What stands in no text, see above.
+    $.incomplete,
+    $._cut,
+    // In no rule: valid only after an error, and with them the scanner remembers that there was one.
+    // The one for an early end is visible: it makes an error dearer than to add something MISSING.
+    $._skipping,
+    'skipping',
+  ],
 
   supertypes: $ => [$._statement, $._value],
 
@@ -38,11 +138,17 @@ module.exports = grammar({
   rules: {
     // program = { [ statement ] newline } [ statement ]
     program: $ => seq(
-      repeat(choice(seq($._statement, $._newline), $._newline)),
-      optional($._statement),
+      // The last choice never comes true: the scanner does not end a finished line like that. But
+      // the parser adds something MISSING only before a token that may come after it.
+      repeat(choice($._newline, seq($._line, choice($._newline, '\n')))),
+      optional($._line),
     ),
-
-    _newline: _ => /\r?\n/,
+    _line: $ => choice(
+      $._statement,
+      $.unknown_statement,
+      // What follows a first word that begins no statement.
+      seq($._cut, optional($.skipped)),
+    ),
 
     _statement: $ => choice(
       $.create_node_statement,
@@ -60,107 +166,141 @@ module.exports = grammar({
     ),
 
     // "create_node" name "as" variable [ "using" client_library ]
-    create_node_statement: $ => seq(
-      'create_node', field('name', $.ros_name),
-      'as', field('variable', $._variable),
-      optional($._using),
+    create_node_statement: $ => statement(
+      $,
+      ['create_node', field('name', $.ros_name), 'as', variable($, 'variable')],
+      using($),
     ),
 
     // "load" ( module | path ) "as" variable
-    load_statement: $ => seq(
-      'load', field('source', choice($._module, alias($.ros_name, $.path))),
-      'as', field('variable', $._variable),
-    ),
+    load_statement: $ => statement($, [
+      'load',
+      field('source', choice(alias($.identifier, $.module), alias($.ros_name, $.path))),
+      'as',
+      variable($, 'variable'),
+    ]),
 
     // "create_message" variable "of" "message_type" type "and" "input" input
-    create_message_statement: $ => seq(
-      'create_message', field('variable', $._variable),
-      $._of_message_type,
-      'and', 'input', field('input', $._input),
-    ),
+    create_message_statement: $ => statement($, [
+      'create_message', variable($, 'variable'), ...ofMessageType($), 'and', 'input', input($),
+    ]),
 
     // "subscribe" variable "to" name "of" "message_type" type [ "calling" function ]
-    subscribe_statement: $ => seq(
-      'subscribe', field('node', $._variable),
-      'to', field('topic', $.ros_name),
-      $._of_message_type,
-      optional($._calling),
+    subscribe_statement: $ => statement(
+      $,
+      ['subscribe', variable($, 'node'), 'to', field('topic', $.ros_name), ...ofMessageType($)],
+      calling($),
     ),
 
     // "unsubscribe" variable "from" name
-    unsubscribe_statement: $ => seq(
-      'unsubscribe', field('node', $._variable),
-      'from', field('topic', $.ros_name),
-    ),
+    unsubscribe_statement: $ => statement($, [
+      'unsubscribe', variable($, 'node'), 'from', field('topic', $.ros_name),
+    ]),
 
     // variable "publish" variable "to" name "of" "message_type" type [ "at" number "hz" ]
-    publish_statement: $ => seq(
-      field('node', $._variable),
-      'publish', field('message', $._variable),
-      'to', field('topic', $.ros_name),
-      $._of_message_type,
-      optional(seq('at', field('rate', $.number), 'hz')),
+    publish_statement: $ => nodeStatement(
+      $,
+      [
+        'publish', variable($, 'message'),
+        'to', field('topic', $.ros_name), ...ofMessageType($),
+      ],
+      ['at', field('rate', $.number), 'hz'],
     ),
 
     // variable "stop_publishing" "to" name
-    stop_publishing_statement: $ => seq(
-      field('node', $._variable),
+    stop_publishing_statement: $ => nodeStatement($, [
       'stop_publishing', 'to', field('topic', $.ros_name),
-    ),
+    ]),
 
     // variable "client_requests" name "of" "service_type" type "with" "input" input
-    client_requests_statement: $ => seq(
-      field('node', $._variable),
+    client_requests_statement: $ => nodeStatement($, [
       'client_requests', field('service', $.ros_name),
-      $._of_service_type,
-      'with', 'input', field('input', $._input),
-    ),
+      ...ofServiceType($), 'with', 'input', input($),
+    ]),
 
     // variable "stop_request" name
-    stop_request_statement: $ => seq(
-      field('node', $._variable),
+    stop_request_statement: $ => nodeStatement($, [
       'stop_request', field('service', $.ros_name),
-    ),
+    ]),
 
     // variable "provides_service" name "of" "service_type" type [ "calling" function ]
-    provides_service_statement: $ => seq(
-      field('node', $._variable),
-      'provides_service', field('service', $.ros_name),
-      $._of_service_type,
-      optional($._calling),
+    provides_service_statement: $ => nodeStatement(
+      $,
+      [
+        'provides_service', field('service', $.ros_name),
+        ...ofServiceType($),
+      ],
+      calling($),
     ),
 
     // variable "stop_service" name
-    stop_service_statement: $ => seq(
-      field('node', $._variable),
+    stop_service_statement: $ => nodeStatement($, [
       'stop_service', field('service', $.ros_name),
-    ),
+    ]),
 
     // "generate_node" variable [ "using" client_library ]
-    generate_node_statement: $ => seq(
-      'generate_node', field('node', $._variable),
-      optional($._using),
+    generate_node_statement: $ => statement(
+      $,
+      ['generate_node', variable($, 'node')],
+      using($),
     ),
 
-    _using: $ => seq('using', field('library', $._client_library)),
-    _calling: $ => seq('calling', field('function', $._function)),
-    _of_message_type: $ => seq('of', 'message_type', field('type', $.type)),
-    _of_service_type: $ => seq('of', 'service_type', field('type', $.type)),
+    skipped: $ => repeat1(choice(
+      $.identifier, $.number, $.ros_name, ...KEYWORDS,
+      ',', '.', '=', '(', ')', '[', ']', token.immediate('/'),
+      $.quoted, $.unclosed_quote, $.unexpected, $.unclosed_comment,
+    )),
 
-    // input = "none" | argument { "," argument }
-    _input: $ => choice($.none, $.arguments),
-    none: _ => 'none',
+    // A node, and after it no word that says what it does.
+    unknown_statement: $ => seq(variable($, 'node'), choice(
+      stop($),
+      // A word that might be misspelt; the parser would take it for the begin of another statement.
+      seq(field('keyword', $.identifier), optional($.skipped), choice($.incomplete, $._cut)),
+    )),
+
+    none: _ => prec(1, 'none'),
     arguments: $ => commaSep1(choice($._value, $.named_argument)),
+    _unfinished_arguments: $ => unfinishedCommaSep1(
+      choice($._value, $.named_argument),
+      choice($._unfinished_value, alias($._unfinished_named_argument, $.named_argument)),
+    ),
 
     // named_argument = field { "." field } "=" value
     named_argument: $ => seq(field('field', $.field_path), '=', field('value', $._value)),
+    _unfinished_named_argument: $ => choice(
+      field('field', alias($._unfinished_path, $.field_path)),
+      seq(
+        field('field', $.field_path),
+        optional(seq('=', optional(field('value', $._unfinished_value)))),
+      ),
+    ),
     field_path: $ => seq($._field_name, repeat(seq('.', $._field_name))),
-    _field_name: $ => alias(reserved('field_name', $.identifier), $.field_name),
+    _unfinished_path: $ => seq($._field_name, repeat(seq('.', $._field_name)), '.'),
+    _field_name: $ => choice(
+      alias(reserved('field_name', $.identifier), $.field_name),
+      // Where these words begin a value or an input, they are words of the language first.
+      alias(choice('none', 'True', 'False'), $.field_name),
+    ),
 
     _value: $ => choice($.number, $.string, $.boolean, $.list, $.nested),
+    _unfinished_value: $ => choice(
+      alias($._unfinished_string, $.string),
+      alias($._unfinished_list, $.list),
+      alias($._unfinished_nested, $.nested),
+    ),
+
     list: $ => seq('[', optional(commaSep1($._value)), ']'),
+    _unfinished_list: $ => seq('[', optional(choice(
+      commaSep1($._value),
+      unfinishedCommaSep1($._value, $._unfinished_value),
+    ))),
+
     // The values of a nested message, in the order of its fields or by name.
     nested: $ => seq('(', optional($.arguments), ')'),
+    _unfinished_nested: $ => seq('(', optional(choice(
+      $.arguments,
+      alias($._unfinished_arguments, $.arguments),
+    ))),
 
     // type = [ package "/" [ "msg" | "srv" "/" ] ] name, with no space within
     type: $ => choice(
@@ -168,34 +308,35 @@ module.exports = grammar({
       seq(
         field('package', $.identifier),
         token.immediate('/'),
-        optional(seq(field('kind', $.identifier), token.immediate('/'))),
-        field('name', $.identifier),
+        optional(seq(field('kind', $._rest_of_type), token.immediate('/'))),
+        field('name', $._rest_of_type),
       ),
     ),
-
-    _variable: $ => alias($.identifier, $.variable),
-    _module: $ => alias($.identifier, $.module),
-    _function: $ => alias($.identifier, $.function),
-    _client_library: $ => alias($.identifier, $.client_library),
+    _unfinished_type: $ => seq(
+      field('package', $.identifier),
+      token.immediate('/'),
+      optional(seq(field('kind', $._rest_of_type), token.immediate('/'))),
+    ),
+    _rest_of_type: $ => alias(token.immediate(/[A-Za-z_][A-Za-z0-9_]*/), $.identifier),
 
     // Which names ROS takes is for its own rules to say; here, whatever stands between the quotes.
     ros_name: _ => /'[^'\r\n]*'/,
 
     string: $ => seq(
-      '"',
-      repeat(choice(alias($._string_content, $.string_content), $.escape_sequence)),
+      alias($._quote, '"'),
+      repeat(choice($.string_content, $.escape_sequence)),
       token.immediate('"'),
     ),
-    _string_content: _ => token.immediate(prec(1, /[^"\\\r\n]+/)),
-    escape_sequence: _ => token.immediate(prec(1, /\\(["\\nt]|u[0-9A-Fa-f]{4})/)),
+    _unfinished_string: $ => seq(alias($._quote, '"'), repeat(choice($.string_content, $.escape_sequence))),
+    escape_sequence: _ => token.immediate(/\\(["\\nt]|u[0-9A-Fa-f]{4})/),
 
     number: _ => /[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?/,
-    boolean: _ => choice('True', 'False'),
+    boolean: _ => prec(1, choice('True', 'False')),
 
     // A variable starts with a letter; a function may start with an underscore.
     identifier: _ => /[A-Za-z_][A-Za-z0-9_]*/,
 
-    line_comment: _ => token(/\/\/[^\n]*/),
-    block_comment: _ => token(seq('/*', /[^*]*\*+([^/*][^*]*\*+)*/, '/')),
+    // A carriage return before the newline is no part of the comment.
+    line_comment: _ => token(/\/\/([^\r\n]|\r[^\r\n])*/),
   },
 });

@@ -14,6 +14,14 @@ COMMENT_KINDS = frozenset({"line_comment", "block_comment"})
 # A reader sees these as one word, however many nodes they have.
 _WHOLE_KINDS = frozenset({"string", "ros_name", "path", "number", "boolean", "none"})
 
+# What the grammar knows only as a mistake, as the kinds that a reader tells apart.
+_MISTAKEN_KINDS = {
+    "quoted": "string",
+    "unclosed_quote": "unknown",
+    "unclosed_comment": "unknown",
+    "unexpected": "unknown",
+}
+
 
 class Token(NamedTuple):
     """A word of the text.
@@ -59,7 +67,8 @@ def tokens_of(source: bytes, nodes: Sequence[Node]) -> Iterator[Token]:
                 yield from _unknown(source, leaf.start_byte, at, leaf.start_point.row)
                 continue
             text = source[leaf.start_byte : at].decode("utf-8", "replace")
-            yield Token(leaf.type, text, leaf.start_byte, at, leaf.start_point.row, in_error)
+            kind = _MISTAKEN_KINDS.get(leaf.type, leaf.type)
+            yield Token(kind, text, leaf.start_byte, at, leaf.start_point.row, in_error)
         yield from _unknown(source, at, node.end_byte, row)
 
 

@@ -1,3 +1,5 @@
+; No two patterns match one node: where captures overlap, editors disagree on which one wins.
+
 [
   "create_node" "load" "create_message" "subscribe" "unsubscribe" "publish"
   "stop_publishing" "client_requests" "stop_request" "provides_service"
@@ -12,20 +14,26 @@
 (none) @constant.builtin
 (boolean) @boolean
 (number) @number
+
+(string "\"" @string)
 (string_content) @string
-["\""] @string
 (escape_sequence) @string.escape
+(quoted) @string
+(unclosed_quote) @string
 (ros_name) @string.special
 (path) @string.special.path
+
 (variable) @variable
-(module) @module
+(field_name) @property
 (function) @function
+(module) @module
 (client_library) @module
-(type name: (identifier) @type)
 (type package: (identifier) @module)
 (type kind: (identifier) @module)
-(field_name) @property
-["=" ] @operator
+(type name: (identifier) @type)
+
+"=" @operator
 ["," "." "/"] @punctuation.delimiter
 ["(" ")" "[" "]"] @punctuation.bracket
-[(line_comment) (block_comment)] @comment
+
+[(line_comment) (block_comment) (unclosed_comment)] @comment
