@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from plastron_tui.diagnostics import Diagnostic, Label
 from plastron_tui.language.declaration import Statement
 from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.ros.names import resolved_name
 
 from .source import EndpointKind
 from .workspace import Node
@@ -57,7 +58,7 @@ class Agreement:
 
     def leave(self, node: Node, role: EndpointKind, name: str) -> None:
         """Note that a node uses a name no longer; a name that nobody uses is free again."""
-        key = _resolved(node.name, name)
+        key = resolved_name(node.name, name)
         use = self._uses.get(key)
         if use is None:
             return
@@ -69,7 +70,7 @@ class Agreement:
         self, node: Node, role: EndpointKind, name: str, type_: InterfaceName, where: Statement
     ) -> _Use | None:
         """Add a user, or return the use that is of another type."""
-        key = _resolved(node.name, name)
+        key = resolved_name(node.name, name)
         use = self._uses.get(key)
         if use is None:
             self._uses[key] = _Use(type_, where, {(node.variable, role)})
@@ -78,13 +79,3 @@ class Agreement:
             return use
         use.users.add((node.variable, role))
         return None
-
-
-def _resolved(node: str, name: str) -> str:
-    """Resolve a graph name as a node without a namespace does.
-
-    Source: the ROS wiki page "Names", section 1.2.
-    """
-    if name.startswith("/"):
-        return name
-    return f"/{node}/{name[1:].lstrip('/')}" if name.startswith("~") else f"/{name}"

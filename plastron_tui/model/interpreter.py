@@ -198,7 +198,7 @@ class Interpreter(Checks):
         self._agree(statement, node, EndpointKind.PUBLISHER, topic, type_)
         span = statement.span if publisher is None else publisher.span
         node.publishers[topic] = Publisher(
-            topic, type_, (*earlier, Publication(message, rate)), span
+            topic, type_, (*earlier, Publication(message, rate, statement.span)), span
         )
 
     def _stop_publishing(self, statement: st.StopPublishing) -> None:

@@ -35,6 +35,7 @@ class Publication:
 
     message: Message
     rate: float
+    span: Span | None = None
 
 
 @dataclass(frozen=True, slots=True)

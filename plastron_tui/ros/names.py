@@ -72,6 +72,19 @@ def check_node_name(name: str, ros_version: int) -> NameProblem | None:
     return NameProblem(message, offset, length, mended_node_name(name, ros_version))
 
 
+def resolved_name(node: str, name: str) -> str:
+    """Return the full name of a topic or service, as a node without a namespace resolves it.
+
+    Source: the ROS wiki page "Names", section 1.2; a slash too many goes, as in `rosgraph.names`.
+    The substitutions of ROS 2 are those of `rcl_expand_topic_name`.
+    """
+    if "{" in name:
+        name = name.replace("{node}", node).replace("{ns}", "").replace("{namespace}", "")
+    if name.startswith("~"):
+        name = f"{node}/{name[1:]}"
+    return "/" + "/".join(part for part in name.split("/") if part)
+
+
 def _check_graph_name(name: str, ros_version: int, what: str) -> NameProblem | None:
     if len(name) <= MAX_NAME_LENGTH[ros_version] and _TOPIC[ros_version].fullmatch(name):
         return None

@@ -1,0 +1,260 @@
+"""The graph of a workspace: which nodes meet on which topics and services.
+
+It is the data behind `plastron graph` and the panels: complete, in the order of the program,
+and each entry with the span of the statement that it comes from.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from pathlib import Path
+
+from plastron_tui.diagnostics import Span
+from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.ros.names import resolved_name
+
+from .values import MessageValue
+from .workspace import Client, Node, Publication, Publisher, Service, Subscription, Workspace
+
+
+class Missing(str, Enum):
+    """The side of a topic or service that no node of the program takes."""
+
+    PUBLISHER = "publisher"
+    SUBSCRIBER = "subscriber"
+    PROVIDER = "provider"
+    CLIENT = "client"
+
+
+@dataclass(frozen=True, slots=True)
+class GraphNode:
+    """A node; its variable is what tells it from the others.
+
+    Attributes:
+        name: the node's name, as the program or the file has it.
+        variable: the program's variable for it.
+        library: the client library; for a created node that names none, the one that it was
+            last generated for; None where neither says it.
+        file: the file that a loaded node came from, None for a created one.
+        is_generated: whether the program generates it.
+        span: the statement that created or loaded it.
+    """
+
+    name: str
+    variable: str
+    library: str | None
+    file: Path | None
+    is_generated: bool
+    span: Span
+
+    @property
+    def is_loaded(self) -> bool:
+        """Whether the node was read from a file."""
+        return self.file is not None
+
+
+@dataclass(frozen=True, slots=True)
+class Sending:
+    """A message that goes to a topic: its variable, and how often, in hertz."""
+
+    message: str
+    rate: float
+    span: Span | None
+
+
+@dataclass(frozen=True, slots=True)
+class TopicPublisher:
+    """A node that publishes a topic; `sendings` is empty for one that was read from a file.
+
+    `written` is the topic's name as the program or the file has it; `span` is None for what
+    was read from a file.
+    """
+
+    node: GraphNode
+    written: str
+    type: InterfaceName | None
+    sendings: tuple[Sending, ...]
+    span: Span | None
+
+
+@dataclass(frozen=True, slots=True)
+class TopicSubscriber:
+    """A node that listens to a topic; `callback` is None where the target names it."""
+
+    node: GraphNode
+    written: str
+    type: InterfaceName | None
+    callback: str | None
+    span: Span | None
+
+
+@dataclass(frozen=True, slots=True)
+class ServiceProvider:
+    """A node that provides a service; `handler` is None where the target names it."""
+
+    node: GraphNode
+    written: str
+    type: InterfaceName | None
+    handler: str | None
+    span: Span | None
+
+
+@dataclass(frozen=True, slots=True)
+class ServiceClient:
+    """A node that calls a service, with the request of each call, in order."""
+
+    node: GraphNode
+    written: str
+    type: InterfaceName | None
+    requests: tuple[MessageValue, ...]
+    span: Span | None
+
+
+@dataclass(frozen=True, slots=True)
+class GraphTopic:
+    """A topic by its full name, with all who publish it and all who listen.
+
+    `types` are the types in use, each once: one, unless files that were loaded disagree; none
+    where no file says it.
+    """
+
+    name: str
+    types: tuple[InterfaceName, ...]
+    publishers: tuple[TopicPublisher, ...]
+    subscribers: tuple[TopicSubscriber, ...]
+
+    @property
+    def type(self) -> InterfaceName | None:
+        """The first type that is known."""
+        return self.types[0] if self.types else None
+
+    @property
+    def missing(self) -> Missing | None:
+        """The side that nobody takes, None when both are there."""
+        if not self.publishers:
+            return Missing.PUBLISHER
+        return None if self.subscribers else Missing.SUBSCRIBER
+
+
+@dataclass(frozen=True, slots=True)
+class GraphService:
+    """A service by its full name, with all who provide it and all who call it."""
+
+    name: str
+    types: tuple[InterfaceName, ...]
+    providers: tuple[ServiceProvider, ...]
+    clients: tuple[ServiceClient, ...]
+
+    @property
+    def type(self) -> InterfaceName | None:
+        """The first type that is known."""
+        return self.types[0] if self.types else None
+
+    @property
+    def missing(self) -> Missing | None:
+        """The side that nobody takes, None when both are there."""
+        if not self.providers:
+            return Missing.PROVIDER
+        return None if self.clients else Missing.CLIENT
+
+
+@dataclass(frozen=True, slots=True)
+class Graph:
+    """The nodes, topics and services of a program, each in the order of the program."""
+
+    nodes: tuple[GraphNode, ...]
+    topics: tuple[GraphTopic, ...]
+    services: tuple[GraphService, ...]
+
+
+def graph_of(workspace: Workspace) -> Graph:
+    """Return the graph of a workspace as it is at the end of the program."""
+    publishers: dict[str, list[TopicPublisher]] = {}
+    subscribers: dict[str, list[TopicSubscriber]] = {}
+    providers: dict[str, list[ServiceProvider]] = {}
+    clients: dict[str, list[ServiceClient]] = {}
+    topics: dict[str, None] = {}
+    services: dict[str, None] = {}
+    generated = {made.node.variable: made.library for made in workspace.generations}
+    nodes = []
+    for node in workspace.nodes.values():
+        shown = _node(node, generated)
+        nodes.append(shown)
+        for publisher in node.publishers.values():
+            name = resolved_name(node.name, publisher.topic)
+            topics[name] = None
+            publishers.setdefault(name, []).append(_publisher(shown, publisher))
+        for listener in node.subscriptions.values():
+            name = resolved_name(node.name, listener.topic)
+            topics[name] = None
+            subscribers.setdefault(name, []).append(_subscriber(shown, listener))
+        for service in node.services.values():
+            name = resolved_name(node.name, service.name)
+            services[name] = None
+            providers.setdefault(name, []).append(_provider(shown, service))
+        for client in node.clients.values():
+            name = resolved_name(node.name, client.name)
+            services[name] = None
+            clients.setdefault(name, []).append(_client(shown, client))
+    return Graph(
+        tuple(nodes),
+        tuple(
+            _topic(name, tuple(publishers.get(name, ())), tuple(subscribers.get(name, ())))
+            for name in topics
+        ),
+        tuple(
+            _service(name, tuple(providers.get(name, ())), tuple(clients.get(name, ())))
+            for name in services
+        ),
+    )
+
+
+def _node(node: Node, generated: dict[str, str]) -> GraphNode:
+    return GraphNode(
+        node.name,
+        node.variable,
+        node.library or generated.get(node.variable),
+        node.source.path if node.source is not None else None,
+        node.variable in generated,
+        node.span,
+    )
+
+
+def _sending(publication: Publication) -> Sending:
+    return Sending(publication.message.variable, publication.rate, publication.span)
+
+
+def _publisher(node: GraphNode, publisher: Publisher) -> TopicPublisher:
+    sendings = tuple(_sending(publication) for publication in publisher.publications)
+    return TopicPublisher(node, publisher.topic, publisher.type, sendings, publisher.span)
+
+
+def _subscriber(node: GraphNode, listener: Subscription) -> TopicSubscriber:
+    return TopicSubscriber(node, listener.topic, listener.type, listener.callback, listener.span)
+
+
+def _provider(node: GraphNode, service: Service) -> ServiceProvider:
+    return ServiceProvider(node, service.name, service.type, service.handler, service.span)
+
+
+def _client(node: GraphNode, client: Client) -> ServiceClient:
+    return ServiceClient(node, client.name, client.type, client.requests, client.span)
+
+
+def _topic(
+    name: str, publishers: tuple[TopicPublisher, ...], subscribers: tuple[TopicSubscriber, ...]
+) -> GraphTopic:
+    types = _types([end.type for end in publishers], [end.type for end in subscribers])
+    return GraphTopic(name, types, publishers, subscribers)
+
+
+def _service(
+    name: str, providers: tuple[ServiceProvider, ...], clients: tuple[ServiceClient, ...]
+) -> GraphService:
+    types = _types([end.type for end in providers], [end.type for end in clients])
+    return GraphService(name, types, providers, clients)
+
+
+def _types(*sides: list[InterfaceName | None]) -> tuple[InterfaceName, ...]:
+    return tuple(dict.fromkeys(type_ for side in sides for type_ in side if type_ is not None))
