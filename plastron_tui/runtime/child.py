@@ -10,11 +10,20 @@ import sys
 from collections import deque
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from enum import Enum
 from pathlib import Path
 
 _CHUNK = 1 << 16
 _LONGEST_LINE = 1 << 16
 _TAIL = 10
+
+
+class Role(Enum):
+    """What a process is for. A run lasts as long as its nodes do, not as its helpers."""
+
+    NODE = "node"
+    OBSERVER = "observer"
+    MASTER = "master"
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,8 +35,7 @@ class Process:
         argv: the program and its arguments.
         environ: its whole environment; None for the supervisor's own.
         cwd: its working folder; None for the supervisor's own.
-        is_helper: whether it only serves the nodes (a master, an observer): a run does not
-            wait for it, and stops it after the nodes.
+        role: what it is for.
         fds: file descriptors that it inherits beside the standard ones.
     """
 
@@ -35,7 +43,7 @@ class Process:
     argv: tuple[str, ...]
     environ: Mapping[str, str] | None = None
     cwd: Path | None = None
-    is_helper: bool = False
+    role: Role = Role.NODE
     fds: tuple[int, ...] = ()
 
 

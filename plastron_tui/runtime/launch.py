@@ -12,7 +12,7 @@ from typing import TextIO
 
 from plastron_tui.diagnostics import Diagnostic, has_errors
 
-from .child import Exit, Process
+from .child import Exit, Process, Role
 from .console import Console
 from .environment import Environment, node_environ
 from .master import Master, ensure_master
@@ -165,7 +165,7 @@ class _Run:
                     str(environment.ros_version),
                 ),
                 self._node_environ(environment, master),
-                is_helper=True,
+                role=Role.OBSERVER,
             )
             self._observers.append(process)
             self._supervisor.start(process)
@@ -181,7 +181,7 @@ class _Run:
     def _on_line(self, process: Process, line: str) -> None:
         if process in self._observers:
             self._watch.feed_topics(line)
-        elif not process.is_helper:
+        elif process.role is Role.NODE:
             self._console.line(process, line)
 
     def _on_exit(self, end: Exit) -> None:

@@ -16,7 +16,7 @@ from urllib.parse import urlsplit
 
 from plastron_tui.diagnostics import Diagnostic, Severity
 
-from .child import Process
+from .child import Process, Role
 from .environment import LOOPBACK, Environment, is_local, node_environ
 from .supervisor import Supervisor
 
@@ -140,7 +140,7 @@ def _start(
         "master",
         (str(environment.python), "-c", _START, str(port)),
         node_environ(environment, environ, network=network, master_uri=uri),
-        is_helper=True,
+        role=Role.MASTER,
     )
     supervisor.start(process)
     own = {child_pid} if (child_pid := supervisor.pid_of(process)) is not None else set()

@@ -12,14 +12,14 @@ from collections.abc import Callable, Iterable
 from types import FrameType, TracebackType
 from typing import Any
 
-from .child import Child, Exit, Guard, Process
+from .child import Child, Exit, Guard, Process, Role
 
 # How often ends are looked for, in seconds; output is read when it comes.
 _TICK = 0.05
 
 # What is sent to a process that has to stop, and how long until the next, in seconds.
 _STEPS: tuple[tuple[int, float], ...] = (
-    (signal.SIGINT, 3.0),
+    (signal.SIGINT, 2.0),
     (signal.SIGTERM, 1.0),
     (signal.SIGKILL, 1.0),
 )
@@ -158,7 +158,7 @@ class Supervisor:
     @property
     def status(self) -> int:
         """The exit status of the whole (see `wait`)."""
-        if any(end.is_failure and not end.process.is_helper for end in self.exits):
+        if any(end.is_failure and end.process.role is Role.NODE for end in self.exits):
             return 1
         return 0 if self.stop_signal is None else 128 + self.stop_signal
 
@@ -167,16 +167,19 @@ class Supervisor:
             self.stop_signal = signum
             self._stop_asked.set()
         else:
-            for child in tuple(self._children.values()):
+            for child in self._all():
                 child.send(signal.SIGKILL)
 
+    def _all(self) -> list[Child]:
+        return list(self._children.values())
+
     def _nodes(self) -> list[Child]:
-        return [child for child in self._children.values() if not child.process.is_helper]
+        return [child for child in self._all() if child.process.role is Role.NODE]
 
     def _end_all(self) -> None:
-        # The nodes first: they sign off at their master.
-        self._end(self._nodes)
-        self._end(lambda: list(self._children.values()))
+        # The master last: the nodes sign off there.
+        self._end(lambda: [one for one in self._all() if one.process.role is not Role.MASTER])
+        self._end(self._all)
 
     def _end(self, left: Callable[[], list[Child]]) -> None:
         for signum, limit in _STEPS:
