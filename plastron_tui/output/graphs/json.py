@@ -1,0 +1,136 @@
+"""The graph as JSON, for other programs."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import Any
+
+from plastron_tui.diagnostics import Span
+from plastron_tui.model.graph import Graph, GraphNode, GraphService, GraphTopic
+from plastron_tui.model.values import MessageValue, Value
+from plastron_tui.ros.interfaces import InterfaceName
+
+
+def render(graph: Graph) -> str:
+    """Return one object, to which keys are only ever added.
+
+    Its shape::
+
+        {"nodes": [{"name", "variable", "library", "file", "generated", "span"}],
+         "topics": [{"name", "type", "types", "missing",
+           "publishers": [{"node", "variable", "written", "type", "span",
+             "messages": [{"message", "rate", "span"}]}],
+           "subscribers": [{"node", "variable", "written", "type", "span", "callback"}]}],
+         "services": [{"name", "type", "types", "missing",
+           "providers": [{"node", "variable", "written", "type", "span", "handler"}],
+           "clients": [{"node", "variable", "written", "type", "span", "requests"}]}]}
+
+    A `name` of a topic or service is its full name, `written` what the program says; `node` is
+    a node's name and `variable` tells two of one name apart. `type` is `package/Name` or null,
+    `types` all that are in use. `missing` is the side that nobody takes (`publisher`,
+    `subscriber`, `provider`, `client`), or null. `rate` is in hertz. A `span` is `[start, end]`
+    in bytes of the program, null for what was read from a file. A request is an object of its
+    fields; what is not there keeps its default. `library`, `file`, `callback` and `handler` are
+    null where the program does not say.
+    """
+    document = {
+        "nodes": [_node(node) for node in graph.nodes],
+        "topics": [_topic(topic) for topic in graph.topics],
+        "services": [_service(service) for service in graph.services],
+    }
+    return json.dumps(document, indent=2) + "\n"
+
+
+def _node(node: GraphNode) -> dict[str, Any]:
+    return {
+        "name": node.name,
+        "variable": node.variable,
+        "library": node.library,
+        "file": None if node.file is None else str(node.file),
+        "generated": node.is_generated,
+        "span": _span(node.span),
+    }
+
+
+def _topic(topic: GraphTopic) -> dict[str, Any]:
+    return {
+        **_place(topic),
+        "publishers": [
+            {
+                **_end(end.node, end.written, end.type, end.span),
+                "messages": [
+                    {"message": sent.message, "rate": sent.rate, "span": _span(sent.span)}
+                    for sent in end.sendings
+                ],
+            }
+            for end in topic.publishers
+        ],
+        "subscribers": [
+            {**_end(end.node, end.written, end.type, end.span), "callback": end.callback}
+            for end in topic.subscribers
+        ],
+    }
+
+
+def _service(service: GraphService) -> dict[str, Any]:
+    return {
+        **_place(service),
+        "providers": [
+            {**_end(end.node, end.written, end.type, end.span), "handler": end.handler}
+            for end in service.providers
+        ],
+        "clients": [
+            {
+                **_end(end.node, end.written, end.type, end.span),
+                "requests": [_value(request) for request in end.requests],
+            }
+            for end in service.clients
+        ],
+    }
+
+
+def _place(place: GraphTopic | GraphService) -> dict[str, Any]:
+    return {
+        "name": place.name,
+        "type": _type(place.type),
+        "types": [str(type_) for type_ in place.types],
+        "missing": None if place.missing is None else place.missing.value,
+    }
+
+
+def _end(
+    node: GraphNode, written: str, type_: InterfaceName | None, span: Span | None
+) -> dict[str, Any]:
+    return {
+        "node": node.name,
+        "variable": node.variable,
+        "written": written,
+        "type": _type(type_),
+        "span": _span(span),
+    }
+
+
+def _type(type_: InterfaceName | None) -> str | None:
+    return None if type_ is None else str(type_)
+
+
+def _span(span: Span | None) -> list[int] | None:
+    return None if span is None else [span.start, span.end]
+
+
+def _value(value: Value) -> Any:
+    match value:
+        case MessageValue(fields=fields):
+            return _fields(fields)
+        case tuple():
+            return [_value(each) for each in value]
+        case float() if value != value or value in (float("inf"), float("-inf")):
+            # JSON has no word for these.
+            return str(value)
+        case _:
+            return value
+
+
+def _fields(fields: Mapping[str, Value]) -> dict[str, Any]:
+    return {name: _value(value) for name, value in fields.items()}

@@ -1,0 +1,59 @@
+"""The graph as a listing for a terminal."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable, Iterator
+
+from plastron_tui.model.graph import Graph, GraphService, GraphTopic
+
+from .captions import ends_of, missing_text, node_text, shown, type_text
+
+_WIDTH = 100
+_MOST_PADDED = 40
+
+
+def render(graph: Graph) -> str:
+    """Return the nodes, then each topic and each service with the nodes that meet there.
+
+    Lines have at most 100 characters where the names allow it; there are no colour codes.
+    """
+    sections = [
+        _section("nodes", _columns((shown(node.name), node_text(node)) for node in graph.nodes)),
+        _section("topics", _places(graph.topics)),
+        _section("services", _places(graph.services)),
+    ]
+    return "\n".join(section for section in sections if section) or "nothing here yet\n"
+
+
+def _section(title: str, lines: Iterable[str]) -> str:
+    body = "".join(f"  {line}\n" for line in lines)
+    return f"{title}\n{body}" if body else ""
+
+
+def _places(places: Iterable[GraphTopic | GraphService]) -> Iterator[str]:
+    for place in places:
+        head = f"{shown(place.name)}  {type_text(place.types)}"
+        missing = missing_text(place.missing)
+        yield f"{head}  ({missing})" if missing else head
+        rows = [(shown(node.name), verb, detail) for node, verb, detail in ends_of(place)]
+        yield from (f"  {line}" for line in _columns(rows))
+
+
+def _columns(rows: Iterable[tuple[str, ...]]) -> Iterator[str]:
+    """Yield the rows with their cells below each other; the last cell wraps below itself."""
+    table = list(rows)
+    if not table:
+        return
+    widths = [
+        # One very long name does not push everybody else's cells away.
+        max((len(row[at]) for row in table if len(row[at]) <= _MOST_PADDED), default=0)
+        for at in range(len(table[0]) - 1)
+    ]
+    for row in table:
+        *cells, last = row
+        head = "".join(f"{cell:<{width}}  " for cell, width in zip(cells, widths, strict=True))
+        room = max(_WIDTH - 4 - len(head), 24)
+        wrapped = textwrap.wrap(last, room, break_long_words=False, break_on_hyphens=False)
+        yield (head + "".join(wrapped[:1])).rstrip()
+        yield from (" " * len(head) + more for more in wrapped[1:])
