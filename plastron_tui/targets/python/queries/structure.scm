@@ -21,6 +21,7 @@
 (augmented_assignment) @augmented
 (named_expression) @walrus
 (for_statement) @loop
+(while_statement) @while
 (for_in_clause) @loop
 (as_pattern) @as
 (global_statement) @global

@@ -1,0 +1,139 @@
+"""Editing a file: each change by splices, and the whole checked before it is handed out."""
+
+from __future__ import annotations
+
+import ast
+import warnings
+from collections import Counter
+from collections.abc import Sequence
+
+from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceEndpoint, SourceFile
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.targets.base import Rendered
+from plastron_tui.targets.dialect import Dialect
+
+from .addition import plan_addition
+from .calls import LIBRARIES
+from .messages import CannotAddError
+from .removal import find_sites, plan_removal
+from .sites import Analysis, analyze
+from .splices import apply
+from .syntax import count_errors
+
+_KIND_NAMES = {
+    EndpointKind.PUBLISHER: "publisher",
+    EndpointKind.SUBSCRIPTION: "subscription",
+    EndpointKind.SERVICE: "service",
+    EndpointKind.CLIENT: "client",
+}
+
+_Key = tuple[EndpointKind, str | None, str, str]
+
+
+def edit_python(
+    source: SourceFile, changes: Sequence[Change], catalog: Catalog, dialect: Dialect
+) -> Rendered:
+    """Change a Python file; what no change asks for stays byte for byte.
+
+    The result was read again: it parses no worse, and holds exactly the endpoints that were
+    asked for. Otherwise there is no text, and a diagnostic says why.
+    """
+    if not changes:
+        return Rendered(source.text)
+    library = LIBRARIES[source.library]
+    before = analysis = analyze(source.text, library)
+    expected = Counter(map(_key, _endpoints(before)))
+    for change in changes:
+        try:
+            text = (
+                _remove(analysis, change, expected)
+                if isinstance(change, Remove)
+                else _add(analysis, change, catalog, dialect, expected)
+            )
+        except CannotAddError as refusal:
+            return Rendered(None, (refusal.diagnostic,))
+        except _RefusedError as refusal:
+            return Rendered(None, (refusal.diagnostic,))
+        analysis = analyze(text, library)
+    problem = _problem(before, analysis, expected)
+    if problem is not None:
+        message = f"the change of `{source.path.name}` would {problem}"
+        return Rendered(None, (Diagnostic("edit-refused", message),))
+    return Rendered(analysis.syntax.text)
+
+
+class _RefusedError(Exception):
+    def __init__(self, diagnostic: Diagnostic) -> None:
+        super().__init__(diagnostic.message)
+        self.diagnostic = diagnostic
+
+
+def _endpoints(analysis: Analysis) -> list[SourceEndpoint]:
+    return [site.endpoint for site in analysis.sites]
+
+
+def _key(endpoint: SourceEndpoint) -> _Key:
+    name = endpoint.name if endpoint.name is not None else endpoint.expression
+    return (endpoint.kind, name, str(endpoint.type), endpoint.callback or "")
+
+
+def _remove(analysis: Analysis, change: Remove, expected: Counter[_Key]) -> bytes:
+    kind = _KIND_NAMES.get(change.kind, change.kind.value)
+    sites = find_sites(analysis, change)
+    if not sites:
+        message = f"the file has no {kind} `{change.name}`"
+        raise _RefusedError(Diagnostic("edit-refused", message, change.span))
+    removal = plan_removal(analysis, sites)
+    if removal.lines:
+        lines = ", ".join(map(str, sorted(removal.lines)))
+        plural = "s" if len(removal.lines) > 1 else ""
+        raise _RefusedError(
+            Diagnostic(
+                "endpoint-in-use",
+                f"the {kind} `{change.name}` is used in line{plural} {lines}",
+                change.span,
+                help="change these lines in the file first" if plural else
+                "change this line in the file first",
+            )
+        )  # fmt: skip
+    expected.subtract(_key(site.endpoint) for site in removal.sites)
+    return apply(analysis.syntax.text, removal.splices)
+
+
+def _add(
+    analysis: Analysis,
+    change: Add,
+    catalog: Catalog,
+    dialect: Dialect,
+    expected: Counter[_Key],
+) -> bytes:
+    addition = plan_addition(analysis, change.endpoint, catalog, dialect)
+    expected.update(addition.endpoints)
+    return apply(analysis.syntax.text, addition.splices)
+
+
+def _problem(before: Analysis, after: Analysis, expected: Counter[_Key]) -> str | None:
+    """Return what is wrong with a changed file, None where nothing is."""
+    if count_errors(after.syntax.root) > count_errors(before.syntax.root):
+        return "leave a file that parses worse"
+    if after.syntax.encoding != before.syntax.encoding:
+        return "change the file's encoding"
+    found = Counter(map(_key, _endpoints(after)))
+    if found != +expected:
+        return "change other endpoints than the ones asked for"
+    if [node.name for node in before.nodes] != [node.name for node in after.nodes]:
+        return "change the nodes of the file"
+    if _compiles(before.syntax.text) and not _compiles(after.syntax.text):
+        return "leave a file that does not compile"
+    return None
+
+
+def _compiles(text: bytes) -> bool:
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+    return True

@@ -1,0 +1,212 @@
+"""What Plastron writes into nodes, told from what people write there."""
+
+from __future__ import annotations
+
+import re
+
+from tree_sitter import Node
+
+from plastron_tui.model.source import EndpointKind
+
+from .references import Reference
+from .scopes import Scope
+from .sites import Analysis, Site
+
+_LOGGERS = frozenset({"loginfo", "info", "print"})
+# `chatter: %s`, `chatter: {message}`: what a stub logs.
+_LABELLED = re.compile(r"[\w/~]+: (%s|\{\w+\})$")
+
+
+def body_of(function: Scope) -> list[Node]:
+    """Return the statements of a function, its docstring and comments left out."""
+    block = function.node.child_by_field_name("body")
+    if block is None:
+        return []
+    statements = [child for child in block.named_children if child.type != "comment"]
+    if statements and _is_string(statements[0]):
+        statements = statements[1:]
+    return statements
+
+
+def has_comments(function: Scope) -> bool:
+    """Whether a function holds a comment: then someone has been at work in it."""
+    pending = [function.node]
+    while pending:
+        node = pending.pop()
+        if node.type == "comment":
+            return True
+        pending.extend(node.named_children)
+    return False
+
+
+def _is_string(statement: Node) -> bool:
+    children = statement.named_children
+    return (
+        statement.type == "expression_statement"
+        and len(children) == 1
+        and children[0].type in ("string", "concatenated_string")
+    )
+
+
+def is_stub(analysis: Analysis, function: Scope, site: Site) -> bool:
+    """Whether a callback does nothing: it logs what it got, and returns a default response."""
+    if has_comments(function) or function.node.children[0].type == "async":
+        return False
+    parameters = [name for name in function.bindings if name != function.self_name]
+    return all(
+        _is_idle(analysis, statement, parameters, site.endpoint.kind)
+        for statement in body_of(function)
+    )
+
+
+def _is_idle(
+    analysis: Analysis, statement: Node, parameters: list[str], kind: EndpointKind
+) -> bool:
+    if statement.type == "pass_statement":
+        return True
+    children = statement.named_children
+    if statement.type == "return_statement":
+        return not children or _is_default_response(analysis, children[0], parameters, kind)
+    if statement.type != "expression_statement" or len(children) != 1:
+        return False
+    return children[0].type == "ellipsis" or _is_log(analysis, children[0], parameters)
+
+
+def _is_default_response(
+    analysis: Analysis, value: Node, parameters: list[str], kind: EndpointKind
+) -> bool:
+    if kind is not EndpointKind.SERVICE:
+        return value.type == "none"
+    if value.type == "identifier":
+        return analysis.syntax.slice(value) in parameters[1:]
+    arguments = value.child_by_field_name("arguments")
+    callee = value.child_by_field_name("function")
+    return (
+        value.type == "call"
+        and arguments is not None
+        and arguments.named_child_count == 0
+        and callee is not None
+        and analysis.syntax.slice(callee).endswith("Response")
+    )
+
+
+def _is_log(analysis: Analysis, call: Node, parameters: list[str]) -> bool:
+    """Whether a call logs the whole message, as Plastron's stubs do, and nothing else."""
+    callee = call.child_by_field_name("function")
+    arguments = call.child_by_field_name("arguments")
+    if call.type != "call" or callee is None or arguments is None:
+        return False
+    name = analysis.syntax.slice(callee).rpartition(".")[2]
+    if name not in _LOGGERS:
+        return False
+    given = [_content(analysis, node) for node in arguments.named_children]
+    return (
+        bool(given)
+        and bool(_LABELLED.match(given[0]))
+        and all(_is_message(analysis, node, parameters) for node in arguments.named_children)
+    )
+
+
+def _content(analysis: Analysis, node: Node) -> str:
+    if node.type != "string" or node.child_count < 2:
+        return ""
+    return analysis.syntax.between(node.children[0].end_byte, node.children[-1].start_byte)
+
+
+def _is_message(analysis: Analysis, node: Node, parameters: list[str]) -> bool:
+    if node.type == "identifier":
+        return analysis.syntax.slice(node) in parameters
+    if node.type != "string":
+        return False
+    return all(
+        child.named_child_count == 1
+        and child.named_children[0].type == "identifier"
+        and analysis.syntax.slice(child.named_children[0]) in parameters
+        for child in node.named_children
+        if child.type == "interpolation"
+    )
+
+
+def is_publishing_function(
+    analysis: Analysis, function: Scope, publishing: list[Reference]
+) -> bool:
+    """Whether a function does nothing but fill in messages and send them on one publisher."""
+    if not function.name.startswith("publish_") or has_comments(function):
+        return False
+    sending = {reference.statement.id for reference in publishing}
+    statements = body_of(function)
+    return any(statement.id in sending for statement in statements) and all(
+        statement.id in sending or _fills_message(analysis, statement) for statement in statements
+    )
+
+
+def _fills_message(analysis: Analysis, statement: Node) -> bool:
+    children = statement.named_children
+    if len(children) != 1 or children[0].type != "assignment":
+        return False
+    target = children[0].child_by_field_name("left")
+    return target is not None and analysis.syntax.slice(target) in (
+        "message",
+        "message.header.stamp",
+    )
+
+
+_CALLING = frozenset(
+    {"expression_statement", "try_statement", "if_statement", "return_statement", "pass_statement"}
+)
+
+
+def is_calling_function(analysis: Analysis, function: Scope) -> bool:
+    """Whether a function does what Plastron writes to call one service, and nothing else."""
+    block = function.node.child_by_field_name("body")
+    if not function.name.startswith("call_") or has_comments(function) or block is None:
+        return False
+    if "once it is there, and log its answer." not in analysis.syntax.slice(block)[:200]:
+        return False
+    pending = body_of(function)
+    while pending:
+        statement = pending.pop()
+        if statement.type not in _CALLING:
+            return False
+        for child in statement.named_children:
+            if child.type == "assignment":
+                left = child.child_by_field_name("left")
+                if left is None or analysis.syntax.slice(left) not in ("response", "future"):
+                    return False
+            elif child.type in ("block", "except_clause", "else_clause"):
+                inner = [child] if child.type == "block" else child.named_children
+                pending += [
+                    each
+                    for block in inner
+                    if block.type == "block"
+                    for each in block.named_children
+                ]
+    return True
+
+
+def is_own_call(analysis: Analysis, reference: Reference) -> bool:
+    """Whether a use is `self.call(self.client, request)` with the method that Plastron writes."""
+    arguments = reference.node.parent
+    call = arguments.parent if arguments is not None else None
+    callee = call.child_by_field_name("function") if call is not None else None
+    if arguments is None or call is None or callee is None or call.type != "call":
+        return False
+    name = analysis.syntax.slice(callee).rpartition(".")[2]
+    if name != "call" or arguments.named_child_count != 2:
+        return False
+    helper = next(
+        (
+            scope
+            for scope in analysis.scopes.all
+            if scope.kind == "function" and scope.name == "call"
+        ),
+        None,
+    )
+    parent = call.parent
+    return (
+        helper is not None
+        and list(helper.bindings)[1:3] == ["client", "request"]
+        and parent is not None
+        and parent.type == "expression_statement"
+        and arguments.named_children[0].id == reference.node.id
+    )

@@ -1,0 +1,104 @@
+"""Taking imports out of a file that nothing uses any more."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from tree_sitter import Node
+
+from .references import identifiers, is_member
+from .scopes import Binding, BindingKind
+from .sites import Analysis
+from .splices import Splice, delete_item, delete_statements
+
+_INTERFACES = ("msg", "srv", "action")
+
+
+def is_interface_module(target: str) -> bool:
+    """Whether a qualified name is an interface type, or a module of such types."""
+    parts = target.split(".")
+    return len(parts) >= 2 and parts[1] in _INTERFACES
+
+
+def unused_imports(analysis: Analysis, gone: list[Splice]) -> list[Splice]:
+    """Delete the imports of interface types whose every use lies in what is deleted."""
+    removed: dict[int, tuple[Node, list[Node]]] = {}
+    for name, bindings in analysis.scopes.module.bindings.items():
+        if len(bindings) != 1 or bindings[0].kind is not BindingKind.IMPORT:
+            continue
+        binding = bindings[0]
+        if not _is_removable(binding, analysis):
+            continue
+        uses = [
+            node
+            for node in identifiers(name, analysis)
+            if not is_member(node) and not _is_inside(node, binding.node)
+        ]
+        is_freed = any(_is_deleted(node, gone) for node in uses)
+        if not is_freed or not all(_is_deleted(node, gone) for node in uses):
+            continue
+        if _is_named_in_strings(name, analysis):
+            continue
+        item = _item(binding.node, name, analysis)
+        if item is not None:
+            removed.setdefault(binding.node.id, (binding.node, []))[1].append(item)
+    splices: list[Splice] = []
+    for statement, items in removed.values():
+        splices += _delete_names(statement, items, analysis)
+    return splices
+
+
+def _is_removable(binding: Binding, analysis: Analysis) -> bool:
+    parent = binding.node.parent
+    if parent is None or parent.type != "module":
+        return False
+    if is_interface_module(binding.target):
+        return True
+    # `import std_msgs.msg` binds `std_msgs`.
+    names = binding.node.children_by_field_name("name")
+    return binding.node.type == "import_statement" and any(
+        is_interface_module(analysis.syntax.slice(name)) for name in names
+    )
+
+
+def _is_inside(node: Node, outer: Node) -> bool:
+    return outer.start_byte <= node.start_byte < outer.end_byte
+
+
+def _is_deleted(node: Node, gone: Iterable[Splice]) -> bool:
+    return any(splice.start <= node.start_byte < splice.end for splice in gone)
+
+
+def _is_named_in_strings(name: str, analysis: Analysis) -> bool:
+    """Whether the name is a whole string somewhere: an annotation, or an item of `__all__`."""
+    text = analysis.syntax.text
+    return any(quote + analysis.syntax.encode(name) + quote in text for quote in (b"'", b'"')) and (
+        b"__all__" in text or b"->" in text or b": '" in text or b': "' in text
+    )
+
+
+def _item(statement: Node, name: str, analysis: Analysis) -> Node | None:
+    for item in statement.children_by_field_name("name"):
+        alias = item.child_by_field_name("alias")
+        bound = analysis.syntax.slice(alias if alias is not None else item)
+        if bound == name or (
+            statement.type == "import_statement"
+            and alias is None
+            and bound.split(".")[0] == name
+            and is_interface_module(bound)
+        ):
+            return item
+    return None
+
+
+def _delete_names(statement: Node, items: list[Node], analysis: Analysis) -> list[Splice]:
+    text = analysis.syntax.text
+    names = statement.children_by_field_name("name")
+    if len(items) == len(names):
+        return delete_statements(text, [statement])
+    splices = []
+    remaining = list(names)
+    for item in items:
+        splices.append(delete_item(text, remaining, item))
+        remaining = [other for other in remaining if other.id != item.id]
+    return splices

@@ -1,0 +1,322 @@
+"""Where in a file a new endpoint goes: beside the others, or behind what makes the node."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from tree_sitter import Node
+
+from plastron_tui.model.source import EndpointKind
+
+from .conventions import leading_space, target_name
+from .references import STATEMENT_PARENTS, statement_of
+from .removal import callback_scope, definition
+from .scopes import Scope
+from .sites import Analysis, NodeSite, Site
+from .splices import line_end, line_start
+
+_KINDS = (
+    EndpointKind.PUBLISHER,
+    EndpointKind.SUBSCRIPTION,
+    EndpointKind.SERVICE,
+    EndpointKind.CLIENT,
+    EndpointKind.ACTION_SERVER,
+    EndpointKind.ACTION_CLIENT,
+    EndpointKind.TIMER,
+)
+# What is around an endpoint and yet runs exactly once.
+_RUNS_ONCE = frozenset({"try_statement", "with_statement"})
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where new statements go.
+
+    Attributes:
+        offset: the start of a line, or the end of the text.
+        indent: the white space before the statements there.
+        scope: the scope of the statements.
+        owner: the class whose method they are in, None in a function or the module.
+        self_name: what the method calls its object, "" outside of methods.
+        receiver: the node whose methods create endpoints (rclpy), "" in rospy.
+        beside: the call site that the new one follows, None behind the node's creation.
+        statement: the statement that they follow, or come before.
+    """
+
+    offset: int
+    indent: str
+    scope: Scope
+    owner: Scope | None
+    self_name: str
+    receiver: str
+    beside: Site | None
+    statement: Node
+
+
+def find_place(analysis: Analysis, kind: EndpointKind) -> Place | None:
+    """Return where an endpoint of a kind goes, None where the file makes no node."""
+    callbacks = _callbacks(analysis)
+    for is_alike in (True, False):
+        for site in reversed(analysis.sites):
+            if (site.endpoint.kind is kind) is not is_alike or site.endpoint.kind not in _KINDS:
+                continue
+            if _is_setup(analysis, site, callbacks):
+                place = beside(analysis, site)
+                if place is not None:
+                    return place
+    for node in analysis.nodes:
+        place = _behind_node(analysis, node)
+        if place is not None:
+            return place
+    for site in reversed(analysis.sites):
+        if site.endpoint.kind in _KINDS and (place := beside(analysis, site)) is not None:
+            return place
+    return None
+
+
+def _callbacks(analysis: Analysis) -> set[int]:
+    found = set()
+    for site in analysis.sites:
+        scope = callback_scope(analysis, site)
+        if scope is not None:
+            found.add(scope.node.id)
+    return found
+
+
+def _is_setup(analysis: Analysis, site: Site, callbacks: set[int]) -> bool:
+    """Whether a call site runs when the node starts: not in a callback, a loop or a lambda."""
+    if "wait_for_message" in "".join(site.shape.callees):
+        return False
+    scope: Scope | None = site.scope
+    while scope is not None:
+        if scope.kind in ("lambda", "comprehension") or scope.node.id in callbacks:
+            return False
+        scope = scope.parent
+    return True
+
+
+def beside(analysis: Analysis, site: Site) -> Place | None:
+    """Return the place behind the statement of a call site."""
+    statement = _climb(statement_of(site.call))
+    if statement is None:
+        return None
+    return _place(analysis, statement, site.scope, site.receiver, site)
+
+
+def _climb(statement: Node) -> Node | None:
+    """Return the statement, or what is around it and may run never or more than once."""
+    found = statement
+    current: Node | None = statement
+    while current is not None and current.type not in ("module", "ERROR"):
+        parent = current.parent
+        if parent is None or current.type in ("function_definition", "class_definition"):
+            break
+        is_around = parent.type in STATEMENT_PARENTS and current is not statement
+        is_compound = current.type.endswith("_statement") and current.type not in _RUNS_ONCE
+        if is_around and is_compound and not _is_main_guard(current):
+            found = current
+        current = parent
+    return found if found.parent is not None and found.parent.type in STATEMENT_PARENTS else None
+
+
+def _is_main_guard(statement: Node) -> bool:
+    condition = statement.child_by_field_name("condition")
+    return condition is not None and b"__name__" in (condition.text or b"")
+
+
+def _behind_node(analysis: Analysis, node: NodeSite) -> Place | None:
+    if node.call is not None:
+        statement = statement_of(node.call)
+        scope = analysis.scopes.at(node.call.start_byte)
+        receiver = ""
+        if analysis.library.node_classes:
+            receiver = scope.self_name if node.owner is not None else _made(analysis, node.call)
+            if not receiver:
+                return None
+        climbed = _climb(statement)
+        return _place(analysis, climbed, scope, receiver, None) if climbed is not None else None
+    for call in analysis.captures.get("call", []):
+        # A node class without a constructor: the variable that holds its instance.
+        callee = call.child_by_field_name("function")
+        if callee is not None and analysis.syntax.slice(callee) == node.scope.name:
+            receiver = _made(analysis, call)
+            climbed = _climb(statement_of(call))
+            if receiver and climbed is not None:
+                scope = analysis.scopes.at(call.start_byte)
+                return _place(analysis, climbed, scope, receiver, None)
+    return None
+
+
+def _made(analysis: Analysis, call: Node) -> str:
+    parent = call.parent
+    target = parent.child_by_field_name("left") if parent and parent.type == "assignment" else None
+    if target is None or target.type not in ("identifier", "attribute"):
+        return ""
+    return analysis.syntax.slice(target)
+
+
+def _place(
+    analysis: Analysis, statement: Node, scope: Scope, receiver: str, site: Site | None
+) -> Place | None:
+    text = analysis.syntax.text
+    while statement.next_named_sibling is not None and (
+        statement.next_named_sibling.start_point.row == statement.end_point.row
+        and statement.next_named_sibling.type != "comment"
+    ):
+        statement = statement.next_named_sibling
+    first = _first_on_line(statement)
+    start = line_start(text, first.start_byte)
+    if text[start : first.start_byte].strip():
+        return None
+    function = scope.enclosing("function")
+    owner = function.parent if function is not None and function.self_name else None
+    is_before = statement.type == "while_statement"
+    offset = start if is_before else line_end(text, statement.end_byte)
+    return Place(
+        offset,
+        leading_space(analysis, first),
+        function or analysis.scopes.module,
+        owner,
+        function.self_name if function is not None else "",
+        receiver,
+        site,
+        statement,
+    )
+
+
+def _first_on_line(statement: Node) -> Node:
+    first = statement
+    while (previous := first.prev_named_sibling) is not None:
+        if previous.end_point.row != first.start_point.row:
+            break
+        first = previous
+    return first
+
+
+@dataclass(frozen=True, slots=True)
+class FunctionPlace:
+    """Where a new function goes: its offset, its indent, and the blank lines around it."""
+
+    offset: int
+    indent: str
+    before: int
+    after: int
+
+
+def method_place(analysis: Analysis, place: Place, near: Iterable[Scope]) -> FunctionPlace:
+    """Return where a method goes: behind one of its like, or behind the one that uses it."""
+    owner = place.owner
+    assert owner is not None
+    alike = [scope for scope in near if scope.parent is owner and scope.node.type != "lambda"]
+    behind = alike[-1] if alike else place.scope
+    text = analysis.syntax.text
+    node = definition(behind)
+    indent = leading_space(analysis, node)
+    offset = _end_with_comments(text, line_end(text, node.end_byte), indent)
+    return FunctionPlace(offset, indent, _method_gap(analysis, node), 0)
+
+
+def _method_gap(analysis: Analysis, node: Node) -> int:
+    """Return how many blank lines stand between the methods of a class."""
+    for other in (node.next_named_sibling, node):
+        previous = other.prev_named_sibling if other is not None else None
+        if other is None or previous is None or not other.type.endswith("_definition"):
+            continue
+        if previous.type.endswith("_definition"):
+            gap = int(other.start_point.row) - int(previous.end_point.row) - 1
+            return min(max(gap, 0), 2)
+    return 1
+
+
+def _end_with_comments(text: bytes, offset: int, indent: str) -> int:
+    """Step over comments that stand deeper than a definition: they are of its body."""
+    at = found = offset
+    while at < len(text):
+        end = line_end(text, at)
+        line = text[at:end].rstrip()
+        stripped = line.lstrip()
+        if stripped and not (stripped.startswith(b"#") and len(line) - len(stripped) > len(indent)):
+            break
+        if stripped:
+            found = end
+        at = end
+    return found
+
+
+def function_place(
+    analysis: Analysis, place: Place, near: Iterable[Scope], gap: int
+) -> FunctionPlace:
+    """Return where a function goes: at the top of the file, before what uses it."""
+    text = analysis.syntax.text
+    top = place.statement
+    module = analysis.scopes.module
+    top = _top_level(top)
+    alike = [
+        definition(scope)
+        for scope in near
+        if scope.parent is module and scope.node.type == "function_definition"
+    ]
+    alike = [node for node in alike if node.end_byte <= top.start_byte]
+    if not alike and place.scope is module:
+        # In a script, functions stand before everything that runs.
+        running = [site.call for site in analysis.sites if site.scope is module]
+        running += [node.call for node in analysis.nodes if node.scope is module and node.call]
+        top = min([top, *map(_top_level, running)], key=lambda node: node.start_byte)
+    behind = alike[-1] if alike else _last_definition(top)
+    if behind is None:
+        at = _before_comments(text, line_start(text, top.start_byte))
+        is_first = not text[:at].strip()
+        return FunctionPlace(at, "", 0 if is_first else _missing_before(text, at, gap), gap)
+    at = _end_with_comments(text, line_end(text, behind.end_byte), "")
+    following = text[at : line_end(text, at)].strip()
+    return FunctionPlace(at, "", gap, gap if following else 0)
+
+
+def _top_level(node: Node) -> Node:
+    while node.parent is not None and node.parent.type != "module":
+        node = node.parent
+    return node
+
+
+def _last_definition(top: Node) -> Node | None:
+    """Return the last definition or import at the top of the file before a statement."""
+    node = top.prev_named_sibling
+    while node is not None:
+        is_import = node.type in ("import_statement", "import_from_statement")
+        if is_import or node.type.endswith("_definition"):
+            return node
+        if node.type == "try_statement" and b"import" in (node.text or b""):
+            return node
+        node = node.prev_named_sibling
+    return None
+
+
+def _before_comments(text: bytes, at: int) -> int:
+    while at > 0:
+        previous = line_start(text, at - 1)
+        line = text[previous:at].strip()
+        if not line.startswith(b"#") or line.startswith(b"#!") or previous >= at:
+            break
+        at = previous
+    return at
+
+
+def _missing_before(text: bytes, at: int, gap: int) -> int:
+    """Return how many blank lines a definition still needs before it."""
+    before = text[:at].replace(b"\r", b"")
+    blank = len(before) - len(before.rstrip(b"\n")) - 1
+    return max(gap - max(blank, 0), 0)
+
+
+def is_attribute_style(analysis: Analysis, place: Place) -> bool:
+    """Whether endpoints at a place are attributes of the object, rather than plain names."""
+    if not place.self_name:
+        return False
+    names = [
+        name
+        for site in analysis.sites
+        if site.scope.enclosing("function") is place.scope
+        and (name := target_name(analysis, site)) is not None
+    ]
+    return not names or any("." in name for name in names)

@@ -1,0 +1,204 @@
+"""Bringing a name into a file, in the manner in which the file imports the others."""
+
+from __future__ import annotations
+
+import re
+
+from tree_sitter import Node
+
+from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.targets import naming
+from plastron_tui.targets.imports import Imports
+
+from .conventions import Conventions
+from .imports import is_interface_module
+from .scopes import Binding, BindingKind
+from .sites import Analysis
+from .splices import Splice, line_end, line_start
+from .stars import star_interface
+
+
+class FileImports(Imports):
+    """The imports of a file that is edited: what it has, and what an edit adds."""
+
+    def __init__(self, analysis: Analysis, conventions: Conventions) -> None:
+        super().__init__()
+        self._analysis = analysis
+        self._conventions = conventions
+        self._given: dict[tuple[str, str], str] = {}
+        self._new: dict[str, list[tuple[str, str]]] = {}
+        self._new_modules: list[str] = []
+        self._module = analysis.scopes.module
+
+    def use(self, module: str, name: str) -> str:
+        """Import a name unless the file has it, and return what the file calls it."""
+        symbol = (module, name)
+        if symbol not in self._given:
+            self._given[symbol] = self._existing(module, name) or self._imported(module, name)
+        return self._given[symbol]
+
+    def library(self, module: str, name: str) -> str:
+        """Return what the file calls a name of its client library."""
+        return self.use(module, name)
+
+    def _existing(self, module: str, name: str) -> str | None:
+        wanted = f"{module}.{name}"
+        for bound, bindings in self._module.bindings.items():
+            if all(binding.kind is BindingKind.IMPORT for binding in bindings):
+                targets = {binding.target for binding in bindings}
+                if targets == {wanted}:
+                    return bound
+                if targets == {module} and (module != bound or "." not in module):
+                    return f"{bound}.{name}"
+                if any(self._imports_whole(binding, module) for binding in bindings):
+                    return wanted
+        if name in self._module.bindings:
+            return None
+        stars = self._module.star_imports
+        if module in stars:
+            # A service's module has its request and response classes as well.
+            base = re.sub("(Request|Response)$", "", name) if module.endswith(".srv") else name
+            found = star_interface(base, stars, self._analysis.library.distribution)
+            is_interface = is_interface_module(module)
+            if not is_interface or found == InterfaceName(module.partition(".")[0], base):
+                return name
+        return None
+
+    def _imports_whole(self, binding: Binding, module: str) -> bool:
+        return binding.node.type == "import_statement" and any(
+            child.type == "dotted_name" and self._analysis.syntax.slice(child) == module
+            for child in binding.node.children_by_field_name("name")
+        )
+
+    def _imported(self, module: str, name: str) -> str:
+        if self._prefers_modules(module):
+            self._new_modules.append(module)
+            return f"{module}.{name}"
+        taken = {*self._module.bindings, *self._given.values()}
+        package = naming.capitals(module.partition(".")[0])
+        bound = name if name not in taken else naming.Scope(taken).new(package + name)
+        self._new.setdefault(module, []).append((name, bound))
+        return bound
+
+    def _prefers_modules(self, module: str) -> bool:
+        """Whether the file imports the modules of interface types whole."""
+        if not is_interface_module(module):
+            return False
+        named = whole = 0
+        for bindings in self._module.bindings.values():
+            for binding in bindings:
+                if binding.kind is not BindingKind.IMPORT or "." not in binding.target:
+                    whole += any(
+                        self._imports_whole(binding, self._analysis.syntax.slice(name))
+                        and is_interface_module(self._analysis.syntax.slice(name))
+                        for name in binding.node.children_by_field_name("name")
+                    )
+                elif is_interface_module(binding.target):
+                    named += binding.target.count(".") > 1
+        root = self._module.bindings.get(module.partition(".")[0], [])
+        is_free = all(b.target == module.partition(".")[0] for b in root)
+        return whole > 0 and named == 0 and is_free
+
+    def splices(self) -> list[Splice]:
+        """Return what adds the new imports to the file."""
+        splices = []
+        for module, names in self._new.items():
+            statement = self._extendable(module)
+            if statement is not None:
+                splices += [self._extend(statement, name, bound) for name, bound in names]
+            else:
+                listed = ", ".join(map(_import_item, names))
+                splices.append(self._line(module, f"from {module} import {listed}"))
+        for module in dict.fromkeys(self._new_modules):
+            splices.append(self._line(module, f"import {module}"))
+        return splices
+
+    def _top_imports(self) -> list[Node]:
+        return [
+            child
+            for child in self._analysis.syntax.root.named_children
+            if child.type in ("import_statement", "import_from_statement")
+        ]
+
+    def _module_of(self, statement: Node) -> str:
+        node = statement.child_by_field_name("module_name")
+        if node is None:
+            node = next(iter(statement.children_by_field_name("name")), None)
+        return self._analysis.syntax.slice(node) if node is not None else ""
+
+    def _extendable(self, module: str) -> Node | None:
+        for statement in reversed(self._top_imports()):
+            is_named = bool(statement.children_by_field_name("name"))
+            is_alike = statement.type == "import_from_statement" and is_named
+            if is_alike and self._module_of(statement) == module and not statement.has_error:
+                return statement
+        return None
+
+    def _extend(self, statement: Node, name: str, bound: str) -> Splice:
+        last = statement.children_by_field_name("name")[-1]
+        item = _import_item((name, bound))
+        text = self._analysis.syntax.text
+        start = line_start(text, last.start_byte)
+        before = text[start : last.start_byte]
+        if not before.strip() and last.start_point.row != statement.start_point.row:
+            indent = before.decode("ascii", "replace")
+            new = f",{self._conventions.newline}{indent}{item}"
+        else:
+            new = f", {item}"
+        return Splice(last.end_byte, last.end_byte, self._analysis.syntax.encode(new))
+
+    def _line(self, module: str, line: str) -> Splice:
+        """Place a new import: among those of interface types, or behind the last import."""
+        text = self._analysis.syntax.text
+        newline = self._conventions.newline
+        imports = self._top_imports()
+        alike = [node for node in imports if is_interface_module(self._module_of(node))]
+        encode = self._analysis.syntax.encode
+        modules = [self._module_of(node) for node in alike]
+        if alike and modules == sorted(modules):
+            before = [node for node in alike if self._module_of(node) <= module]
+            if not before:
+                at = line_start(text, alike[0].start_byte)
+                return Splice(at, at, encode(line + newline))
+            alike = before
+        anchor = alike[-1] if alike else self._last_import(imports)
+        if anchor is None:
+            at = self._after_docstring()
+            return Splice(at, at, encode(line + newline))
+        at = line_end(text, anchor.end_byte)
+        if at == len(text) and not text.endswith(b"\n"):
+            return Splice(at, at, encode(newline + line))
+        return Splice(at, at, encode(line + newline))
+
+    def _last_import(self, imports: list[Node]) -> Node | None:
+        """Return the last import before the first definition, that of the library at least."""
+        definition = next(
+            (
+                child.start_byte
+                for child in self._analysis.syntax.root.named_children
+                if child.type.endswith("_definition")
+            ),
+            len(self._analysis.syntax.text),
+        )
+        early = [node for node in imports if node.start_byte < definition]
+        return early[-1] if early else (imports[-1] if imports else None)
+
+    def _after_docstring(self) -> int:
+        text = self._analysis.syntax.text
+        for child in self._analysis.syntax.root.named_children:
+            if child.type in ("comment", "future_import_statement"):
+                continue
+            is_string = (
+                child.type == "expression_statement"
+                and child.named_child_count == 1
+                and child.named_children[0].type == "string"
+            )
+            return (
+                line_end(text, child.end_byte) if is_string else line_start(text, child.start_byte)
+            )
+        return len(text)
+
+
+def _import_item(symbol: tuple[str, str]) -> str:
+    name, bound = symbol
+    return name if name == bound else f"{name} as {bound}"

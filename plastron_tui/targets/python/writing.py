@@ -1,0 +1,47 @@
+"""The lines of an edit, and where they go."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from plastron_tui.model.source import EndpointKind
+
+from .conventions import Conventions
+from .place import FunctionPlace
+from .sites import Analysis
+from .splices import Splice
+
+Key = tuple[EndpointKind, str | None, str, str]
+
+
+@dataclass(slots=True)
+class Writer:
+    """Collects the splices of one change, in the file's line endings and indents.
+
+    Attributes:
+        endpoints: what a reader must find in addition, once the splices are applied.
+    """
+
+    analysis: Analysis
+    conventions: Conventions
+    splices: list[Splice] = field(default_factory=list)
+    endpoints: list[Key] = field(default_factory=list)
+
+    def lines(self, offset: int, indent: str, lines: list[str]) -> None:
+        """Insert lines at the start of a line; a tab in front of one is a level of indent."""
+        newline = self.conventions.newline
+        text = self.analysis.syntax.text
+        written = "".join(self._indented(indent, line) + newline for line in lines)
+        if offset == len(text) and text and not text.endswith(b"\n"):
+            written = newline + written[: -len(newline)]
+        self.splices.append(Splice(offset, offset, self.analysis.syntax.encode(written)))
+
+    def function(self, place: FunctionPlace, lines: list[str]) -> None:
+        """Insert a function with the blank lines around it."""
+        blank = [""] * place.before
+        self.lines(place.offset, place.indent, [*blank, *lines, *[""] * place.after])
+
+    def _indented(self, indent: str, line: str) -> str:
+        body = line.lstrip("\t")
+        levels = len(line) - len(body)
+        return indent + self.conventions.indent * levels + body if body else ""
