@@ -1,0 +1,105 @@
+"""A running graph as a Plastron program."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+
+from plastron_tui.language.syntax_errors import KEYWORDS
+
+from .describe import DescribedNode, Endpoint
+
+
+def to_program(nodes: Iterable[DescribedNode], library: str | None = None) -> str:
+    """Return a program whose nodes make the same graph.
+
+    What no statement can say is a comment: a node without endpoints, an endpoint without a
+    known type. A node's name has no namespace in Plastron, so that `/arm/talker` becomes a node
+    `talker`, or `arm_talker` where that name is taken; its topics and services have their full
+    names, so that they stay where they are.
+
+    Args:
+        nodes: the graph.
+        library: the client library for `using`; None leaves it to the one who generates.
+    """
+    listed = list(nodes)
+    names = _names(listed)
+    taken = {word.lower() for word in KEYWORDS}
+    blocks = [_node(node, name, taken, library) for node, name in zip(listed, names, strict=True)]
+    if not blocks:
+        return "// no node is running\n"
+    return "\n".join(blocks)
+
+
+def _node(node: DescribedNode, name: str, taken: set[str], library: str | None) -> str:
+    lines = [] if node.name == f"/{name}" else [f"// {node.name}"]
+    if not any(type_ is not None for _, type_ in _endpoints(node)):
+        lines.append(f"// {node.name} has no topic or service that a program can name")
+        return "\n".join([*lines[-1:], *_unknown(node)]) + "\n"
+    variable = _variable(name, taken)
+    using = f" using {library}" if library else ""
+    lines.append(f"create_node '{name}' as {variable}{using}")
+    for topic, type_ in _known(node.publishers):
+        message = _variable(f"{variable}_{_last(topic)}", taken)
+        lines.append(f"create_message {message} of message_type {type_} and input none")
+        lines.append(f"{variable} publish {message} to '{topic}' of message_type {type_}")
+    for topic, type_ in _known(node.subscriptions):
+        lines.append(f"subscribe {variable} to '{topic}' of message_type {type_}")
+    for service, type_ in _known(node.services):
+        lines.append(f"{variable} provides_service '{service}' of service_type {type_}")
+    for service, type_ in _known(node.clients):
+        lines.append(
+            f"{variable} client_requests '{service}' of service_type {type_} with input none"
+        )
+    lines += [*_unknown(node), f"generate_node {variable}"]
+    return "\n".join(lines) + "\n"
+
+
+def _endpoints(node: DescribedNode) -> tuple[Endpoint, ...]:
+    return (*node.publishers, *node.subscriptions, *node.services, *node.clients)
+
+
+def _known(endpoints: Sequence[Endpoint]) -> Iterator[Endpoint]:
+    return (endpoint for endpoint in endpoints if endpoint[1] is not None)
+
+
+def _unknown(node: DescribedNode) -> list[str]:
+    return [f"// {name}: its type is not known" for name, type_ in _endpoints(node) if not type_]
+
+
+def _names(nodes: Sequence[DescribedNode]) -> list[str]:
+    """Return a name without a namespace for each node, all different."""
+    used: set[str] = {node.name[1:] for node in nodes if "/" not in node.name[1:]}
+    names = []
+    for node in nodes:
+        if "/" not in node.name[1:]:
+            names.append(node.name[1:])
+            continue
+        choices = [_last(node.name), node.name[1:].replace("/", "_")]
+        names.append(_free(choices, used))
+        used.add(names[-1])
+    return names
+
+
+def _variable(text: str, taken: set[str]) -> str:
+    """Return a variable made of the text, which no other has and no keyword is."""
+    base = re.sub(r"[^A-Za-z0-9_]", "_", text)
+    if not base[:1].isalpha():
+        base = f"n_{base.lstrip('_')}"
+    name = _free([base], taken)
+    taken.add(name.lower())
+    return name
+
+
+def _free(choices: Sequence[str], taken: set[str]) -> str:
+    for choice in choices:
+        if choice.lower() not in taken:
+            return choice
+    number = 2
+    while f"{choices[-1]}_{number}".lower() in taken:
+        number += 1
+    return f"{choices[-1]}_{number}"
+
+
+def _last(name: str) -> str:
+    return name.rsplit("/", 1)[-1]
