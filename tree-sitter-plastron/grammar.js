@@ -16,7 +16,8 @@
 //   scanner hands it the empty `_cut`, and what follows on the line is `skipped`, which takes
 //   anything. So there is one mistake a line, and none reaches over the end of its line.
 //
-// Both ways the statement has an error in it: no statement without one lacks a part.
+// No statement lacks a part without an error in it. A statement that is whole may have the ERROR
+// beside it, on the same line.
 
 const KEYWORDS = [
   'create_node', 'load', 'create_message', 'subscribe', 'unsubscribe', 'publish',

@@ -1,0 +1,228 @@
+"""What is wrong on a line stays on that line: the lines around it are statements, always."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+import tree_sitter_plastron
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+from tree_sitter import Language, Node, Parser
+
+from .statements import STATEMENTS
+
+LANGUAGE = Language(tree_sitter_plastron.language())
+WHOLE = [(kind, text) for kind, texts in STATEMENTS.items() for text in texts]
+FIRST_WORDS = sorted({text.split(" ", 1)[0] for _, text in WHOLE})
+WORDS = sorted({word for _, text in WHOLE for word in text.split(" ")})
+STRAYS = [
+    '"', "'", "\\", "$", "/", "//", "*/", "é", "😀", "\0", "\t", "\f", "\r", "\ufeff", "\u2028",
+    '"abc', "'abc", '"a\\q"', '"a\\u12"', "1e", "-", "+.", "..", ";", "{", "}", "a/", "a/b/c/d",
+    "// comment", "None", "_",
+]  # fmt: skip
+
+
+def parse(text: str) -> Node:
+    return Parser(LANGUAGE).parse(text.encode()).root_node
+
+
+def mistakes(root: Node) -> Iterator[Node]:
+    waiting = [root]
+    while waiting:
+        node = waiting.pop()
+        if node.is_error or node.is_missing:
+            yield node
+        if node.has_error:
+            waiting.extend(node.children)
+
+
+def assert_statement(root: Node, row: int, kind: str, text: str) -> None:
+    """The row holds this statement, from its first byte to its last, and nothing is wrong in it."""
+    found = [node for node in root.named_children if node.start_point == (row, 0)]
+    assert [node.type for node in found] == [kind], str(root)
+    assert found[0].end_point == (row, len(text.encode())), str(root)
+    assert not found[0].has_error, str(root)
+
+
+def assert_mistakes_stay(root: Node, row: int) -> None:
+    for node in mistakes(root):
+        assert (node.start_point.row, node.end_point.row) == (row, row), str(root)
+
+
+def assert_recovers(
+    middle: str, before: tuple[str, str], after: tuple[str, str], newline: str = "\n"
+) -> Node:
+    root = parse(before[1] + newline + middle + newline + after[1] + newline)
+    assert root.type == "program"
+    assert_statement(root, 0, *before)
+    assert_statement(root, 2, *after)
+    assert_mistakes_stay(root, 1)
+    return root
+
+
+def neighbours() -> Iterator[tuple[tuple[str, str], tuple[str, str]]]:
+    """Every statement before and after, the other side held."""
+    for whole in WHOLE:
+        yield whole, WHOLE[0]
+        yield WHOLE[0], whole
+
+
+def cuts(text: str) -> Iterator[str]:
+    words = text.split(" ")
+    return (" ".join(words[:count]) for count in range(1, len(words)))
+
+
+def is_whole(cut: str, text: str) -> bool:
+    """Whether only an optional clause, or further values, are cut off."""
+    following = text[len(cut) :].split()[0]
+    is_balanced = all(cut.count(opening) == cut.count(end) for opening, end in ("()", "[]"))
+    return following in ("using", "calling", "at") or (following == "," and is_balanced)
+
+
+def test_every_statement_of_the_grammar_has_examples() -> None:
+    statement = LANGUAGE.id_for_node_kind("_statement", True)
+    assert statement is not None
+    kinds = {LANGUAGE.node_kind_for_id(kind) for kind in LANGUAGE.subtypes(statement)}
+    assert kinds == set(STATEMENTS)
+
+
+@pytest.mark.parametrize(("kind", "text"), WHOLE)
+def test_whole_statements_parse(kind: str, text: str) -> None:
+    root = parse(text)
+    assert_statement(root, 0, kind, text)
+
+
+@pytest.mark.parametrize(("kind", "text"), WHOLE)
+def test_cut_after_every_word(kind: str, text: str) -> None:
+    for cut in cuts(text):
+        for before, after in neighbours():
+            root = assert_recovers(cut, before, after)
+            assert root.has_error != is_whole(cut, text)
+
+
+@pytest.mark.parametrize(("kind", "text"), WHOLE)
+@pytest.mark.parametrize("newline", ["\n", "\r\n"])
+def test_cut_within_every_word(kind: str, text: str, newline: str) -> None:
+    for end in range(1, len(text)):
+        for first_word in FIRST_WORDS:
+            after = next(whole for whole in WHOLE if whole[1].startswith(first_word))
+            assert_recovers(text[:end], WHOLE[-1], after, newline)
+
+
+@pytest.mark.parametrize(("kind", "text"), WHOLE)
+def test_a_cut_last_line_without_newline(kind: str, text: str) -> None:
+    for cut in cuts(text):
+        for before in WHOLE:
+            root = parse(before[1] + "\n" + cut)
+            assert root.type == "program"
+            assert_statement(root, 0, *before)
+            assert_mistakes_stay(root, 1)
+
+
+@pytest.mark.parametrize(("kind", "text"), WHOLE)
+def test_a_stray_word_between_any_two(kind: str, text: str) -> None:
+    words = text.split(" ")
+    for position in range(len(words) + 1):
+        for stray in STRAYS:
+            middle = " ".join([*words[:position], stray, *words[position:]])
+            assert_recovers(middle, WHOLE[0], WHOLE[-1])
+
+
+@pytest.mark.parametrize(("kind", "text"), WHOLE)
+def test_a_word_left_out_or_doubled(kind: str, text: str) -> None:
+    words = text.split(" ")
+    for position in range(len(words)):
+        for after in WHOLE:
+            assert_recovers(" ".join(words[:position] + words[position + 1 :]), WHOLE[0], after)
+            assert_recovers(" ".join(words[: position + 1] + words[position:]), WHOLE[0], after)
+
+
+def test_brackets_open_as_deep_as_one_likes() -> None:
+    for opening in ("[", "(", "x=(", "[(", '["a", '):
+        for depth in (1, 7, 8, 9, 16, 17, 40, 1000):
+            middle = "create_message m of message_type T and input " + opening * depth
+            assert_recovers(middle, WHOLE[0], WHOLE[-1])
+
+
+def test_a_comment_without_an_end_keeps_to_its_line() -> None:
+    for before, after in neighbours():
+        root = assert_recovers("generate_node n1 /* never closed", before, after)
+        assert root.has_error
+    root = assert_recovers("/* a /* b // c", WHOLE[0], WHOLE[-1])
+    assert root.has_error
+
+
+def test_a_comment_that_is_closed_later_is_a_comment() -> None:
+    root = parse("generate_node a /* one\n/* two\n*/ /* three\ngenerate_node b\n")
+    comments = [node for node in root.named_children[0].children if node.type == "block_comment"]
+    assert [(node.start_point.row, node.end_point.row) for node in comments] == [(0, 2)]
+    assert_statement(root, 3, "generate_node_statement", "generate_node b")
+    assert_mistakes_stay(root, 2)
+
+
+words = st.one_of(st.sampled_from(WORDS), st.sampled_from(STRAYS))
+wild_text = st.text(st.characters(exclude_characters="\n", exclude_categories=["Cs"]), max_size=8)
+garbage = st.lists(st.one_of(words, words, wild_text), min_size=1, max_size=30).flatmap(
+    lambda parts: st.sampled_from([" ", ""]).map(lambda space: space.join(parts))
+)
+
+
+@settings(max_examples=2000, deadline=None)
+@given(
+    garbage.filter(lambda line: "/*" not in line),
+    st.sampled_from(WHOLE),
+    st.sampled_from(WHOLE),
+    st.sampled_from(["\n", "\r\n"]),
+)
+@example("n1 pubish m", WHOLE[0], WHOLE[-1], "\n")
+@example("stop_service T a = 1 $ AddTwoInts", WHOLE[-1], WHOLE[3], "\n")
+@example('1e-3 a b ( hz "a "a $', WHOLE[12], WHOLE[5], "\n")
+@example("' \0 \"x\" create_node 'a'", WHOLE[9], WHOLE[5], "\n")
+def test_garbage(
+    middle: str, before: tuple[str, str], after: tuple[str, str], newline: str
+) -> None:
+    assert_recovers(middle, before, after, newline)
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.lists(garbage.filter(lambda line: "/*" not in line), min_size=2, max_size=12))
+def test_garbage_on_many_lines(lines: list[str]) -> None:
+    """Every second line is whole, and stays so."""
+    text = "".join(f"{line}\ngenerate_node n1\n" for line in lines)
+    root = parse(text)
+    for number in range(len(lines)):
+        assert_statement(root, 2 * number + 1, "generate_node_statement", "generate_node n1")
+    for node in mistakes(root):
+        assert node.start_point.row == node.end_point.row
+        assert node.start_point.row % 2 == 0
+
+
+@settings(max_examples=500, deadline=None)
+@given(
+    st.lists(st.one_of(st.sampled_from([t for _, t in WHOLE]), garbage), max_size=8),
+    st.data(),
+)
+def test_an_edited_tree_is_the_tree_of_the_edited_text(
+    lines: list[str], data: st.DataObject
+) -> None:
+    old = "\n".join(lines).encode()
+    start = data.draw(st.integers(0, len(old)))
+    end = data.draw(st.integers(start, min(len(old), start + 10)))
+    new = data.draw(st.sampled_from(["", " ", "\n", "/*", "*/", "'", '"', "x", "(", "\\"])).encode()
+    text = old[:start] + new + old[end:]
+    parser = Parser(LANGUAGE)
+    tree = parser.parse(old)
+    tree.edit(
+        start,
+        end,
+        start + len(new),
+        point(old, start),
+        point(old, end),
+        point(text, start + len(new)),
+    )
+    assert str(parser.parse(text, tree).root_node) == str(Parser(LANGUAGE).parse(text).root_node)
+
+
+def point(text: bytes, offset: int) -> tuple[int, int]:
+    return text.count(b"\n", 0, offset), offset - (text.rfind(b"\n", 0, offset) + 1)
