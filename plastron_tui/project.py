@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Severity, Span, did_you_mean
 from plastron_tui.ros.catalog import DISTRIBUTIONS
@@ -16,8 +15,7 @@ DEFAULT_OUTPUT = "output"
 _KEYS = ("target", "distribution", "output", "templates", "types")
 
 
-@dataclass(frozen=True, slots=True)
-class Project:
+class Project(NamedTuple):
     """What the project file says; every path is absolute, or None where it says nothing.
 
     Attributes:
@@ -37,12 +35,14 @@ class Project:
     types: tuple[Path, ...] = ()
 
 
-@dataclass(slots=True)
 class _Reader:
-    file: Path
-    marks: dict[str, Span]
-    libraries: Mapping[str, int]
-    diagnostics: list[Diagnostic] = field(default_factory=list)
+    """Reads values, and remembers what is wrong with them."""
+
+    def __init__(self, file: Path, marks: dict[str, Span], libraries: Mapping[str, int]) -> None:
+        self.file = file
+        self.marks = marks
+        self.libraries = libraries
+        self.diagnostics: list[Diagnostic] = []
 
     def report(self, key: str, message: str, remedy: str | None = None) -> None:
         self.diagnostics.append(

@@ -8,10 +8,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, LineIndex
 from plastron_tui.language import Document, Program, lower
@@ -34,8 +33,7 @@ LARGEST_PROGRAM = 16 * 1024 * 1024
 """The largest program that is read, in bytes: some 300,000 statements."""
 
 
-@dataclass(frozen=True, slots=True)
-class Options:
+class Options(NamedTuple):
     """What the command line sets; what it leaves open the project file or the environment says."""
 
     target: str | None = None
@@ -43,8 +41,7 @@ class Options:
     in_place: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class ProgramText:
+class ProgramText(NamedTuple):
     """What a program file holds, or why it cannot be read."""
 
     text: bytes | None

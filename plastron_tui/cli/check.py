@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Any
 
 import click
-
-from plastron_tui.diagnostics.render import as_json
 
 from .common import Report, finish, format_option, open_sessions, programs_argument, target_option
 
@@ -28,10 +25,14 @@ def command(files: tuple[Path, ...], target: str | None, format_: str) -> None:
     found: list[dict[str, Any]] = []
     for session in open_sessions(files, report, Options(target=target)):
         if format_ == "json":
+            from plastron_tui.diagnostics.render import as_json
+
             report.count(session.diagnostics)
             found += as_json(session.diagnostics, session.lines, session.path)
         else:
             report.add(session.diagnostics, session.lines, session.path)
     if format_ == "json":
+        import json
+
         click.echo(json.dumps(found, indent=2, ensure_ascii=False))
     finish(report)

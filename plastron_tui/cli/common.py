@@ -6,15 +6,16 @@ import os
 import sys
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from plastron_tui.diagnostics import Diagnostic, Severity
-from plastron_tui.diagnostics.codes import IO_CODES
-from plastron_tui.diagnostics.render import Lines, TextRenderer
 from plastron_tui.session import Options, Session, check_text, read_program
 from plastron_tui.targets import LIBRARIES
+
+if TYPE_CHECKING:
+    from plastron_tui.diagnostics.render import Lines
 
 STANDARD_INPUT = "-"
 
@@ -72,8 +73,14 @@ class Report:
         self, diagnostics: Iterable[Diagnostic], lines: Lines, program: Path | None = None
     ) -> None:
         """Write diagnostics to standard error, and remember how bad they are."""
+        # A right program has nothing to render.
+        found_here = tuple(diagnostics)
+        if not found_here:
+            return
+        from plastron_tui.diagnostics.render import TextRenderer
+
         renderer = TextRenderer(lines, program, color=use_color(sys.stderr))
-        for found in diagnostics:
+        for found in found_here:
             click.echo(renderer.render(found) + "\n", err=True)
             self.count((found,))
 
@@ -83,6 +90,8 @@ class Report:
             if found.severity is Severity.WARNING:
                 self._warnings += 1
                 continue
+            from plastron_tui.diagnostics.codes import IO_CODES
+
             self._errors += 1
             self.status = max(self.status, 2 if found.code in IO_CODES else 1)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 from importlib import import_module
@@ -37,7 +38,11 @@ class LazyGroup(click.Group):
         """Import a command; None when there is none of that name."""
         if cmd_name not in _COMMANDS:
             return None
+        # Modules live as long as the process: the collector has nothing to find among them.
+        gc.disable()
         module = import_module(f"plastron_tui.cli.{cmd_name}")
+        gc.freeze()
+        gc.enable()
         command: click.Command = module.command
         return command
 

@@ -4,10 +4,14 @@ A pass returns its result together with its diagnostics, and never raises for wh
 wrote. How they look (text, JSON, an underline in an editor) is for the renderers.
 """
 
-from .codes import CODES, IO_CODES, Code
+from typing import TYPE_CHECKING, Any
+
 from .data import Diagnostic, Edit, Fix, Label, Severity, Span, has_errors
 from .lines import LineIndex, Position
 from .suggest import did_you_mean
+
+if TYPE_CHECKING:
+    from .codes import CODES, IO_CODES, Code
 
 __all__ = [
     "CODES",
@@ -24,3 +28,12 @@ __all__ = [
     "did_you_mean",
     "has_errors",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    """Import the list of codes when it is first asked for: a diagnostic carries only a name."""
+    if name not in {"CODES", "IO_CODES", "Code"}:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from . import codes
+
+    return getattr(codes, name)

@@ -3,34 +3,33 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from enum import Enum, auto
-from typing import Any
+from typing import Any, NamedTuple
 
 from tree_sitter import Node
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, Span
 
 from . import statements as _statements  # noqa: F401 - declares the statements
 from .declaration import DECLARATIONS, Declaration, SlotKind, Statement
 from .document import Document
 from .grammar import field_id, kind_id
-from .inputs import COMMENTS, lower_input, lower_number
+from .inputs import COMMENTS, DEEPEST_NESTING, TooDeep, lower_input, lower_number
 from .pause import collection_paused
-from .syntax_errors import explain
 
 
-@dataclass(frozen=True, slots=True)
-class Program:
+class Program(NamedTuple):
     """The statements of a text, in order, and what kept the rest from being statements.
 
-    `broken_words` are the words of lines that are no statements: what such a line was to
-    declare is not unknown, only broken.
+    What a line that is no statement was to do is not missing, only broken. `broken_words` are
+    the words and the quoted names of such lines; `broken_declarations` are the words of those
+    that were to declare a variable.
     """
 
     statements: tuple[Statement, ...]
     diagnostics: tuple[Diagnostic, ...] = ()
     broken_words: frozenset[str] = frozenset()
+    broken_declarations: frozenset[str] = frozenset()
 
 
 class _Lowered(Enum):
@@ -87,15 +86,21 @@ def lower(document: Document) -> Program:
 
     found: list[Statement] = []
     broken: list[Node] = []
+    too_deep: list[Diagnostic] = []
+    declared: set[str] = set()
     with collection_paused():
         for node in _flattened(root) if root.has_error else root.children:
             plan = _PLANS.get(node.kind_id)
             if plan is not None and not node.has_error:
-                found.append(_lower_statement(node, plan, read))
+                try:
+                    found.append(_lower_statement(node, plan, read))
+                except TooDeep as problem:
+                    too_deep.append(_too_deep(problem.syntax))
+                    declared.update(_variables(node, read))
             elif node.kind_id not in COMMENTS:
                 broken.append(node)
     if not broken:
-        return Program(tuple(found))
+        return Program(tuple(found), tuple(too_deep), frozenset(declared), frozenset(declared))
     broken_rows = {row for node in broken for row in _rows(node)}
     whole = []
     for statement in found:
@@ -105,8 +110,31 @@ def lower(document: Document) -> Program:
         else:
             broken.append(statement.syntax)
     broken.sort(key=lambda node: node.start_byte)
-    diagnostics, words = explain(source, broken)
-    return Program(tuple(whole), diagnostics, words)
+    from .syntax_errors import explain  # a program without mistakes does not need it
+
+    explained = explain(source, broken)
+    return Program(
+        tuple(whole),
+        (*explained.diagnostics, *too_deep),
+        explained.words | declared,
+        explained.declared | declared,
+    )
+
+
+def _too_deep(syntax: Node) -> Diagnostic:
+    return Diagnostic(
+        "too-deep",
+        f"values are nested at most {DEEPEST_NESTING} deep",
+        Span(syntax.start_byte, syntax.start_byte + 1),
+    )
+
+
+def _variables(node: Node, text: Callable[[int, int], str]) -> Iterator[str]:
+    """Yield what a statement that has no effect names: variables, and names without quotes."""
+    for field in ("variable", "node", "service"):
+        child = node.child_by_field_name(field)
+        if child is not None:
+            yield text(child.start_byte, child.end_byte).strip("'")
 
 
 def _rows(node: Node) -> range:

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.ros.catalog import Catalog
 
-from .source import SourceFile
-from .workspace import Generation
+if TYPE_CHECKING:
+    from .source import SourceFile
+    from .workspace import Generation
 
 
-@dataclass(frozen=True, slots=True)
-class LoadRequest:
+class LoadRequest(NamedTuple):
     """What a `load` asks for: a file by its bare name, or by a path from the program's folder.
 
     `generated` is what the program has asked to generate so far: a program may load what it
@@ -25,8 +25,7 @@ class LoadRequest:
     generated: tuple[Generation, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Loaded:
+class Loaded(NamedTuple):
     """What a reader made of a request; `source` is None when it could not read the file."""
 
     source: SourceFile | None
@@ -36,8 +35,7 @@ class Loaded:
 Reader = Callable[[LoadRequest], Loaded]
 
 
-@dataclass(frozen=True, slots=True)
-class Setting:
+class Setting(NamedTuple):
     """What a program is interpreted in.
 
     Attributes:

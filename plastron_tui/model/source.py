@@ -4,26 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from enum import Enum
 from pathlib import Path
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.ros.interfaces import InterfaceName
 
 from .workspace import Client, Publisher, Service, Subscription
-
-
-class EndpointKind(str, Enum):
-    """What a call site creates. The values are the keys of `plastron inspect --format json`."""
-
-    PUBLISHER = "publishers"
-    SUBSCRIPTION = "subscriptions"
-    SERVICE = "services"
-    CLIENT = "clients"
-    ACTION_SERVER = "action_servers"
-    ACTION_CLIENT = "action_clients"
-    TIMER = "timers"
-    PARAMETER = "parameters"
+from .workspace import EndpointKind as EndpointKind
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.ros.catalog import Catalog
@@ -16,8 +16,7 @@ _WORDS = {
 _MOST_LISTED = 8
 
 
-@dataclass(frozen=True, slots=True)
-class TypeProblem:
+class TypeProblem(NamedTuple):
     """Why a type name means nothing, or too much."""
 
     code: str

@@ -7,6 +7,7 @@ that targets, panels and graphs see one kind of node.
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from enum import Enum
 from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Span
@@ -18,6 +19,19 @@ if TYPE_CHECKING:
 
 DEFAULT_RATE = 10.0
 """How often a message is published where the program does not say, in hertz."""
+
+
+class EndpointKind(str, Enum):
+    """What a call site creates. The values are the keys of `plastron inspect --format json`."""
+
+    PUBLISHER = "publishers"
+    SUBSCRIPTION = "subscriptions"
+    SERVICE = "services"
+    CLIENT = "clients"
+    ACTION_SERVER = "action_servers"
+    ACTION_CLIENT = "action_clients"
+    TIMER = "timers"
+    PARAMETER = "parameters"
 
 
 @dataclass(frozen=True, slots=True)

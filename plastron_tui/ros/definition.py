@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span, did_you_mean
 
@@ -55,8 +56,7 @@ _LONGEST_COMMENT = 160
 _SENTENCE_END = re.compile(r"(?<!e\.g)(?<!i\.e)\.(?=\s)")
 
 
-@dataclass(frozen=True, slots=True)
-class Definition:
+class Definition(NamedTuple):
     """What a definition says; `interface` is None when a diagnostic is an error."""
 
     interface: Interface | None

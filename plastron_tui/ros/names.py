@@ -8,8 +8,7 @@ known yet, ROS 1 is the base.
 from __future__ import annotations
 
 import re
-import unicodedata
-from dataclasses import dataclass
+from typing import NamedTuple
 
 # What ROS 2 leaves of DDS's 255 characters, less its own prefixes (`rmw`), and ROS 1 does
 # without a limit; there a name ends in a file name and a log line, where this is plenty.
@@ -34,8 +33,7 @@ _BAD_CHARACTER = re.compile(r"[^A-Za-z0-9_/~]+")
 _BAD_CHARACTER_2 = re.compile(r"[^A-Za-z0-9_/~{}]+")
 
 
-@dataclass(frozen=True, slots=True)
-class NameProblem:
+class NameProblem(NamedTuple):
     """What is wrong with a name.
 
     Attributes:
@@ -179,6 +177,8 @@ def _digits(name: str, start: int) -> int:
 
 def _plain(name: str) -> str:
     """Return a name in ASCII letters, digits, `_`, `/`, `~`: `é` as `e`, others as `_`."""
+    import unicodedata  # a right name needs no other spelling
+
     folded = unicodedata.normalize("NFKD", name[: MAX_NAME_LENGTH[1]])
     kept = "".join(char for char in folded if not unicodedata.combining(char))
     return re.sub("[^A-Za-z0-9_/~]+", "_", kept.strip())

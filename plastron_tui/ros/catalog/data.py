@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 
@@ -16,8 +15,7 @@ Definitions = Mapping[str, Mapping[str, str]]
 """The definitions of a package: by kind (`msg`, `srv`, `action`), then by name."""
 
 
-@dataclass(frozen=True, slots=True)
-class Index:
+class Index(NamedTuple):
     """The names of a distribution's interfaces.
 
     Attributes:
