@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Sequence
 
-from plastron_tui.language.syntax_errors import KEYWORDS
+from plastron_tui.model.program_text import Variables
 
 from .describe import DescribedNode, Endpoint
 
@@ -24,23 +23,25 @@ def to_program(nodes: Iterable[DescribedNode], library: str | None = None) -> st
     """
     listed = list(nodes)
     names = _names(listed)
-    taken = {word.lower() for word in KEYWORDS}
-    blocks = [_node(node, name, taken, library) for node, name in zip(listed, names, strict=True)]
+    variables = Variables()
+    blocks = [
+        _node(node, name, variables, library) for node, name in zip(listed, names, strict=True)
+    ]
     if not blocks:
         return "// no node is running\n"
     return "\n".join(blocks)
 
 
-def _node(node: DescribedNode, name: str, taken: set[str], library: str | None) -> str:
+def _node(node: DescribedNode, name: str, variables: Variables, library: str | None) -> str:
     lines = [] if node.name == f"/{name}" else [f"// {node.name}"]
     if not any(type_ is not None for _, type_ in _endpoints(node)):
         lines.append(f"// {node.name} has no topic or service that a program can name")
         return "\n".join([*lines[-1:], *_unknown(node)]) + "\n"
-    variable = _variable(name, taken)
+    variable = variables.new(name)
     using = f" using {library}" if library else ""
     lines.append(f"create_node '{name}' as {variable}{using}")
     for topic, type_ in _known(node.publishers):
-        message = _variable(f"{variable}_{_last(topic)}", taken)
+        message = variables.new(f"{variable}_{_last(topic)}")
         lines.append(f"create_message {message} of message_type {type_} and input none")
         lines.append(f"{variable} publish {message} to '{topic}' of message_type {type_}")
     for topic, type_ in _known(node.subscriptions):
@@ -81,22 +82,12 @@ def _names(nodes: Sequence[DescribedNode]) -> list[str]:
     return names
 
 
-def _variable(text: str, taken: set[str]) -> str:
-    """Return a variable made of the text, which no other has and no keyword is."""
-    base = re.sub(r"[^A-Za-z0-9_]", "_", text)
-    if not base[:1].isalpha():
-        base = f"n_{base.lstrip('_')}"
-    name = _free([base], taken)
-    taken.add(name.lower())
-    return name
-
-
 def _free(choices: Sequence[str], taken: set[str]) -> str:
     for choice in choices:
-        if choice.lower() not in taken:
+        if choice not in taken:
             return choice
     number = 2
-    while f"{choices[-1]}_{number}".lower() in taken:
+    while f"{choices[-1]}_{number}" in taken:
         number += 1
     return f"{choices[-1]}_{number}"
 
