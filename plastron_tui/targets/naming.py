@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-
-from . import literals
+from keyword import iskeyword
 
 _LONGEST = 40
 """Names that are derived stay short enough for a line to hold them."""
@@ -27,9 +26,9 @@ class Scope:
         self._taken.add(name)
 
     def new(self, wanted: str) -> str:
-        """Take and return `wanted`, or the first of `wanted_2`, `wanted_3`, … that is free."""
+        """Take an identifier: `wanted`, or the first of `wanted_2`, `wanted_3`, … that is free."""
         name, count = wanted, 1
-        while name in self._taken or not literals.is_name(name):
+        while name in self._taken or iskeyword(name):
             count += 1
             name = f"{wanted}_{count}"
         self._taken.add(name)
@@ -37,16 +36,16 @@ class Scope:
 
 
 def words(ros_name: str) -> str:
-    """Return a ROS name as words of a Python name: `/arm/joint_1` becomes `arm_joint_1`."""
+    """Return a ROS name as an identifier of small letters: `/arm/joint_1` is `arm_joint_1`."""
     text = re.sub(r"[^a-z0-9]+", "_", ros_name.lower()).strip("_")
-    return text[:_LONGEST].rstrip("_") or "unnamed"
+    if not text or text[0].isdigit():
+        text = f"number_{text}" if text else "unnamed"
+    return text[:_LONGEST].rstrip("_")
 
 
 def class_name(node_name: str) -> str:
     """Return the name of a node's class: `arm_driver` becomes `ArmDriverNode`."""
     name = capitals(words(node_name))
-    if not name[0].isalpha():
-        name = f"Node{name}"
     return name if name.endswith("Node") else f"{name}Node"
 
 
