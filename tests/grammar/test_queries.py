@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 import tree_sitter_plastron
 from tree_sitter import Language, Parser, Query, QueryCursor
@@ -44,7 +46,7 @@ def test_highlights_are_disjoint() -> None:
         (node.start_byte, node.end_byte) for nodes in captures.values() for node in nodes
     )
     assert len(spans) > 200
-    for (_, end), (start, _) in zip(spans, spans[1:], strict=False):
+    for (_, end), (start, _) in pairwise(spans):
         assert end <= start
 
 
