@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import keyword
+from collections.abc import Sequence
 from pathlib import Path
 from typing import ClassVar
 
+from plastron_tui.model.source import Change, SourceFile
 from plastron_tui.model.values import Value
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
@@ -35,6 +37,12 @@ class RospyTarget(Target):
         from .python import read_python  # loads tree-sitter-python
 
         return read_python(path, text, self.name)
+
+    def edit(self, source: SourceFile, changes: Sequence[Change], catalog: Catalog) -> Rendered:
+        """Change a Python file by splices."""
+        from .python import edit_python  # loads tree-sitter-python
+
+        return edit_python(source, changes, catalog, DIALECT)
 
 
 class _Rospy(Dialect):

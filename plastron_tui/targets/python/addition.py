@@ -135,7 +135,7 @@ def plan_addition(
     ]
     place = find_place(analysis, kind)
     if place is None:
-        message = f"the file has no place for `{name}`: it makes no node"
+        message = f"the file has no line behind which it could create `{name}`"
         raise CannotAddError("edit-refused", message, endpoint.span)
     added = Addition(analysis, kind, endpoint, name, place, writer, imports, messages, dialect)
     lines: list[str] = []
@@ -147,9 +147,11 @@ def plan_addition(
         lines += add_publishing(added, endpoint)
     elif isinstance(endpoint, Client):
         lines += add_calls(added, endpoint)
+    functions, writer.splices = writer.splices, []
     if lines:
         writer.lines(added.place.offset, added.place.indent, lines)
-    writer.splices = [*imports.splices(), *writer.splices]
+    # A method may go right behind the statements: these come first then.
+    writer.splices = [*imports.splices(), *writer.splices, *functions]
     return writer
 
 

@@ -19,7 +19,6 @@ from .messages import CannotAddError
 from .removal import find_sites, plan_removal
 from .sites import Analysis, analyze
 from .splices import apply
-from .syntax import count_errors
 
 _KIND_NAMES = {
     EndpointKind.PUBLISHER: "publisher",
@@ -115,7 +114,7 @@ def _add(
 
 def _problem(before: Analysis, after: Analysis, expected: Counter[_Key]) -> str | None:
     """Return what is wrong with a changed file, None where nothing is."""
-    if count_errors(after.syntax.root) > count_errors(before.syntax.root):
+    if after.syntax.errors > before.syntax.errors:
         return "leave a file that parses worse"
     if after.syntax.encoding != before.syntax.encoding:
         return "change the file's encoding"

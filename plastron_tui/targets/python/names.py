@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from tree_sitter import Node
@@ -231,10 +231,10 @@ class Resolver:
             bindings = found[1]
         elif node.type == "attribute":
             bindings = self.attribute_bindings(node, scope, depth + 1)
-        kinds = {self._instance_of(binding, depth) for binding in _without_none(bindings)}
+        kinds = {self._instance_of(binding, node, depth) for binding in _without_none(bindings)}
         return kinds.pop() if len(kinds) == 1 else None
 
-    def _instance_of(self, binding: Binding, depth: int) -> Instance | None:
+    def _instance_of(self, binding: Binding, node: Node, depth: int) -> Instance | None:
         if binding.annotation is not None and binding.annotation.named_child_count:
             annotation = binding.annotation.named_children[0]
             for name in _annotated(annotation):
@@ -242,10 +242,25 @@ class Resolver:
                     return made
         if binding.kind is BindingKind.VALUE:
             return self.instance(binding.value, binding.scope, depth + 1)
+        if binding.kind is BindingKind.PARAMETER:
+            given = self._given(binding, self._syntax.slice(node))
+            return self._common_instance(given, depth)
         if binding.kind is BindingKind.UNKNOWN and binding.node.type == "as_pattern":
             value = binding.node.named_children[0] if binding.node.named_child_count else None
             return self.instance(value, binding.scope, depth + 1)
+        if binding.kind is BindingKind.UNKNOWN and binding.node.type == "for_statement":
+            items = binding.node.child_by_field_name("right")
+            if items is not None and items.type in ("list", "tuple"):
+                values = [(item, binding.scope) for item in _operands(items)]
+                return self._common_instance(values, depth)
         return None
+
+    def _common_instance(
+        self, values: Sequence[tuple[Node | None, Scope]], depth: int
+    ) -> Instance | None:
+        # Each caller may have callers of its own: few of them settle it.
+        found = {self.instance(value, scope, depth + 4) for value, scope in values}
+        return found.pop() if len(found) == 1 else None
 
     def _made_by(self, call: Node, scope: Scope) -> Instance | None:
         callee = call.child_by_field_name("function")
@@ -434,18 +449,41 @@ class Resolver:
                     self._callers.setdefault(self._syntax.slice(callee), []).append(call)
         return self._callers.get(name, [])
 
+    def _callers_of(self, function: Scope) -> list[Node]:
+        """Return the calls in the file that may call a function."""
+        owner = function.parent
+        if function.name != "__init__" or owner is None:
+            return self._calls_of(function.name)
+        callers = list(self._calls_of(owner.name))
+        for other in self._scopes.classes():
+            if owner in self._base_scopes(other):
+                callers += self._calls_of(other.name)
+        for call in self._calls_of("__init__"):
+            inside = self._scopes.at(call.start_byte).enclosing("class")
+            if inside is not owner and inside is not None and owner in self._base_scopes(inside):
+                callers.append(call)
+        return callers
+
+    def _given(self, binding: Binding, name: str) -> list[tuple[Node | None, Scope]]:
+        """Return what the callers in the file give for a parameter."""
+        function = binding.owner
+        if function is None or function.kind != "function":
+            return []
+        position = binding.index - bool(function.self_name) if binding.index >= 0 else -1
+        found: list[tuple[Node | None, Scope]] = []
+        for call in self._callers_of(function)[:16]:
+            arguments = Arguments.of(call, self._syntax)
+            value = None if arguments.is_open else arguments.get(Argument(position, name))
+            found.append((value, self._scopes.at(call.start_byte)))
+        return found
+
     def _keeps_default(self, binding: Binding, name: str) -> bool:
         """Whether no caller in the file gives a parameter another value than its default."""
         function = binding.owner
         if function is None:
             return False
+        callers = self._callers_of(function)
         is_method = bool(function.self_name)
-        callers = self._calls_of(function.name)
-        if function.name == "__init__" and function.parent is not None:
-            callers = list(callers)
-            for owner in self._scopes.classes():
-                if owner is function.parent or function.parent in self._base_scopes(owner):
-                    callers += self._calls_of(owner.name)
         position = binding.index - is_method if binding.index >= 0 else -1
         for call in callers:
             arguments = Arguments.of(call, self._syntax)
@@ -477,7 +515,13 @@ _FOLDERS: dict[str, Callable[[Resolver, Node, Scope, int], Folded]] = {
 
 def _without_none(bindings: list[Binding]) -> list[Binding]:
     """Leave out the placeholder `None`: an endpoint that is named by it would not start."""
-    return [b for b in bindings if b.value is None or b.value.type != "none"]
+    return [
+        binding
+        for binding in bindings
+        if binding.kind is BindingKind.PARAMETER
+        or binding.value is None
+        or binding.value.type != "none"
+    ]
 
 
 def _annotated(annotation: Node) -> list[Node]:

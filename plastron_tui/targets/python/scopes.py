@@ -298,6 +298,8 @@ class _Binder:
             scope.bind(self._syntax.slice(target), binding)
         elif target.type == "attribute":
             self._attribute(target, value, node, scope, annotation)
+        elif target.type == "as_pattern_target" and target.named_child_count == 1:
+            self._target(target.named_children[0], value, node)
         elif target.type in _SEQUENCES:
             values = self._values(value, target.named_child_count)
             for child, part in zip(target.named_children, values, strict=True):

@@ -170,6 +170,7 @@ class _Finder:
     def _class_name(self, owner: Scope) -> tuple[Node | None, str | None, str]:
         """Find the call that names a node class: its own constructor's, or its maker's."""
         syntax = self._a.syntax
+        found: list[tuple[Node | None, str | None, str]] = []
         for call in self._a.captures.get("call", []):
             if not (owner.start <= call.start_byte < owner.end):
                 continue
@@ -183,8 +184,10 @@ class _Finder:
             if method != "__init__":
                 continue
             is_super = holder.startswith("super(") and holder.endswith(")")
-            offset = 0 if is_super else 1
-            return self._base_name(owner, call, scope, offset)
+            found.append(self._base_name(owner, call, scope, 0 if is_super else 1))
+        if found:
+            first, name, expression = found[0]
+            return first, name if all(name == other[1] for other in found) else None, expression
         if not any(s.parent is owner and s.name == "__init__" for s in self._a.scopes.all):
             return self._maker_name(owner)
         return None, None, ""
@@ -326,7 +329,7 @@ class _Finder:
         if name_node is not None and shape.kind is not EndpointKind.TIMER:
             folded = resolver.fold(name_node, scope)
             if isinstance(folded, Known) and isinstance(folded.value, str):
-                name = folded.value
+                name = self._in_namespace(folded.value, shape, arguments, scope)
             elif isinstance(folded, Defaulted):
                 default = folded.value
         type_node = arguments.get(shape.type) if shape.type is not None else None
@@ -342,6 +345,18 @@ class _Finder:
             callback=self.callback_name(callback, scope),
             default=default,
         )
+
+    def _in_namespace(
+        self, name: str, shape: CallShape, arguments: Arguments, scope: Scope
+    ) -> str | None:
+        """Put the namespace of `declare_parameters` before a name; None where it is unknown."""
+        if "declare_parameters" not in shape.callees:
+            return name
+        given = arguments.get(Argument(0, "namespace"))
+        folded = self._a.resolver.fold(given, scope)
+        if not isinstance(folded, Known) or not isinstance(folded.value, str):
+            return None
+        return f"{folded.value}.{name}" if folded.value else name
 
     def _expression(self, node: Node | None, arguments: Arguments) -> str:
         node = node if node is not None else arguments.splat

@@ -10,6 +10,8 @@ from importlib import resources
 import tree_sitter_python
 from tree_sitter import Language, Node, Parser, Query, QueryCursor, Tree
 
+from .repair import mask_errors
+
 BOM = b"\xef\xbb\xbf"
 # PEP 263: a coding line is one of the first two lines.
 _CODING = re.compile(rb"^[ \t\f]*#.*?coding[:=][ \t]*([-\w.]+)")
@@ -34,11 +36,16 @@ def query(name: str) -> Query:
 
 @dataclass(frozen=True, slots=True)
 class Syntax:
-    """A parsed file: `text` is what is on the disk, `tree` is over the same offsets."""
+    """A parsed file: `text` is what is on the disk, `tree` is over the same offsets.
+
+    Where the text does not parse, in `errors` places, the tree is of a text of the same length
+    in which the lines at fault are masked.
+    """
 
     text: bytes
     encoding: str
     tree: Tree
+    errors: int
 
     @property
     def root(self) -> Node:
@@ -62,15 +69,25 @@ class Syntax:
         return text.encode(self.encoding)
 
     def captures(self, name: str) -> dict[str, list[Node]]:
-        """Run a query over the whole file."""
-        return QueryCursor(query(name)).captures(self.root)
+        """Run a query over the whole file; the nodes of a capture are in the order of the text."""
+        found = QueryCursor(query(name)).captures(self.root)
+        for nodes in found.values():
+            nodes.sort(key=lambda node: (node.start_byte, -node.end_byte))
+        return found
 
 
 def parse(text: bytes) -> Syntax:
     """Parse a file, whatever its encoding, without moving an offset."""
     encoding = _encoding(text)
     source = text if encoding == "utf-8" else text.translate(_AS_LETTERS)
-    return Syntax(text, encoding, Parser(language()).parse(source))
+    parser = Parser(language())
+    tree = parser.parse(source)
+    errors = count_errors(tree.root_node)
+    if errors:
+        masked = parser.parse(mask_errors(source))
+        if count_errors(masked.root_node) < errors:
+            tree = masked
+    return Syntax(text, encoding, tree, errors)
 
 
 def _encoding(text: bytes) -> str:

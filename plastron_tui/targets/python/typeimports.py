@@ -140,7 +140,8 @@ class FileImports(Imports):
         text = self._analysis.syntax.text
         start = line_start(text, last.start_byte)
         before = text[start : last.start_byte]
-        if not before.strip() and last.start_point.row != statement.start_point.row:
+        is_listed = b"(" in text[statement.start_byte : last.start_byte]
+        if is_listed and not before.strip():
             indent = before.decode("ascii", "replace")
             new = f",{self._conventions.newline}{indent}{item}"
         else:
