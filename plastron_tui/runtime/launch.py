@@ -91,7 +91,7 @@ class _Run:
         self._supervisor = Supervisor(self._on_line, self._on_exit, self._on_tick)
         names = [*(node.name for node in nodes), *([_WATCH_NAME] if options.watch else [])]
         self._console = Console(names, out, err, on_gone=self._supervisor.stop, environ=environ)
-        self._screen = Screen(self._watch, out) if options.watch and out.isatty() else None
+        self._screen = Screen(self._watch) if options.watch and out.isatty() else None
 
     def go(self) -> RunResult:
         diagnostics: list[Diagnostic] = []

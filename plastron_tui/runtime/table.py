@@ -12,7 +12,7 @@ import time
 import unicodedata
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, TextIO
+from typing import Any
 
 _LONGEST_NAME = 40
 _REDRAW = 0.2
@@ -117,11 +117,9 @@ class Screen:
     def __init__(
         self,
         watch: Watch,
-        out: TextIO,
         size: Callable[[], tuple[int, int]] | None = None,
     ) -> None:
         self._watch = watch
-        self._out = out
         self._size = size or _terminal_size
         self._height = 0
         self._drawn_at = 0.0
