@@ -1,0 +1,205 @@
+"""What every generated Python file has to be, whatever the node."""
+
+from __future__ import annotations
+
+import ast
+import subprocess
+import sys
+import tempfile
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, assume, given, settings
+from hypothesis import strategies as st
+from made_nodes import EVIL, SPAN, catalog, nodes
+
+from plastron_tui.model.source import EndpointKind
+from plastron_tui.model.values import MessageValue, Value
+from plastron_tui.model.workspace import Message, Node, Publication, Publisher
+from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+from plastron_tui.targets import find_target
+from plastron_tui.targets.naming import words
+
+LIBRARIES = ["rospy", "rclpy"]
+RUFF = Path(sys.executable).with_name("ruff")
+
+thorough = settings(
+    max_examples=20,
+    deadline=None,
+    suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
+)
+
+
+def render(node: Node, library: str) -> str:
+    target = find_target(library)
+    assert target is not None
+    rendered = target.render(node, catalog(library))
+    assert rendered.text is not None, rendered.diagnostics
+    return rendered.text.decode()
+
+
+def write(path: Path, text: str) -> None:
+    path.write_text(text, encoding="utf-8")
+    path.chmod(0o755)
+
+
+def ruff(folder: str, *arguments: str) -> str:
+    """Run ruff with its defaults, whatever configuration lies around."""
+    done = subprocess.run(
+        [RUFF, *arguments, "--isolated", "--no-cache", folder],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    return done.stdout if done.returncode else ""
+
+
+@pytest.mark.parametrize("library", LIBRARIES)
+@thorough
+@given(data=st.data())
+def test_ruff_has_nothing_to_say(library: str, data: st.DataObject) -> None:
+    made = data.draw(st.lists(nodes(library), min_size=1, max_size=8))
+    with tempfile.TemporaryDirectory() as folder:
+        for number, node in enumerate(made):
+            text = render(node, library)
+            compile(text, "node.py", "exec", dont_inherit=True)
+            write(Path(folder, f"file{number}.py"), text)
+        assert ruff(folder, "format", "--diff") == ""
+        assert ruff(folder, "check", "--extend-select", "E,F,I,W") == ""
+
+
+def shape(text: str) -> tuple[str, list[str]]:
+    """Return the syntax tree without its strings, and the strings."""
+    tree = ast.parse(text)
+    strings = []
+    for each in ast.walk(tree):
+        if isinstance(each, ast.Constant) and isinstance(each.value, str):
+            strings.append(each.value)
+            each.value = ""
+    return ast.dump(tree), strings
+
+
+def tamed(value: Value) -> Value:
+    """Replace the strings of a value by harmless ones."""
+    match value:
+        case str():
+            return "x"
+        case tuple():
+            return tuple(map(tamed, value))
+        case MessageValue():
+            return MessageValue(value.type, {k: tamed(v) for k, v in value.fields.items()})
+        case _:
+            return value
+
+
+def strings_of(value: Value) -> list[str]:
+    match value:
+        case str():
+            return [value]
+        case tuple():
+            return [text for each in value for text in strings_of(each)]
+        case MessageValue():
+            return [text for each in value.fields.values() for text in strings_of(each)]
+        case _:
+            return []
+
+
+def tame(node: Node) -> Node:
+    """Return the node with harmless names and strings that make the same Python names."""
+    tame_node = Node(words(node.name), "node", SPAN)
+    for publisher in node.publishers.values():
+        sent = tuple(
+            Publication(replace(each.message, value=tamed(each.message.value)), each.rate)
+            for each in publisher.publications
+        )
+        topic = words(publisher.topic)
+        tame_node.publishers[topic] = replace(publisher, topic=topic, publications=sent)
+    for subscription in node.subscriptions.values():
+        topic = words(subscription.topic)
+        tame_node.subscriptions[topic] = replace(subscription, topic=topic)
+    for service in node.services.values():
+        tame_node.services[words(service.name)] = replace(service, name=words(service.name))
+    for client in node.clients.values():
+        requests = tuple(tamed(each) for each in client.requests)
+        name = words(client.name)
+        tame_node.clients[name] = replace(client, name=name, requests=requests)
+    return tame_node
+
+
+def is_separable(node: Node) -> bool:
+    """Tell whether no two names of a kind make the same Python name."""
+    kinds = (node.publishers, node.subscriptions, node.services, node.clients)
+    return all(len({words(name) for name in kind}) == len(kind) for kind in kinds)
+
+
+@pytest.mark.parametrize("library", LIBRARIES)
+@settings(thorough, max_examples=60)
+@given(data=st.data())
+def test_no_string_becomes_code(library: str, data: st.DataObject) -> None:
+    node = data.draw(nodes(library, EVIL))
+    assume(is_separable(node))
+    tree, strings = shape(render(node, library))
+    assert tree == shape(render(tame(node), library))[0]
+    expected = [node.name]
+    for publisher in node.publishers.values():
+        expected.append(publisher.topic)
+        for sent in publisher.publications:
+            expected += strings_of(sent.message.value)
+    expected += [*node.subscriptions, *node.services, *node.clients]
+    for client in node.clients.values():
+        for request in client.requests:
+            expected += strings_of(request)
+    for text in expected:
+        strings.remove(text)
+
+
+@pytest.mark.parametrize("library", LIBRARIES)
+@settings(thorough, max_examples=40)
+@given(text=st.text() | EVIL | st.text("ab \"'\\é\n", min_size=50, max_size=400))
+def test_a_string_is_exactly_what_was_written(library: str, text: str) -> None:
+    type_ = InterfaceName("std_msgs", "String")
+    node = Node("talker", "node", SPAN)
+    sent = Publication(Message("m", MessageValue(type_, {"data": text}), SPAN), 10.0)
+    node.publishers["chatter"] = Publisher("chatter", type_, (sent,), SPAN)
+    tree = ast.parse(render(node, library))
+    found = [
+        each for each in ast.walk(tree) if isinstance(each, ast.keyword) and each.arg == "data"
+    ]
+    assert [ast.literal_eval(each.value) for each in found] == [text]
+
+
+@pytest.mark.parametrize("library", LIBRARIES)
+@settings(thorough, max_examples=40)
+@given(data=st.data())
+def test_what_is_written_reads_as_the_same_node(library: str, data: st.DataObject) -> None:
+    node = data.draw(nodes(library))
+    target = find_target(library)
+    assert target is not None
+    source = target.read(Path("node.py"), render(node, library).encode()).source
+    assert source is not None
+    (read,) = source.nodes
+    assert read.name == node.name
+    expected = {
+        EndpointKind.PUBLISHER: [(each.topic, each.type) for each in node.publishers.values()],
+        EndpointKind.SUBSCRIPTION: [
+            (each.topic, each.type) for each in node.subscriptions.values()
+        ],
+        EndpointKind.SERVICE: [(each.name, each.type) for each in node.services.values()],
+        EndpointKind.CLIENT: [(each.name, each.type) for each in node.clients.values()],
+    }
+    for kind, endpoints in expected.items():
+        assert [(each.name, each.type) for each in read.of_kind(kind)] == endpoints
+
+
+@pytest.mark.parametrize("library", LIBRARIES)
+def test_every_type_of_the_catalog_can_be_written(library: str) -> None:
+    node = Node("all_types", "node", SPAN)
+    for name in catalog(library).names(InterfaceKind.MESSAGE):
+        sent = Publication(Message("m", MessageValue(name, {}), SPAN), 10.0)
+        topic = f"{name.package}/{name.name}"
+        node.publishers[topic] = Publisher(topic, name, (sent,), SPAN)
+    with tempfile.TemporaryDirectory() as folder:
+        write(Path(folder, "file.py"), render(node, library))
+        assert ruff(folder, "format", "--diff") == ""
+        assert ruff(folder, "check", "--extend-select", "E,F,I,W") == ""

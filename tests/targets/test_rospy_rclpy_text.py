@@ -1,0 +1,232 @@
+"""What is written for each part of a node, and what is refused."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from made_nodes import SPAN, catalog
+
+from plastron_tui.model.values import MessageValue, Value
+from plastron_tui.model.workspace import (
+    Client,
+    Message,
+    Node,
+    Publication,
+    Publisher,
+    Service,
+    Subscription,
+)
+from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.targets import find_target, target_names
+from plastron_tui.targets.base import Rendered
+from plastron_tui.targets.rclpy import RclpyTarget
+from plastron_tui.targets.rospy import RospyTarget
+
+STRING = InterfaceName("std_msgs", "String")
+
+
+def render(node: Node, library: str, templates: Path | None = None) -> Rendered:
+    target = find_target(library, templates)
+    assert target is not None
+    return target.render(node, catalog(library))
+
+
+def text(node: Node, library: str) -> str:
+    rendered = render(node, library)
+    assert rendered.text is not None, rendered.diagnostics
+    return rendered.text.decode()
+
+
+def new() -> Node:
+    return Node("robot", "robot", SPAN)
+
+
+def publishing(type_: str, *sent: tuple[dict[str, Value], float]) -> Node:
+    name = InterfaceName(*type_.split("/"))
+    node = new()
+    publications = tuple(
+        Publication(Message("m", MessageValue(name, fields), SPAN), rate) for fields, rate in sent
+    )
+    node.publishers["out"] = Publisher("out", name, publications, SPAN)
+    return node
+
+
+VALUES: list[tuple[str, str, dict[str, Value], str]] = [
+    ("rospy", "std_msgs/Float64", {"data": 5.0}, "Float64(data=5.0)"),
+    ("rclpy", "std_msgs/Float64", {"data": 5.0}, "Float64(data=5.0)"),
+    ("rospy", "std_msgs/Float64", {"data": 1e16}, "Float64(data=1e16)"),
+    ("rospy", "std_msgs/Byte", {"data": -5}, "Byte(data=-5)"),
+    ("rclpy", "std_msgs/Byte", {"data": 5}, r'Byte(data=b"\x05")'),
+    ("rclpy", "std_msgs/Byte", {"data": 34}, "Byte(data=b'\"')"),
+    ("rclpy", "std_msgs/Byte", {"data": 92}, r'Byte(data=b"\\")'),
+    ("rclpy", "std_msgs/Byte", {"data": 255}, r'Byte(data=b"\xff")'),
+    ("rclpy", "std_msgs/Char", {"data": 65}, "Char(data=65)"),
+    ("rospy", "std_msgs/Bool", {"data": True}, "Bool(data=True)"),
+    ("rospy", "std_msgs/Time", {"data": (1, 2)}, "Time(data=rospy.Time(1, 2))"),
+    ("rospy", "std_msgs/Duration", {"data": (-1, 2)}, "Duration(data=rospy.Duration(-1, 2))"),
+    ("rospy", "std_msgs/UInt8MultiArray", {"data": (1, 2)}, "UInt8MultiArray(data=[1, 2])"),
+    (
+        "rclpy",
+        "std_msgs/ByteMultiArray",
+        {"data": (1, 2)},
+        r'ByteMultiArray(data=[b"\x01", b"\x02"])',
+    ),
+    ("rospy", "std_msgs/String", {"data": 'a "b"\n'}, "String(data='a \"b\"\\n')"),
+    ("rospy", "std_msgs/String", {"data": "é \u202e"}, 'String(data="é \\u202e")'),
+    ("rospy", "geometry_msgs/Point", {}, "Point()"),
+]
+
+
+@pytest.mark.parametrize(("library", "type_", "fields", "expected"), VALUES)
+def test_a_value_is_written_as_its_library_takes_it(
+    library: str, type_: str, fields: dict[str, Value], expected: str
+) -> None:
+    assert f"        message = {expected}\n" in text(publishing(type_, (fields, 10.0)), library)
+
+
+def test_one_publisher_sends_both_messages_of_a_topic() -> None:
+    source = text(publishing("std_msgs/Int8", ({"data": 1}, 10.0), ({"data": 2}, 10.0)), "rospy")
+    assert source.count("rospy.Publisher(") == source.count("rospy.Timer(") == 1
+    assert source.count("self.out_publisher.publish(message)") == 2
+
+
+def test_messages_of_two_rates_have_a_timer_each() -> None:
+    source = text(publishing("std_msgs/Int8", ({"data": 1}, 10.0), ({"data": 2}, 0.5)), "rclpy")
+    assert source.count("self.create_publisher(") == 1
+    assert "self.create_timer(1 / 10, self.publish_out)" in source
+    assert "self.create_timer(1 / 0.5, self.publish_out_2)" in source
+
+
+@pytest.mark.parametrize(
+    ("library", "now"),
+    [("rospy", "rospy.Time.now()"), ("rclpy", "self.get_clock().now().to_msg()")],
+)
+def test_a_header_without_a_time_is_stamped(library: str, now: str) -> None:
+    stamped = f"message.header.stamp = {now}\n"
+    frame = MessageValue(InterfaceName("std_msgs", "Header"), {"frame_id": "map"})
+    assert stamped in text(publishing("geometry_msgs/PointStamped", ({}, 1.0)), library)
+    named = publishing("geometry_msgs/PointStamped", ({"header": frame}, 1.0))
+    assert stamped in text(named, library)
+
+
+def test_a_time_that_was_given_stays() -> None:
+    header = MessageValue(InterfaceName("std_msgs", "Header"), {"stamp": (1, 2)})
+    source = text(publishing("geometry_msgs/PointStamped", ({"header": header}, 1.0)), "rospy")
+    assert "Header(stamp=rospy.Time(1, 2))" in source
+    assert "Time.now" not in source
+
+
+def test_callbacks_have_names_of_their_own() -> None:
+    node = new()
+    for topic in ("arm/x", "arm_x", "/arm/x", "1st", "~class", "given"):
+        node.subscriptions[topic] = Subscription(topic, STRING, None, SPAN)
+    node.subscriptions["given"] = Subscription("given", STRING, "on_arm_x", SPAN)
+    source = text(node, "rospy")
+    for name in ("on_arm_x", "on_arm_x_2", "on_arm_x_3", "on_arm_x_4", "on_number_1st", "on_class"):
+        assert source.count(f"def {name}(self, message):") == 1
+    assert 'rospy.Subscriber("given", String, self.on_arm_x)' in source
+
+
+def test_two_subscriptions_may_share_a_callback() -> None:
+    node = new()
+    for topic in ("a", "b"):
+        node.subscriptions[topic] = Subscription(topic, STRING, "hear", SPAN)
+    source = text(node, "rclpy")
+    assert source.count("def hear(self, message):") == 1
+    assert source.count("self.hear, 10)") == 2
+
+
+def test_types_of_one_name_are_told_apart() -> None:
+    node = new()
+    node.subscriptions["a"] = Subscription("a", InterfaceName("std_msgs", "Empty"), None, SPAN)
+    node.services["b"] = Service("b", InterfaceName("std_srvs", "Empty"), None, SPAN)
+    source = text(node, "rospy")
+    assert "from std_msgs.msg import Empty as StdMsgsEmpty\n" in source
+    assert "from std_srvs.srv import Empty as StdSrvsEmpty\n" in source
+    assert 'rospy.Subscriber("a", StdMsgsEmpty, self.on_a)' in source
+    assert 'rospy.Service("b", StdSrvsEmpty, self.handle_b)' in source
+
+
+def test_a_node_that_only_calls_ends_after_its_calls() -> None:
+    type_ = InterfaceName("std_srvs", "SetBool")
+    node = new()
+    request = MessageValue(type_, {"data": True})
+    node.clients["set"] = Client("set", type_, (request, request), SPAN)
+    for library in ("rospy", "rclpy"):
+        source = text(node, library)
+        assert "spin(" not in source
+        assert source.count("self.call(self.set_client, SetBool") == 2
+
+
+def test_a_type_that_was_renamed_has_its_name_of_the_distribution() -> None:
+    node = new()
+    old = InterfaceName("beginner_tutorials", "AddTwoInts")
+    node.services["add"] = Service("add", old, None, SPAN)
+    assert "from beginner_tutorials.srv import AddTwoInts" in text(node, "rospy")
+    assert "from example_interfaces.srv import AddTwoInts\n" in text(node, "rclpy")
+
+
+def with_subscription(type_: InterfaceName | None, callback: str | None = None) -> Node:
+    node = new()
+    node.subscriptions["in"] = Subscription("in", type_, callback, SPAN)
+    return node
+
+
+def with_shared_handler() -> Node:
+    node = with_subscription(STRING, "both")
+    type_ = InterfaceName("std_srvs", "Empty")
+    node.services["s"] = Service("s", type_, "both", SPAN)
+    return node
+
+
+SEQ = MessageValue(InterfaceName("std_msgs", "Header"), {"seq": 1})
+REFUSED = [
+    ("rospy", with_subscription(InterfaceName("no_such_msgs", "Thing")), "unknown-type"),
+    ("rclpy", with_subscription(InterfaceName("std_msgs", "Time2")), "unknown-type"),
+    ("rospy", with_subscription(None), "unknown-type"),
+    ("rospy", with_subscription(STRING, "class"), "invalid-function"),
+    ("rospy", with_subscription(STRING, "call_services"), "invalid-function"),
+    ("rclpy", with_subscription(STRING, "get_logger"), "invalid-function"),
+    ("rclpy", with_shared_handler(), "invalid-function"),
+    ("rclpy", publishing("std_msgs/Header", (SEQ.fields, 10.0)), "unknown-field"),
+]
+
+
+@pytest.mark.parametrize(("library", "node", "code"), REFUSED)
+def test_what_a_library_cannot_have_is_a_diagnostic(library: str, node: Node, code: str) -> None:
+    rendered = render(node, library)
+    assert rendered.text is None
+    assert [each.code for each in rendered.diagnostics] == [code]
+    assert rendered.diagnostics[0].span == SPAN
+
+
+def test_a_note_says_what_became_of_a_field() -> None:
+    rendered = render(publishing("std_msgs/Header", (SEQ.fields, 10.0)), "rclpy")
+    assert "no `seq`" in (rendered.diagnostics[0].help or "")
+
+
+def test_a_users_template_comes_first(tmp_path: Path) -> None:
+    folder = tmp_path / "rospy"
+    folder.mkdir()
+    (folder / "node.py.j2").write_text("name = {{ node.name }}\n")
+    node = with_subscription(STRING)
+    assert render(node, "rospy", tmp_path).text == b'name = "robot"\n'
+    assert render(node, "rclpy", tmp_path).text == text(node, "rclpy").encode()
+
+
+@pytest.mark.parametrize("template", ["{{ node.nothing }}", "{% for %}", "{% include 'x.j2' %}"])
+def test_a_broken_template_is_a_diagnostic(tmp_path: Path, template: str) -> None:
+    folder = tmp_path / "rospy"
+    folder.mkdir()
+    (folder / "node.py.j2").write_text(template)
+    rendered = render(with_subscription(STRING), "rospy", tmp_path)
+    assert rendered.text is None
+    assert [each.code for each in rendered.diagnostics] == ["template-error"]
+
+
+def test_targets_are_found_by_name() -> None:
+    assert isinstance(find_target("rospy"), RospyTarget)
+    assert isinstance(find_target("rclpy"), RclpyTarget)
+    assert find_target("no_such_library") is None
+    assert target_names()[:2] == ("rospy", "rclpy")
