@@ -78,19 +78,23 @@ def _generate(session: Session, report: Report, *, is_dry: bool, diff: bool, for
         sys.stdout.buffer.flush()
     else:
         show_plan(plan, session)
-    conflicts = () if force else plan.conflicts
-    if conflicts:
-        report.add(conflicts, lambda _: None, session.path)
-    elif not is_dry:
-        _write(plan, session, report, force=force)
+    if is_dry:
+        report.add(() if force else plan.conflicts, lambda _: None, session.path)
+    else:
+        write_plan(plan, session, report, force=force)
 
 
-def _write(plan: FilePlan, session: Session, report: Report, *, force: bool) -> None:
+def write_plan(plan: FilePlan, session: Session, report: Report, *, force: bool = False) -> bool:
+    """Write the files of a plan, all or, where one is in conflict, none; tell whether it was."""
+    if plan.conflicts and not force:
+        report.add(plan.conflicts, lambda _: None, session.path)
+        return False
     result = write(plan, force=force)
     report.add(result.diagnostics, lambda _: None, session.path)
     for written in result.written:
         if written.backup is not None:
             click.echo(f"{'backup':>9}  {written.backup}")
+    return not result.diagnostics
 
 
 def show_plan(plan: FilePlan, session: Session) -> None:

@@ -117,6 +117,18 @@ class Node:
         """Whether the node would do nothing."""
         return not (self.publishers or self.subscriptions or self.services or self.clients)
 
+    @property
+    def packages(self) -> frozenset[str]:
+        """The packages whose interface types the node uses."""
+        endpoints: tuple[Publisher | Subscription | Service | Client, ...] = (
+            *self.publishers.values(),
+            *self.subscriptions.values(),
+            *self.services.values(),
+            *self.clients.values(),
+        )
+        types = (endpoint.type for endpoint in endpoints)
+        return frozenset(type_.package for type_ in types if type_ is not None)
+
     def snapshot(self) -> Node:
         """Return the node as it is now, untouched by what later statements do to it."""
         return replace(

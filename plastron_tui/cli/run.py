@@ -1,0 +1,161 @@
+"""`plastron run`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from plastron_tui.diagnostics import Diagnostic, did_you_mean, has_errors
+from plastron_tui.session import Options, Session
+
+from .common import (
+    Report,
+    finish,
+    open_session,
+    output_option,
+    program_argument,
+    target_option,
+)
+
+if TYPE_CHECKING:
+    from plastron_tui.generation import Generated
+    from plastron_tui.runtime.environment import Environment, Found
+    from plastron_tui.runtime.launch import NodeFile
+
+
+@click.command(epilog="Example: plastron run talker_listener.plastron --for 10")
+@program_argument
+@click.argument("nodes", nargs=-1, metavar="[NODE]...")
+@output_option
+@target_option
+@click.option(
+    "--for",
+    "seconds",
+    type=click.FloatRange(min=0, min_open=True),
+    metavar="SECONDS",
+    help="Stop the nodes after so long.",
+)
+@click.option("--watch", is_flag=True, help="Show a live table of topics and service calls.")
+@click.option("--network", is_flag=True, help="Let the nodes speak to other machines too.")
+def command(
+    file: Path,
+    nodes: tuple[str, ...],
+    output: Path | None,
+    target: str | None,
+    seconds: float | None,
+    watch: bool,
+    network: bool,
+) -> None:
+    """Write the nodes of a program and start them, all or those that are named.
+
+    The nodes run with the ROS that is there: a sourced one, else the Python packages of the extra
+    `ros2`, else Debian's rospy, for which a master is started where none answers. Ctrl-C stops
+    everything. Exits with 1 when a node fails.
+    """
+    from plastron_tui.runtime.environment import find_environments
+    from plastron_tui.runtime.launch import Options as RunOptions
+    from plastron_tui.runtime.launch import run_nodes
+
+    report = Report()
+    session = open_session(file, report, Options(target, output))
+    if session is None:
+        finish(report)
+        return
+    found = find_environments()
+    if target is None and session.project.target is None:
+        environment, _ = found.choose()
+        if environment is not None:
+            session.options = Options(environment.library, output)
+    files = _prepare(session, nodes, found, report)
+    if not report.status and files:
+        result = run_nodes(files, RunOptions(seconds, network, watch))
+        report.add(result.diagnostics, lambda _: None, session.path)
+        report.status = max(report.status, result.status)
+    finish(report)
+
+
+def _prepare(
+    session: Session, names: Sequence[str], found: Found, report: Report
+) -> list[NodeFile]:
+    """Generate the nodes and find a ROS for each; what fails is reported."""
+    from .generate import write_plan
+
+    report.add(session.diagnostics, session.lines, session.path)
+    if report.status:
+        return []
+    made = session.generated()
+    chosen = [generated for generated in made if _is_chosen(generated, names)]
+    unknown = _unknown_names(made, names)
+    plan, diagnostics = session.plan_of(chosen)
+    report.add((*unknown, *diagnostics), session.lines, session.path)
+    if has_errors(diagnostics) or unknown:
+        return []
+    environments = _environments(session, chosen, found, report)
+    if report.status or not write_plan(plan, session, report):
+        return []
+    return _node_files(chosen, environments, session.output)
+
+
+def _is_chosen(generated: Generated, names: Sequence[str]) -> bool:
+    node = generated.generation.node
+    return not names or node.name in names or node.variable in names
+
+
+def _unknown_names(made: Sequence[Generated], names: Sequence[str]) -> list[Diagnostic]:
+    known = {
+        name
+        for generated in made
+        for name in (generated.generation.node.name, generated.generation.node.variable)
+    }
+    if not made:
+        message = "the program generates no node, so there is nothing to run"
+        return [Diagnostic("nothing-to-generate", message)]
+    return [
+        Diagnostic(
+            "unknown-node",
+            f"the program generates no node `{name}`",
+            help=did_you_mean(name, known),
+        )
+        for name in names
+        if name not in known
+    ]
+
+
+def _environments(
+    session: Session, chosen: Sequence[Generated], found: Found, report: Report
+) -> dict[str, Environment]:
+    """Return the environment of each client library that is in use."""
+    from plastron_tui.runtime.environment import missing_packages
+    from plastron_tui.targets import LIBRARIES
+
+    environments = {}
+    for library in dict.fromkeys(generated.generation.library for generated in chosen):
+        environment, diagnostics = found.choose(LIBRARIES[library])
+        if environment is not None:
+            environments[library] = environment
+            packages = {
+                package
+                for generated in chosen
+                if generated.generation.library == library
+                for package in generated.generation.node.packages
+            }
+            diagnostics += missing_packages(environment, sorted(packages))
+        report.add(diagnostics, lambda _: None, session.path)
+    return environments
+
+
+def _node_files(
+    chosen: Sequence[Generated], environments: dict[str, Environment], output: Path
+) -> list[NodeFile]:
+    from plastron_tui.runtime.launch import NodeFile
+
+    files = {}
+    for generated in chosen:
+        if generated.file is not None:
+            path = generated.file.path or output / generated.file.name
+            name = generated.generation.node.name
+            files[path] = NodeFile(name, path, environments[generated.generation.library])
+    return list(files.values())
