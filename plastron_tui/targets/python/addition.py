@@ -97,11 +97,20 @@ class Addition:
             name = f"{wanted}_{count}"
         return name
 
+    def rospy(self, name: str, *, in_callback: bool = False) -> str:
+        """Return what the file calls a name of rospy, where the endpoint is or in a callback."""
+        scope = self.place.scope
+        if in_callback:
+            # A callback is a function of the module, or a method: neither sees local imports.
+            while scope.parent is not None:
+                scope = scope.parent
+        return self.imports.library("rospy", name, scope)
+
     def log(self, level: str, name: str, value: str) -> str:
         """Return a statement that logs a value of the endpoint."""
         quote = self.writer.conventions.quote
         if not self.is_rclpy:
-            logger = self.imports.library("rospy", "loginfo" if level == "info" else "logerr")
+            logger = self.rospy("loginfo" if level == "info" else "logerr", in_callback=True)
             return f"{logger}({quote}{self.label}: %s{quote}, {value})"
         receiver = self.receiver_in_callback()
         printed = f"f{quote}{self.label}: {{{value}}}{quote}"
@@ -215,7 +224,7 @@ def _callee(added: Addition, model: Site | None) -> str:
             name = callee.child_by_field_name("attribute") if callee is not None else None
             method = added.analysis.syntax.slice(name) if name is not None else method
         return f"{added.place.receiver}.{method}"
-    return added.imports.library("rospy", _CLASSES[added.kind])
+    return added.rospy(_CLASSES[added.kind])
 
 
 def _variable(added: Addition, model: Site | None) -> str:

@@ -32,7 +32,9 @@ def unused_imports(analysis: Analysis, gone: list[Splice]) -> list[Splice]:
         uses = [
             node
             for node in identifiers(name, analysis)
-            if not is_member(node) and not _is_inside(node, binding.node)
+            if not is_member(node)
+            and not _is_inside(node, binding.node)
+            and _means_import(node, name, analysis)
         ]
         is_freed = any(_is_deleted(node, gone) for node in uses)
         if not is_freed or not all(_is_deleted(node, gone) for node in uses):
@@ -59,6 +61,11 @@ def _is_removable(binding: Binding, analysis: Analysis) -> bool:
     return binding.node.type == "import_statement" and any(
         is_interface_module(analysis.syntax.slice(name)) for name in names
     )
+
+
+def _means_import(node: Node, name: str, analysis: Analysis) -> bool:
+    found = analysis.scopes.at(node.start_byte).lookup(name)
+    return found is None or found[0] is analysis.scopes.module
 
 
 def _is_inside(node: Node, outer: Node) -> bool:

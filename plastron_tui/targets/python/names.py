@@ -1,10 +1,8 @@
-"""What a name or an expression stands for, as far as the file says it, and never a guess."""
+"""What a name stands for, as far as the file says it, and never a guess."""
 
 from __future__ import annotations
 
-import ast
-import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from tree_sitter import Node
@@ -13,39 +11,14 @@ from plastron_tui.ros.interfaces import InterfaceName
 
 from .arguments import Arguments
 from .calls import Argument, ClientLibrary
+from .constants import MOST_DEEP, Constants, Folded, Known, operands, without_none
 from .scopes import Binding, BindingKind, Scope, ScopeTree
 from .stars import star_interface
 from .syntax import Syntax
 
-# What a person writes is far flatter; a file that is deeper was made to break readers.
-_MOST_DEEP = 24
-_PARAMETER_READERS = {
-    "rospy.get_param": Argument(1, "default"),
-    "rospy.client.get_param": Argument(1, "default"),
-    "rospy.get_param_cached": Argument(1, "default"),
-}
 _WRAPPED_TYPES = frozenset({"rospy.numpy_msg.numpy_msg", "numpy_msg.numpy_msg"})
 _CLASS_LOADERS = frozenset({"roslib.message.get_message_class", "roslib.message.get_service_class"})
 _KINDS = ("msg", "srv", "action")
-# A field width such as `%99999999d` would make a text larger than the memory.
-_WIDTH = re.compile(r"\d{4}")
-
-
-@dataclass(frozen=True, slots=True)
-class Known:
-    """A constant of the file."""
-
-    value: str | int | float | None
-
-
-@dataclass(frozen=True, slots=True)
-class Defaulted:
-    """A string that is read from a parameter when the node starts, with a literal default."""
-
-    value: str
-
-
-Folded = Known | Defaulted | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +40,7 @@ class Resolver:
         self._scopes = scopes
         self._calls = calls
         self._callers: dict[str, list[Node]] | None = None
+        self._constants = Constants(self, syntax, scopes)
 
     def qualified(self, node: Node | None, scope: Scope, depth: int = 0) -> tuple[str, ...]:
         """Return the qualified names that an imported name may stand for."""
@@ -75,7 +49,7 @@ class Resolver:
             part = node.child_by_field_name("attribute")
             tail.append(self._syntax.slice(part) if part is not None else "")
             node = node.child_by_field_name("object")
-        if node is None or node.type != "identifier" or depth > _MOST_DEEP:
+        if node is None or node.type != "identifier" or depth > MOST_DEEP:
             return ()
         name = self._syntax.slice(node)
         suffix = "".join(f".{part}" for part in reversed(tail))
@@ -104,13 +78,13 @@ class Resolver:
             return ()
         if self._syntax.slice(value) == name:
             return ()
-        if binding.kind is BindingKind.PARAMETER and not self._keeps_default(binding, name):
+        if binding.kind is BindingKind.PARAMETER and not self.keeps_default(binding, name):
             return ()
         return self.qualified(value, binding.scope, depth + 1)
 
     def interface(self, node: Node | None, scope: Scope, depth: int = 0) -> InterfaceName | None:
         """Return the interface type that an expression names."""
-        if node is None or depth > _MOST_DEEP:
+        if node is None or depth > MOST_DEEP:
             return None
         if node.type == "parenthesized_expression" and node.named_child_count == 1:
             return self.interface(node.named_children[0], scope, depth + 1)
@@ -144,7 +118,7 @@ class Resolver:
     def attribute_bindings(self, node: Node, scope: Scope, depth: int = 0) -> list[Binding]:
         """Return what binds `object.name` where the object is of a class of the file."""
         holder, name = node.child_by_field_name("object"), node.child_by_field_name("attribute")
-        if holder is None or name is None or depth > _MOST_DEEP:
+        if holder is None or name is None or depth > MOST_DEEP:
             return []
         owner = self.class_scope(holder, scope, depth + 1)
         return self._class_attribute(owner, self._syntax.slice(name)) if owner is not None else []
@@ -214,7 +188,7 @@ class Resolver:
 
     def instance(self, node: Node | None, scope: Scope, depth: int = 0) -> Instance | None:
         """Return what an expression is an instance of; None where the file does not say it."""
-        if node is None or depth > _MOST_DEEP:
+        if node is None or depth > MOST_DEEP:
             return None
         if node.type == "parenthesized_expression" and node.named_child_count == 1:
             return self.instance(node.named_children[0], scope, depth + 1)
@@ -231,7 +205,7 @@ class Resolver:
             bindings = found[1]
         elif node.type == "attribute":
             bindings = self.attribute_bindings(node, scope, depth + 1)
-        kinds = {self._instance_of(binding, node, depth) for binding in _without_none(bindings)}
+        kinds = {self._instance_of(binding, node, depth) for binding in without_none(bindings)}
         return kinds.pop() if len(kinds) == 1 else None
 
     def _instance_of(self, binding: Binding, node: Node, depth: int) -> Instance | None:
@@ -251,7 +225,7 @@ class Resolver:
         if binding.kind is BindingKind.UNKNOWN and binding.node.type == "for_statement":
             items = binding.node.child_by_field_name("right")
             if items is not None and items.type in ("list", "tuple"):
-                values = [(item, binding.scope) for item in _operands(items)]
+                values = [(item, binding.scope) for item in operands(items)]
                 return self._common_instance(values, depth)
         return None
 
@@ -287,157 +261,9 @@ class Resolver:
 
     def fold(self, node: Node | None, scope: Scope, depth: int = 0) -> Folded:
         """Return the constant that an expression is."""
-        if node is None or depth > _MOST_DEEP:
-            return None
-        handler = _FOLDERS.get(node.type)
-        return handler(self, node, scope, depth + 1) if handler is not None else None
+        return self._constants.fold(node, scope, depth)
 
-    def _literal(self, node: Node, scope: Scope, depth: int) -> Folded:
-        try:
-            value = ast.literal_eval(self._syntax.slice(node))
-        except (ValueError, SyntaxError, MemoryError, RecursionError):
-            return None
-        is_constant = value is None or isinstance(value, str | int | float)
-        return Known(value) if is_constant and not isinstance(value, bool) else None
-
-    def _string(self, node: Node, scope: Scope, depth: int) -> Folded:
-        if not any(child.type == "interpolation" for child in node.named_children):
-            start = self._syntax.slice(node)[:3].lower()
-            if "f" in start.split("'")[0].split('"')[0]:
-                return self._format_string(node, scope, depth)
-            return self._literal(node, scope, depth)
-        return self._format_string(node, scope, depth)
-
-    def _format_string(self, node: Node, scope: Scope, depth: int) -> Folded:
-        parts: list[Folded] = []
-        prefix = self._syntax.slice(node.children[0]).rstrip("'\"").lower()
-        for child in node.children[1:-1]:
-            if child.type == "interpolation":
-                if len(child.named_children) != 1:
-                    return None
-                parts.append(self.fold(child.child_by_field_name("expression"), scope, depth))
-            elif child.type == "string_content":
-                text = self._syntax.slice(child)
-                if "\\" in text and "r" not in prefix:
-                    return None
-                parts.append(Known(text.replace("{{", "{").replace("}}", "}")))
-        return _join(parts)
-
-    def _concatenated(self, node: Node, scope: Scope, depth: int) -> Folded:
-        return _join([self.fold(child, scope, depth) for child in _operands(node)])
-
-    def _parenthesized(self, node: Node, scope: Scope, depth: int) -> Folded:
-        inner = _operands(node)
-        return self.fold(inner[0], scope, depth) if len(inner) == 1 else None
-
-    def _operator(self, node: Node, scope: Scope, depth: int) -> Folded:
-        operator = node.child_by_field_name("operator")
-        left_node, right = node.child_by_field_name("left"), node.child_by_field_name("right")
-        left = self.fold(left_node, scope, depth)
-        if operator is None or right is None or left is None:
-            return None
-        if operator.type == "%":
-            values = _operands(right) if right.type == "tuple" else [right]
-            return _format(left, [self.fold(value, scope, depth) for value in values], _percent)
-        other = self.fold(right, scope, depth)
-        if operator.type == "+" and other is not None:
-            is_text = isinstance(left.value, str) and isinstance(other.value, str)
-            return _join([left, other]) if is_text else None
-        return None
-
-    def _identifier(self, node: Node, scope: Scope, depth: int) -> Folded:
-        name = self._syntax.slice(node)
-        found = scope.lookup(name)
-        return self._fold_all(found[1], name, depth) if found is not None else None
-
-    def _attribute(self, node: Node, scope: Scope, depth: int) -> Folded:
-        name = node.child_by_field_name("attribute")
-        text = self._syntax.slice(name) if name is not None else ""
-        holder = node.child_by_field_name("object")
-        if text in ("value", "string_value") and holder is not None and holder.type == "call":
-            return self._parameter_value(holder, scope, depth)
-        return self._fold_all(self.attribute_bindings(node, scope, depth), text, depth)
-
-    def _fold_all(self, bindings: list[Binding], name: str, depth: int) -> Folded:
-        """Fold what a name is bound to; None unless every binding says the same."""
-        bindings = _without_none(bindings)
-        if len(bindings) > 8:
-            return None
-        values = {self._fold_binding(binding, name, depth) for binding in bindings}
-        return values.pop() if len(values) == 1 else None
-
-    def _fold_binding(self, binding: Binding, name: str, depth: int) -> Folded:
-        if binding.value is None:
-            return None
-        if binding.kind is BindingKind.PARAMETER:
-            folded = self.fold(binding.value, binding.scope, depth)
-            return folded if self._keeps_default(binding, name) else None
-        if binding.kind is BindingKind.VALUE:
-            return self.fold(binding.value, binding.scope, depth)
-        return None
-
-    def _call(self, node: Node, scope: Scope, depth: int) -> Folded:
-        callee = node.child_by_field_name("function")
-        if callee is None:
-            return None
-        arguments = Arguments.of(node, self._syntax)
-        for name in self.qualified(callee, scope):
-            if name in _PARAMETER_READERS:
-                return _defaulted(self.fold(arguments.get(_PARAMETER_READERS[name]), scope, depth))
-        if callee.type == "identifier" and self._syntax.slice(callee) == "str":
-            inner = self.fold(arguments.get(Argument(0, "")), scope, depth)
-            is_builtin = scope.lookup("str") is None and len(arguments.positional) == 1
-            return _join([inner]) if is_builtin else None
-        method = callee.child_by_field_name("attribute")
-        holder = callee.child_by_field_name("object")
-        if method is None or holder is None or arguments.is_open:
-            return None
-        if self._syntax.slice(method) == "format":
-            return self._format_call(holder, arguments, scope, depth)
-        return None
-
-    def _format_call(self, holder: Node, arguments: Arguments, scope: Scope, depth: int) -> Folded:
-        names = list(arguments.keywords)
-        values = [*arguments.positional, *arguments.keywords.values()]
-        count = len(arguments.positional)
-        return _format(
-            self.fold(holder, scope, depth),
-            [self.fold(value, scope, depth) for value in values],
-            lambda text, parts: text.format(
-                *parts[:count], **dict(zip(names, parts[count:], strict=True))
-            ),
-        )
-
-    def _parameter_value(self, call: Node, scope: Scope, depth: int) -> Folded:
-        """Fold `node.declare_parameter('x', 'd').value` and what reads it back."""
-        callee = call.child_by_field_name("function")
-        method = callee.child_by_field_name("attribute") if callee is not None else None
-        if callee is None or method is None:
-            return None
-        name = self._syntax.slice(method)
-        arguments = Arguments.of(call, self._syntax)
-        if name == "declare_parameter":
-            default = arguments.get(Argument(1, "value"))
-            return _defaulted(self.fold(default, scope, depth))
-        if name == "get_parameter_value":
-            inner = callee.child_by_field_name("object")
-            is_call = inner is not None and inner.type == "call"
-            return self._parameter_value(inner, scope, depth) if inner and is_call else None
-        if name == "get_parameter":
-            wanted = self.fold(arguments.get(Argument(0, "name")), scope, depth)
-            return self._declared_default(wanted, depth) if wanted is not None else None
-        return None
-
-    def _declared_default(self, wanted: Known | Defaulted, depth: int) -> Folded:
-        found: set[Folded] = set()
-        for call in self._calls_of("declare_parameter"):
-            scope = self._scopes.at(call.start_byte)
-            arguments = Arguments.of(call, self._syntax)
-            if self.fold(arguments.get(Argument(0, "name")), scope, depth) == wanted:
-                found.add(self.fold(arguments.get(Argument(1, "value")), scope, depth))
-        return _defaulted(found.pop()) if len(found) == 1 else None
-
-    def _calls_of(self, name: str) -> list[Node]:
+    def calls_of(self, name: str) -> list[Node]:
         """Return the calls whose callee ends in a name."""
         if self._callers is None:
             self._callers = {}
@@ -453,12 +279,12 @@ class Resolver:
         """Return the calls in the file that may call a function."""
         owner = function.parent
         if function.name != "__init__" or owner is None:
-            return self._calls_of(function.name)
-        callers = list(self._calls_of(owner.name))
+            return self.calls_of(function.name)
+        callers = list(self.calls_of(owner.name))
         for other in self._scopes.classes():
             if owner in self._base_scopes(other):
-                callers += self._calls_of(other.name)
-        for call in self._calls_of("__init__"):
+                callers += self.calls_of(other.name)
+        for call in self.calls_of("__init__"):
             inside = self._scopes.at(call.start_byte).enclosing("class")
             if inside is not owner and inside is not None and owner in self._base_scopes(inside):
                 callers.append(call)
@@ -477,7 +303,7 @@ class Resolver:
             found.append((value, self._scopes.at(call.start_byte)))
         return found
 
-    def _keeps_default(self, binding: Binding, name: str) -> bool:
+    def keeps_default(self, binding: Binding, name: str) -> bool:
         """Whether no caller in the file gives a parameter another value than its default."""
         function = binding.owner
         if function is None:
@@ -494,34 +320,10 @@ class Resolver:
                 scope = self._scopes.at(call.start_byte)
                 if scope.is_within(function):
                     return False
-                value = self.fold(given, scope, _MOST_DEEP - 4)
+                value = self.fold(given, scope, MOST_DEEP - 4)
                 if value is None or value != self.fold(binding.value, binding.scope):
                     return False
         return True
-
-
-_FOLDERS: dict[str, Callable[[Resolver, Node, Scope, int], Folded]] = {
-    "string": Resolver._string,
-    "integer": Resolver._literal,
-    "float": Resolver._literal,
-    "concatenated_string": Resolver._concatenated,
-    "parenthesized_expression": Resolver._parenthesized,
-    "binary_operator": Resolver._operator,
-    "identifier": Resolver._identifier,
-    "attribute": Resolver._attribute,
-    "call": Resolver._call,
-}
-
-
-def _without_none(bindings: list[Binding]) -> list[Binding]:
-    """Leave out the placeholder `None`: an endpoint that is named by it would not start."""
-    return [
-        binding
-        for binding in bindings
-        if binding.kind is BindingKind.PARAMETER
-        or binding.value is None
-        or binding.value.type != "none"
-    ]
 
 
 def _annotated(annotation: Node) -> list[Node]:
@@ -539,52 +341,9 @@ def _annotated(annotation: Node) -> list[Node]:
     return found[1:] if annotation.type in ("generic_type", "subscript") else found
 
 
-def _operands(node: Node) -> list[Node]:
-    return [child for child in node.named_children if child.type != "comment"]
-
-
 def _interface_name(qualified: str) -> InterfaceName | None:
     parts = qualified.split(".")
     for kind in _KINDS:
         if len(parts) >= 3 and parts[1] == kind and parts[0] not in ("rospy", ""):
             return InterfaceName(parts[0], parts[-1])
     return None
-
-
-def _defaulted(folded: Folded) -> Folded:
-    if folded is not None and isinstance(folded.value, str):
-        return Defaulted(folded.value)
-    return None
-
-
-def _join(parts: list[Folded]) -> Folded:
-    return _format(Known(""), parts, lambda _, values: "".join(map(str, values)))
-
-
-def _percent(text: str, values: list[str | int | float | None]) -> str:
-    return text % tuple(values)
-
-
-def _format(
-    template: Folded,
-    values: list[Folded],
-    render: Callable[[str, list[str | int | float | None]], str],
-) -> Folded:
-    """Render constants into a text; a part that is a parameter's default makes it one."""
-    if template is None or not isinstance(template.value, str):
-        return None
-    if _WIDTH.search(template.value):
-        return None
-    parts: list[str | int | float | None] = []
-    for value in values:
-        if value is None or value.value is None:
-            return None
-        parts.append(value.value)
-    try:
-        text = render(template.value, parts)
-    except (ValueError, TypeError, KeyError, IndexError, AttributeError, OverflowError):
-        return None
-    if len(text) > 4096:
-        return None
-    is_default = any(isinstance(value, Defaulted) for value in (template, *values))
-    return Defaulted(text) if is_default else Known(text)

@@ -243,9 +243,22 @@ class _Binder:
             self._assignment(node)
         for node in captures.get("walrus", []):
             self._target(node.child_by_field_name("name"), node.child_by_field_name("value"), node)
+        for node in captures.get("case", []):
+            self._case(node)
         for tag, name in (("augmented", "left"), ("loop", "left"), ("as", "alias")):
             for node in captures.get(tag, []):
                 self._target(node.child_by_field_name(name), None, node)
+
+    def _case(self, node: Node) -> None:
+        """Bind the names that a `case` captures: those without a dot."""
+        pending = [node]
+        while pending:
+            current = pending.pop()
+            is_name = current.type == "dotted_name" and current.named_child_count == 1
+            if is_name or (current.type == "splat_pattern" and current.named_child_count):
+                self._target(current.named_children[0], None, node)
+            elif current is node or current.type != "case_pattern":
+                pending.extend(current.named_children)
 
     def _import(self, node: Node) -> None:
         scope = self._tree.at(node.start_byte)

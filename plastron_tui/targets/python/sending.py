@@ -128,7 +128,7 @@ def _sending(added: Addition, publication: Publication, variable: str, is_named:
         receiver = added.receiver_in_callback() or added.place.receiver
         now = f"{receiver}.get_clock().now().to_msg()"
     elif needs_stamp:
-        now = f"{added.imports.library('rospy', 'Time')}.now()"
+        now = f"{added.rospy('Time')}.now()"
     if not now and not is_named:
         return [f"{added.variable}.publish({message})"]
     stamp = [f"{variable}.header.stamp = {now}"] if now else []
@@ -150,8 +150,8 @@ def _timer(added: Addition, rate: float, publications: list[Publication]) -> lis
 def _timer_call(added: Addition, period: str, callback: str) -> str:
     if added.is_rclpy:
         return f"{added.place.receiver}.create_timer({period}, {callback}"
-    timer = added.imports.library("rospy", "Timer")
-    duration = added.imports.library("rospy", "Duration")
+    timer = added.rospy("Timer")
+    duration = added.rospy("Duration")
     return f"{timer}({duration}({period}), {callback}"
 
 
@@ -159,7 +159,7 @@ def _timer_name(added: Addition, period: str) -> str:
     """Return the expression that a reader finds as the timer's period."""
     if added.is_rclpy:
         return period
-    return f"{added.imports.library('rospy', 'Duration')}({period})"
+    return f"{added.rospy('Duration')}({period})"
 
 
 def _period(rate: float) -> str:
@@ -205,9 +205,7 @@ def add_calls(added: Addition, client: Client) -> list[str]:
     summary = f'"""Call {added.label} once it is there, and log its answer."""'
     if added.is_rclpy:
         return _call_rclpy(added, name, summary, requests)
-    errors = [
-        added.imports.library("rospy", error) for error in ("ROSException", "ServiceException")
-    ]
+    errors = [added.rospy(error) for error in ("ROSException", "ServiceException")]
     body = [summary, "try:", f"\t{added.variable}.wait_for_service(timeout=10.0)"]
     for request in requests:
         body.append(f"\tresponse = {added.variable}({request})")

@@ -13,7 +13,8 @@ from plastron_tui.ros.interfaces import InterfaceName
 
 from .arguments import Arguments
 from .calls import Argument, CallShape, ClientLibrary
-from .names import Defaulted, Known, Resolver
+from .constants import Defaulted, Known
+from .names import Resolver
 from .scopes import Scope, ScopeTree, build_scopes
 from .syntax import Syntax, parse
 

@@ -60,7 +60,19 @@ def delete_statements(text: bytes, statements: Sequence[Node]) -> list[Splice]:
             first = gone.pop(0)
             splices.append(Splice(first.start_byte, first.end_byte, b"pass"))
         splices += [_delete(text, node, gone) for node in gone]
-    return splices
+    starts = {splice.start for splice in splices}
+    return [_over_blank_lines(text, splice, starts) for splice in splices]
+
+
+def _over_blank_lines(text: bytes, splice: Splice, starts: set[int]) -> Splice:
+    """Delete the blank lines between two statements that are both deleted."""
+    end = splice.end
+    while not splice.text and end < len(text) and end not in starts:
+        following = line_end(text, end)
+        if text[end:following].strip():
+            return splice
+        end = following
+    return Splice(splice.start, end) if end in starts and end > splice.end else splice
 
 
 def _delete(text: bytes, statement: Node, gone: Sequence[Node]) -> Splice:

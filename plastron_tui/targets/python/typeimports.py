@@ -12,7 +12,7 @@ from plastron_tui.targets.imports import Imports
 
 from .conventions import Conventions
 from .imports import is_interface_module
-from .scopes import Binding, BindingKind
+from .scopes import Binding, BindingKind, Scope
 from .sites import Analysis
 from .splices import Splice, line_end, line_start
 from .stars import star_interface
@@ -37,9 +37,21 @@ class FileImports(Imports):
             self._given[symbol] = self._existing(module, name) or self._imported(module, name)
         return self._given[symbol]
 
-    def library(self, module: str, name: str) -> str:
-        """Return what the file calls a name of its client library."""
-        return self.use(module, name)
+    def library(self, module: str, name: str, scope: Scope) -> str:
+        """Return what the code of a scope calls a name of the client library."""
+        current: Scope | None = scope
+        while current is not None:
+            for bound, bindings in current.bindings.items():
+                if any(b.kind is BindingKind.IMPORT and b.target == module for b in bindings):
+                    return f"{bound}.{name}"
+            current = current.parent
+        existing = self._existing(module, name)
+        if existing is not None:
+            return existing
+        if self._extendable(module) is not None:
+            return self.use(module, name)
+        self._new_modules.append(module)
+        return f"{module}.{name}"
 
     def _existing(self, module: str, name: str) -> str | None:
         wanted = f"{module}.{name}"
@@ -156,12 +168,15 @@ class FileImports(Imports):
         alike = [node for node in imports if is_interface_module(self._module_of(node))]
         encode = self._analysis.syntax.encode
         modules = [self._module_of(node) for node in alike]
-        if alike and modules == sorted(modules):
+        if is_interface_module(module) and alike and modules == sorted(modules):
             before = [node for node in alike if self._module_of(node) <= module]
             if not before:
                 at = line_start(text, alike[0].start_byte)
                 return Splice(at, at, encode(line + newline))
             alike = before
+        if alike and not is_interface_module(module):
+            at = line_start(text, imports[0].start_byte)
+            return Splice(at, at, encode(line + newline))
         anchor = alike[-1] if alike else self._last_import(imports)
         if anchor is None:
             at = self._after_docstring()

@@ -24,6 +24,7 @@
 (while_statement) @while
 (for_in_clause) @loop
 (as_pattern) @as
+(case_pattern) @case
 (global_statement) @global
 (nonlocal_statement) @global
 
