@@ -29,6 +29,9 @@ if TYPE_CHECKING:
     from plastron_tui.output.plan import FilePlan
     from plastron_tui.targets.base import Target
 
+LONGEST_LINE = 256 * 1024
+"""The longest line of a program, in bytes; a statement has some eighty."""
+
 LARGEST_PROGRAM = 16 * 1024 * 1024
 """The largest program that is read, in bytes: some 300,000 statements."""
 
@@ -62,7 +65,12 @@ def read_program(path: Path) -> ProgramText:
 
 
 def check_text(path: Path | None, text: bytes) -> ProgramText:
-    """Check that bytes are the text of a program: UTF-8, without NUL bytes."""
+    """Check that bytes are the text of a program: UTF-8 in lines, without NUL bytes."""
+    if len(text) > LONGEST_LINE:
+        for number, line in enumerate(text.split(b"\n"), 1):
+            if len(line) > LONGEST_LINE:
+                limit = LONGEST_LINE // 1024
+                return _unreadable(path, f"line {number} is longer than {limit} kB")
     if b"\0" in text:
         return _unreadable(path, "the file has NUL bytes and is no text")
     try:
