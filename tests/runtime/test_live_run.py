@@ -1,0 +1,290 @@
+"""Real nodes of either ROS, run, watched, described, and run again from the description."""
+
+from __future__ import annotations
+
+import os
+import signal
+import socket
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+from supervised import all_gone, wait_until
+
+from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.runtime.describe import Described, DescribedNode, describe
+from plastron_tui.runtime.environment import Environment, find_environments
+from plastron_tui.runtime.master import DEFAULT_PORT, call, master_pid
+from plastron_tui.runtime.program import to_program
+
+pytestmark = pytest.mark.live
+
+# Another interpreter than the running one may have the Python packages of ROS 2.
+ROS2_PYTHON = os.environ.get("PLASTRON_ROS2_PYTHON")
+
+PROGRAM = """
+create_node 'talker' as talker
+create_message hello of message_type String and input "hello"
+talker publish hello to 'chatter' of message_type String at 20 hz
+generate_node talker
+create_node 'listener' as listener
+subscribe listener to 'chatter' of message_type String
+generate_node listener
+create_node 'switcher' as switcher
+switcher provides_service 'switch' of service_type SetBool
+generate_node switcher
+create_node 'asker' as asker
+asker client_requests 'switch' of service_type SetBool with input True
+subscribe asker to 'chatter' of message_type String
+generate_node asker
+"""
+
+# Runs every node of a folder, the file's name up to its last `_` being the node's.
+DRIVER = """
+import os, sys
+from pathlib import Path
+from plastron_tui.runtime.environment import Environment, Origin
+from plastron_tui.runtime.launch import NodeFile, Options, run_nodes
+origin, version, distribution, python, folder, duration, watch = sys.argv[1:]
+environment = Environment(Origin(origin), int(version), distribution, Path(python))
+nodes = [
+    NodeFile(path.stem.rpartition("_")[0], path, environment)
+    for path in sorted(Path(folder).glob("*.py"))
+]
+print("run", os.getpid(), flush=True)
+result = run_nodes(nodes, Options(float(duration), watch=bool(watch)))
+for diagnostic in result.diagnostics:
+    print(diagnostic.code, diagnostic.message, diagnostic.help)
+sys.exit(result.status)
+"""
+
+
+@dataclass(frozen=True)
+class Ros:
+    """A ROS to test with, in a graph of the test's own."""
+
+    environment: Environment
+    environ: dict[str, str]
+    folder: Path
+
+    def generate(self, program: str, name: str) -> Path:
+        file = self.folder / f"{name}.plastron"
+        file.write_text(program)
+        output = self.folder / name
+        arguments = ["generate", str(file), "-o", str(output)]
+        subprocess.run(
+            [
+                *(sys.executable, "-m", "plastron_tui", *arguments),
+                *("--target", self.environment.library),
+            ],
+            check=True,
+            capture_output=True,
+            timeout=60,
+        )
+        return output
+
+    def command(self, nodes: Path, duration: float, *, watch: bool = False) -> list[str]:
+        one = self.environment
+        told = (one.origin.value, one.ros_version, one.distribution, one.python, nodes, duration)
+        return [sys.executable, "-c", DRIVER, *map(str, told), "watch" if watch else ""]
+
+    def run(
+        self, nodes: Path, duration: float, *, watch: bool = False
+    ) -> subprocess.CompletedProcess[str]:
+        return subprocess.run(
+            self.command(nodes, duration, watch=watch),
+            env=self.environ,
+            capture_output=True,
+            text=True,
+            timeout=duration + 60,
+            check=False,
+        )
+
+    @contextmanager
+    def running(self, nodes: Path) -> Iterator[subprocess.Popen[str]]:
+        with (self.folder / "running.log").open("w") as log:
+            run = subprocess.Popen(
+                self.command(nodes, 120), env=self.environ, stdout=log, stderr=log, text=True
+            )
+            try:
+                yield run
+            finally:
+                run.send_signal(signal.SIGINT)
+                assert run.wait(20) == 128 + signal.SIGINT, (
+                    self.folder / "running.log"
+                ).read_text()
+
+    def described(self, names: set[str]) -> tuple[DescribedNode, ...]:
+        """Return the graph, once these nodes are in it with all that they have."""
+        found = Described(None)
+
+        def is_there() -> bool:
+            nonlocal found
+            found = describe(self.environment, environ=self.environ)
+            nodes = {node.name for node in found.nodes or () if not node.is_idle}
+            return nodes == names
+
+        wait_until(is_there, f"the graph has {names}", 60)
+        assert found.nodes is not None
+        return found.nodes
+
+
+@pytest.fixture(params=["rospy", "rclpy"])
+def ros(request: pytest.FixtureRequest, tmp_path: Path) -> Ros:
+    return _ros(request.param, tmp_path)
+
+
+@pytest.fixture
+def ros1(tmp_path: Path) -> Ros:
+    return _ros("rospy", tmp_path)
+
+
+def _ros(library: str, folder: Path) -> Ros:
+    interpreter = Path(ROS2_PYTHON) if ROS2_PYTHON else None
+    environment, diagnostics = find_environments(interpreter=interpreter).choose(
+        1 if library == "rospy" else 2
+    )
+    if environment is None:
+        pytest.skip(_words(diagnostics))
+    home = folder / "ros"
+    return Ros(
+        environment,
+        {
+            **os.environ,
+            "ROS_HOME": str(home),
+            "ROS_LOG_DIR": str(home / "log"),
+            "ROS_MASTER_URI": f"http://127.0.0.1:{_free_port()}",
+            "ROS_DOMAIN_ID": str(1 + os.getpid() % 100),
+        },
+        folder,
+    )
+
+
+def _words(diagnostics: list[Diagnostic]) -> str:
+    return "; ".join(f"{one.message}: {one.help}" for one in diagnostics)
+
+
+def _free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port: int = probe.getsockname()[1]
+    return port
+
+
+def _lines(output: str, name: str) -> list[str]:
+    return [line for line in output.splitlines() if line.split(" |")[0].rstrip() == name]
+
+
+def test_nodes_talk_and_stop(ros: Ros) -> None:
+    done = ros.run(ros.generate(PROGRAM, "nodes"), 6)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert len([line for line in _lines(done.stdout, "listener") if "hello" in line]) > 20
+    assert "Traceback" not in done.stdout
+    if ros.environment.ros_version == 1:
+        uri = ros.environ["ROS_MASTER_URI"]
+        assert f"started a ROS 1 master at {uri}" in done.stderr
+        assert master_pid(uri) is None
+
+
+def test_the_watch_shows_topics_and_calls(ros: Ros) -> None:
+    done = ros.run(ros.generate(PROGRAM, "nodes"), 8, watch=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+    told = [line.partition("| ")[2] for line in _lines(done.stdout, "watch")]
+    rates = [
+        float(line.split()[2]) for line in told if line.startswith("/chatter std_msgs/String ")
+    ]
+    assert 15 < max(rates) < 25
+    assert any(line.endswith('Hz data: "hello"') for line in told)
+    assert [line for line in told if line.startswith("/switch (data: True) → (success: ")]
+
+
+def test_a_description_run_again_is_the_same_graph(ros: Ros) -> None:
+    names = {"/talker", "/listener", "/switcher", "/asker"}
+    with ros.running(ros.generate(PROGRAM, "nodes")):
+        before = ros.described(names)
+    by_name = {node.name: node for node in before}
+    assert [str(type_) for _, type_ in by_name["/talker"].publishers] == ["std_msgs/String"]
+    assert [str(type_) for _, type_ in by_name["/switcher"].services] == ["std_srvs/SetBool"]
+    program = to_program(before, ros.environment.library)
+    with ros.running(ros.generate(program, "again")):
+        assert ros.described(names) == before
+
+
+def test_a_node_that_crashes_at_its_start(ros: Ros) -> None:
+    nodes = ros.generate(PROGRAM, "nodes")
+    (nodes / "crasher_pub.py").write_text("import no_such_module\n")
+    done = ros.run(nodes, 4)
+    assert done.returncode == 1
+    assert "plastron | crasher died with exit status 1" in done.stderr
+    assert "plastron |   ModuleNotFoundError: No module named 'no_such_module'" in done.stderr
+    assert _lines(done.stdout, "listener")
+
+
+def test_a_second_run_beside_the_first(ros: Ros) -> None:
+    nodes = ros.generate(PROGRAM, "nodes")
+    environ = {key: value for key, value in ros.environ.items() if key != "ROS_MASTER_URI"}
+    ros = Ros(ros.environment, environ, ros.folder)
+    with ros.running(nodes) as first:
+        wait_until(
+            lambda: "hello" in (ros.folder / "running.log").read_text(), "the first run talks", 60
+        )
+        second = ros.run(nodes, 5)
+        assert first.poll() is None
+    assert second.returncode == 0, second.stdout + second.stderr
+    assert [line for line in _lines(second.stdout, "listener") if "hello" in line]
+    if ros.environment.ros_version == 1:
+        assert "started a ROS 1 master" in second.stderr
+        assert f":{DEFAULT_PORT}\n" not in second.stderr
+    assert "died" not in (ros.folder / "running.log").read_text()
+
+
+def test_a_killed_run_takes_its_master_along(ros1: Ros) -> None:
+    uri = ros1.environ["ROS_MASTER_URI"]
+    with subprocess.Popen(
+        ros1.command(ros1.generate(PROGRAM, "nodes"), 120),
+        env=ros1.environ,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    ) as run:
+        wait_until(lambda: master_pid(uri) is not None, "a master answers")
+        pid = master_pid(uri)
+        assert pid is not None
+        wait_until(lambda: len(call(uri, "getSystemState")[0]) > 1, "the nodes are there")
+        run.kill()
+    all_gone(pid)
+
+
+def test_a_master_that_answers_is_used_and_stays(ros1: Ros) -> None:
+    uri = ros1.environ["ROS_MASTER_URI"]
+    nodes = ros1.generate(PROGRAM, "nodes")
+    with ros1.running(nodes):
+        wait_until(lambda: master_pid(uri) is not None, "a master answers")
+        pid = master_pid(uri)
+        other = ros1.generate(PROGRAM.replace("'talker'", "'other'"), "other")
+        for file in other.iterdir():
+            if not file.name.startswith("other"):
+                file.unlink()
+        done = ros1.run(other, 2)
+        assert f"using the ROS 1 master at {uri}" in done.stderr
+        assert done.returncode == 0, done.stderr
+        assert master_pid(uri) == pid
+
+
+def test_a_master_that_cannot_be_there(ros1: Ros) -> None:
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        uri = f"http://127.0.0.1:{taken.getsockname()[1]}"
+        ros = Ros(ros1.environment, {**ros1.environ, "ROS_MASTER_URI": uri}, ros1.folder)
+        done = ros.run(ros.generate(PROGRAM, "nodes"), 2)
+    assert done.returncode == 1
+    assert f"no-master no ROS 1 master answers at {uri}" in done.stdout
+
+
+def test_a_graph_that_is_not_there(ros1: Ros) -> None:
+    found = describe(ros1.environment, environ=ros1.environ)
+    assert found.nodes is None
+    assert [diagnostic.code for diagnostic in found.diagnostics] == ["no-graph"]

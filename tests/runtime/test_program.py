@@ -1,0 +1,77 @@
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from plastron_tui.model.workspace import Node
+from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.runtime.describe import DescribedNode
+from plastron_tui.runtime.program import to_program
+from plastron_tui.session import Session
+
+STRING = InterfaceName("std_msgs", "String")
+SET_BOOL = InterfaceName("std_srvs", "SetBool")
+
+
+def test_a_graph_is_a_program() -> None:
+    nodes = [
+        DescribedNode(
+            "/talker",
+            publishers=(("/chatter", STRING),),
+            services=(("/arm/switch", SET_BOOL),),
+        ),
+        DescribedNode(
+            "/listener", subscriptions=(("/chatter", STRING),), clients=(("/arm/switch", SET_BOOL),)
+        ),
+    ]
+    program = to_program(nodes, "rclpy")
+    assert program == (
+        "create_node 'talker' as talker using rclpy\n"
+        "create_message talker_chatter of message_type std_msgs/String and input none\n"
+        "talker publish talker_chatter to '/chatter' of message_type std_msgs/String\n"
+        "talker provides_service '/arm/switch' of service_type std_srvs/SetBool\n"
+        "generate_node talker\n"
+        "\n"
+        "create_node 'listener' as listener using rclpy\n"
+        "subscribe listener to '/chatter' of message_type std_msgs/String\n"
+        "listener client_requests '/arm/switch' of service_type std_srvs/SetBool with input none\n"
+        "generate_node listener\n"
+    )
+    assert Session(program.encode()).diagnostics == ()
+
+
+def test_namespaces_keywords_and_unknown_types_still_make_a_program() -> None:
+    nodes = [
+        DescribedNode("/arm/publish", publishers=(("/arm/to", STRING),)),
+        DescribedNode("/leg/publish", publishers=(("/leg/to", STRING), ("/leg/odd", None))),
+        DescribedNode("/publish_2", subscriptions=(("/leg/to", STRING),)),
+        DescribedNode("/only/odd", subscriptions=(("/leg/odd", None),)),
+        DescribedNode("/idle"),
+    ]
+    program = to_program(nodes)
+    session = Session(program.encode())
+    assert session.diagnostics == ()
+    made = {node.name: (*node.publishers, *node.subscriptions) for node in _nodes(session)}
+    assert made == {
+        "publish": ("/arm/to",),
+        "leg_publish": ("/leg/to",),
+        "publish_2": ("/leg/to",),
+    }
+    comments = [line for line in program.splitlines() if line.startswith("//")]
+    assert comments == [
+        "// /arm/publish",
+        "// /leg/publish",
+        "// /leg/odd: its type is not known",
+        "// /only/odd has no topic or service that a program can name",
+        "// /leg/odd: its type is not known",
+        "// /idle has no topic or service that a program can name",
+    ]
+
+
+def _nodes(session: Session) -> Iterable[Node]:
+    return session.workspace.nodes.values()
+
+
+def test_an_empty_graph_is_an_empty_program() -> None:
+    program = to_program([])
+    assert program == "// no node is running\n"
+    assert Session(program.encode()).diagnostics == ()
