@@ -1,7 +1,9 @@
 from __future__ import annotations
 
 import os
+import random
 import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from xmlrpc.client import ServerProxy
@@ -99,3 +101,46 @@ def ros1(ros1_env: dict[str, str], tmp_path: Path) -> Iterator[Graph]:
     probe = Path(__file__).with_name("probe_ros1.py")
     with processes() as started:
         yield Graph("rospy", ROS1_PYTHON, probe, ros1_env, logs, started)
+
+
+ROS2_INSTALL = (
+    "ROS 2 is missing: pip install ros-rclpy ros-rmw-fastrtps-cpp ros-std-msgs ros-std-srvs "
+    "ros-geometry-msgs (or set PLASTRON_ROS2_PYTHON to a Python that has them)"
+)
+ROS2_MODULES = "rclpy, rmw_fastrtps_cpp, std_msgs.msg, std_srvs.srv, geometry_msgs.msg"
+
+
+@pytest.fixture(scope="session")
+def ros2_python() -> Path:
+    """A Python that has rclpy."""
+    python = Path(os.environ.get("PLASTRON_ROS2_PYTHON", sys.executable))
+    check = subprocess.run(
+        [python, "-c", f"import {ROS2_MODULES}"], capture_output=True, check=False
+    )
+    if check.returncode != 0:
+        skip_or_fail(ROS2_INSTALL)
+    return python
+
+
+@pytest.fixture
+def ros2(ros2_python: Path, tmp_path: Path) -> Iterator[Graph]:
+    """A graph of its own, on the loopback interface only."""
+    logs = tmp_path / "logs"
+    logs.mkdir()
+    env = {
+        **os.environ,
+        "ROS_DOMAIN_ID": str(random.randint(1, 100)),
+        "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
+        "ROS_LOG_DIR": str(logs),
+        "RMW_IMPLEMENTATION": "rmw_fastrtps_cpp",
+    }
+    probe = Path(__file__).with_name("probe_ros2.py")
+    with processes() as started:
+        yield Graph("rclpy", ros2_python, probe, env, logs, started)
+
+
+@pytest.fixture(params=["ros1", "ros2"])
+def graph(request: pytest.FixtureRequest) -> Graph:
+    """A graph of each generation."""
+    found: Graph = request.getfixturevalue(request.param)
+    return found
