@@ -17,6 +17,8 @@ from urllib.parse import urlsplit
 
 from plastron_tui.diagnostics import Diagnostic, Severity
 
+from . import installing
+
 EXTRA_COMMAND = "pip install 'plastron-tui[ros2]'"
 DEBIAN_COMMAND = "sudo apt install python3-rospy python3-rosmaster python3-std-msgs"
 DEBIAN_PYTHON = Path("/usr/bin/python3")
@@ -151,7 +153,7 @@ def missing_packages(
         Diagnostic(
             "missing-ros-package",
             f"`{name}` is not installed in {environment.words}",
-            help=f"install it with `{_install_command(environment, name)}`",
+            help=_remedy(environment, name),
         )
         for name in missing
     ]
@@ -223,11 +225,10 @@ def _find_sourced(
     distribution = environ.get("ROS_DISTRO", "")
     library = "rospy" if version == 1 else "rclpy"
     name = f"ROS {version} {distribution}".rstrip()
-    package = f"ros-{distribution or ('noetic' if version == 1 else 'DISTRO')}-{library}"
     return _half(
         version,
         f"{name} is sourced, but no Python here can import {library}",
-        f"install it with `sudo apt install {package}`",
+        _remedy(Environment(Origin.SOURCED, version, distribution, debian_python), library),
     )
 
 
@@ -265,7 +266,7 @@ def _no_master(environment: Environment, environ: Mapping[str, str]) -> Environm
     return _half(
         1,
         "rospy is installed, but not rosmaster, the master that nodes find each other by",
-        f"install it with `{_install_command(environment, 'rosmaster')}`",
+        _remedy(environment, "rosmaster"),
     )
 
 
@@ -274,19 +275,17 @@ def _middleware_problem(
 ) -> Half | None:
     asked = environ.get("RMW_IMPLEMENTATION")
     if asked and asked not in middlewares:
-        command = _install_command(environment, asked)
         return _half(
             2,
             f"RMW_IMPLEMENTATION asks for the middleware `{asked}`, which is not installed",
-            f"install it with `{command}`, or unset RMW_IMPLEMENTATION",
+            f"{_remedy(environment, asked)}, or unset RMW_IMPLEMENTATION",
         )
     if middlewares:
         return None
-    command = _install_command(environment, "rmw_fastrtps_cpp")
     return _half(
         2,
         "rclpy is installed, but no middleware that its messages could travel by",
-        f"install one with `{command}`",
+        _remedy(environment, "rmw_fastrtps_cpp"),
     )
 
 
@@ -294,15 +293,19 @@ def _half(ros_version: int, message: str, help_: str) -> Half:
     return Half(ros_version, Diagnostic("half-a-ros", message, help=help_))
 
 
-def _install_command(environment: Environment, package: str) -> str:
-    name = package.replace("_", "-")
+def _remedy(environment: Environment, package: str) -> str:
+    """Return the help line that says how a package gets into an environment."""
     match environment.origin:
         case Origin.EXTRA:
-            return f"pip install ros-{name}"
+            command = installing.wheel(package)
         case Origin.DEBIAN:
-            return f"sudo apt install python3-{name}"
+            command = installing.debian(package)
         case _:
-            return f"sudo apt install ros-{environment.distribution or 'DISTRO'}-{name}"
+            command = installing.of_distribution(package, environment.distribution)
+    if command is not None:
+        return f"install it with `{command}`"
+    tool = "catkin" if environment.ros_version == 1 else "colcon"
+    return f"build `{package}` from its definitions with {tool}, and source the result"
 
 
 def _unsourced(environ: Mapping[str, str]) -> dict[str, str]:

@@ -141,14 +141,15 @@ def test_only_the_other_ros(make_python: MakePython) -> None:
             {},
             ("rclpy",),
             (),
-            "install one with `pip install ros-rmw-fastrtps-cpp`",
+            "install it with `pip install ros-rmw-fastrtps-cpp`",
             id="rclpy without a middleware",
         ),
         pytest.param(
             {"RMW_IMPLEMENTATION": "rmw_zenoh_cpp"},
             ("rclpy",),
             ("rmw_fastrtps_cpp",),
-            "install it with `pip install ros-rmw-zenoh-cpp`, or unset RMW_IMPLEMENTATION",
+            "build `rmw_zenoh_cpp` from its definitions with colcon, and source the result, "
+            "or unset RMW_IMPLEMENTATION",
             id="another middleware is asked for",
         ),
         pytest.param(
@@ -198,11 +199,31 @@ def test_rclpy_of_another_python_does_not_count(make_python: MakePython) -> None
     assert find({}, python) == Found(())
 
 
-def test_missing_packages_are_named(make_python: MakePython) -> None:
+@pytest.mark.parametrize(
+    ("origin", "distribution", "package", "remedy"),
+    [
+        (Origin.EXTRA, "kilted", "nav_msgs", "install it with `pip install ros-nav-msgs`"),
+        (
+            Origin.EXTRA,
+            "kilted",
+            "example_interfaces",
+            "build `example_interfaces` from its definitions with colcon, and source the result",
+        ),
+        (
+            Origin.SOURCED,
+            "humble",
+            "example_interfaces",
+            "install it with `sudo apt install ros-humble-example-interfaces`",
+        ),
+    ],
+)
+def test_missing_packages_are_named(
+    make_python: MakePython, origin: Origin, distribution: str, package: str, remedy: str
+) -> None:
     python = make_python("rclpy", "std_msgs", middlewares=("rmw_fastrtps_cpp",))
-    environment = Environment(Origin.EXTRA, 2, "kilted", python)
-    (diagnostic,) = missing_packages(environment, ["std_msgs", "nav_msgs", "nav_msgs"])
-    assert diagnostic.help == "install it with `pip install ros-nav-msgs`"
+    environment = Environment(origin, 2, distribution, python)
+    (diagnostic,) = missing_packages(environment, ["std_msgs", package, package])
+    assert diagnostic.help == remedy
 
 
 EXTRA = Environment(Origin.EXTRA, 2, "kilted", NOWHERE)
@@ -254,3 +275,11 @@ def test_the_wheels_hook_does_not_reach_another_python(monkeypatch: pytest.Monke
     own = node_environ(ROS1, environ)
     assert "_ROS_WHEELS_BOOTSTRAP_COMPLETE" not in own
     assert own["LD_LIBRARY_PATH"] == "/opt/own/lib"
+
+
+def test_a_workspace_on_top_of_the_python_packages(make_python: MakePython, tmp_path: Path) -> None:
+    python = make_python("rclpy", middlewares=("rmw_fastrtps_cpp",))
+    environ = {"PATH": str(python.parent), "AMENT_PREFIX_PATH": str(tmp_path / "install")}
+    environment, _ = find(environ, python).choose()
+    assert environment == Environment(Origin.SOURCED, 2, "kilted", python)
+    assert node_environ(environment, environ)["AMENT_PREFIX_PATH"] == str(tmp_path / "install")
