@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from tree_sitter import Node
 
@@ -64,7 +64,7 @@ def find_place(analysis: Analysis, kind: EndpointKind) -> Place | None:
             if _is_setup(analysis, site, callbacks):
                 place = beside(analysis, site)
                 if place is not None:
-                    return place
+                    return _once_named(analysis, place)
     for node in analysis.nodes:
         place = _behind_node(analysis, node)
         if place is not None:
@@ -73,6 +73,21 @@ def find_place(analysis: Analysis, kind: EndpointKind) -> Place | None:
         if site.endpoint.kind in _KINDS and (place := beside(analysis, site)) is not None:
             return place
     return None
+
+
+def _once_named(analysis: Analysis, place: Place) -> Place:
+    """Return a place behind `init_node`: before it, rospy starts no timer and no service."""
+    if analysis.library.node_classes:
+        return place
+    for node in analysis.nodes:
+        if (
+            node.call is not None
+            and (node.scope.enclosing("function") or node.scope) is place.scope
+        ):
+            behind = _behind_node(analysis, node)
+            if behind is not None and place.offset < behind.offset:
+                return replace(behind, beside=place.beside)
+    return place
 
 
 def _callbacks(analysis: Analysis) -> set[int]:
