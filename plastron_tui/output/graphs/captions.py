@@ -46,9 +46,13 @@ def type_text(types: tuple[InterfaceName, ...]) -> str:
 
 
 def node_text(node: GraphNode) -> str:
-    """Return the caption of a node: its variable, and its library or the file it came from."""
+    """Return the caption of a node: its library, or the file that it came from.
+
+    The variable comes first where it is another than the name.
+    """
     origin = node.file.name if node.file is not None else node.library
-    return node.variable if origin is None else f"{node.variable} · {shown(origin)}"
+    parts = [] if node.variable == node.name else [node.variable]
+    return " · ".join(parts if origin is None else [*parts, shown(origin)])
 
 
 def topic_text(topic: GraphTopic) -> str:

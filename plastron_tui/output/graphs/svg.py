@@ -1,0 +1,236 @@
+"""The graph as an SVG picture that needs nothing else: no program, no font, no style sheet."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from xml.sax.saxutils import escape
+
+from plastron_tui.model.graph import Graph, GraphService, GraphTopic
+
+from .boxes import CUT, Box, Point, Shape, inset
+from .captions import ends_of, missing_text, node_text, shown, topic_text, type_text
+from .identifiers import Edge, edges_of
+from .layers import Link
+from .layout import Layout, layout
+from .style import ARROW, LEGEND_HEIGHT, MARGIN, STYLE, legend, legend_width, number
+from .widths import broken, drawable, text_width
+
+_ROOM = 230.0
+_NAME_SIZE = 13.0
+_CAPTION_SIZE = 10.5
+_LEADING = {_NAME_SIZE: 17.0, _CAPTION_SIZE: 14.0}
+_PADDING = {Shape.NODE: 14.0, Shape.TOPIC: 6.0, Shape.SERVICE: 8.0}
+_NARROWEST = {Shape.NODE: 96.0, Shape.TOPIC: 84.0, Shape.SERVICE: 84.0}
+
+
+@dataclass(frozen=True, slots=True)
+class _Line:
+    """A line of text in a box."""
+
+    text: str
+    size: float
+    kind: str
+
+    @property
+    def width(self) -> float:
+        return text_width(self.text, self.size, bold=self.kind == "name bold")
+
+
+@dataclass(frozen=True, slots=True)
+class _Label:
+    """What is in a box, and what it is called in full."""
+
+    identifier: str
+    box: Box
+    lines: tuple[_Line, ...]
+    title: str
+    is_missing: bool
+
+
+def render(graph: Graph) -> str:
+    """Return a picture: nodes, topics and services in columns, messages from left to right.
+
+    It is the same for the same graph, has its own background in light and in dark, and says
+    everything in `title` and `desc` elements too.
+    """
+    labels = list(_labels(graph))
+    numbers = {label.identifier: at for at, label in enumerate(labels)}
+    edges = list(edges_of(graph))
+    links = {edge: Link(*(numbers[end] for end in edge.ends)) for edge in edges}
+    made = layout([label.box for label in labels], list(links.values()))
+    return "".join(f"{line}\n" for line in _document(graph, labels, links, made))
+
+
+def _document(
+    graph: Graph, labels: list[_Label], links: dict[Edge, Link], made: Layout
+) -> Iterator[str]:
+    width = max(made.width, legend_width(graph)) + 2 * MARGIN
+    height = made.height + 2 * MARGIN + LEGEND_HEIGHT
+    size = f'width="{number(width)}" height="{number(height)}"'
+    box = f'viewBox="0 0 {number(width)} {number(height)}"'
+    yield (
+        f'<svg xmlns="http://www.w3.org/2000/svg" {size} {box} role="img" '
+        'aria-labelledby="title desc">'
+    )
+    yield f'<title id="title">{_escaped(_title(graph))}</title>'
+    yield f'<desc id="desc">{_escaped(_description(graph))}</desc>'
+    yield STYLE
+    yield f'<rect class="paper" {size} rx="10"/>'
+    yield f'<g transform="translate({number((width - made.width) / 2)} {number(MARGIN)})">'
+    for edge, link in links.items():
+        yield from _edge(graph, edge, made.lines[link])
+    for label, placed in zip(labels, made.boxes, strict=True):
+        yield from _box(label, placed)
+    yield "</g>"
+    yield from legend(graph, height - LEGEND_HEIGHT)
+    yield "</svg>"
+
+
+def _title(graph: Graph) -> str:
+    counts = (
+        (len(graph.nodes), "node"),
+        (len(graph.topics), "topic"),
+        (len(graph.services), "service"),
+    )
+    parts = [f"{count} {word}{'' if count == 1 else 's'}" for count, word in counts]
+    return f"A ROS graph of {', '.join(parts[:2])} and {parts[2]}"
+
+
+def _description(graph: Graph) -> str:
+    topics = [_sentence(topic) for topic in graph.topics]
+    services = [_sentence(service) for service in graph.services]
+    return "; ".join(topics + services) or _title(graph)
+
+
+def _sentence(place: GraphTopic | GraphService) -> str:
+    parts = [f"{node.name} {verb}" for node, verb, _ in ends_of(place)]
+    if place.missing is not None:
+        parts.append(missing_text(place.missing))
+    return f"{place.name} ({type_text(place.types)}): {', '.join(parts)}"
+
+
+def _labels(graph: Graph) -> Iterator[_Label]:
+    for at, node in enumerate(graph.nodes):
+        title = f"node {node.name} ({node_text(node)})"
+        texts = (node.name, node_text(node), "")
+        yield _label(f"n{at}", Shape.NODE, texts, title)
+    for at, topic in enumerate(graph.topics):
+        texts = (topic.name, topic_text(topic), missing_text(topic.missing))
+        yield _label(f"t{at}", Shape.TOPIC, texts, f"topic {_sentence(topic)}")
+    for at, service in enumerate(graph.services):
+        texts = (service.name, type_text(service.types), missing_text(service.missing))
+        yield _label(f"s{at}", Shape.SERVICE, texts, f"service {_sentence(service)}")
+
+
+def _label(identifier: str, shape: Shape, texts: tuple[str, str, str], title: str) -> _Label:
+    name, caption, missing = (drawable(text) for text in texts)
+    bold = shape is Shape.NODE
+    kind = "name bold" if bold else "name"
+    lines = [
+        _Line(text, _NAME_SIZE, kind) for text in broken(name, _NAME_SIZE, _ROOM, 3, bold=bold)
+    ]
+    lines += [
+        _Line(text, _CAPTION_SIZE, "caption") for text in broken(caption, _CAPTION_SIZE, _ROOM, 2)
+    ]
+    if missing:
+        lines.append(_Line(missing, _CAPTION_SIZE, "alarm"))
+    height = sum(_LEADING[line.size] for line in lines) + 14.0
+    # Where an outline curves inward, a line of text in its corner needs a wider box.
+    widths = [
+        line.width + 2 * (inset(shape, height, _reach(top, line, height)) + _PADDING[shape])
+        for top, line in _tops(lines, height)
+    ]
+    box = Box(shape, max(_NARROWEST[shape], *widths), height)
+    return _Label(identifier, box, tuple(lines), title, bool(missing))
+
+
+def _tops(lines: list[_Line] | tuple[_Line, ...], height: float) -> Iterator[tuple[float, _Line]]:
+    """Yield the lines with their upper edges in a box of some height."""
+    top = (height - sum(_LEADING[line.size] for line in lines)) / 2
+    for line in lines:
+        yield top, line
+        top += _LEADING[line.size]
+
+
+def _reach(top: float, line: _Line, height: float) -> float:
+    """Return how far a line of text reaches from the middle of its box, up or down."""
+    return max(abs(top - height / 2), abs(top + _LEADING[line.size] - height / 2))
+
+
+def _box(label: _Label, box: Box) -> Iterator[str]:
+    missing = " missing" if label.is_missing else ""
+    yield f'<g class="{box.shape.value}{missing}" id="{label.identifier}">'
+    yield f"<title>{_escaped(label.title)}</title>"
+    yield _outline(box)
+    for top, line in _tops(label.lines, box.height):
+        baseline = box.y + top + _LEADING[line.size] * 0.5 + line.size * 0.35
+        yield (
+            f'<text class="{line.kind}" x="{number(box.x + box.width / 2)}" '
+            f'y="{number(baseline)}">{_escaped(line.text)}</text>'
+        )
+    yield "</g>"
+
+
+def _outline(box: Box) -> str:
+    x, y, width, height = (number(value) for value in (box.x, box.y, box.width, box.height))
+    if box.shape is Shape.SERVICE:
+        right, middle, bottom = box.x + box.width, box.middle, box.y + box.height
+        corners = (
+            (box.x, middle),
+            (box.x + CUT, box.y),
+            (right - CUT, box.y),
+            (right, middle),
+            (right - CUT, bottom),
+            (box.x + CUT, bottom),
+        )
+        points = " ".join(f"{number(one)},{number(other)}" for one, other in corners)
+        return f'<polygon class="shape" points="{points}"/>'
+    radius = number(box.height / 2 if box.shape is Shape.TOPIC else 8.0)
+    return f'<rect class="shape" x="{x}" y="{y}" width="{width}" height="{height}" rx="{radius}"/>'
+
+
+def _edge(graph: Graph, edge: Edge, lines: tuple[tuple[Point, ...], ...]) -> Iterator[str]:
+    places = graph.topics if edge.place_id.startswith("t") else graph.services
+    title = f"{graph.nodes[edge.node].name} {edge.role.value} {places[edge.place].name}"
+    kinds = ("message",) if len(lines) == 1 else ("request", "response")
+    start, end = edge.ends
+    yield f'<g class="edge" data-from="{start}" data-to="{end}">'
+    yield f"<title>{_escaped(title)}</title>"
+    for kind, line in zip(kinds, lines, strict=True):
+        yield f'<path class="{kind}" d="{_path(line)}"/>'
+        yield f'<path class="head {kind}-head" d="{_head(line)}"/>'
+    yield "</g>"
+
+
+def _path(line: tuple[Point, ...]) -> str:
+    """Draw a line up to the foot of its arrow head."""
+    first, tip = line[0], line[-1]
+    foot = Point(tip.x - ARROW * _direction(line), tip.y)
+    points = [*line[:-1], foot]
+    drawn = [f"M{number(first.x)} {number(first.y)}"]
+    for at in range(1, len(points)):
+        start, end = points[at - 1], points[at]
+        if at % 2:
+            drawn.append(f"H{number(end.x)}")
+            continue
+        half = number((start.x + end.x) / 2)
+        drawn.append(
+            f"C{half} {number(start.y)} {half} {number(end.y)} {number(end.x)} {number(end.y)}"
+        )
+    return "".join(drawn)
+
+
+def _head(line: tuple[Point, ...]) -> str:
+    tip = line[-1]
+    foot = number(tip.x - ARROW * _direction(line))
+    upper, lower = number(tip.y - ARROW * 0.5), number(tip.y + ARROW * 0.5)
+    return f"M{number(tip.x)} {number(tip.y)}L{foot} {upper}V{lower}Z"
+
+
+def _direction(line: tuple[Point, ...]) -> float:
+    return 1.0 if line[-1].x > line[-2].x else -1.0
+
+
+def _escaped(text: str) -> str:
+    return escape(shown(text))
