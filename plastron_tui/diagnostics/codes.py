@@ -1,31 +1,22 @@
 """Every code that a diagnostic can have.
 
-The list is the source of `docs/diagnostics.md`. An example of a mistake is a whole program,
-so that a test can run it: `bad` gives exactly this code, `good` gives nothing.
+The list is the source of `docs/diagnostics.md`. The codes of mistakes in a program are in modules
+of their own; here are those of files, of ROS and of its graph.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from .code import Code
+from .program_codes import PROGRAM_CODES
+from .value_codes import VALUE_CODES
 
-
-@dataclass(frozen=True, slots=True)
-class Code:
-    """A kind of mistake: its stable name, what it means, and how it is made and mended.
-
-    `bad` and `good` are programs; a mistake that no program shows (a file that cannot be
-    read, say) has neither, and says in `summary` what to do.
-    """
-
-    name: str
-    summary: str
-    bad: str = ""
-    good: str = ""
-
+__all__ = ["CODES", "IO_CODES", "Code"]
 
 CODES: dict[str, Code] = {
     code.name: code
     for code in (
+        *PROGRAM_CODES,
+        *VALUE_CODES,
         Code(
             "template-error",
             "A template in the project's template folder has a mistake, or asks for something that "
@@ -111,6 +102,36 @@ CODES: dict[str, Code] = {
         Code(
             "no-graph",
             "The running graph could not be read; the message says why.",
+        ),
+        Code(
+            "unreadable-file",
+            "A file cannot be read as text: it is a folder, too large, not UTF-8, has NUL bytes, or "
+            "the operating system refuses. Save it as UTF-8, or name another file.",
+        ),
+        Code(
+            "bad-project",
+            "The project file `plastron.yaml` has a mistake: it is no YAML, or a key or a value of "
+            "it means nothing. What is wrong counts as not written.",
+        ),
+        Code(
+            "unsupported-target",
+            "Plastron cannot do this for the client library yet. Use `rospy` or `rclpy`.",
+            "create_node 'a' as a using nodelet\n"
+            "subscribe a to 'chatter' of message_type String\n"
+            "generate_node a\n",
+            "create_node 'a' as a using rospy\n"
+            "subscribe a to 'chatter' of message_type String\n"
+            "generate_node a\n",
+        ),
+        Code(
+            "nothing-to-generate",
+            "A program generates no node. End it with `generate_node` and the variable of a node.",
+        ),
+        Code(
+            "merged-by-hand",
+            "A created node's file was changed by hand. It is kept, and what the program has and the "
+            "file lacks is added; messages, rates and callbacks stay as the file has them. `--force` "
+            "writes it anew and keeps a backup.",
         ),
     )
 }

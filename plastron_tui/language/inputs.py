@@ -59,23 +59,39 @@ Argument: TypeAlias = "InputValue | NamedArgument"
 Input: TypeAlias = tuple[Argument, ...]
 """The arguments of an input; `none` has none."""
 
+DEEPEST_NESTING = 50
+"""More than any message nests: values that go deeper are a mistake, and not followed."""
+
+
+class TooDeep(Exception):  # noqa: N818 - control flow, from a value to the statement it is in
+    """Values are nested deeper than any message is; `syntax` is where it gets too deep."""
+
+    def __init__(self, syntax: Node) -> None:
+        self.syntax = syntax
+
 
 def lower_input(node: Node, text: Slice) -> Input:
-    """Lower what stands after the word `input`."""
-    return _arguments(node, text) if node.kind_id == ARGUMENTS else ()
+    """Lower what stands after the word `input`.
+
+    Raises:
+        TooDeep: the values are nested deeper than `DEEPEST_NESTING`.
+    """
+    return _arguments(node, text, 0) if node.kind_id == ARGUMENTS else ()
 
 
-def _arguments(node: Node, text: Slice) -> tuple[Argument, ...]:
+def _arguments(node: Node, text: Slice, depth: int) -> tuple[Argument, ...]:
     return tuple(
         [
-            _named(child, text) if child.kind_id == NAMED_ARGUMENT else _value(child, text)
+            _named(child, text, depth)
+            if child.kind_id == NAMED_ARGUMENT
+            else _value(child, text, depth)
             for child in node.named_children
             if child.kind_id not in COMMENTS
         ]
     )
 
 
-def _named(node: Node, text: Slice) -> NamedArgument:
+def _named(node: Node, text: Slice, depth: int) -> NamedArgument:
     path = node.child_by_field_name("field")
     value = node.child_by_field_name("value")
     assert path is not None and value is not None  # a node without errors has both
@@ -84,10 +100,10 @@ def _named(node: Node, text: Slice) -> NamedArgument:
         for part in path.named_children
         if part.kind_id not in COMMENTS
     )
-    return NamedArgument(names, _value(value, text), node)
+    return NamedArgument(names, _value(value, text, depth), node)
 
 
-def _value(node: Node, text: Slice) -> InputValue:
+def _value(node: Node, text: Slice, depth: int) -> InputValue:
     kind = node.kind_id
     if kind == NUMBER:
         return Literal(lower_number(text(node.start_byte, node.end_byte)), node)
@@ -95,10 +111,12 @@ def _value(node: Node, text: Slice) -> InputValue:
         return Literal(_string(node, text), node)
     if kind == BOOLEAN:
         return Literal(text(node.start_byte, node.end_byte) == "True", node)
+    if depth == DEEPEST_NESTING:
+        raise TooDeep(node)
     children = [child for child in node.named_children if child.kind_id not in COMMENTS]
     if kind == LIST:
-        return ListValue(tuple([_value(child, text) for child in children]), node)
-    return NestedValue(_arguments(children[0], text) if children else (), node)
+        return ListValue(tuple([_value(child, text, depth + 1) for child in children]), node)
+    return NestedValue(_arguments(children[0], text, depth + 1) if children else (), node)
 
 
 def lower_number(text: str) -> int | float:
@@ -117,4 +135,8 @@ def _string(node: Node, text: Slice) -> str:
             parts.append(written)
         else:
             parts.append(_ESCAPES.get(written) or chr(int(written[2:], 16)))
-    return "".join(parts)
+    string = "".join(parts)
+    if any("\ud800" <= part <= "\udbff" for part in parts):
+        # A character beyond U+FFFF is written as two escapes, as in JSON.
+        return string.encode("utf-16", "surrogatepass").decode("utf-16", "surrogatepass")
+    return string

@@ -11,22 +11,29 @@ from plastron_tui.diagnostics import Span
 
 COMMENT_KINDS = frozenset({"line_comment", "block_comment"})
 
+UNKNOWN = "unknown"
+"""The kind of characters that are no token of the language."""
+
+UNCLOSED_STRING = "unclosed_string"
+"""The kind of a string that its line does not close."""
+
 # A reader sees these as one word, however many nodes they have.
 _WHOLE_KINDS = frozenset({"string", "ros_name", "path", "number", "boolean", "none"})
 
-# What the grammar knows only as a mistake, as the kinds that a reader tells apart.
-_MISTAKEN_KINDS = {
+# What the grammar tells apart only in order to get over it.
+_KINDS = {
+    "unclosed_quote": UNKNOWN,
+    "unclosed_comment": UNKNOWN,
+    "unexpected": UNKNOWN,
     "quoted": "string",
-    "unclosed_quote": "unknown",
-    "unclosed_comment": "unknown",
-    "unexpected": "unknown",
 }
 
 
 class Token(NamedTuple):
     """A word of the text.
 
-    `kind` is the grammar's name, or `unknown` for characters that are no token of the language.
+    `kind` is the grammar's name, `UNKNOWN` or `UNCLOSED_STRING`; `row` is that of the line, which
+    a block comment may stretch over several rows.
     """
 
     kind: str
@@ -44,35 +51,63 @@ class Token(NamedTuple):
 
 def leaves(node: Node) -> Iterator[tuple[Node, bool]]:
     """Yield the nodes that a reader sees as words, and whether an ERROR is around each."""
-    stack = [(node, node.is_error)]
-    while stack:
-        part, in_error = stack.pop()
-        if part.children and (part.type not in _WHOLE_KINDS or part.has_error):
-            stack.extend((child, in_error or child.is_error) for child in reversed(part.children))
-        elif not part.is_missing and part.end_byte > part.start_byte:
-            yield part, in_error
+    # A cursor, because the children of one node may be millions.
+    cursor = node.walk()
+    errors = [node.is_error]
+    while True:
+        part = cursor.node
+        assert part is not None
+        if part.type not in _WHOLE_KINDS and cursor.goto_first_child():
+            errors.append(errors[-1] or _is_error(cursor.node))
+            continue
+        if not part.is_missing and part.end_byte > part.start_byte:
+            yield part, errors[-1]
+        while not cursor.goto_next_sibling():
+            if not cursor.goto_parent():
+                return
+            errors.pop()
+        errors[-1] = errors[-2] or _is_error(cursor.node)
+
+
+def _is_error(node: Node | None) -> bool:
+    return node is not None and node.is_error
 
 
 def tokens_of(source: bytes, nodes: Sequence[Node]) -> Iterator[Token]:
     """Yield the tokens of nodes, comments left out, unknown characters between them included."""
+    joined: dict[int, int] = {}
     for node in nodes:
         at = node.start_byte
         row = node.start_point.row
         for leaf, in_error in leaves(node):
-            yield from _unknown(source, at, leaf.start_byte, row)
+            yield from _unknown(source, at, leaf.start_byte, row, joined)
             at, row = leaf.end_byte, leaf.end_point.row
+            first = leaf.start_point.row
             if leaf.type in COMMENT_KINDS:
+                if row > first:
+                    joined[row] = joined.get(first, first)
                 continue
+            kind = leaf.type
             if leaf.is_error:
-                yield from _unknown(source, leaf.start_byte, at, leaf.start_point.row)
+                yield from _unknown(source, leaf.start_byte, at, first, joined)
                 continue
+            if kind == "string" and not _is_closed(leaf):
+                kind = UNCLOSED_STRING
             text = source[leaf.start_byte : at].decode("utf-8", "replace")
-            kind = _MISTAKEN_KINDS.get(leaf.type, leaf.type)
-            yield Token(kind, text, leaf.start_byte, at, leaf.start_point.row, in_error)
-        yield from _unknown(source, at, node.end_byte, row)
+            first = joined.get(first, first)
+            yield Token(_KINDS.get(kind, kind), text, leaf.start_byte, at, first, in_error)
+        yield from _unknown(source, at, node.end_byte, row, joined)
 
 
-def _unknown(source: bytes, start: int, end: int, row: int) -> Iterator[Token]:
+def _is_closed(string: Node) -> bool:
+    count = string.child_count
+    last = string.child(count - 1) if count > 1 else None
+    return last is not None and last.type == '"' and not last.is_missing
+
+
+def _unknown(
+    source: bytes, start: int, end: int, row: int, joined: dict[int, int]
+) -> Iterator[Token]:
     """Yield what stands between two tokens, line by line, where it is more than space."""
     if not source[start:end].strip():
         return
@@ -80,8 +115,7 @@ def _unknown(source: bytes, start: int, end: int, row: int) -> Iterator[Token]:
         text = line.strip()
         if text:
             at = start + line.index(text)
-            yield Token(
-                "unknown", text.decode("utf-8", "replace"), at, at + len(text), row, in_error=True
-            )
+            shown = text.decode("utf-8", "replace")
+            yield Token(UNKNOWN, shown, at, at + len(text), joined.get(row, row), in_error=True)
         start += len(line) + 1
         row += 1

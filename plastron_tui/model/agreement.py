@@ -3,30 +3,34 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Label
 from plastron_tui.language.declaration import Statement
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.names import resolved_name
 
-from .source import EndpointKind
-from .workspace import Node
+from .workspace import EndpointKind, Node
 
-_User = tuple[str, EndpointKind]
+
+class _Usage(NamedTuple):
+    node: str
+    where: Statement
 
 
 @dataclass(slots=True)
 class _Use:
     type: InterfaceName
-    where: Statement
-    users: set[_User] = field(default_factory=set)
+    users: dict[EndpointKind, dict[str, _Usage]] = field(default_factory=dict)
 
 
 class Agreement:
     """The types of the topics (or of the services) that are in use, and who uses each."""
 
-    def __init__(self, what: str) -> None:
+    def __init__(self, what: str, code: str) -> None:
+        """Start with nothing in use; a conflict of a `what` has the `code`."""
         self._what = what
+        self._code = code
         self._uses: dict[str, _Use] = {}
 
     def join(
@@ -36,12 +40,13 @@ class Agreement:
         use = self._add(node, role, name, type_, statement)
         if use is None:
             return None
+        elsewhere = min(usage.where.span for by in use.users.values() for usage in by.values())
         return Diagnostic(
-            f"{self._what}-type-conflict",
+            self._code,
             f"{self._what} `{name}` is of type `{use.type}` elsewhere in this program",
             statement.span_of("type"),
             help=f"use `{use.type}` here too, or another {self._what}",
-            labels=(Label(use.where.span, f"`{use.type}` here"),),
+            labels=(Label(elsewhere, f"`{use.type}` here"),),
         )
 
     def adopt(
@@ -56,13 +61,24 @@ class Agreement:
         if type_ is not None:
             self._add(node, role, name, type_, statement)
 
+    def other(self, node: Node, role: EndpointKind, name: str) -> Statement | None:
+        """Return the statement by which another node has the same role in a name, if one has."""
+        use = self._uses.get(resolved_name(node.name, name))
+        if use is None:
+            return None
+        others = use.users.get(role, {}).values()
+        return next((usage.where for usage in others if usage.node != node.name), None)
+
     def leave(self, node: Node, role: EndpointKind, name: str) -> None:
         """Note that a node uses a name no longer; a name that nobody uses is free again."""
         key = resolved_name(node.name, name)
         use = self._uses.get(key)
         if use is None:
             return
-        use.users.discard((node.variable, role))
+        users = use.users.get(role, {})
+        users.pop(node.variable, None)
+        if not users:
+            use.users.pop(role, None)
         if not use.users:
             del self._uses[key]
 
@@ -73,9 +89,11 @@ class Agreement:
         key = resolved_name(node.name, name)
         use = self._uses.get(key)
         if use is None:
-            self._uses[key] = _Use(type_, where, {(node.variable, role)})
-            return None
-        if use.type != type_:
+            use = self._uses[key] = _Use(type_)
+        elif use.type != type_:
             return use
-        use.users.add((node.variable, role))
+        users = use.users.get(role)
+        if users is None:
+            users = use.users[role] = {}
+        users.setdefault(node.variable, _Usage(node.name, where))
         return None

@@ -48,6 +48,9 @@ class Checks:
         self.workspace = Workspace()
         self._setting = setting
         self._broken: set[str] = set()
+        self._broken_words: frozenset[str] = frozenset()
+        self._failed: set[tuple[str, str]] = set()
+        self._failed_nodes: set[str] = set()
         self._version = setting.libraries[setting.library]
         self._resolvers: dict[int, TypeResolver] = {}
         self._fitters: dict[int, Fitter] = {}
@@ -81,31 +84,49 @@ class Checks:
         node = self.workspace.nodes.get(statement.node)
         if node is not None:
             return node
-        raise self._unknown(statement, "node", self.workspace.nodes, self.workspace.messages)
+        variable: str = statement.node
+        if variable in self._broken:
+            raise Mistake
+        is_other = variable in self.workspace.messages
+        raise Mistake(
+            Diagnostic(
+                "unknown-node",
+                f"no node `{variable}`",
+                statement.span_of("node"),
+                help=f"`{variable}` is a message"
+                if is_other
+                else did_you_mean(variable, self.workspace.nodes),
+            )
+        )
 
     def _message(self, statement: st.Publish) -> Message:
         message = self.workspace.messages.get(statement.message)
         if message is not None:
             return message
-        raise self._unknown(statement, "message", self.workspace.messages, self.workspace.nodes)
-
-    def _unknown(
-        self, statement: Statement, slot: str, known: Iterable[str], others: Iterable[str]
-    ) -> Mistake:
-        """Make the mistake of a variable that names no node (or no message)."""
-        variable: str = getattr(statement, slot)
+        variable = statement.message
         if variable in self._broken:
-            return Mistake()
-        if variable in others:
-            other = "message" if slot == "node" else "node"
-            text: str | None = f"`{variable}` is a {other}"
-        else:
-            text = did_you_mean(variable, known)
-        return Mistake(
+            raise Mistake
+        is_other = variable in self.workspace.nodes
+        raise Mistake(
             Diagnostic(
-                f"unknown-{slot}", f"no {slot} `{variable}`", statement.span_of(slot), help=text
+                "unknown-message",
+                f"no message `{variable}`",
+                statement.span_of("message"),
+                help=f"`{variable}` is a node"
+                if is_other
+                else did_you_mean(variable, self.workspace.messages),
             )
         )
+
+    def _follows(self, node: Node, name: str) -> bool:
+        """Tell whether what a node has under a name may be so because of an earlier mistake."""
+        return (node.variable, name) in self._failed or (
+            node.variable in self._broken_words and name in self._broken_words
+        )
+
+    def _is_unfinished(self, node: Node) -> bool:
+        """Tell whether a mistake kept a node from having what it was to have."""
+        return node.variable in self._failed_nodes or node.variable in self._broken_words
 
     def _library(self, statement: st.CreateNode | st.GenerateNode) -> str | None:
         library = statement.library
@@ -122,7 +143,9 @@ class Checks:
         )
 
     def _version_of(self, node: Node) -> int:
-        return self._version if node.library is None else self._setting.libraries[node.library]
+        if node.library is None:
+            return self._version
+        return self._setting.libraries.get(node.library, self._version)
 
     def _check_name(self, statement: Statement, slot: str, name: str, version: int) -> None:
         problem = _CHECKS[slot](name, version)
@@ -177,8 +200,20 @@ class Checks:
             )
         )
 
-    def _check_function(self, statement: Statement, function: str | None) -> None:
-        if function is not None and iskeyword(function):
+    def _check_function(
+        self,
+        statement: st.Subscribe | st.ProvidesService,
+        node: Node,
+        others: Iterable[tuple[str | None, Span | None]],
+    ) -> None:
+        """Check the function that a statement calls against Python, and against what else it does.
+
+        A callback takes a message, a handler a request: no function can be both.
+        """
+        function = statement.function
+        if function is None:
+            return
+        if iskeyword(function):
             raise Mistake(
                 Diagnostic(
                     "invalid-function",
@@ -187,6 +222,18 @@ class Checks:
                     help=f"write `{function}_`",
                 )
             )
+        for called, where in others:
+            if called == function:
+                labels = () if where is None else (Label(where, "called here"),)
+                raise Mistake(
+                    Diagnostic(
+                        "function-conflict",
+                        f"`{node.variable}` calls `{function}` for something else already",
+                        statement.span_of("function"),
+                        help="each kind of message and request needs a function of its own",
+                        labels=labels,
+                    )
+                )
 
     def _take(
         self,
@@ -200,6 +247,8 @@ class Checks:
         """Take an endpoint away from the statement's node, or say that it has none such."""
         name: str = getattr(statement, slot)
         if endpoints.pop(name, None) is None:
+            if self._follows(node, name):
+                raise Mistake
             raise Mistake(
                 Diagnostic(
                     code,
@@ -210,8 +259,11 @@ class Checks:
             )
         node.removed[name] = statement.span
 
-
-def exists_already(statement: Statement, code: str, what: str, name: str) -> Mistake:
-    """Make the mistake of an endpoint that the node has already."""
-    slot = "topic" if hasattr(statement, "topic") else "service"
-    return Mistake(Diagnostic(code, f"{what} `{name}` already", statement.span_of(slot)))
+    def _exists_already(
+        self, statement: Any, slot: str, node: Node, code: str, what: str
+    ) -> Mistake:
+        """Make the mistake of an endpoint that the node has already."""
+        name: str = getattr(statement, slot)
+        if self._follows(node, name):
+            return Mistake()
+        return Mistake(Diagnostic(code, f"{what} `{name}` already", statement.span_of(slot)))

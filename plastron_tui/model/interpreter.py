@@ -7,10 +7,11 @@ mistake gives none.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
-from typing import Any
+from contextlib import suppress
+from dataclasses import replace
+from typing import Any, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Label, Span
+from plastron_tui.diagnostics import Diagnostic, Label, Severity, Span
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.lowering import Program
@@ -18,13 +19,12 @@ from plastron_tui.language.pause import collection_paused
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 
 from .agreement import Agreement
-from .checks import Checks, Mistake, exists_already
-from .loading import has_other_work, loaded_node
+from .checks import Checks, Mistake
 from .setting import LoadRequest, Setting
-from .source import EndpointKind
 from .workspace import (
     DEFAULT_RATE,
     Client,
+    EndpointKind,
     Generation,
     Message,
     Node,
@@ -36,8 +36,7 @@ from .workspace import (
 )
 
 
-@dataclass(frozen=True, slots=True)
-class Interpretation:
+class Interpretation(NamedTuple):
     """What a program means, and what is wrong with it."""
 
     workspace: Workspace
@@ -57,9 +56,14 @@ class Interpreter(Checks):
 
     def __init__(self, setting: Setting) -> None:
         super().__init__(setting)
-        self._diagnostics: list[Diagnostic] = []
-        self._topics = Agreement("topic")
-        self._services = Agreement("service")
+        self._program = Program(())
+        self._found: list[tuple[int, Diagnostic]] = []
+        # ROS 1 and ROS 2 are two graphs: what one means by a topic is nothing to the other.
+        versions = {setting.libraries[setting.library], *setting.libraries.values()}
+        self._topics = {v: Agreement("topic", "topic-type-conflict") for v in versions}
+        self._services = {v: Agreement("service", "service-type-conflict") for v in versions}
+        self._messages: dict[str, st.CreateMessage] = {}
+        self._variants: dict[tuple[str, int], Message | None] = {}
         self._node_names: dict[str, Span] = {}
         self._run: dict[type[Statement], Callable[[Any], None]] = {
             st.CreateNode: self._create_node,
@@ -77,21 +81,43 @@ class Interpreter(Checks):
         }
 
     def run(self, program: Program) -> tuple[Diagnostic, ...]:
-        """Run the statements of a program, and return all that is wrong with it."""
-        self._broken |= program.broken_words
-        self._diagnostics = list(program.diagnostics)
+        """Run the statements of a program, and return all that is wrong with it, in its order."""
+        self._program = program
+        self._broken = set(program.broken_declarations)
+        self._broken_words = program.broken_words
+        self._failed = set()
+        self._failed_nodes = set()
+        self._found = []
         run = self._run
         for statement in program.statements:
             try:
                 run[type(statement)](statement)
             except Mistake as mistake:  # noqa: PERF203 - each statement has its own
                 if mistake.diagnostic is not None:
-                    self._diagnostics.append(mistake.diagnostic)
-                # What the statement was to declare is broken, not unknown.
-                declared = getattr(statement, "variable", None)
-                if declared is not None:
-                    self._broken.add(declared)
-        return tuple(self._diagnostics)
+                    self._report(statement, mistake.diagnostic)
+                self._fail(statement)
+        if program.diagnostics:
+            self._found += [
+                (0 if found.span is None else found.span.start, found)
+                for found in program.diagnostics
+            ]
+            self._found.sort(key=lambda entry: entry[0])
+        return tuple([found for _, found in self._found])
+
+    def _report(self, statement: Statement, diagnostic: Diagnostic) -> None:
+        self._found.append((statement.syntax.start_byte, diagnostic))
+
+    def _fail(self, statement: Statement) -> None:
+        """Remember what a statement without effect was to make: it is broken, not missing."""
+        match statement:
+            case st.CreateNode() | st.Load() | st.CreateMessage():
+                self._broken.add(statement.variable)
+            case st.Subscribe() | st.Publish():
+                self._failed.add((statement.node, statement.topic))
+                self._failed_nodes.add(statement.node)
+            case st.ClientRequests() | st.ProvidesService():
+                self._failed.add((statement.node, statement.service))
+                self._failed_nodes.add(statement.node)
 
     def _create_node(self, statement: st.CreateNode) -> None:
         self._check_new_variable(statement, statement.variable)
@@ -116,41 +142,78 @@ class Interpreter(Checks):
         )
 
     def _load(self, statement: st.Load) -> None:
+        from .loading import loaded_node  # most programs load nothing
+
         self._check_new_variable(statement, statement.variable)
         request = LoadRequest(
             statement.source, statement.is_path, tuple(self.workspace.generations)
         )
         loaded = self._setting.read(request)
         where = statement.span_of("source")
-        self._diagnostics.extend(
-            found if found.file is not None else replace(found, span=where)
-            for found in loaded.diagnostics
-        )
+        for found in loaded.diagnostics:
+            placed = found if found.file is not None else replace(found, span=where)
+            self._report(statement, placed)
         if loaded.source is None:
             raise Mistake
         node = loaded_node(loaded.source, statement)
-        for publisher in node.publishers.values():
-            self._topics.adopt(
-                node, EndpointKind.PUBLISHER, publisher.topic, publisher.type, statement
-            )
-        for listener in node.subscriptions.values():
-            self._topics.adopt(
-                node, EndpointKind.SUBSCRIPTION, listener.topic, listener.type, statement
-            )
-        for service in node.services.values():
-            self._services.adopt(node, EndpointKind.SERVICE, service.name, service.type, statement)
-        for client in node.clients.values():
-            self._services.adopt(node, EndpointKind.CLIENT, client.name, client.type, statement)
+        self._adopt(node, statement)
         self.workspace.nodes[statement.variable] = node
+
+    def _adopt(self, node: Node, statement: st.Load) -> None:
+        """Note what types a loaded node means by its topics and services."""
+        version = self._version_of(node)
+        topics, services = self._topics[version], self._services[version]
+        for publisher in node.publishers.values():
+            topics.adopt(node, EndpointKind.PUBLISHER, publisher.topic, publisher.type, statement)
+        for listener in node.subscriptions.values():
+            topics.adopt(node, EndpointKind.SUBSCRIPTION, listener.topic, listener.type, statement)
+        for service in node.services.values():
+            services.adopt(node, EndpointKind.SERVICE, service.name, service.type, statement)
+        for client in node.clients.values():
+            services.adopt(node, EndpointKind.CLIENT, client.name, client.type, statement)
 
     def _create_message(self, statement: st.CreateMessage) -> None:
         self._check_new_variable(statement, statement.variable)
-        version = self._version
+        variable = statement.variable
+        try:
+            message, version = self._message_in(statement, self._version), self._version
+        except Mistake:
+            # The message may be meant for nodes of the other ROS.
+            for version in self._other_versions():
+                with suppress(Mistake):
+                    message = self._message_in(statement, version)
+                    break
+            else:
+                raise
+        self.workspace.messages[variable] = message
+        self._messages[variable] = statement
+        self._variants[variable, version] = message
+
+    def _message_in(self, statement: st.CreateMessage, version: int) -> Message:
+        """Make a message of the type that its name means in a generation of ROS."""
         type_ = self._type(statement, statement.type, InterfaceKind.MESSAGE, version)
         value = self._fit(statement, type_, version)
-        self.workspace.messages[statement.variable] = Message(
-            statement.variable, value, statement.span
-        )
+        return Message(statement.variable, value, statement.span)
+
+    def _other_versions(self) -> set[int]:
+        """Return the other generations of ROS that nodes of the program are for."""
+        used = {
+            self._setting.libraries.get(statement.library, self._version)
+            for statement in self._program.statements
+            if isinstance(statement, st.CreateNode) and statement.library is not None
+        }
+        return used - {self._version}
+
+    def _message_for(self, message: Message, version: int) -> Message:
+        """Return a message as nodes of a generation of ROS send it."""
+        key = message.variable, version
+        if key not in self._variants:
+            self._variants[key] = None
+            self._variants[key] = self._message_in(self._messages[message.variable], version)
+        found = self._variants[key]
+        if found is None:
+            raise Mistake
+        return found
 
     def _subscribe(self, statement: st.Subscribe) -> None:
         node = self._node(statement)
@@ -159,10 +222,12 @@ class Interpreter(Checks):
         self._check_name(statement, "topic", topic, version)
         type_ = self._type(statement, statement.type, InterfaceKind.MESSAGE, version).name
         if topic in node.subscriptions:
-            raise exists_already(
-                statement, "already-subscribed", f"`{node.variable}` subscribes to", topic
+            raise self._exists_already(
+                statement, "topic", node, "already-subscribed", f"`{node.variable}` subscribes to"
             )
-        self._check_function(statement, statement.function)
+        if statement.function is not None:
+            handlers = ((service.handler, service.span) for service in node.services.values())
+            self._check_function(statement, node, handlers)
         self._agree(statement, node, EndpointKind.SUBSCRIPTION, topic, type_)
         node.subscriptions[topic] = Subscription(topic, type_, statement.function, statement.span)
 
@@ -170,7 +235,7 @@ class Interpreter(Checks):
         node = self._node(statement)
         endpoints = node.subscriptions
         self._take(statement, "topic", node, endpoints, "not-subscribed", "subscribe to")
-        self._topics.leave(node, EndpointKind.SUBSCRIPTION, statement.topic)
+        self._topics[self._version_of(node)].leave(node, EndpointKind.SUBSCRIPTION, statement.topic)
 
     def _publish(self, statement: st.Publish) -> None:
         node = self._node(statement)
@@ -179,6 +244,7 @@ class Interpreter(Checks):
         topic = statement.topic
         self._check_name(statement, "topic", topic, version)
         type_ = self._type(statement, statement.type, InterfaceKind.MESSAGE, version).name
+        message = self._message_for(message, version)
         if message.value.type != type_:
             raise Mistake(
                 Diagnostic(
@@ -194,7 +260,7 @@ class Interpreter(Checks):
         earlier = () if publisher is None else publisher.publications
         if any(publication.message is message for publication in earlier):
             what = f"`{node.variable}` publishes `{message.variable}` to"
-            raise exists_already(statement, "already-publishing", what, topic)
+            raise self._exists_already(statement, "topic", node, "already-publishing", what)
         self._agree(statement, node, EndpointKind.PUBLISHER, topic, type_)
         span = statement.span if publisher is None else publisher.span
         node.publishers[topic] = Publisher(
@@ -204,7 +270,7 @@ class Interpreter(Checks):
     def _stop_publishing(self, statement: st.StopPublishing) -> None:
         node = self._node(statement)
         self._take(statement, "topic", node, node.publishers, "not-publishing", "publish to")
-        self._topics.leave(node, EndpointKind.PUBLISHER, statement.topic)
+        self._topics[self._version_of(node)].leave(node, EndpointKind.PUBLISHER, statement.topic)
 
     def _client_requests(self, statement: st.ClientRequests) -> None:
         node = self._node(statement)
@@ -223,7 +289,7 @@ class Interpreter(Checks):
     def _stop_request(self, statement: st.StopRequest) -> None:
         node = self._node(statement)
         self._take(statement, "service", node, node.clients, "not-requesting", "request")
-        self._services.leave(node, EndpointKind.CLIENT, statement.service)
+        self._services[self._version_of(node)].leave(node, EndpointKind.CLIENT, statement.service)
 
     def _provides_service(self, statement: st.ProvidesService) -> None:
         node = self._node(statement)
@@ -232,22 +298,41 @@ class Interpreter(Checks):
         self._check_name(statement, "service", name, version)
         type_ = self._type(statement, statement.type, InterfaceKind.SERVICE, version).name
         if name in node.services:
-            raise exists_already(
-                statement, "already-providing", f"`{node.variable}` provides", name
+            raise self._exists_already(
+                statement, "service", node, "already-providing", f"`{node.variable}` provides"
             )
-        self._check_function(statement, statement.function)
+        if statement.function is not None:
+            callbacks = ((each.callback, each.span) for each in node.subscriptions.values())
+            self._check_function(statement, node, callbacks)
+            others = (each for each in node.services.values() if each.type != type_)
+            self._check_function(statement, node, ((each.handler, each.span) for each in others))
         self._agree(statement, node, EndpointKind.SERVICE, name, type_)
+        other = self._services[version].other(node, EndpointKind.SERVICE, name)
+        if other is not None:
+            self._report(
+                statement,
+                Diagnostic(
+                    "service-provided-twice",
+                    f"another node of this program provides `{name}` too",
+                    statement.span_of("service"),
+                    help="a call reaches one of them only; give each a service of its own",
+                    labels=(Label(other.span, "provided here"),),
+                    severity=Severity.WARNING,
+                ),
+            )
         node.services[name] = Service(name, type_, statement.function, statement.span)
 
     def _stop_service(self, statement: st.StopService) -> None:
         node = self._node(statement)
         self._take(statement, "service", node, node.services, "not-providing", "provide")
-        self._services.leave(node, EndpointKind.SERVICE, statement.service)
+        self._services[self._version_of(node)].leave(node, EndpointKind.SERVICE, statement.service)
 
     def _generate_node(self, statement: st.GenerateNode) -> None:
         node = self._node(statement)
         library = self._library(statement) or node.library or self._setting.library
-        if node.is_idle and not has_other_work(node):
+        if node.is_idle and not _has_other_work(node):
+            if self._is_unfinished(node):
+                raise Mistake
             raise Mistake(
                 Diagnostic(
                     "idle-node",
@@ -262,11 +347,17 @@ class Interpreter(Checks):
     def _agree(
         self, statement: Statement, node: Node, role: EndpointKind, name: str, type_: InterfaceName
     ) -> None:
-        agreement = (
-            self._topics
-            if role is EndpointKind.PUBLISHER or role is EndpointKind.SUBSCRIPTION
-            else self._services
-        )
+        is_topic = role is EndpointKind.PUBLISHER or role is EndpointKind.SUBSCRIPTION
+        agreements = self._topics if is_topic else self._services
+        agreement = agreements[self._version_of(node)]
         conflict = agreement.join(node, role, name, type_, statement)
         if conflict is not None:
-            raise Mistake(conflict)
+            # Where the other use was to be taken away, it may be there because of a mistake.
+            raise Mistake(None if name in self._broken_words else conflict)
+
+
+def _has_other_work(node: Node) -> bool:
+    """Tell whether a loaded node does something that the workspace does not show."""
+    from .loading import has_other_work
+
+    return has_other_work(node)

@@ -1,0 +1,109 @@
+"""Why values do not fit, as diagnostics."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from tree_sitter import Node as SyntaxNode
+
+from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.diagnostics.suggest import nearest
+from plastron_tui.language.inputs import COMMENTS, InputValue, Literal
+from plastron_tui.ros.interfaces import Field, FieldType, InterfaceName
+from plastron_tui.ros.primitives import Primitive
+
+
+class Misfit(Exception):  # noqa: N818 - it carries diagnostics to `fit`, and goes no further
+    """Values that do not fit, with the reason."""
+
+    def __init__(self, diagnostic: Diagnostic) -> None:
+        self.diagnostic = diagnostic
+
+
+def wrong_count(
+    name: InterfaceName,
+    fields: Sequence[Field],
+    leaves: tuple[tuple[str, ...], ...] | None,
+    count: int,
+    where: Span,
+) -> Diagnostic:
+    """Say that a message takes another number of values, and name its fields in order."""
+    if not fields:
+        return Diagnostic(
+            "wrong-number-of-values", f"`{name}` takes no values", where, help="write `none`"
+        )
+    takes = f"{len(fields)} value{'' if len(fields) == 1 else 's'}"
+    names = ", ".join(field.name for field in fields)
+    text = f"in order: {names}"
+    if leaves is not None and len(leaves) != len(fields):
+        takes += f", or {len(leaves)}"
+        text += f"; or: {', '.join('.'.join(path) for path in leaves)}"
+    return Diagnostic(
+        "wrong-number-of-values", f"`{name}` takes {takes}, not {count}", where, help=text
+    )
+
+
+def span(syntax: SyntaxNode) -> Span:
+    """Return where a node of the tree stands."""
+    return Span(syntax.start_byte, syntax.end_byte)
+
+
+def path_span(syntax: SyntaxNode, length: int) -> Span:
+    """Return where a name stands in a named value's path, counted from the end of the path.
+
+    A value without a name stands for itself.
+    """
+    path = syntax.child_by_field_name("field")
+    if path is None:
+        return span(syntax)
+    names = [child for child in path.named_children if child.kind_id not in COMMENTS]
+    return span(names[-length])
+
+
+def wrong_kind(problem: str, value: InputValue, type_: FieldType, field: str) -> Diagnostic:
+    """Say that a value is of another kind than its field."""
+    return Diagnostic(
+        "wrong-kind-of-value", problem, span(value.syntax), help=f"`{field}` is of type `{type_}`"
+    )
+
+
+def wrong_length(problem: str, count: int, value: InputValue) -> Diagnostic:
+    """Say that a list has more or fewer elements than its array."""
+    return Diagnostic("wrong-array-length", f"{problem}, not {count}", span(value.syntax))
+
+
+def no_time(type_: str, value: InputValue, field: str) -> Diagnostic:
+    """Say that a value is no time, and how a time is written."""
+    return Diagnostic(
+        "wrong-kind-of-value",
+        f"`{field}` is a `{type_}`",
+        span(value.syntax),
+        help=f"write seconds ({field}=1.5), or seconds and nanoseconds ({field}=(1, 500000000))",
+    )
+
+
+def does_not_fit(
+    problem: str, value: Literal, type_: FieldType, field: str, wanted: Primitive | None
+) -> Diagnostic:
+    """Say why a value does not fit: it is of another kind, or too large, or no text."""
+    given = value.value
+    kind = None if wanted is None else wanted.kind
+    if kind is str and isinstance(given, str):
+        return Diagnostic("invalid-text", problem, span(value.syntax))
+    is_number = isinstance(given, (int, float)) and not isinstance(given, bool)
+    if not is_number or (kind is not float and (kind is not int or isinstance(given, float))):
+        return wrong_kind(problem, value, type_, field)
+    text = f"`{field}` is of type `{type_}`"
+    return Diagnostic("value-out-of-range", problem, span(value.syntax), help=text)
+
+
+def unknown_field(
+    name: InterfaceName, field: str, fields: tuple[str, ...], where: Span
+) -> Diagnostic:
+    """Say that a type has no such field, and which one may be meant."""
+    guess = nearest(field, fields)
+    if guess is not None:
+        text = f"did you mean `{guess}`?"
+    else:
+        text = f"its fields are: {', '.join(fields)}" if fields else "it has no fields"
+    return Diagnostic("unknown-field", f"`{name}` has no field `{field}`", where, help=text)
