@@ -27,6 +27,9 @@ _KIND_NAMES = {
     EndpointKind.CLIENT: "client",
 }
 
+# A message that lists more lines than these is not read.
+_MOST_LINES = 20
+
 _Key = tuple[EndpointKind, str | None, str, str]
 
 
@@ -85,7 +88,9 @@ def _remove(analysis: Analysis, change: Remove, expected: Counter[_Key]) -> byte
         raise _RefusedError(Diagnostic("edit-refused", message, change.span))
     removal = plan_removal(analysis, sites)
     if removal.lines:
-        lines = ", ".join(map(str, sorted(removal.lines)))
+        listed = sorted(removal.lines)
+        lines = ", ".join(map(str, listed[:_MOST_LINES]))
+        lines += f" and {more} more" if (more := len(listed) - _MOST_LINES) > 0 else ""
         plural = "s" if len(removal.lines) > 1 else ""
         raise _RefusedError(
             Diagnostic(

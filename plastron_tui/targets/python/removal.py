@@ -237,6 +237,7 @@ def _remove_uses(
     created = {statement.id for statement in removal.statements}
     cut = [splice for splice in removal.splices if not splice.text]
     publishing: list[Reference] = []
+    rebound: set[int] = set()
     uses = references(variable, analysis)
     if sites[0].endpoint.kind is EndpointKind.CLIENT:
         uses = _remove_calling(analysis, uses, removal)
@@ -249,8 +250,12 @@ def _remove_uses(
             publishing.append(reference)
         elif reference.use is Use.BARE or is_own_call(analysis, reference):
             removal.statements.append(reference.statement)
+        elif reference.use is Use.BINDING:
+            rebound.add(_line(reference.node))
         elif reference.use is not Use.NOTHING:
             removal.lines.add(_line(reference.node))
+    # What the variable holds besides matters only where something is done with it.
+    removal.lines |= rebound if publishing or removal.lines else set()
     calls = {site.call.id for site in sites}
     for reference in publishing:
         inside = [

@@ -170,6 +170,11 @@ REMOVALS = {
         f"rospy.Service('t', Empty, h)\n{TAIL}",
         f"import rospy\n{TAIL}",
     ),
+    "a variable that holds another later": (
+        SUB,
+        f"{HEAD}s = rospy.Subscriber('t', String)\ns = rospy.Subscriber('u', Int32)\n{TAIL}",
+        f"import rospy\nfrom std_msgs.msg import Int32\ns = rospy.Subscriber('u', Int32)\n{TAIL}",
+    ),
     "a client": (
         CLI,
         f"import rospy\nfrom std_srvs.srv import Empty\nc = rospy.ServiceProxy('t', Empty)\n{TAIL}",
