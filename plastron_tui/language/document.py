@@ -103,7 +103,7 @@ class Document:
         node = self._tree.root_node.descendant_for_byte_range(line, line)
         if node is None or node.type != "block_comment" or node.start_byte >= line:
             return None
-        return min(node.start_byte, line)
+        return node.start_byte
 
 
 def _moved(row: int, column: int, text: bytes) -> tuple[int, int]:
