@@ -105,8 +105,8 @@ CODES: dict[str, Code] = {
         ),
         Code(
             "unreadable-file",
-            "A file cannot be read as text: it is a folder, too large, not UTF-8, has NUL bytes, or "
-            "the operating system refuses. Save it as UTF-8, or name another file.",
+            "A file cannot be read as text: it is a folder, too large, not UTF-8, has NUL bytes, "
+            "or the operating system refuses. Save it as UTF-8, or name another file.",
         ),
         Code(
             "bad-project",
@@ -129,9 +129,9 @@ CODES: dict[str, Code] = {
         ),
         Code(
             "merged-by-hand",
-            "A created node's file was changed by hand. It is kept, and what the program has and the "
-            "file lacks is added; messages, rates and callbacks stay as the file has them. `--force` "
-            "writes it anew and keeps a backup.",
+            "A created node's file was changed by hand. It is kept, and what the program has and "
+            "the file lacks is added; messages, rates and callbacks stay as the file has them. "
+            "`--force` writes it anew and keeps a backup.",
         ),
     )
 }

@@ -1,0 +1,241 @@
+"""Write the parts of the documentation that follow from the source.
+
+python scripts/build_docs.py            writes docs/language.md and docs/diagnostics.md
+python scripts/build_docs.py --check    exits with 1 when they are not what they should be
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+from plastron_tui.diagnostics import CODES, IO_CODES, Code
+from plastron_tui.diagnostics.program_codes import MEANING_CODES, NAME_CODES, SYNTAX_CODES
+from plastron_tui.diagnostics.value_codes import VALUE_CODES
+from plastron_tui.language import DECLARATIONS, Declaration, SlotKind
+from plastron_tui.language.keywords import KEYWORDS
+
+DOCS = Path(__file__).resolve().parent.parent / "docs"
+
+_LANGUAGE_HEAD = """\
+# The language on one page
+
+A program is text, one statement a line, in a file that ends in `.plastron`. It describes ROS nodes,
+the topics and services that join them, and the messages that they send. Statements run from top to
+bottom.
+
+```plastron
+// A node that says hello on the topic `chatter`, twice a second.
+create_node 'talker' as talker
+create_message greeting of message_type String and input "hello"
+talker publish greeting to 'chatter' of message_type String at 2 hz
+generate_node talker
+```
+
+`plastron check FILE` says what is wrong with a program, `plastron generate FILE` writes its nodes.
+
+Four words come up again and again. A **node** is a program of its own that does one thing. A
+**topic** is a name under which nodes send **messages**: every node that subscribes to it gets
+them. A **service** is a name under which a node answers: another calls it with a request, and
+gets one response.
+
+## Words
+
+| what | how it is written | notes |
+|---|---|---|
+| statement | one line | the end of the line ends it, whatever is missing |
+| comment | `// to the end of the line` or `/* from here to there */` | anywhere between words |
+| variable | `talker`, `joint_1` | a letter, then letters, digits and `_`; no keyword; nodes and \
+messages share one namespace |
+| ROS name | `'chatter'`, `'/arm/joint_1'`, `'~private'` | in single quotes, and a name that ROS \
+takes; a node's name has no `/` |
+| text | `"hello"` | in double quotes; `\\"`, `\\\\`, `\\n`, `\\t` and `\\uXXXX` within |
+| number | `5`, `-5`, `0.25`, `1e-3` | |
+| boolean | `True`, `False` | |
+| type | `Point`, `geometry_msgs/Point`, `geometry_msgs/msg/Point` | the package is needed only \
+where several have a type of the name |
+
+"""
+
+_STATEMENTS_HEAD = """\
+## Statements
+
+What is in capitals is for you to fill in; what is in brackets may be left out; a bar stands between
+two ways to do it.
+
+"""
+
+_LANGUAGE_TAIL = """\
+## Values
+
+The fields of a message, and of a request, get their values after the word `input`:
+
+| how | example | meaning |
+|---|---|---|
+| in order | `input 5, 6, 7` | one value for each field, in the order of the type |
+| flattened | `input 1, 0, 0, 0, 0, 0.5` | for a message of messages: one for each number or text \
+within, if there are no lists |
+| by name | `input x=5, y=6` | the rest keeps its default |
+| deeper | `input linear.x=1.0` | a field of a field |
+| nested | `input linear=(1, 0, 0), angular=(z=0.5)` | the values of a message within the message |
+| list | `input ranges=[1.0, 2.0]` | an array |
+| first in order, then by name | `input 1, 2, z=3` | |
+| `none` | `input none` | every field keeps its default |
+
+A value has to fit its field: a text, a boolean, a number or a list where one belongs, a whole
+number within the range of its type, a list of the array's length. A whole number is fine where a fraction
+belongs. A time or a duration is written in seconds, `1.5`, or in seconds and nanoseconds,
+`(1, 500000000)`.
+
+`plastron types Twist` shows the fields of a type, `plastron types '*Scan*'` finds types.
+
+## Types
+
+A type is looked up among those of the ROS distribution that the node is for, those of the ROS
+packages that are sourced, and the `.msg` and `.srv` files beside the program. These bare names
+always mean the same, whatever else is installed:
+
+| name | ROS 1 | ROS 2 |
+|---|---|---|
+| `String`, `Char`, `Int32`, `Float32` | `std_msgs` | `std_msgs` |
+| `Point`, `Vector3`, `Quaternion`, `Pose2D`, `Pose`, `Twist` | `geometry_msgs` | `geometry_msgs` |
+| `Empty`, `SetBool`, `Trigger` (services) | `std_srvs` | `std_srvs` |
+| `AddTwoInts` | `beginner_tutorials` | `example_interfaces` |
+| `WaypointClear`, `WaypointPull` | `mavros_msgs` | `mavros_msgs` |
+| `WordCount` | `basics` | `basics` |
+
+## Client libraries
+
+A node is written for a client library: `rospy` or `roscpp` in ROS 1, `rclpy` or `rclcpp` in ROS 2.
+The word `using` names it. Without it counts, in this order: the option `--target`, the `target` in
+`plastron.yaml`, the ROS that is sourced, `rospy`.
+
+## Files
+
+`generate_node` writes a created node into the output folder, by default `output` beside the
+program. The file is called as the node is, with an ending that says what it does:
+
+| ending | the node |
+|---|---|
+| `_pub.py` | only publishes |
+| `_sub1.py` | subscribes to one topic |
+| `_sub2.py` | subscribes to several |
+| `_client.py` | only calls services |
+| `_server.py` | only provides services |
+| `_node.py` | does several of these |
+
+`load NAME` looks for `NAME.py`, then `NAME.cpp`, in the output folder, the program's folder and the
+working folder; `load 'path/to/file.py'` starts at the program's folder. A loaded node is changed in
+place: what no statement asked to change stays as it is, byte for byte.
+
+## Mistakes
+
+A statement with a mistake has no effect, and the rest of the program still runs; but a program with
+an error generates nothing. Every mistake is explained in [the list of diagnostics](diagnostics.md).
+"""
+
+_DIAGNOSTICS_HEAD = """\
+# Diagnostics
+
+What Plastron reports, by the code in brackets: `error[unknown-node]`. An error keeps a program from
+generating anything; a warning does not. A command ends with status 1 when there are errors, and
+with status 2 when a file cannot be read or written.
+
+"""
+
+_SECTIONS = (
+    ("Sentences", "Lines that are no statement.", SYNTAX_CODES),
+    ("Names and types", "What a statement names.", NAME_CODES),
+    ("Meaning", "What a statement does.", MEANING_CODES),
+    ("Values", "What messages and requests hold.", VALUE_CODES),
+)
+
+
+def language_page() -> str:
+    """Return the language on one page, from the declarations of its statements."""
+    statements = "\n".join(map(_statement, DECLARATIONS.values()))
+    words = ", ".join(f"`{word}`" for word in sorted(KEYWORDS, key=str.lower))
+    keywords = f"The keywords, which are no variables: {words}.\n\n"
+    return _LANGUAGE_HEAD + keywords + _STATEMENTS_HEAD + statements + "\n" + _LANGUAGE_TAIL
+
+
+def _statement(declaration: Declaration) -> str:
+    lines = [
+        f"### `{declaration.keyword}`",
+        "",
+        declaration.summary,
+        "",
+        "```text",
+        declaration.usage,
+        "```",
+        "",
+    ]
+    lines += [f"- {_placeholder(slot.kind)}: {slot.help}" for slot in declaration.slots]
+    lines += ["", "```plastron", declaration.example, "```", ""]
+    return "\n".join(lines)
+
+
+def _placeholder(kind: SlotKind) -> str:
+    return " or ".join(f"`{part}`" for part in kind.placeholder.split(" | "))
+
+
+def diagnostics_page() -> str:
+    """Return the list of all codes, by theme."""
+    return _DIAGNOSTICS_HEAD + "\n".join(_diagnostics()).rstrip() + "\n"
+
+
+def _diagnostics() -> Iterator[str]:
+    shown: set[str] = set()
+    for title, about, codes in _SECTIONS:
+        yield f"## {title}\n\n{about}\n"
+        yield from map(_code, codes)
+        shown.update(code.name for code in codes)
+    yield "## Files, ROS and its graph\n\nWhat is not about a statement.\n"
+    rest = sorted((code for name, code in CODES.items() if name not in shown), key=_by_name)
+    yield from map(_code, rest)
+
+
+def _by_name(code: Code) -> str:
+    return code.name
+
+
+def _code(code: Code) -> str:
+    status = " A command then ends with status 2." if code.name in IO_CODES else ""
+    text = f"### `{code.name}`\n\n{code.summary}{status}\n"
+    for label, program in (("Wrong", code.bad), ("Right", code.good)):
+        if program:
+            text += f"\n{label}:\n\n```plastron\n{program}```\n"
+    return text
+
+
+PAGES: dict[str, Callable[[], str]] = {
+    "language.md": language_page,
+    "diagnostics.md": diagnostics_page,
+}
+"""The files in `docs` that this script writes."""
+
+
+def main(arguments: list[str]) -> int:
+    """Write the pages, or with `--check` compare them; return the exit status."""
+    if arguments not in ([], ["--check"]):
+        print(__doc__, file=sys.stderr)
+        return 2
+    stale = []
+    for name, page in PAGES.items():
+        path = DOCS / name
+        text = page()
+        if path.is_file() and path.read_text(encoding="utf-8") == text:
+            continue
+        stale.append(name)
+        if not arguments:
+            path.parent.mkdir(exist_ok=True)
+            path.write_text(text, encoding="utf-8", newline="\n")
+    if arguments and stale:
+        print(f"out of date: {', '.join(stale)}; run scripts/build_docs.py", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
