@@ -96,7 +96,7 @@ def _answers(uri: str) -> bool:
 
 @pytest.fixture
 def ros1(ros1_env: dict[str, str], tmp_path: Path) -> Iterator[Graph]:
-    logs = tmp_path / "logs"
+    logs = tmp_path / "ros1-logs"
     logs.mkdir()
     probe = Path(__file__).with_name("probe_ros1.py")
     with processes() as started:
@@ -125,7 +125,7 @@ def ros2_python() -> Path:
 @pytest.fixture
 def ros2(ros2_python: Path, tmp_path: Path) -> Iterator[Graph]:
     """A graph of its own, on the loopback interface only."""
-    logs = tmp_path / "logs"
+    logs = tmp_path / "ros2-logs"
     logs.mkdir()
     env = {
         **os.environ,

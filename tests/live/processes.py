@@ -29,7 +29,10 @@ def skip_or_fail(reason: str) -> None:
 
 
 def generate(program: str, output: Path, target: str) -> dict[str, Path]:
-    """Generate one of `tests/programs`, and return all nodes of the folder by their names."""
+    """Generate a program, and return all nodes of the output folder by their names.
+
+    The program is one of `tests/programs`, or a path; both without `.plastron`.
+    """
     command = [PLASTRON, "generate", PROGRAMS / f"{program}.plastron", "-o", output]
     done = subprocess.run(
         [*map(str, command), "--target", target], capture_output=True, text=True, timeout=60
