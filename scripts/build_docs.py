@@ -84,9 +84,9 @@ within, if there are no lists |
 | `none` | `input none` | every field keeps its default |
 
 A value has to fit its field: a text, a boolean, a number or a list where one belongs, a whole
-number within the range of its type, a list of the array's length. A whole number is fine where a fraction
-belongs. A time or a duration is written in seconds, `1.5`, or in seconds and nanoseconds,
-`(1, 500000000)`.
+number within the range of its type, a list of the array's length. A whole number is fine where a
+fraction belongs. A time or a duration is written in seconds, `1.5`, or in seconds and
+nanoseconds, `(1, 500000000)`.
 
 `plastron types Twist` shows the fields of a type, `plastron types '*Scan*'` finds types.
 
