@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceFile
 from plastron_tui.model.workspace import Client, Generation, Node, Publisher
 from plastron_tui.output.manifest import Manifest
@@ -94,16 +94,17 @@ def generate(
     manifest: Manifest,
     *,
     in_place: bool = False,
+    force: bool = False,
 ) -> Generated:
     """Make the text of one `generate_node`.
 
     A created node is written anew; where its file was changed by hand, the endpoints are merged
-    into what is there. A loaded node is its file, changed by splices; `in_place` writes it over
-    the file that it came from.
+    into what is there, unless `force` asks for the new text. A loaded node is its file, changed
+    by splices; `in_place` writes it over the file that it came from.
     """
     node = generation.node
     if node.source is None:
-        return _created(generation, target, catalog, output, manifest)
+        return _created(generation, target, catalog, output, manifest, force=force)
     if node.source.library != target.name:
         return _ported(generation, node.source, target, catalog)
     rendered = target.edit(node.source, changes_of(node), catalog)
@@ -125,7 +126,13 @@ def generate(
 
 
 def _created(
-    generation: Generation, target: Target, catalog: Catalog, output: Path, manifest: Manifest
+    generation: Generation,
+    target: Target,
+    catalog: Catalog,
+    output: Path,
+    manifest: Manifest,
+    *,
+    force: bool,
 ) -> Generated:
     node = generation.node
     rendered = target.render(node, catalog)
@@ -137,22 +144,55 @@ def _created(
     if present is None or present == rendered.text or manifest.has(name, present):
         file = OutputFile(name, rendered.text, target.is_executable)
         return Generated(generation, file, rendered.diagnostics)
-    merged = _merged(node, path, present, target, catalog) if name in manifest.digests else None
+    can_merge = name in manifest.digests and not force
+    merged = _merged(node, path, present, target, catalog) if can_merge else None
     if merged is None:
         file = OutputFile(name, rendered.text, target.is_executable)
         return Generated(generation, file, rendered.diagnostics)
     file = OutputFile(name, merged, target.is_executable, merged_from=present)
-    return Generated(generation, file, rendered.diagnostics)
+    return Generated(generation, file, (*rendered.diagnostics, _kept_handwork(name, path)))
 
 
 def _merged(
     node: Node, path: Path, present: bytes, target: Target, catalog: Catalog
 ) -> bytes | None:
-    """Bring a file that was changed by hand to the endpoints of a node; None where refused."""
+    """Add to a file that was changed by hand what it lacks of a node; None where refused.
+
+    What the file has and the node has not may be the user's own, and a type that differs may be
+    too: neither is undone without being asked.
+    """
     read = target.read(path, present)
     if read.source is None or read.source.library != target.name:
         return None
-    return target.edit(read.source, changes_between(read.source, node), catalog).text
+    changes = changes_between(read.source, node)
+    if any(isinstance(change, Remove) for change in changes) or not _agrees(read.source, node):
+        return None
+    return target.edit(read.source, changes, catalog).text
+
+
+def _agrees(source: SourceFile, node: Node) -> bool:
+    """Tell whether a file has the type of the node wherever both have an endpoint."""
+    wanted = _by_kind(node)
+    return all(
+        endpoint.type == wanted[endpoint.kind][endpoint.name].type
+        for source_node in source.nodes
+        for endpoint in source_node.endpoints
+        if endpoint.kind in wanted
+        and endpoint.name is not None
+        and endpoint.name in wanted[endpoint.kind]
+        and endpoint.type is not None
+    )
+
+
+def _kept_handwork(name: str, path: Path) -> Diagnostic:
+    return Diagnostic(
+        "merged-by-hand",
+        f"`{name}` was changed by hand and is kept; only what it lacks is added",
+        file=path,
+        help="messages, rates and callbacks stay as the file has them; `--force` writes it anew "
+        "and keeps a backup",
+        severity=Severity.WARNING,
+    )
 
 
 def _ported(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -41,9 +42,10 @@ class NodeLoader:
             for path, text in self._generated(request):
                 return read_node(path, text)
         for path in self._candidates(request):
-            if path.is_dir():
+            # The functions of `os.path` take a path that is too long for one that is not there.
+            if os.path.isdir(path):  # noqa: PTH112
                 return _failed("unreadable-file", f"`{path.name}` is a folder")
-            if path.is_file():
+            if os.path.isfile(path):  # noqa: PTH113
                 return self._read_once(path)
         return self._not_found(request)
 
@@ -58,7 +60,7 @@ class NodeLoader:
 
     def _candidates(self, request: LoadRequest) -> Iterator[Path]:
         if request.is_path:
-            yield self._folder / Path(request.source).expanduser()
+            yield self._folder / os.path.expanduser(request.source)  # noqa: PTH111
             return
         for folder in dict.fromkeys((self._output, self._folder, Path.cwd())):
             for suffix in _SUFFIXES:

@@ -37,11 +37,19 @@ LARGEST_PROGRAM = 16 * 1024 * 1024
 
 
 class Options(NamedTuple):
-    """What the command line sets; what it leaves open the project file or the environment says."""
+    """What the command line sets; what it leaves open the project file or the environment says.
+
+    Attributes:
+        target: the client library of a node that names none.
+        output: the output folder.
+        in_place: whether a loaded node is written over the file that it came from.
+        force: whether a created node is written anew where its file was changed by hand.
+    """
 
     target: str | None = None
     output: Path | None = None
     in_place: bool = False
+    force: bool = False
 
 
 class ProgramText(NamedTuple):
@@ -54,31 +62,32 @@ class ProgramText(NamedTuple):
 def read_program(path: Path) -> ProgramText:
     """Read the text of a program; what is no text is a diagnostic."""
     try:
-        if path.stat().st_size > LARGEST_PROGRAM:
-            limit = LARGEST_PROGRAM // (1024 * 1024)
-            return _unreadable(path, f"`{path.name}` is larger than {limit} MB")
-        text = path.read_bytes()
+        with path.open("rb") as stream:
+            # One byte beyond the limit tells that there is more, however long a device goes on.
+            text = stream.read(LARGEST_PROGRAM + 1)
     except (OSError, ValueError) as error:
         reason = (getattr(error, "strerror", None) or str(error)).lower()
-        return _unreadable(path, f"`{path.name}` cannot be read: {reason}")
+        return _unreadable(path, f"`{path.name or path}` cannot be read: {reason}")
     return check_text(path, text)
 
 
 def check_text(path: Path | None, text: bytes) -> ProgramText:
     """Check that bytes are the text of a program: UTF-8 in lines, without NUL bytes."""
+    if len(text) > LARGEST_PROGRAM:
+        return _unreadable(path, f"the program is larger than {LARGEST_PROGRAM // 1024**2} MB")
     if len(text) > LONGEST_LINE:
-        for number, line in enumerate(text.split(b"\n"), 1):
+        for row, line in enumerate(text.split(b"\n"), 1):
             if len(line) > LONGEST_LINE:
                 limit = LONGEST_LINE // 1024
-                return _unreadable(path, f"line {number} is longer than {limit} kB")
+                return _unreadable(path, f"line {row} is longer than {limit} kB")
     if b"\0" in text:
         return _unreadable(path, "the file has NUL bytes and is no text")
     try:
         text.decode("utf-8")
     except UnicodeDecodeError as error:
-        line = text.count(b"\n", 0, error.start) + 1
+        row = text.count(b"\n", 0, error.start) + 1
         return _unreadable(
-            path, f"the file is not UTF-8 (line {line})", "save it in the encoding UTF-8"
+            path, f"the file is not UTF-8 (line {row})", "save it in the encoding UTF-8"
         )
     return ProgramText(text)
 
@@ -143,17 +152,22 @@ class Session:
         """The output folder."""
         return self.options.output or self.project.output or self.folder / DEFAULT_OUTPUT
 
-    def catalog(self, ros_version: int) -> Catalog:
-        """Return the interface types of a generation of ROS."""
+    def catalog(self, ros_version: int, distribution: str | None = None) -> Catalog:
+        """Return the interface types of a generation of ROS, or of a distribution that is named."""
+        if distribution is not None:
+            return self._new_catalog(distribution)
         catalog = self._catalogs.get(ros_version)
         if catalog is None:
             chosen = self.project.distribution
             if chosen is None or DISTRIBUTIONS[chosen] != ros_version:
                 chosen = default_distribution(ros_version, self._environ)
-            own = self.project.types or (self.folder,)
-            folders = (*own, *installed_folders(self._environ, ros_version))
-            catalog = self._catalogs[ros_version] = Catalog(chosen, folders)
+            catalog = self._catalogs[ros_version] = self._new_catalog(chosen)
         return catalog
+
+    def _new_catalog(self, distribution: str) -> Catalog:
+        own = self.project.types or (self.folder,)
+        installed = installed_folders(self._environ, DISTRIBUTIONS[distribution])
+        return Catalog(distribution, (*own, *installed))
 
     def edit(self, start: int, old_end: int, new: bytes) -> None:
         """Replace the bytes from `start` to `old_end` of the program."""
@@ -188,9 +202,20 @@ class Session:
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
-        """All that is wrong with the program and its project file."""
-        problems = [found for catalog in self._catalogs.values() for found in catalog.problems]
-        return (*self._project[1], *self._meaning.diagnostics, *problems)
+        """All that is wrong with the program, its project file, and the types that it uses."""
+        # The types are read when the program is interpreted.
+        meaning = self._meaning.diagnostics
+        return (*self._project[1], *meaning, *self.type_problems)
+
+    @property
+    def project_problems(self) -> tuple[Diagnostic, ...]:
+        """What is wrong with the project file."""
+        return self._project[1]
+
+    @property
+    def type_problems(self) -> tuple[Diagnostic, ...]:
+        """What is wrong with the definitions that were read so far."""
+        return tuple(found for catalog in self._catalogs.values() for found in catalog.problems)
 
     def lines(self, file: Path | None) -> LineIndex | None:
         """Return the lines of a file that a diagnostic is about; None is the program."""
@@ -202,16 +227,32 @@ class Session:
             return None
 
     def generated(self) -> tuple[Generated, ...]:
-        """Make the files that the program asks for; of two to one file the last counts."""
+        """Make the files that the program asks for.
+
+        Of two `generate_node` of one variable the last counts; and a file that the program
+        generates, loads and generates again is made as it is at the end.
+        """
         from plastron_tui.output.manifest import load_manifest
 
         manifest, problems = load_manifest(self.output)
         made = [self._generate(generation, manifest) for generation in self._last_generations()]
-        if problems and made:
+        loaded_again = {
+            each.generation.node.source.path
+            for each in made
+            if each.generation.node.source is not None
+        }
+        kept = [
+            each
+            for each in made
+            if each.file is None
+            or each.generation.node.source is not None
+            or self.output / each.file.name not in loaded_again
+        ]
+        if problems and kept:
             from dataclasses import replace
 
-            made[0] = replace(made[0], diagnostics=(*problems, *made[0].diagnostics))
-        return tuple(made)
+            kept[0] = replace(kept[0], diagnostics=(*problems, *kept[0].diagnostics))
+        return tuple(kept)
 
     def generate(self, generation: Generation) -> Generated:
         """Make the file of one `generate_node`."""
@@ -242,6 +283,7 @@ class Session:
             self.output,
             manifest,
             in_place=self.options.in_place,
+            force=self.options.force,
         )
 
     def _rendered(self, generation: Generation) -> tuple[Path, bytes] | None:
@@ -273,7 +315,8 @@ class Session:
 
         files = [generated.file for generated in made if generated.file is not None]
         manifest, _ = load_manifest(self.output)
-        within = self.folder if self.options.output is None else None
+        is_default = self.options.output is None and self.project.output is None
+        within = self.folder if is_default else None
         plan, problems = make_plan(self.output, files, manifest, within=within)
         found = (*(found for generated in made for found in generated.diagnostics), *problems)
         return plan, found

@@ -17,7 +17,8 @@ from .common import Report, finish, format_option, open_sessions, programs_argum
 def command(files: tuple[Path, ...], target: str | None, format_: str) -> None:
     """Say what is wrong with programs.
 
-    Exits with 1 when a program has errors, and with 2 when a file cannot be read.
+    Exits with 1 when a program has errors, and with 2 when a file cannot be read. As JSON, the
+    diagnostics of all programs are one list on standard output.
     """
     from plastron_tui.session import Options
 
@@ -27,12 +28,11 @@ def command(files: tuple[Path, ...], target: str | None, format_: str) -> None:
         if format_ == "json":
             from plastron_tui.diagnostics.render import as_json
 
-            report.count(session.diagnostics)
-            found += as_json(session.diagnostics, session.lines, session.path)
+            found += as_json(report.count(session.diagnostics), session.lines, session.path)
         else:
             report.add(session.diagnostics, session.lines, session.path)
     if format_ == "json":
         import json
 
-        click.echo(json.dumps(found, indent=2, ensure_ascii=False))
+        click.echo(json.dumps(found, indent=2))
     finish(report)

@@ -5,13 +5,14 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from plastron_tui.diagnostics import Diagnostic, Severity
-from plastron_tui.session import Options, Session, check_text, read_program
+from plastron_tui.session import LARGEST_PROGRAM, Options, Session, check_text, read_program
 from plastron_tui.targets import LIBRARIES
 
 if TYPE_CHECKING:
@@ -21,6 +22,7 @@ STANDARD_INPUT = "-"
 
 _PATH = click.Path(path_type=Path, allow_dash=True)
 
+
 programs_argument = click.argument("files", nargs=-1, required=True, metavar="FILE...", type=_PATH)
 program_argument = click.argument("file", metavar="FILE", type=_PATH)
 target_option = click.option(
@@ -29,10 +31,22 @@ target_option = click.option(
     type=click.Choice(list(LIBRARIES)),
     help="The client library of nodes that name none.",
 )
+
+
+class _Folder(click.Path):
+    """The path of a folder, which need not be there."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Refuse the empty name, which a shell gives for a variable that is not set."""
+        if not os.fspath(value):
+            self.fail("the name of the folder is empty", param, ctx)
+        return super().convert(value, param, ctx)
+
+
 output_option = click.option(
     "--output",
     "-o",
-    type=click.Path(path_type=Path),
+    type=_Folder(path_type=Path),
     metavar="DIR",
     help="The output folder; without it, `output` beside the program.",
 )
@@ -58,7 +72,26 @@ def use_color(stream: Any) -> bool:
     """Tell whether a stream shows colours: a terminal, unless NO_COLOR says otherwise."""
     if os.environ.get("NO_COLOR"):
         return False
-    return bool(os.environ.get("FORCE_COLOR")) or stream.isatty()
+    if os.environ.get("FORCE_COLOR"):
+        return True
+    return stream.isatty() and os.environ.get("TERM") != "dumb"
+
+
+def shown_path(path: Path) -> str:
+    """Return a path as a person reads it: from the working folder where it lies within."""
+    from plastron_tui.diagnostics.render import printable
+
+    with suppress(OSError, ValueError):
+        path = path.relative_to(Path.cwd())
+    return printable(str(path))
+
+
+def print_text(text: str) -> None:
+    """Write a result that quotes a user's files: what a terminal would obey is replaced."""
+    from plastron_tui.diagnostics.render import printable
+
+    lines = text.rstrip("\n").split("\n")
+    click.echo("\n".join("\t".join(map(printable, line.split("\t"))) for line in lines))
 
 
 class Report:
@@ -68,25 +101,34 @@ class Report:
         self.status = 0
         self._errors = 0
         self._warnings = 0
+        self._told: set[Diagnostic] = set()
 
     def add(
         self, diagnostics: Iterable[Diagnostic], lines: Lines, program: Path | None = None
     ) -> None:
         """Write diagnostics to standard error, and remember how bad they are."""
-        # A right program has nothing to render.
-        found_here = tuple(diagnostics)
-        if not found_here:
+        fresh = self.count(diagnostics)
+        if not fresh:
             return
+        # A right program has nothing to render.
         from plastron_tui.diagnostics.render import TextRenderer
 
         renderer = TextRenderer(lines, program, color=use_color(sys.stderr))
-        for found in found_here:
-            click.echo(renderer.render(found) + "\n", err=True)
-            self.count((found,))
+        for found in fresh:
+            click.echo(renderer.render(found) + "\n", err=True, color=True)
 
-    def count(self, diagnostics: Iterable[Diagnostic]) -> None:
-        """Remember how bad diagnostics are that are written elsewhere."""
+    def count(self, diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
+        """Remember how bad diagnostics are, and return those that were not told before.
+
+        What is wrong with the project file is wrong for each of its programs, and is told once.
+        """
+        fresh = []
         for found in diagnostics:
+            if found.file is not None:
+                if found in self._told:
+                    continue
+                self._told.add(found)
+            fresh.append(found)
             if found.severity is Severity.WARNING:
                 self._warnings += 1
                 continue
@@ -94,6 +136,7 @@ class Report:
 
             self._errors += 1
             self.status = max(self.status, 2 if found.code in IO_CODES else 1)
+        return fresh
 
     def unreadable(self, diagnostics: Iterable[Diagnostic]) -> None:
         """Write why a file that was named cannot be read."""
@@ -115,7 +158,7 @@ class Report:
 def open_session(file: Path, report: Report, options: Options | None = None) -> Session | None:
     """Read a program; None when that fails, which is then reported."""
     if str(file) == STANDARD_INPUT:
-        read = check_text(None, sys.stdin.buffer.read())
+        read = check_text(None, sys.stdin.buffer.read(LARGEST_PROGRAM + 1))
         path = None
     else:
         read = read_program(file)
@@ -129,8 +172,8 @@ def open_session(file: Path, report: Report, options: Options | None = None) -> 
 def open_sessions(
     files: Sequence[Path], report: Report, options: Options | None = None
 ) -> list[Session]:
-    """Read several programs; what cannot be read is reported."""
-    sessions = (open_session(file, report, options) for file in files)
+    """Read several programs, each once; what cannot be read is reported."""
+    sessions = (open_session(file, report, options) for file in dict.fromkeys(files))
     return [session for session in sessions if session is not None]
 
 

@@ -13,7 +13,7 @@ from plastron_tui.output.plan import OutputFile, make_plan
 from plastron_tui.output.writer import write
 from plastron_tui.session import Session
 
-from .common import Report, finish, open_sessions, programs_argument
+from .common import Report, finish, open_sessions, programs_argument, shown_path
 
 
 @click.command(epilog="Example: plastron fmt *.plastron")
@@ -29,13 +29,16 @@ def command(files: tuple[Path, ...], check: bool) -> None:
     for session in open_sessions(files, report):
         report.add(session.program.diagnostics, session.lines, session.path)
         text = format_document(session.document)
+        is_changed = text != session.document.text
         if check:
-            if text != session.document.text:
-                click.echo(f"would reformat {session.path or 'standard input'}")
+            if is_changed:
+                shown = "standard input" if session.path is None else shown_path(session.path)
+                click.echo(f"would reformat {shown}")
                 report.status = max(report.status, 1)
         elif session.path is None:
             sys.stdout.buffer.write(text)
-        elif text != session.document.text:
+            sys.stdout.buffer.flush()
+        elif is_changed:
             _rewrite(session, session.path, text, report)
     finish(report)
 
@@ -50,4 +53,4 @@ def _rewrite(session: Session, path: Path, text: bytes, report: Report) -> None:
         diagnostics = write(plan).diagnostics
     report.add(diagnostics, lambda _: None)
     if not diagnostics:
-        click.echo(f"reformatted {path}")
+        click.echo(f"reformatted {shown_path(path)}")

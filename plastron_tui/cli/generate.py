@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 import click
 
 from plastron_tui.diagnostics import Diagnostic, Severity, has_errors
-from plastron_tui.output.diff import file_diff
+from plastron_tui.output.diff import file_diff, printable
 from plastron_tui.output.plan import FilePlan, FileState
 from plastron_tui.output.writer import write
 from plastron_tui.session import Options, Session
@@ -19,6 +20,7 @@ from .common import (
     open_sessions,
     output_option,
     programs_argument,
+    shown_path,
     target_option,
     use_color,
 )
@@ -50,37 +52,48 @@ def command(
 ) -> None:
     """Write the nodes of programs.
 
-    A program with an error generates nothing. Files that were changed by hand are never lost:
-    they are merged, or reported as a conflict.
+    When a program has an error, or a file is in conflict, nothing is written. Files that were
+    changed by hand are never lost: they are merged, or reported as a conflict.
     """
     report = Report()
-    sessions = open_sessions(files, report, Options(target, output, in_place))
+    sessions = open_sessions(files, report, Options(target, output, in_place, force))
     for session in sessions:
         report.add(session.diagnostics, session.lines, session.path)
     if not report.status:
-        for session in sessions:
-            _generate(session, report, is_dry=dry_run or diff, diff=diff, force=force)
+        plans = _plan(sessions, report)
+        if not report.status:
+            for plan in plans:
+                (show_diff if diff else show_plan)(plan)
+            if not dry_run and not diff:
+                _carry_out(sessions, plans, report, force=force)
+            elif not force:
+                report.add([found for plan in plans for found in plan.conflicts], lambda _: None)
     finish(report)
 
 
-def _generate(session: Session, report: Report, *, is_dry: bool, diff: bool, force: bool) -> None:
-    plan, diagnostics = session.plan()
-    report.add(diagnostics, session.lines, session.path)
-    if has_errors(diagnostics):
-        return
-    if not plan.files:
-        report.add((_nothing_to_generate(),), session.lines, session.path)
-        return
-    if diff:
+def _plan(sessions: Sequence[Session], report: Report) -> list[FilePlan]:
+    """Plan all programs before one is written, so that a mistake in the last stops the first."""
+    plans = []
+    texts: dict[Path, bytes] = {}
+    for session in sessions:
+        plan, diagnostics = session.plan()
+        report.add(diagnostics, session.lines, session.path)
+        if not plan.files and not has_errors(diagnostics):
+            report.add((_nothing_to_generate(),), session.lines, session.path)
         for file in plan.files:
-            sys.stdout.flush()
-            sys.stdout.buffer.write(file_diff(file))
-        sys.stdout.buffer.flush()
-    else:
-        show_plan(plan, session)
-    if is_dry:
-        report.add(() if force else plan.conflicts, lambda _: None, session.path)
-    else:
+            if texts.setdefault(file.path, file.text) != file.text:
+                report.add((_same_file(file.name),), session.lines, session.path)
+        plans.append(plan)
+    return plans
+
+
+def _carry_out(
+    sessions: Sequence[Session], plans: Sequence[FilePlan], report: Report, *, force: bool
+) -> None:
+    if not force and any(plan.conflicts for plan in plans):
+        report.add([found for plan in plans for found in plan.conflicts], lambda _: None)
+        return
+    for session, plan in zip(sessions, plans, strict=True):
         write_plan(plan, session, report, force=force)
 
 
@@ -93,18 +106,31 @@ def write_plan(plan: FilePlan, session: Session, report: Report, *, force: bool 
     report.add(result.diagnostics, lambda _: None, session.path)
     for written in result.written:
         if written.backup is not None:
-            click.echo(f"{'backup':>9}  {written.backup}")
+            click.echo(f"{'backup':>9}  {shown_path(written.backup)}")
     return not result.diagnostics
 
 
-def show_plan(plan: FilePlan, session: Session) -> None:
+def show_diff(plan: FilePlan) -> None:
+    """Write how files change: as a patch, byte for byte, where it is not for a terminal."""
+    for file in plan.files:
+        patch = file_diff(file)
+        if sys.stdout.isatty():
+            click.echo(printable(patch), nl=False)
+        else:
+            sys.stdout.flush()
+            sys.stdout.buffer.write(patch)
+    sys.stdout.buffer.flush()
+
+
+def show_plan(plan: FilePlan) -> None:
     """Write a line for each file: what happens to it, and where it is."""
     for file in plan.files:
         state = f"{file.state.value:>9}"
-        shown = file.path if session.options.in_place else plan.folder / file.name
+        is_inside = file.path.parent == plan.folder.resolve()
+        path = plan.folder / file.name if is_inside else file.path
         if use_color(sys.stdout):
             state = click.style(state, fg=_COLORS[file.state])
-        click.echo(f"{state}  {shown}", color=True)
+        click.echo(f"{state}  {shown_path(path)}", color=True)
 
 
 def _nothing_to_generate() -> Diagnostic:
@@ -113,4 +139,12 @@ def _nothing_to_generate() -> Diagnostic:
         "the program generates no node",
         help="end it with `generate_node` and the variable of a node",
         severity=Severity.WARNING,
+    )
+
+
+def _same_file(name: str) -> Diagnostic:
+    return Diagnostic(
+        "same-file",
+        f"an earlier program writes `{name}` too, with another text",
+        help="give one of the nodes another name, or one of the programs another `-o`",
     )

@@ -14,7 +14,7 @@ from plastron_tui.model.program_text import program_of
 from plastron_tui.model.source import SourceFile
 from plastron_tui.targets import LIBRARIES
 
-from .common import Report, finish, format_option
+from .common import Report, finish, format_option, print_text
 
 
 @click.command(epilog="Example: plastron inspect --format plastron scripts/driver.py")
@@ -34,25 +34,25 @@ def command(files: tuple[Path, ...], format_: str) -> None:
         if source is None:
             continue
         if format_ == "json":
-            indent = 2 if len(files) == 1 else None
-            click.echo(json.dumps(inspect_json(source), indent=indent, ensure_ascii=False))
+            click.echo(json.dumps(inspect_json(source), indent=2 if len(files) == 1 else None))
         elif format_ == "plastron":
-            click.echo(program_of(source, LIBRARIES.get(source.library, 1)), nl=False)
+            print_text(program_of(source, LIBRARIES.get(source.library, 1)))
         else:
-            click.echo(inspect_text(source))
+            print_text(inspect_text(source))
     finish(report)
 
 
 def _read(file: Path, report: Report) -> SourceFile | None:
     try:
-        if file.stat().st_size > LARGEST_FILE:
-            limit = LARGEST_FILE // (1024 * 1024)
-            report.unreadable([_unreadable(file, f"the file is larger than {limit} MB")])
-            return None
-        text = file.read_bytes()
+        with file.open("rb") as stream:
+            text = stream.read(LARGEST_FILE + 1)
     except (OSError, ValueError) as error:
         reason = (getattr(error, "strerror", None) or str(error)).lower()
         report.unreadable([_unreadable(file, f"the file cannot be read: {reason}")])
+        return None
+    if len(text) > LARGEST_FILE:
+        limit = LARGEST_FILE // (1024 * 1024)
+        report.unreadable([_unreadable(file, f"the file is larger than {limit} MB")])
         return None
     loaded = read_node(file, text)
     report.add(loaded.diagnostics, lambda _: LineIndex(text), file)

@@ -6,11 +6,16 @@ import gc
 import os
 import sys
 from importlib import import_module
+from typing import TYPE_CHECKING, TextIO
 
 import click
 
 from plastron_tui import __version__
 
+if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
+
+UNREADABLE = 2
 INTERRUPTED = 130
 
 _COMMANDS = {
@@ -52,16 +57,33 @@ class LazyGroup(click.Group):
         """Find the command of an argument list, and offer the nearest where there is none."""
         name = args[0]
         if name not in _COMMANDS and not name.startswith("-"):
-            from plastron_tui.diagnostics import did_you_mean
-
-            hint = did_you_mean(name, _COMMANDS)
-            ctx.fail(f"no command '{name}'" + (f"; {hint.replace('`', chr(39))}" if hint else ""))
+            ctx.fail(f"no command '{name}'{_hint(name)}")
         return super().resolve_command(ctx, args)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the list of commands without importing them."""
         with formatter.section("Commands"):
             formatter.write_dl(sorted(_COMMANDS.items()))
+
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
+        """Complete the names of the commands without importing them."""
+        from click.shell_completion import CompletionItem
+
+        found = [
+            CompletionItem(name, help=line)
+            for name, line in sorted(_COMMANDS.items())
+            if name.startswith(incomplete)
+        ]
+        return found + click.Command.shell_complete(self, ctx, incomplete)
+
+
+def _hint(name: str) -> str:
+    from plastron_tui.diagnostics import did_you_mean
+
+    if name.endswith(".plastron"):
+        return f"; to look for mistakes in a program: plastron check {name}"
+    hint = did_you_mean(name, _COMMANDS)
+    return "" if hint is None else f"; {hint.replace('`', chr(39))}"
 
 
 @click.group(
@@ -80,18 +102,31 @@ def main() -> None:
     0: done; 1: a program or a file has errors; 2: wrong usage, or a file that cannot be read or
     written; 130: interrupted.
     """
+    if sys.stdout is not None and hasattr(sys.stdout, "reconfigure"):
+        # Whatever the terminal's encoding is, a result is written; a file name need be no text.
+        sys.stdout.reconfigure(errors="backslashreplace")
     try:
         status = cli.main(prog_name="plastron", standalone_mode=False)
         sys.stdout.flush()
-    except click.exceptions.Abort:
-        status = INTERRUPTED
-    except KeyboardInterrupt:
+    except (click.exceptions.Abort, KeyboardInterrupt):
         status = INTERRUPTED
     except click.ClickException as error:
         error.show()
         status = error.exit_code
     except BrokenPipeError:
-        # The reader has gone, as in `plastron types | head`; Python would complain at exit.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        # The reader has gone, as in `plastron types | head`.
+        _discard(sys.stdout)
         status = 0
+    except OSError as error:
+        # What the commands do not expect: a full disk under standard output, a folder that is gone.
+        _discard(sys.stdout)
+        what = (error.strerror or str(error)).lower()
+        place = "" if error.filename is None else f"`{error.filename}`: "
+        click.echo(f"error: {place}{what}", err=True)
+        status = UNREADABLE
     sys.exit(status if isinstance(status, int) else 0)
+
+
+def _discard(stream: TextIO) -> None:
+    """Let what is left in a stream go nowhere: Python would fail again when it exits."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())

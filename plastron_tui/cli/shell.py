@@ -9,7 +9,7 @@ from pathlib import Path
 
 import click
 
-from plastron_tui.diagnostics import has_errors
+from plastron_tui.diagnostics import Diagnostic, LineIndex, Span, has_errors
 from plastron_tui.language import DECLARATIONS, Document, lower
 from plastron_tui.model.interpreter import Interpreter
 from plastron_tui.model.workspace import Generation
@@ -30,7 +30,7 @@ def command(output: Path | None, target: str | None) -> None:
     """Take one statement at a time, at a prompt or from a pipe.
 
     A statement with a mistake has no effect. `generate_node` writes its file at once. At the
-    prompt `help` lists the statements, and `exit` or Ctrl-D leaves.
+    prompt `help` lists the statements, Ctrl-C drops a line, and `exit` or Ctrl-D leaves.
     """
     report = Report()
     shell = Shell(Session(options=Options(target, output)), report)
@@ -59,30 +59,57 @@ class Shell:
         self._report = report
         self._interpreter = Interpreter(session.setting)
         self._done = 0
+        self._said: list[bytes] = []
+        self._length = 0
+        report.add(session.project_problems, session.lines)
 
     def take(self, line: bytes) -> None:
         """Run a line, and write what is wrong with it."""
+        start = self._length
         read = check_text(None, line)
+        self._said.append(line if line.endswith(b"\n") else line + b"\n")
+        self._length += len(self._said[-1])
         if read.text is None:
             self._report.add(read.diagnostics, lambda _: None)
             return
-        document = Document(line)
-        # A label points into an earlier line, whose text is not this document's.
-        found = [replace(found, labels=()) for found in self._interpreter.run(lower(document))]
-        self._report.add(found, lambda file: self._session.lines(file) if file else document.lines)
+        found = self._interpreter.run(lower(Document(line)))
+        self._add(found, start)
+        self._report.add(self._session.type_problems, self._session.lines)
         generations = self._interpreter.workspace.generations
         if not has_errors(found):
             for generation in generations[self._done :]:
-                self._generate(generation, document)
+                self._generate(generation, start)
         self._done = len(generations)
 
-    def _generate(self, generation: Generation, document: Document) -> None:
+    def _generate(self, generation: Generation, start: int) -> None:
         plan, diagnostics = self._session.plan_of([self._session.generate(generation)])
         diagnostics = (*diagnostics, *plan.conflicts)
         if not has_errors(diagnostics):
-            show_plan(plan, self._session)
+            show_plan(plan)
             diagnostics = (*diagnostics, *write(plan).diagnostics)
-        self._report.add(diagnostics, lambda file: None if file else document.lines)
+        # Another place than the statement's own is in a line that was said before.
+        self._add(
+            [
+                found if found.file or found.span == generation.span else replace(found, span=None)
+                for found in diagnostics
+            ],
+            start,
+        )
+
+    def _add(self, diagnostics: Iterable[Diagnostic], start: int) -> None:
+        """Report what is wrong with the last line, at its place among all lines."""
+        self._report.add((_moved(found, start) for found in diagnostics), self._lines)
+
+    def _lines(self, file: Path | None) -> LineIndex | None:
+        return LineIndex(b"".join(self._said)) if file is None else self._session.lines(file)
+
+
+def _moved(found: Diagnostic, start: int) -> Diagnostic:
+    if found.file is not None:
+        return found
+    span = found.span and Span(found.span.start + start, found.span.end + start)
+    # A label points into an earlier line, and tells its place in that line only.
+    return replace(found, span=span, labels=())
 
 
 def _typed() -> Iterator[bytes]:
@@ -96,10 +123,16 @@ def _ask() -> str | None:
     except EOFError:
         click.echo()
         return None
+    except KeyboardInterrupt:
+        click.echo()
+        return ""
 
 
 def _prepare_line_editing() -> None:
     """Give the prompt a history and the completion of keywords, where Python has readline."""
+    if hasattr(sys.stdin, "reconfigure"):
+        # What is typed in another encoding is a mistake to report, not a crash.
+        sys.stdin.reconfigure(errors="surrogateescape")
     try:
         import readline
     except ImportError:

@@ -6,6 +6,7 @@ from fnmatch import fnmatchcase
 
 import click
 
+from plastron_tui.diagnostics.render import printable
 from plastron_tui.model.types import TypeProblem, TypeResolver
 from plastron_tui.ros.catalog import DISTRIBUTIONS, Catalog
 from plastron_tui.ros.definition_text import format_definition
@@ -13,7 +14,7 @@ from plastron_tui.ros.interfaces import Interface, InterfaceKind
 from plastron_tui.session import Options, Session
 from plastron_tui.targets import LIBRARIES
 
-from .common import target_option
+from .common import Report, finish, print_text, target_option
 
 
 @click.command(epilog="Example: plastron types Twist")
@@ -23,7 +24,7 @@ from .common import target_option
     "--distribution",
     "-d",
     type=click.Choice(list(DISTRIBUTIONS)),
-    help="The ROS distribution; without it, the sourced one, or the one of the project file.",
+    help="The ROS distribution; without it, that of the project file, or the sourced one.",
 )
 def command(pattern: str | None, target: str | None, distribution: str | None) -> None:
     """List interface types, or show one.
@@ -31,21 +32,21 @@ def command(pattern: str | None, target: str | None, distribution: str | None) -
     A TYPE such as Twist or geometry_msgs/Twist is shown with its fields. A PATTERN is a part of
     a name, or has wildcards, as in 'sensor_msgs/*'. Without either all types are listed.
     """
+    report = Report()
     session = Session(options=Options(target=target))
-    if distribution is not None:
-        catalog = Catalog(distribution)
-    else:
-        catalog = session.catalog(LIBRARIES[session.library])
+    report.add(session.project_problems, session.lines)
+    catalog = session.catalog(LIBRARIES[session.library], distribution)
     shown = [] if pattern is None else _exact(catalog, pattern)
+    listed = [] if shown else _matching(catalog, pattern)
     if shown:
-        click.echo("\n\n".join(_definition(found, catalog.ros_version) for found in shown))
-        return
-    listed = _matching(catalog, pattern)
-    if not listed:
-        click.echo(_nothing(catalog, pattern or ""), err=True)
-        click.get_current_context().exit(1)
-    for line in listed:
-        click.echo(line)
+        print_text("\n\n".join(_definition(found, catalog.ros_version) for found in shown))
+    elif listed:
+        print_text("\n".join(listed))
+    else:
+        report.status = max(report.status, 1)
+        click.echo(printable(_nothing(catalog, pattern or "")), err=True)
+    report.add(catalog.problems, session.lines)
+    finish(report)
 
 
 def _exact(catalog: Catalog, text: str) -> list[Interface]:
@@ -71,13 +72,13 @@ def _matches(name: str, pattern: str) -> bool:
 def _definition(interface: Interface, ros_version: int) -> str:
     name = interface.name
     head = f"{name.package}/{interface.kind.value}/{name.name}"
-    comment = f"\n# {interface.comment}" if interface.comment else ""
-    return f"{head}{comment}\n{format_definition(interface, ros_version).rstrip()}"
+    return f"{head}\n{format_definition(interface, ros_version).rstrip()}"
 
 
 def _nothing(catalog: Catalog, pattern: str) -> str:
     for kind in InterfaceKind:
         problem = TypeResolver(catalog).resolve(pattern, kind) if pattern else None
         if isinstance(problem, TypeProblem) and (problem.help or "").startswith("did you mean"):
-            return f"no type matches '{pattern}' in {catalog.distribution}; {problem.help}"
+            remedy = (problem.help or "").replace("`", "'")
+            return f"no type matches '{pattern}' in {catalog.distribution}; {remedy}"
     return f"no type matches '{pattern}' in {catalog.distribution}"

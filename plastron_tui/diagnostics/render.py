@@ -2,18 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from itertools import accumulate
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
+from unicodedata import category, east_asian_width
 
 from .data import Diagnostic, Severity, Span
-from .lines import LineIndex, Position
+from .lines import LineIndex
 
 Lines = Callable[[Path | None], LineIndex | None]
 """Gives the lines of a file, for a diagnostic without a file those of the program at hand."""
 
 _WIDEST_LINE = 160
 _RED, _YELLOW, _BLUE, _BOLD, _PLAIN = "31;1", "33;1", "34;1", "1", "0"
+
+
+class _Mark(NamedTuple):
+    """A part of a line that is underlined: columns count from 1, `stop` is the first after it."""
+
+    line: int
+    column: int
+    stop: int
+    sign: str
+    message: str
 
 
 class TextRenderer:
@@ -28,60 +40,93 @@ class TextRenderer:
         """Return the text of a diagnostic, without a newline at its end."""
         tint = _RED if diagnostic.severity is Severity.ERROR else _YELLOW
         head = self._paint(f"{diagnostic.severity.value}[{diagnostic.code}]", tint)
-        out = [f"{head}{self._paint(': ' + printable(diagnostic.message), _BOLD)}"]
+        out = [head + self._paint(f": {printable(diagnostic.message)}", _BOLD)]
         file = diagnostic.file or self._program
         lines = self._lines(diagnostic.file)
-        bar = self._paint("|", _BLUE)
         margin = 1
         if diagnostic.span is not None and lines is not None:
+            marks = _marks(diagnostic, lines)
+            margin = len(str(max(mark.line for mark in marks)))
             at = lines.position(diagnostic.span.start)
-            numbers = [at.line] + [
-                lines.position(label.span.start).line for label in diagnostic.labels
-            ]
-            margin = len(str(max(numbers)))
             where = f"{_shown(file)}:{at.line}:{at.column}"
             out.append(f"{' ' * margin}{self._paint('-->', _BLUE)} {where}")
-            out.append(f"{' ' * margin} {bar}")
-            out += self._marked(lines, diagnostic.span, "^", "", tint, margin)
-            for label in diagnostic.labels:
-                out += self._marked(lines, label.span, "-", label.message, _BLUE, margin)
+            out += self._excerpt(lines, marks, margin, tint)
         elif file is not None:
             out.append(f" {self._paint('-->', _BLUE)} {_shown(file)}")
         if diagnostic.help is not None:
-            out.append(
-                f"{' ' * margin} {self._paint('= help:', _BLUE)} {printable(diagnostic.help)}"
-            )
+            sign = self._paint("= help:", _BLUE)
+            out.append(f"{' ' * margin} {sign} {printable(diagnostic.help)}")
         return "\n".join(out)
 
-    def _marked(
-        self, lines: LineIndex, span: Span, mark: str, message: str, tint: str, margin: int
-    ) -> list[str]:
-        start, end = lines.position(span.start), lines.position(max(span.start, span.end))
-        text = lines.line(start.line)
-        stop = end.column if end.line == start.line else len(text) + 1
-        shown, column, width = _window(text, start, max(1, stop - start.column))
+    def _excerpt(
+        self, lines: LineIndex, marks: Sequence[_Mark], margin: int, tint: str
+    ) -> Iterator[str]:
+        """Yield the lines that are marked, in the order of the file, each once."""
         bar = self._paint("|", _BLUE)
-        number = self._paint(str(start.line).rjust(margin), _BLUE)
-        marks = self._paint(mark * width + (f" {message}" if message else ""), tint)
-        return [
-            f"{number} {bar} {printable(shown)}",
-            f"{' ' * margin} {bar} {' ' * (column - 1)}{marks}",
-        ]
+        yield f"{' ' * margin} {bar}"
+        before = marks[0].line
+        window = _Window("", 1)
+        for index, mark in enumerate(marks):
+            if index == 0 or mark.line != before:
+                if mark.line > before + 1:
+                    yield self._paint("...", _BLUE)
+                window = _Window(lines.line(mark.line), mark.column)
+                number = self._paint(str(mark.line).rjust(margin), _BLUE)
+                yield f"{number} {bar} {window.text}".rstrip()
+                before = mark.line
+            start, width = window.cells(mark.column, mark.stop)
+            note = f" {printable(mark.message)}" if mark.message else ""
+            signs = self._paint(mark.sign * width + note, tint if mark.sign == "^" else _BLUE)
+            yield f"{' ' * margin} {bar} {' ' * start}{signs}"
 
     def _paint(self, text: str, style: str) -> str:
         return f"\x1b[{style}m{text}\x1b[{_PLAIN}m" if self._color else text
 
 
-def _window(text: str, at: Position, width: int) -> tuple[str, int, int]:
-    """Cut a long line to what is around the mark, tabs made spaces so that columns fit."""
-    text = text.replace("\t", " ")
-    if len(text) <= _WIDEST_LINE:
-        return text, at.column, min(width, max(1, len(text) - at.column + 2))
-    start = max(0, at.column - 1 - _WIDEST_LINE // 4)
-    cut = text[start : start + _WIDEST_LINE]
-    prefix = "…" if start else ""
-    column = at.column - start + len(prefix)
-    return prefix + cut + "…", column, min(width, len(cut) + 1 - (column - len(prefix)) + 1)
+def _marks(diagnostic: Diagnostic, lines: LineIndex) -> list[_Mark]:
+    """Return what is underlined, in the order of the file; of several lines the first."""
+    assert diagnostic.span is not None
+    places = [(diagnostic.span, "^", "")]
+    places += [(label.span, "-", label.message) for label in diagnostic.labels]
+    marks = []
+    for span, sign, message in places:
+        start, end = lines.position(span.start), lines.position(span.end)
+        stop = end.column if end.line <= start.line else len(lines.line(start.line)) + 1
+        marks.append(_Mark(start.line, start.column, stop, sign, message))
+    return sorted(marks)
+
+
+class _Window:
+    """A line as it is shown: a long one is cut to what is around a column."""
+
+    def __init__(self, line: str, column: int) -> None:
+        # A tab is a space, so that its width does not depend on where the line starts.
+        line = line.replace("\t", " ")
+        start = 0
+        if len(line) > _WIDEST_LINE:
+            start = max(0, min(column - 1 - _WIDEST_LINE // 4, len(line) - _WIDEST_LINE))
+        cut = printable(line[start : start + _WIDEST_LINE])
+        before = "…" if start else ""
+        after = "…" if start + _WIDEST_LINE < len(line) else ""
+        self.text = before + cut + after
+        self._first = start + 1
+        self._ends = [len(before), *accumulate(map(_width, cut), initial=len(before))][1:]
+
+    def cells(self, column: int, stop: int) -> tuple[int, int]:
+        """Return where a part of the line starts, in terminal cells, and how wide it is."""
+        last = len(self._ends) - 1
+        start = self._ends[min(max(column - self._first, 0), last)]
+        end = self._ends[min(max(stop - self._first, 0), last)]
+        return start, max(1, end - start)
+
+
+def _width(character: str) -> int:
+    """Return how many cells of a terminal a character takes."""
+    if character.isascii():
+        return 1
+    if category(character) in {"Mn", "Me"}:
+        return 0
+    return 2 if east_asian_width(character) in {"W", "F"} else 1
 
 
 def printable(text: str) -> str:
@@ -104,37 +149,31 @@ def as_json(
     with `line` and `column`, both counted from 1, the column in characters), `help`, `fix` (null,
     or `title` and `edits`) and `labels`.
     """
+    return [_describe(found, lines(found.file), found.file or program) for found in diagnostics]
 
-    def place(file: Path | None, span: Span | None) -> dict[str, Any] | None:
-        index = lines(file)
-        if span is None or index is None:
+
+def _describe(found: Diagnostic, lines: LineIndex | None, file: Path | None) -> dict[str, Any]:
+    def place(span: Span | None) -> dict[str, Any] | None:
+        if span is None or lines is None:
             return None
         return {
-            "start": index.position(span.start)._asdict(),
-            "end": index.position(span.end)._asdict(),
+            "start": lines.position(span.start)._asdict(),
+            "end": lines.position(span.end)._asdict(),
         }
 
-    def describe(found: Diagnostic) -> dict[str, Any]:
-        file = found.file or program
-        fix = None
-        if found.fix is not None:
-            edits = [
-                {"range": place(found.file, edit.span), "text": edit.text}
-                for edit in found.fix.edits
-            ]
-            fix = {"title": found.fix.title, "edits": edits}
-        return {
-            "file": None if file is None else str(file),
-            "code": found.code,
-            "severity": found.severity.value,
-            "message": found.message,
-            "range": place(found.file, found.span),
-            "help": found.help,
-            "fix": fix,
-            "labels": [
-                {"range": place(found.file, label.span), "message": label.message}
-                for label in found.labels
-            ],
-        }
-
-    return [describe(found) for found in diagnostics]
+    fix = None
+    if found.fix is not None:
+        edits = [{"range": place(edit.span), "text": edit.text} for edit in found.fix.edits]
+        fix = {"title": found.fix.title, "edits": edits}
+    return {
+        "file": None if file is None else str(file),
+        "code": found.code,
+        "severity": found.severity.value,
+        "message": found.message,
+        "range": place(found.span),
+        "help": found.help,
+        "fix": fix,
+        "labels": [
+            {"range": place(label.span), "message": label.message} for label in found.labels
+        ],
+    }
