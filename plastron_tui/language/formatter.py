@@ -13,6 +13,9 @@ from tree_sitter import Node
 from .document import Document
 from .tokens import leaves
 
+_MARK = b"\xef\xbb\xbf"
+"""The byte order mark that some editors put before a text; it stays."""
+
 _TIGHT_BEFORE = frozenset({",", ")", "]", ".", "=", "/"})
 _TIGHT_AFTER = frozenset({"(", "[", ".", "=", "/"})
 
@@ -23,7 +26,7 @@ def format_document(document: Document) -> bytes:
     The line ending that the first line has is the line ending of all.
     """
     source = document.text
-    mark = b"\xef\xbb\xbf" if source.startswith(b"\xef\xbb\xbf") else b""
+    mark = _MARK if source.startswith(_MARK) else b""
     ending = b"\r\n" if source[: source.find(b"\n") + 1].endswith(b"\r\n") else b"\n"
     lines: list[bytes] = []
     last_row = None
@@ -64,7 +67,8 @@ def _lay_out(source: bytes, nodes: list[Node]) -> bytes:
     if any(node.has_error or node.is_error for node in nodes):
         start = source.rfind(b"\n", 0, nodes[0].start_byte) + 1
         end = source.find(b"\n", max(node.end_byte for node in nodes) - 1)
-        return source[start : end if end >= 0 else len(source)].rstrip(b"\r\n")
+        line = source[start : end if end >= 0 else len(source)].rstrip(b"\r\n")
+        return line if start else line.removeprefix(_MARK)
     words = [leaf for node in nodes for leaf, _ in leaves(node)]
     parts: list[bytes] = []
     before = ""
