@@ -60,6 +60,14 @@ class LazyGroup(click.Group):
             ctx.fail(f"no command '{name}'{_hint(name)}")
         return super().resolve_command(ctx, args)
 
+    def invoke(self, ctx: click.Context) -> object:
+        """Run the command; that the reader of its result has gone (`| head`) is no error."""
+        try:
+            return super().invoke(ctx)
+        except BrokenPipeError:
+            _discard(sys.stdout)
+            return 0
+
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the list of commands without importing them."""
         with formatter.section("Commands"):
@@ -113,10 +121,6 @@ def main() -> None:
     except click.ClickException as error:
         error.show()
         status = error.exit_code
-    except BrokenPipeError:
-        # The reader has gone, as in `plastron types | head`.
-        _discard(sys.stdout)
-        status = 0
     except OSError as error:
         # What the commands do not expect: a full disk under standard output, a folder that is gone.
         _discard(sys.stdout)

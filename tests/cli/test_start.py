@@ -1,0 +1,188 @@
+"""How plastron starts: what it imports, its help, its completion, and how it ends."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+from command_line import BROKEN, PLASTRON, TALKER, Run
+
+from plastron_tui.cli.main import cli
+
+COMMANDS = ("check", "completion", "fmt", "generate", "graph", "inspect", "shell", "types")
+
+
+def imported_by(here: Path, *arguments: str) -> set[str]:
+    code = (
+        "import sys; from plastron_tui.cli.main import cli\n"
+        "try: cli.main(sys.argv[1:], prog_name='plastron', standalone_mode=False)\n"
+        "finally: print('\\n' + ' '.join(sys.modules))"
+    )
+    result = subprocess.run(
+        [sys.executable, "-c", code, *arguments], capture_output=True, cwd=here, check=True
+    )
+    return set(result.stdout.decode().split("\n")[-2].split())
+
+
+@pytest.mark.parametrize("program", [TALKER, BROKEN])
+def test_check_imports_only_what_it_needs(here: Path, program: str) -> None:
+    (here / "a.plastron").write_text(program)
+    modules = imported_by(here, "check", "a.plastron")
+    heavy = {"textual", "jinja2", "importlib.metadata", "importlib.resources", "tree_sitter_python"}
+    assert not modules & heavy
+    assert "plastron_tui.model.interpreter" in modules
+
+
+def test_check_of_a_right_program_renders_nothing(here: Path) -> None:
+    (here / "a.plastron").write_text(TALKER)
+    modules = imported_by(here, "check", "a.plastron")
+    unneeded = {"json", "difflib", "plastron_tui.diagnostics.render", "plastron_tui.output.plan"}
+    assert not modules & unneeded
+
+
+def test_help_and_completion_import_no_command(here: Path) -> None:
+    modules = imported_by(here, "--help")
+    assert not {name for name in modules if name.startswith("plastron_tui.cli.")} - {
+        "plastron_tui.cli.main"
+    }
+    assert "tree_sitter" not in modules
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+@pytest.mark.parametrize("flag", ["--help", "-h"])
+def test_help_has_an_example(command: str, flag: str) -> None:
+    result = CliRunner().invoke(cli, [command, flag])
+    assert result.exit_code == 0, result.output
+    assert "Example: " in result.output
+    assert f"plastron {command}" in result.output
+
+
+def test_help_lists_every_command_with_a_line() -> None:
+    result = CliRunner().invoke(cli, ["--help"])
+    for command in COMMANDS:
+        (line,) = (line for line in result.output.split("\n") if line.startswith(f"  {command} "))
+        assert len(line.split()) > 2
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        ([], "Usage: plastron"),
+        (["chekc"], "did you mean 'check'?"),
+        (["a.plastron"], "plastron check a.plastron"),
+        (["--nonsense"], "--nonsense"),
+        (["check"], "Missing argument"),
+        (["check", "--format", "xml", "a"], "'xml'"),
+        (["check", "--target", "rosjs", "a"], "'rosjs'"),
+        (["generate", "-o", "", "a"], "the name of the folder is empty"),
+        (["types", "a", "b"], "unexpected extra argument"),
+        (["types", "-d", "indigo"], "'indigo'"),
+        (["inspect"], "Missing argument"),
+        (["completion", "tcsh"], "'tcsh'"),
+    ],
+)
+def test_wrong_usage_is_2(run: Run, arguments: list[str], said: str) -> None:
+    result = run(*arguments)
+    assert result.returncode == 2
+    assert said in result.stderr.decode()
+    assert result.stdout == b""
+
+
+def test_version(run: Run) -> None:
+    result = run("--version")
+    assert (result.returncode, result.stdout[:9]) == (0, b"plastron,")
+
+
+def test_console_script_is_main() -> None:
+    script = Path(sys.executable).with_name("plastron")
+    result = subprocess.run([script, "--version"], capture_output=True)
+    assert (result.returncode, result.stdout[:9]) == (0, b"plastron,")
+
+
+def complete(here: Path, *words: str) -> list[str]:
+    """Complete the last word as bash does: source the script, and call what it registers."""
+    quoted = " ".join(f"'{word}'" for word in words)
+    script = f"""
+        eval "$(plastron completion bash)"
+        COMP_WORDS=(plastron {quoted}); COMP_CWORD={len(words)}; COMPREPLY=()
+        compopt() {{ :; }}
+        _plastron_completion plastron
+        printf '%s\\n' "${{COMPREPLY[@]}}"
+    """
+    path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    result = subprocess.run(
+        ["bash", "-c", script], capture_output=True, cwd=here, env={**os.environ, "PATH": path}
+    )
+    assert result.stderr == b"", result.stderr.decode()
+    return result.stdout.decode().split()
+
+
+def test_bash_completes_commands_options_and_choices(here: Path) -> None:
+    assert complete(here, "ge") == ["generate"]
+    assert set(COMMANDS) <= set(complete(here, ""))
+    assert "--dry-run" in complete(here, "generate", "--d")
+    assert complete(here, "graph", "--format", "m") == ["mermaid"]
+    assert complete(here, "generate", "--target", "rosp") == ["rospy"]
+
+
+def test_bash_leaves_file_names_to_the_shell(here: Path) -> None:
+    script = (
+        'eval "$(plastron completion bash)"\n'
+        "compopt() { echo $*; }\n"
+        "COMP_WORDS=(plastron check tal); COMP_CWORD=2; _plastron_completion plastron"
+    )
+    path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    result = subprocess.run(
+        ["bash", "-c", script], capture_output=True, cwd=here, env={**os.environ, "PATH": path}
+    )
+    assert result.stdout.split() == [b"-o", b"default"]
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_completion_script_names_plastron(run: Run, shell: str) -> None:
+    result = run("completion", shell)
+    assert result.returncode == 0
+    assert b"_PLASTRON_COMPLETE" in result.stdout
+
+
+def test_a_result_goes_to_any_encoding(run: Run, here: Path) -> None:
+    name = os.fsdecode(b"b\xe4\xff.plastron")
+    (here / name).write_text("create_node  'a'  as a")
+    for encoding in ("ascii", "latin-1", "utf-8"):
+        result = run("fmt", "--check", name, env={"PYTHONIOENCODING": encoding})
+        assert result.returncode == 1
+        assert result.stdout.startswith(b"would reformat b")
+
+
+def test_full_standard_output_is_2(here: Path) -> None:
+    with Path("/dev/full").open("wb") as full:
+        result = subprocess.run([*PLASTRON, "types"], stdout=full, stderr=subprocess.PIPE)
+    assert result.returncode == 2
+    assert result.stderr == b"error: no space left on device\n"
+
+
+def test_reader_that_leaves_is_no_error(here: Path) -> None:
+    with subprocess.Popen(
+        [*PLASTRON, "types"], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as process:
+        assert process.stdout is not None
+        process.stdout.close()
+        assert process.wait(60) == 0
+        assert process.stderr is not None
+        assert process.stderr.read() == b""
+
+
+def test_working_folder_that_is_gone(tmp_path: Path) -> None:
+    gone = tmp_path / "gone"
+    gone.mkdir()
+    code = f"import os; os.chdir({str(gone)!r}); os.rmdir({str(gone)!r}); {PLASTRON[2]}"
+    result = subprocess.run(
+        [sys.executable, "-c", code, "shell"], input=b"create_node 'a' as a\n", capture_output=True
+    )
+    assert result.returncode == 2
+    assert b"Traceback" not in result.stderr
+    assert b"error: " in result.stderr
