@@ -1,0 +1,184 @@
+from __future__ import annotations
+
+import pytest
+from plastron_programs import read
+
+from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.language import DECLARATIONS, Document, lower
+from plastron_tui.language.keywords import KEYWORDS
+from plastron_tui.language.syntax_errors import MOST_BROKEN_LINES
+
+M = "create_message m of message_type T and input"
+SENTENCE = "the sentence is: "
+
+# A line, the code, the text of the span, what the message says, what the help says.
+TABLE: list[tuple[str, str, str, str, str | None]] = [
+    ("lod x as y", "unknown-statement", "lod", "starts no statement", "did you mean `load`?"),
+    ("n publsh m to 'a'", "unknown-statement", "publsh", "no statement", "did you mean `publish`?"),
+    ("foo bar baz", "unknown-statement", "foo", "starts no statement", "a statement starts with"),
+    ("node1", "unknown-statement", "node1", "alone is no statement", "comes publish"),
+    ("none as x", "unknown-statement", "none", "starts no statement", "a statement starts with"),
+    ("(((", "syntax-error", "(", "unexpected `(`", None),
+    ("$ create_node 'a' as n", "syntax-error", "$", "unexpected `$`", None),
+    ("1 2 3", "syntax-error", "1", "unexpected `1`", None),
+    ('"abc', "unclosed-quote", '"', "not closed", "close it with"),
+    ("'abc", "unclosed-quote", "'", "not closed", "close it with '"),
+    ("create_node", "syntax-error", "", "expected a node name", SENTENCE),
+    ("create_node 'a'", "syntax-error", "", "expected `as` here", SENTENCE),
+    ("create_node 'a' as", "syntax-error", "", "a variable for the node here", SENTENCE),
+    ("create_node talker as n", "syntax-error", "talker", "in single quotes", "write 'talker'"),
+    ('create_node "a" as n', "syntax-error", '"a"', "in single quotes", "write 'a'"),
+    ("create_node 'a as n", "unclosed-quote", "'", "not closed", "close it with '"),
+    ("create_node 'a' is n", "syntax-error", "is", "expected `as`, not `is`", None),
+    ("create_node 'a' ass n", "syntax-error", "ass", "expected `as`", "did you mean `as`?"),
+    ("create_node 'a' as 5", "syntax-error", "5", "expected a variable", SENTENCE),
+    ("create_node 'a' as é", "syntax-error", "é", "expected a variable", SENTENCE),
+    ("create_node 'a' as n using", "syntax-error", "", "expected a client library", SENTENCE),
+    ("create_node 'a' as n with", "syntax-error", "with", "unexpected `with`", SENTENCE),
+    ("create_node 'a' as n extra", "syntax-error", "extra", "unexpected `extra`", SENTENCE),
+    ("create_node 'a' as load", "keyword-as-variable", "load", "is a keyword", "another name"),
+    ("subscribe at to 'a'", "keyword-as-variable", "at", "is a keyword", "another name"),
+    ("generate_node True", "keyword-as-variable", "True", "is a keyword", "another name"),
+    ("create_message of of message_type T", "keyword-as-variable", "of", "keyword", None),
+    ("load x.py as n", "syntax-error", "x.py", "is quoted", SENTENCE),
+    ("load a/b as n", "syntax-error", "a/b", "is quoted", SENTENCE),
+    ("subscribe n too 'a'", "syntax-error", "too", "expected `to`", "did you mean `to`?"),
+    ("subscribe n to 'a' of T", "syntax-error", "T", "expected `message_type`", SENTENCE),
+    ("subscribe n to 'a' of message_type", "syntax-error", "", "a message type here", SENTENCE),
+    ("subscribe n to 'a' of message_type \"T\"", "syntax-error", '"T"', "a message type", SENTENCE),
+    ("subscribe n to 'a' of message_type a /T", "syntax-error", "/", "no space", SENTENCE),
+    ("subscribe n to 'a' of message_type a/", "syntax-error", "/", "after the `/`", SENTENCE),
+    ("subscribe n to 'a' of message_type a/b/c/d", "syntax-error", "d", "three parts", SENTENCE),
+    ("subscribe n to 'a' of message_type T calling", "syntax-error", "", "function", SENTENCE),
+    ("unsubscribe n", "syntax-error", "", "expected `from`", SENTENCE),
+    ("unsubscribe n form 'a'", "syntax-error", "form", "`from`", "did you mean `from`?"),
+    ("publish n m to 'a'", "syntax-error", "publish", "expected the variable of a node", SENTENCE),
+    ("n publish", "syntax-error", "", "the variable of a message here", SENTENCE),
+    ("n publish m to a of message_type T", "syntax-error", "a", "in single quotes", "write 'a'"),
+    ("n publish m to 'a' of message_type T at fast hz", "syntax-error", "fast", "number", None),
+    ("n publish m to 'a' of message_type T at 5", "syntax-error", "", "expected `hz`", SENTENCE),
+    ("n publish m to 'a' of message_type T at 5 Hz", "syntax-error", "Hz", "`hz`", "`hz`?"),
+    ("n stop_publishing 'a'", "syntax-error", "'a'", "expected `to`", SENTENCE),
+    ("n stop_service", "syntax-error", "", "a service name", SENTENCE),
+    (M, "syntax-error", "", "expected values, or `none`", SENTENCE),
+    (f"{M} abc", "syntax-error", "abc", "is no value", 'text is written in double quotes: "abc"'),
+    (f"{M} 'abc'", "syntax-error", "'abc'", "is no value", '"abc"'),
+    (f"{M} true", "syntax-error", "true", "is no value", "did you mean `True`?"),
+    (f"{M} x=y", "syntax-error", "y", "is no value", '"y"'),
+    (f"{M} x=", "syntax-error", "=", "expected a value after this", SENTENCE),
+    (f"{M} x=y=1", "syntax-error", "y", "expected a value", SENTENCE),
+    (f"{M} x.=1", "syntax-error", ".", "expected a field", SENTENCE),
+    (f"{M} x.y", "syntax-error", "y", "expected `=`", SENTENCE),
+    (f"{M} 1,", "syntax-error", ",", "expected a value after this", SENTENCE),
+    (f"{M} 1,,2", "syntax-error", ",", "expected a value", SENTENCE),
+    (f"{M} 1 2", "syntax-error", "2", "unexpected `2`", SENTENCE),
+    (f"{M} (1, 2", "syntax-error", "(", "is not closed", SENTENCE),
+    (f"{M} [(1, 2]", "syntax-error", "(", "is not closed", SENTENCE),
+    (f"{M} 1, 2)", "syntax-error", ")", "closes nothing", SENTENCE),
+    (f"{M} [x=1]", "syntax-error", "x", "have no names", SENTENCE),
+    (f"{M} 1, none", "syntax-error", "none", "stands alone", SENTENCE),
+    (f"{M} none, 1", "syntax-error", ",", "unexpected", SENTENCE),
+    (f"{M} 0x10", "syntax-error", "x10", "unexpected `x10`", SENTENCE),
+    (f'{M} "abc', "unclosed-quote", '"', "not closed", 'close it with "'),
+    (f'{M} "abc\\"', "unclosed-quote", '"', "not closed", 'close it with "'),
+    (f'{M} "a\\qb"', "unknown-escape", "\\q", "is no escape", "a backslash is written"),
+    (f'{M} "a\\u12"', "unknown-escape", "\\u", "is no escape", "a backslash is written"),
+    (f'{M} x=("a\\é")', "unknown-escape", "\\é", "is no escape", "a backslash is written"),
+    (f"{M.replace('input', 'inputs')} 1", "syntax-error", "inputs", "`input`", "`input`?"),
+    (f"{M.replace('and ', '')} 1", "syntax-error", "input", "expected `and`", SENTENCE),
+    ("/* open", "unclosed-comment", "/*", "not closed", "close it with `*/`"),
+    ("create_node 'a' as n /* open", "unclosed-comment", "/*", "not closed", "`*/`"),
+    ("create_node 'a' as n create_node 'b' as m", "syntax-error", "create_node", "unexp", SENTENCE),
+]
+
+
+def spanned(text: str, found: Diagnostic) -> str:
+    assert found.span is not None
+    return text.encode()[found.span.start : found.span.end].decode()
+
+
+@pytest.mark.parametrize("ending", ["", "\n", "\r\n"], ids=["end", "lf", "crlf"])
+@pytest.mark.parametrize("case", TABLE, ids=[case[0] for case in TABLE])
+def test_a_wrong_line_is_explained(
+    case: tuple[str, str, str, str, str | None], ending: str
+) -> None:
+    line, code, where, message, remedy = case
+    (found,) = read(line + ending).diagnostics
+    assert (found.code, spanned(line, found)) == (code, where)
+    assert message in found.message
+    assert remedy is None or remedy in (found.help or "")
+
+
+@pytest.mark.parametrize("case", TABLE, ids=[case[0] for case in TABLE])
+def test_a_wrong_line_is_alone_with_its_mistake(
+    case: tuple[str, str, str, str, str | None],
+) -> None:
+    line, code, where, _, _ = case
+    text = f"// é\ngenerate_node a\n{line}\ngenerate_node b\n"
+    program = read(text)
+    (found,) = program.diagnostics
+    assert (found.code, spanned(text, found)) == (code, where)
+    assert [statement.span_of("node") for statement in program.statements] == [
+        (
+            text.encode().index(b"generate_node a") + 14,
+            text.encode().index(b"generate_node a") + 15,
+        ),
+        (len(text.encode()) - 2, len(text.encode()) - 1),
+    ]
+
+
+@pytest.mark.parametrize("case", TABLE, ids=[case[0] for case in TABLE])
+def test_a_fix_brings_the_line_further(case: tuple[str, str, str, str, str | None]) -> None:
+    line = case[0].encode()
+    (found,) = lower(Document(line)).diagnostics
+    if found.fix is None:
+        return
+    (edit,) = found.fix.edits
+    mended = line[: edit.span.start] + edit.text.encode() + line[edit.span.end :]
+    left = lower(Document(mended)).diagnostics
+    assert all(again.span > found.span for again in left if again.span and found.span)
+
+
+@pytest.mark.parametrize("word", sorted(KEYWORDS))
+def test_a_keyword_is_no_variable(word: str) -> None:
+    for text in (
+        f"create_node 'a' as {word}",
+        f"load x as {word}",
+        f"create_message {word} of message_type T and input none",
+        f"generate_node {word}",
+    ):
+        (found,) = read(text).diagnostics
+        if word == text.split()[0]:
+            assert found.code in ("keyword-as-variable", "syntax-error")
+        else:
+            assert (found.code, spanned(text, found)) == ("keyword-as-variable", word)
+
+
+def test_every_cut_of_a_statement_is_one_mistake_at_its_end() -> None:
+    for declaration in DECLARATIONS.values():
+        words = declaration.example.split(" ")
+        for count in range(1, len(words)):
+            text = " ".join(words[:count])
+            program = read(f"generate_node a\n{text}\ngenerate_node b\n")
+            whole = [statement for statement in program.statements if statement.span.start in (0,)]
+            assert len(whole) == 1
+            assert len(program.diagnostics) <= 1
+            assert len(program.statements) + len(program.diagnostics) == 3
+
+
+def test_a_comment_of_two_lines_keeps_a_mistake_one() -> None:
+    assert len(read("create_node /* a\nb */ 'x' is n\n").diagnostics) == 1
+    found = read("generate_node a /* two\nlines */ generate_node b\n").diagnostics
+    assert [each.code for each in found] == ["syntax-error"]
+
+
+def test_only_so_many_lines_are_explained() -> None:
+    program = read("creat_node 'a' as n\n" * (MOST_BROKEN_LINES + 500))
+    assert len(program.diagnostics) == MOST_BROKEN_LINES
+
+
+def test_the_words_of_broken_lines_are_known() -> None:
+    program = read("creat_node 'talker' as a\nsubscribe b too 'x'\ncreate_message c of T\n")
+    assert {"talker", "a", "b", "x", "c"} <= program.broken_words
+    assert {"a", "c"} <= program.broken_declarations
+    assert "b" not in program.broken_declarations
