@@ -23,13 +23,14 @@ class Program(NamedTuple):
 
     What a line that is no statement was to do is not missing, only broken. `broken_words` are
     the words and the quoted names of such lines; `broken_declarations` are the words of those
-    that were to declare a variable.
+    that were to declare a variable, and `lost_declarations` counts those that do not say which.
     """
 
     statements: tuple[Statement, ...]
     diagnostics: tuple[Diagnostic, ...] = ()
     broken_words: frozenset[str] = frozenset()
     broken_declarations: frozenset[str] = frozenset()
+    lost_declarations: int = 0
 
 
 class _Lowered(Enum):
@@ -118,6 +119,7 @@ def lower(document: Document) -> Program:
         (*explained.diagnostics, *too_deep),
         explained.words | declared,
         explained.declared | declared,
+        explained.lost,
     )
 
 

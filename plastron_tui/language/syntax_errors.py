@@ -31,11 +31,13 @@ class Explained(NamedTuple):
         diagnostics: one for each line.
         words: the words and the quoted names of the lines.
         declared: the words of the lines that were to declare a variable.
+        lost: how many of these lines do not say which.
     """
 
     diagnostics: tuple[Diagnostic, ...]
     words: frozenset[str]
     declared: frozenset[str]
+    lost: int
 
 
 def explain(source: bytes, broken: Sequence[Node]) -> Explained:
@@ -43,6 +45,7 @@ def explain(source: bytes, broken: Sequence[Node]) -> Explained:
     diagnostics: list[Diagnostic] = []
     words: set[str] = set()
     declared: set[str] = set()
+    lost = 0
     for _, line in groupby(tokens_of(source, broken), key=lambda token: token.row):
         tokens = tuple(islice(line, _MOST_WORDS))
         names = set(_names(tokens))
@@ -50,9 +53,10 @@ def explain(source: bytes, broken: Sequence[Node]) -> Explained:
         declaration = _intended(tokens)
         if _may_declare(declaration or _guessed(tokens)):
             declared |= names
+            lost += declaration is not None and not _has_variable(declaration, tokens)
         if len(diagnostics) < MOST_BROKEN_LINES:
             diagnostics.append(_explain_line(tokens, declaration))
-    return Explained(tuple(diagnostics), frozenset(words), frozenset(declared))
+    return Explained(tuple(diagnostics), frozenset(words), frozenset(declared), lost)
 
 
 def _names(tokens: Sequence[Token]) -> Iterator[str]:
@@ -89,6 +93,15 @@ def _may_declare(declaration: Declaration | None) -> bool:
         return True
     new = (SlotKind.NEW_NODE, SlotKind.NEW_MESSAGE)
     return any(slot.kind in new for slot in declaration.slots)
+
+
+def _has_variable(declaration: Declaration, tokens: Sequence[Token]) -> bool:
+    """Tell whether a broken declaration has a word that can be its variable."""
+    first = next(
+        index for index, slot in enumerate(declaration.slots, start=1) if slot.name == "variable"
+    )
+    words = (token for token in tokens[first:] if token.kind in WORD_KINDS)
+    return any(token.text not in KEYWORDS for token in words)
 
 
 def _misspelt(tokens: Sequence[Token]) -> tuple[Token, str] | None:

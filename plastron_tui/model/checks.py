@@ -48,6 +48,7 @@ class Checks:
         self.workspace = Workspace()
         self._setting = setting
         self._broken: set[str] = set()
+        self._lost = 0
         self._broken_words: frozenset[str] = frozenset()
         self._failed: set[tuple[str, str]] = set()
         self._failed_nodes: set[str] = set()
@@ -85,7 +86,7 @@ class Checks:
         if node is not None:
             return node
         variable: str = statement.node
-        if variable in self._broken:
+        if self._is_broken(variable):
             raise Mistake
         is_other = variable in self.workspace.messages
         raise Mistake(
@@ -104,7 +105,7 @@ class Checks:
         if message is not None:
             return message
         variable = statement.message
-        if variable in self._broken:
+        if self._is_broken(variable):
             raise Mistake
         is_other = variable in self.workspace.nodes
         raise Mistake(
@@ -117,6 +118,13 @@ class Checks:
                 else did_you_mean(variable, self.workspace.messages),
             )
         )
+
+    def _is_broken(self, variable: str) -> bool:
+        """Tell whether a variable that is not there was to be declared by a broken statement."""
+        if variable not in self._broken and self._lost > 0:
+            self._lost -= 1
+            self._broken.add(variable)
+        return variable in self._broken
 
     def _follows(self, node: Node, name: str) -> bool:
         """Tell whether what a node has under a name may be so because of an earlier mistake."""

@@ -84,6 +84,7 @@ class Interpreter(Checks):
         """Run the statements of a program, and return all that is wrong with it, in its order."""
         self._program = program
         self._broken = set(program.broken_declarations)
+        self._lost = program.lost_declarations
         self._broken_words = program.broken_words
         self._failed = set()
         self._failed_nodes = set()
