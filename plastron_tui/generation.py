@@ -110,19 +110,18 @@ def generate(
     rendered = target.edit(node.source, changes_of(node), catalog)
     if rendered.text is None:
         return _refused(generation, rendered)
-    path = node.source.path
-    present = _on_disk(path if in_place else output / path.name)
-    return Generated(
-        generation,
-        OutputFile(
-            path.name,
-            rendered.text,
-            target.is_executable,
-            merged_from=present if in_place or present == node.source.text else None,
-            path=path if in_place else None,
-        ),
-        rendered.diagnostics,
+    path, text = node.source.path, node.source.text
+    # What lies in the output folder may be what this program generates, and on no disk yet.
+    is_elsewhere = in_place and path.parent != output
+    is_kept = is_elsewhere or _on_disk(output / path.name) == text
+    file = OutputFile(
+        path.name,
+        rendered.text,
+        target.is_executable,
+        merged_from=text if is_kept else None,
+        path=path if is_elsewhere else None,
     )
+    return Generated(generation, file, rendered.diagnostics)
 
 
 def _created(

@@ -24,11 +24,14 @@ def run(here: Path) -> Run:
     """Run plastron as a process in the working folder."""
 
     def run(
-        *arguments: str | Path, stdin: bytes = b"", env: dict[str, str] | None = None
+        *arguments: str | Path,
+        stdin: bytes = b"",
+        env: dict[str, str] | None = None,
+        cwd: Path = here,
     ) -> subprocess.CompletedProcess[bytes]:
         result = subprocess.run(
             [*PLASTRON, *arguments],
-            cwd=here,
+            cwd=cwd,
             input=stdin,
             capture_output=True,
             timeout=60,

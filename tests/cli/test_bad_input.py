@@ -101,7 +101,7 @@ def test_one_unreadable_file_does_not_hide_the_others(run: Run, here: Path) -> N
 
 
 @pytest.mark.parametrize("text", [TALKER.rstrip("\n"), TALKER.replace("\n", "\r\n"),
-                                  "\ufeff" + TALKER, TALKER + "\n\n", TALKER + "// end"])  # fmt: skip
+                                  "\ufeff" + TALKER, TALKER + "\n\n // end"])  # fmt: skip
 def test_line_endings_and_marks_are_no_mistake(run: Run, here: Path, text: str) -> None:
     (here / "plain.plastron").write_text(TALKER)
     (here / "a.plastron").write_bytes(text.encode())

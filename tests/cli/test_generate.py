@@ -1,0 +1,349 @@
+"""`generate`: what it writes, and what it never loses."""
+
+from __future__ import annotations
+
+import json
+import stat
+from pathlib import Path
+
+import pytest
+from command_line import BROKEN, LISTENER, TALKER, Run, snapshot
+
+TWICE = LISTENER.replace("generate", "subscribe listener to 'b' of message_type Int32\ngenerate")
+THRICE = TWICE.replace("generate", "subscribe listener to 'c' of message_type Int32\ngenerate")
+
+CHANGE = """\
+load listener_sub1 as node
+subscribe node to 'other' of message_type Int32
+generate_node node
+"""
+
+
+def write(folder: Path, text: str, name: str = "a.plastron") -> None:
+    (folder / name).write_text(text)
+
+
+def endpoints(run: Run, file: Path) -> dict[str, list[str]]:
+    """Return the names of what a file holds, by kind."""
+    result = run("inspect", "--format", "json", file)
+    assert result.returncode == 0, result.stderr.decode()
+    (node,) = json.loads(result.stdout)["nodes"]
+    kinds = {"publishers": "topic", "subscriptions": "topic", "services": "service"}
+    return {kind: [found[key] for found in node[kind]] for kind, key in kinds.items() if node[kind]}
+
+
+def test_created_then_identical(run: Run, here: Path) -> None:
+    write(here, TALKER)
+    first = run("generate", "a.plastron")
+    assert (first.returncode, first.stdout) == (0, b"   create  output/talker_pub.py\n")
+    file = here / "output" / "talker_pub.py"
+    assert file.stat().st_mode & stat.S_IXUSR
+    before = snapshot(here)
+    again = run("generate", "a.plastron")
+    assert (again.returncode, again.stdout) == (0, b"identical  output/talker_pub.py\n")
+    assert snapshot(here) == before
+
+
+def test_output_folder_is_beside_the_program(run: Run, here: Path) -> None:
+    (here / "deep").mkdir()
+    write(here, TALKER, "deep/a.plastron")
+    assert run("generate", "deep/a.plastron").stdout == b"   create  deep/output/talker_pub.py\n"
+    assert run("generate", "deep/a.plastron", "-o", "x/y").returncode == 0
+    assert (here / "x" / "y" / "talker_pub.py").exists()
+
+
+def test_standard_input_writes_beside_the_working_folder(run: Run, here: Path) -> None:
+    assert run("generate", "-", stdin=TALKER.encode()).returncode == 0
+    assert (here / "output" / "talker_pub.py").exists()
+
+
+@pytest.mark.parametrize("flag", ["--dry-run", "--diff"])
+def test_dry_runs_write_nothing(run: Run, here: Path, flag: str) -> None:
+    write(here, TALKER)
+    before = snapshot(here)
+    result = run("generate", flag, "a.plastron")
+    assert (result.returncode, bool(result.stdout)) == (0, True)
+    assert snapshot(here) == before
+    assert run("generate", "a.plastron").returncode == 0
+    write(here, TALKER.replace('"hello"', '"bye"'))
+    before = snapshot(here)
+    result = run("generate", flag, "a.plastron")
+    changed = b"  changed  output/talker_pub.py\n" if flag == "--dry-run" else b'"bye"'
+    assert changed in result.stdout
+    assert snapshot(here) == before
+
+
+def test_diff_is_a_patch(run: Run, here: Path) -> None:
+    write(here, TALKER)
+    assert run("generate", "a.plastron").returncode == 0
+    write(here, TALKER.replace('"hello"', '"bye"'))
+    patch = run("generate", "--diff", "a.plastron").stdout.decode().split("\n")
+    assert [line for line in patch if line.startswith(("-", "+")) and "String(" in line]
+    assert "--- a/talker_pub.py" in patch
+
+
+@pytest.mark.parametrize("programs", [(BROKEN,), (TALKER, BROKEN), (BROKEN, TALKER)])
+def test_an_error_generates_nothing(run: Run, here: Path, programs: tuple[str, ...]) -> None:
+    names = []
+    for number, text in enumerate(programs):
+        write(here, text, f"{number}.plastron")
+        names.append(f"{number}.plastron")
+    result = run("generate", *names)
+    assert (result.returncode, result.stdout) == (1, b"")
+    assert b"did you mean `node1`?" in result.stderr
+    assert not (here / "output").exists()
+
+
+def test_program_that_generates_nothing_is_told_so(run: Run, here: Path) -> None:
+    write(here, "create_node 'a' as a\n")
+    result = run("generate", "a.plastron")
+    assert (result.returncode, result.stdout) == (0, b"")
+    assert b"warning[nothing-to-generate]" in result.stderr
+
+
+def test_two_programs_do_not_overwrite_each_other(run: Run, here: Path) -> None:
+    write(here, TALKER, "a.plastron")
+    write(here, TALKER.replace("hello", "bye"), "b.plastron")
+    result = run("generate", "a.plastron", "b.plastron")
+    assert (result.returncode, b"error[same-file]" in result.stderr) == (1, True)
+    assert not (here / "output").exists()
+    assert run("generate", "a.plastron", "a.plastron").returncode == 0
+
+
+def test_file_of_somebody_else_is_a_conflict(run: Run, here: Path) -> None:
+    write(here, TALKER + LISTENER)
+    (here / "output").mkdir()
+    mine = here / "output" / "talker_pub.py"
+    mine.write_text("mine\n")
+    before = snapshot(here)
+    result = run("generate", "a.plastron")
+    assert (result.returncode, b"error[file-conflict]" in result.stderr) == (1, True)
+    assert b" conflict  output/talker_pub.py\n" in result.stdout
+    assert snapshot(here) == before
+    forced = run("generate", "--force", "a.plastron")
+    assert forced.returncode == 0
+    assert b"   backup  output/talker_pub.py.bak\n" in forced.stdout
+    assert (here / "output" / "talker_pub.py.bak").read_text() == "mine\n"
+    assert b"rospy" in mine.read_bytes()
+
+
+def fill_in(file: Path, more: str = "") -> str:
+    """Fill in a callback as a user does, and add a function of the user's own."""
+    text = file.read_text()
+    assert "def on_chatter(" in text
+    head, tail = text.split("\n\n\ndef main", 1)
+    text = f"{head}\n        self.heard = message.data  # mine{more}\n\n\n"
+    text += f"def own():\n    return 'mine'\n\n\ndef main{tail}"
+    file.write_text(text)
+    return text
+
+
+def test_regenerating_keeps_handwork_and_adds_what_is_new(run: Run, here: Path) -> None:
+    write(here, LISTENER)
+    assert run("generate", "a.plastron").returncode == 0
+    file = here / "output" / "listener_sub1.py"
+    text = fill_in(file)
+    same = run("generate", "a.plastron")
+    assert (same.returncode, b"warning[merged-by-hand]" in same.stderr) == (0, True)
+    assert file.read_text() == text
+    service = "listener provides_service 'reset' of service_type Empty\n"
+    # The name of the file follows what the node does; it is the old file that has the handwork.
+    write(here, LISTENER.replace("generate", service + "generate"))
+    assert run("generate", "a.plastron").returncode == 0
+    assert file.read_text() == text
+    assert (here / "output" / "listener_node.py").exists()
+
+
+def test_regenerating_merges_into_the_same_file(run: Run, here: Path) -> None:
+    write(here, TWICE)
+    assert run("generate", "a.plastron").returncode == 0
+    file = here / "output" / "listener_sub2.py"
+    head, tail = file.read_text().split("\n\n\ndef main", 1)
+    file.write_text(f"{head}\n\n    def own(self):\n        return 'mine'\n\n\ndef main{tail}")
+    write(here, THRICE)
+    result = run("generate", "a.plastron")
+    assert result.returncode == 0, result.stderr.decode()
+    assert b"  changed  output/listener_sub2.py" in result.stdout
+    assert endpoints(run, file) == {"subscriptions": ["chatter", "b", "c"]}
+    assert "return 'mine'" in file.read_text()
+
+
+def test_what_was_added_by_hand_is_never_taken_out(run: Run, here: Path) -> None:
+    write(here, THRICE)
+    assert run("generate", "a.plastron").returncode == 0
+    file = here / "output" / "listener_sub2.py"
+    file.write_text(file.read_text() + "\n# mine\n")
+    before = snapshot(here / "output")
+    write(here, TWICE)
+    result = run("generate", "a.plastron")
+    assert (result.returncode, b"error[file-conflict]" in result.stderr) == (1, True)
+    assert snapshot(here / "output") == before
+
+
+def test_type_that_differs_from_a_changed_file_is_a_conflict(run: Run, here: Path) -> None:
+    write(here, LISTENER)
+    assert run("generate", "a.plastron").returncode == 0
+    fill_in(here / "output" / "listener_sub1.py")
+    write(here, LISTENER.replace("String", "Int32"))
+    result = run("generate", "a.plastron")
+    assert (result.returncode, b"error[file-conflict]" in result.stderr) == (1, True)
+
+
+def test_force_writes_anew_and_keeps_a_backup(run: Run, here: Path) -> None:
+    write(here, LISTENER)
+    assert run("generate", "a.plastron").returncode == 0
+    file = here / "output" / "listener_sub1.py"
+    fresh = file.read_text()
+    text = fill_in(file)
+    assert run("generate", "--force", "--dry-run", "a.plastron").returncode == 0
+    assert file.read_text() == text
+    assert run("generate", "--force", "a.plastron").returncode == 0
+    assert file.read_text() == fresh
+    assert file.with_name("listener_sub1.py.bak").read_text() == text
+
+
+def test_load_and_change_after_handwork(run: Run, here: Path) -> None:
+    write(here, LISTENER)
+    assert run("generate", "a.plastron").returncode == 0
+    file = here / "output" / "listener_sub1.py"
+    text = fill_in(file)
+    write(here, CHANGE, "b.plastron")
+    result = run("generate", "b.plastron")
+    assert result.returncode == 0, result.stderr.decode()
+    assert endpoints(run, file) == {"subscriptions": ["chatter", "other"]}
+    changed = file.read_text()
+    lost = set(text.split("\n")) - set(changed.split("\n"))
+    assert lost == {"from std_msgs.msg import String"}
+    assert "from std_msgs.msg import String, Int32\n" in changed
+    compile(changed, str(file), "exec")
+
+
+@pytest.mark.parametrize("ending", ["\n", "\r\n"])
+@pytest.mark.parametrize("flags", [[], ["--in-place"]])
+def test_load_without_a_change_is_identical(
+    run: Run, here: Path, flags: list[str], ending: str
+) -> None:
+    write(here, LISTENER)
+    assert run("generate", "a.plastron").returncode == 0
+    file = here / "output" / "listener_sub1.py"
+    text = fill_in(file).replace("\n", ending)
+    file.write_bytes(text.encode())
+    write(here, "load listener_sub1 as n\ngenerate_node n\n", "b.plastron")
+    result = run("generate", *flags, "b.plastron")
+    assert (result.returncode, result.stdout) == (0, b"identical  output/listener_sub1.py\n")
+    assert file.read_bytes() == text.encode()
+
+
+def test_unsubscribe_takes_the_topic_out(run: Run, here: Path) -> None:
+    write(here, LISTENER)
+    assert run("generate", "a.plastron").returncode == 0
+    change = CHANGE.replace("generate", "unsubscribe node from 'chatter'\ngenerate")
+    write(here, change, "b.plastron")
+    result = run("generate", "b.plastron")
+    assert result.returncode == 0, result.stderr.decode()
+    file = here / "output" / "listener_sub1.py"
+    assert endpoints(run, file) == {"subscriptions": ["other"]}
+
+
+def test_loaded_from_the_program_folder_goes_to_the_output(run: Run, here: Path) -> None:
+    write(here, LISTENER)
+    assert run("generate", "a.plastron", "-o", ".").returncode == 0
+    original = (here / "listener_sub1.py").read_bytes()
+    write(here, CHANGE, "b.plastron")
+    assert run("generate", "b.plastron").stdout == b"   create  output/listener_sub1.py\n"
+    assert (here / "listener_sub1.py").read_bytes() == original
+    assert endpoints(run, here / "output" / "listener_sub1.py") == {
+        "subscriptions": ["chatter", "other"]
+    }
+
+
+def test_in_place_writes_over_the_file_and_keeps_its_mode(run: Run, here: Path) -> None:
+    (here / "scripts").mkdir()
+    write(here, LISTENER)
+    assert run("generate", "a.plastron", "-o", "scripts").returncode == 0
+    file = here / "scripts" / "listener_sub1.py"
+    file.chmod(0o750)
+    write(here, CHANGE.replace("listener_sub1", "'scripts/listener_sub1.py'"), "b.plastron")
+    result = run("generate", "--in-place", "b.plastron")
+    assert (result.returncode, result.stdout) == (0, b"  changed  scripts/listener_sub1.py\n")
+    assert endpoints(run, file) == {"subscriptions": ["chatter", "other"]}
+    assert stat.S_IMODE(file.stat().st_mode) == 0o750
+    assert not (here / "output").exists()
+
+
+@pytest.mark.parametrize("flags", [[], ["--in-place"]])
+def test_load_of_what_the_program_generates(run: Run, here: Path, flags: list[str]) -> None:
+    write(here, LISTENER + CHANGE)
+    file = here / "output" / "listener_sub1.py"
+    for _ in range(2):
+        result = run("generate", *flags, "a.plastron")
+        assert result.returncode == 0, result.stderr.decode()
+        assert endpoints(run, file) == {"subscriptions": ["chatter", "other"]}
+    assert b"identical" in result.stdout
+    file.write_text(file.read_text() + "# mine\n")
+    before = snapshot(here)
+    result = run("generate", *flags, "a.plastron")
+    assert result.returncode == 1
+    assert snapshot(here) == before
+
+
+def test_folders_are_searched_in_order(run: Run, here: Path) -> None:
+    for folder in ("work", "program", "program/output"):
+        (here / folder).mkdir()
+        topic = folder.replace("/", "_")
+        write(here, LISTENER.replace("chatter", topic))
+        assert run("generate", "a.plastron", "-o", folder, "--force").returncode == 0
+    write(here, "load listener_sub1 as n\ngenerate_node n\n", "program/p.plastron")
+    found = []
+    for folder in ("program/output", "program", "work"):
+        result = run("graph", "--format", "json", "../program/p.plastron", cwd=here / "work")
+        found.append(json.loads(result.stdout)["topics"][0]["name"])
+        (here / folder / "listener_sub1.py").unlink()
+    assert found == ["/program_output", "/program", "/work"]
+
+
+@pytest.mark.parametrize(
+    ("source", "code", "remedy"),
+    [
+        ("listner_sub1", "file-not-found", "did you mean `listener_sub1`?"),
+        ("'output/listener_sub.py'", "file-not-found", "did you mean `listener_sub1.py`?"),
+        ("'output'", "unreadable-file", None),
+        ("node", "unsupported-target", None),
+        ("'/dev/null'", "file-not-found", None),
+        (f"'{'x/' * 3000}'", "file-not-found", None),
+        ("x" * 400, "file-not-found", None),
+        ("'~nobody-at-all/x.py'", "file-not-found", None),
+    ],
+)
+def test_load_that_fails(run: Run, here: Path, source: str, code: str, remedy: str | None) -> None:
+    write(here, LISTENER)
+    assert run("generate", "a.plastron").returncode == 0
+    (here / "node.cpp").write_text("int main() {}\n")
+    write(here, f"load {source} as n\ngenerate_node n\n", "b.plastron")
+    before = snapshot(here)
+    result = run("generate", "b.plastron")
+    assert result.returncode == 1
+    assert f"error[{code}]".encode() in result.stderr
+    assert b"b.plastron:1:6" in result.stderr
+    assert remedy is None or f"= help: {remedy}".encode() in result.stderr
+    assert b"found 1 error\n" in result.stderr
+    assert snapshot(here) == before
+
+
+@pytest.mark.parametrize("library", ["roscpp", "rclcpp", "nodelet"])
+def test_library_that_cannot_be_generated_yet(run: Run, here: Path, library: str) -> None:
+    write(here, TALKER)
+    result = run("generate", "--target", library, "a.plastron")
+    assert (result.returncode, b"error[unsupported-target]" in result.stderr) == (1, True)
+    assert b"a.plastron:4:1" in result.stderr
+
+
+def test_broken_manifest_is_told_and_nothing_is_overwritten(run: Run, here: Path) -> None:
+    write(here, TALKER)
+    assert run("generate", "a.plastron").returncode == 0
+    (here / "output" / ".plastron.json").write_text("{")
+    write(here, TALKER.replace("hello", "bye"))
+    result = run("generate", "a.plastron")
+    assert result.returncode == 1
+    assert b"warning[bad-manifest]" in result.stderr
+    assert b"error[file-conflict]" in result.stderr
