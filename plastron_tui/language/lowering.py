@@ -11,6 +11,7 @@ from tree_sitter import Node
 from plastron_tui.diagnostics import Diagnostic, Span
 
 from . import statements as _statements  # noqa: F401 - declares the statements
+from .broken import Broken
 from .declaration import DECLARATIONS, Declaration, SlotKind, Statement
 from .document import Document
 from .grammar import field_id, kind_id
@@ -21,16 +22,12 @@ from .pause import collection_paused
 class Program(NamedTuple):
     """The statements of a text, in order, and what kept the rest from being statements.
 
-    What a line that is no statement was to do is not missing, only broken. `broken_words` are
-    the words and the quoted names of such lines; `broken_declarations` are the words of those
-    that were to declare a variable, and `lost_declarations` counts those that do not say which.
+    `broken` is what the other lines were to do: the statements may rely on it.
     """
 
     statements: tuple[Statement, ...]
     diagnostics: tuple[Diagnostic, ...] = ()
-    broken_words: frozenset[str] = frozenset()
-    broken_declarations: frozenset[str] = frozenset()
-    lost_declarations: int = 0
+    broken: Broken = Broken()
 
 
 class _Lowered(Enum):
@@ -88,7 +85,7 @@ def lower(document: Document) -> Program:
     found: list[Statement] = []
     broken: list[Node] = []
     too_deep: list[Diagnostic] = []
-    declared: set[str] = set()
+    unread: set[str] = set()
     with collection_paused():
         for node in _flattened(root) if root.has_error else root.children:
             plan = _PLANS.get(node.kind_id)
@@ -97,11 +94,12 @@ def lower(document: Document) -> Program:
                     found.append(_lower_statement(node, plan, read))
                 except TooDeep as problem:
                     too_deep.append(_too_deep(problem.syntax))
-                    declared.update(_variables(node, read))
+                    unread.update(_variables(node, read))
             elif node.kind_id not in COMMENTS:
                 broken.append(node)
     if not broken:
-        return Program(tuple(found), tuple(too_deep), frozenset(declared), frozenset(declared))
+        lost = frozenset(unread)
+        return Program(tuple(found), tuple(too_deep), Broken(lost, lost))
     broken_rows = {row for node in broken for row in _rows(node)}
     whole = []
     for statement in found:
@@ -113,14 +111,9 @@ def lower(document: Document) -> Program:
     broken.sort(key=lambda node: node.start_byte)
     from .syntax_errors import explain  # a program without mistakes does not need it
 
-    explained = explain(source, broken)
-    return Program(
-        tuple(whole),
-        (*explained.diagnostics, *too_deep),
-        explained.words | declared,
-        explained.declared | declared,
-        explained.lost,
-    )
+    diagnostics, what = explain(source, broken)
+    what = what._replace(words=what.words | unread, declared=what.declared | unread)
+    return Program(tuple(whole), (*diagnostics, *too_deep), what)
 
 
 def _too_deep(syntax: Node) -> Diagnostic:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import groupby, islice
-from typing import NamedTuple
 
 from tree_sitter import Node
 
@@ -12,11 +11,12 @@ from plastron_tui.diagnostics import Diagnostic, Edit, Fix
 from plastron_tui.diagnostics.suggest import nearest
 
 from .alignment import QUOTED_KINDS, WORD_KINDS, Alignment, unexpected
+from .broken import Broken
 from .declaration import Declaration, SlotKind
 from .keywords import BY_KEYWORD, FIRST_WORDS, KEYWORDS, VERBS
 from .tokens import UNKNOWN, Token, tokens_of
 
-__all__ = ["FIRST_WORDS", "KEYWORDS", "MOST_BROKEN_LINES", "VERBS", "Explained", "explain"]
+__all__ = ["FIRST_WORDS", "KEYWORDS", "MOST_BROKEN_LINES", "VERBS", "explain"]
 
 # What a machine wrote can have a mistake on each of a million lines, or a million words on one
 # line; nobody reads that many.
@@ -24,39 +24,27 @@ MOST_BROKEN_LINES = 1_000
 _MOST_WORDS = 10_000
 
 
-class Explained(NamedTuple):
-    """What is wrong with some lines, and what later statements cannot know because of it.
-
-    Attributes:
-        diagnostics: one for each line.
-        words: the words and the quoted names of the lines.
-        declared: the words of the lines that were to declare a variable.
-        lost: how many of these lines do not say which.
-    """
-
-    diagnostics: tuple[Diagnostic, ...]
-    words: frozenset[str]
-    declared: frozenset[str]
-    lost: int
-
-
-def explain(source: bytes, broken: Sequence[Node]) -> Explained:
+def explain(source: bytes, broken: Sequence[Node]) -> tuple[tuple[Diagnostic, ...], Broken]:
     """Explain the nodes that are no statements: one diagnostic a line."""
     diagnostics: list[Diagnostic] = []
     words: set[str] = set()
     declared: set[str] = set()
+    unfinished: set[str] = set()
     lost = 0
     for _, line in groupby(tokens_of(source, broken), key=lambda token: token.row):
         tokens = tuple(islice(line, _MOST_WORDS))
         names = set(_names(tokens))
         words |= names
+        if not any(token.kind in QUOTED_KINDS for token in tokens):
+            unfinished |= names - KEYWORDS or {""}
         declaration = _intended(tokens)
         if _may_declare(declaration or _guessed(tokens)):
             declared |= names
             lost += declaration is not None and not _has_variable(declaration, tokens)
         if len(diagnostics) < MOST_BROKEN_LINES:
             diagnostics.append(_explain_line(tokens, declaration))
-    return Explained(tuple(diagnostics), frozenset(words), frozenset(declared), lost)
+    found = Broken(frozenset(words), frozenset(declared), frozenset(unfinished), lost)
+    return tuple(diagnostics), found
 
 
 def _names(tokens: Sequence[Token]) -> Iterator[str]:

@@ -8,6 +8,7 @@ from typing import Any
 
 from plastron_tui.diagnostics import Diagnostic, Label, Span, did_you_mean
 from plastron_tui.language import statements as st
+from plastron_tui.language.broken import Broken
 from plastron_tui.language.declaration import Statement
 from plastron_tui.ros.interfaces import Interface, InterfaceKind
 from plastron_tui.ros.names import (
@@ -49,7 +50,7 @@ class Checks:
         self._setting = setting
         self._broken: set[str] = set()
         self._lost = 0
-        self._broken_words: frozenset[str] = frozenset()
+        self._lines = Broken()
         self._failed: set[tuple[str, str]] = set()
         self._failed_nodes: set[str] = set()
         self._version = setting.libraries[setting.library]
@@ -128,13 +129,18 @@ class Checks:
 
     def _follows(self, node: Node, name: str) -> bool:
         """Tell whether what a node has under a name may be so because of an earlier mistake."""
-        return (node.variable, name) in self._failed or (
-            node.variable in self._broken_words and name in self._broken_words
+        variable, lines = node.variable, self._lines
+        return (
+            (variable, name) in self._failed
+            or variable in lines.unfinished
+            or "" in lines.unfinished
+            or (variable in lines.words and name in lines.words)
         )
 
     def _is_unfinished(self, node: Node) -> bool:
         """Tell whether a mistake kept a node from having what it was to have."""
-        return node.variable in self._failed_nodes or node.variable in self._broken_words
+        variable, lines = node.variable, self._lines
+        return variable in self._failed_nodes or variable in lines.words or "" in lines.unfinished
 
     def _library(self, statement: st.CreateNode | st.GenerateNode) -> str | None:
         library = statement.library

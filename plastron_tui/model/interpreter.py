@@ -83,9 +83,9 @@ class Interpreter(Checks):
     def run(self, program: Program) -> tuple[Diagnostic, ...]:
         """Run the statements of a program, and return all that is wrong with it, in its order."""
         self._program = program
-        self._broken = set(program.broken_declarations)
-        self._lost = program.lost_declarations
-        self._broken_words = program.broken_words
+        self._broken = set(program.broken.declared)
+        self._lost = program.broken.lost
+        self._lines = program.broken
         self._failed = set()
         self._failed_nodes = set()
         self._found = []
@@ -354,7 +354,7 @@ class Interpreter(Checks):
         conflict = agreement.join(node, role, name, type_, statement)
         if conflict is not None:
             # Where the other use was to be taken away, it may be there because of a mistake.
-            raise Mistake(None if name in self._broken_words else conflict)
+            raise Mistake(None if name in self._lines.words else conflict)
 
 
 def _has_other_work(node: Node) -> bool:

@@ -241,7 +241,7 @@ def test_nesting_has_a_limit(opening: str, closing: str) -> None:
         program = read(nested(depth))
         assert [found.code for found in program.diagnostics] == ["too-deep"]
         assert [type(found).__name__ for found in program.statements] == ["GenerateNode"]
-        assert "m" in program.broken_declarations
+        assert "m" in program.broken.declared
 
 
 @settings(max_examples=100, deadline=None)

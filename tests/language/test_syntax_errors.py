@@ -179,6 +179,6 @@ def test_only_so_many_lines_are_explained() -> None:
 
 def test_the_words_of_broken_lines_are_known() -> None:
     program = read("creat_node 'talker' as a\nsubscribe b too 'x'\ncreate_message c of T\n")
-    assert {"talker", "a", "b", "x", "c"} <= program.broken_words
-    assert {"a", "c"} <= program.broken_declarations
-    assert "b" not in program.broken_declarations
+    assert {"talker", "a", "b", "x", "c"} <= program.broken.words
+    assert {"a", "c"} <= program.broken.declared
+    assert "b" not in program.broken.declared
