@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
+from copy import copy
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -44,12 +45,14 @@ class Options(NamedTuple):
         output: the output folder.
         in_place: whether a loaded node is written over the file that it came from.
         force: whether a created node is written anew where its file was changed by hand.
+        distribution: the distribution whose types count, for nodes of its generation of ROS.
     """
 
     target: str | None = None
     output: Path | None = None
     in_place: bool = False
     force: bool = False
+    distribution: str | None = None
 
 
 class ProgramText(NamedTuple):
@@ -158,9 +161,11 @@ class Session:
             return self._new_catalog(distribution)
         catalog = self._catalogs.get(ros_version)
         if catalog is None:
-            chosen = self.project.distribution
-            if chosen is None or DISTRIBUTIONS[chosen] != ros_version:
-                chosen = default_distribution(ros_version, self._environ)
+            named = (self.options.distribution, self.project.distribution)
+            chosen = next(
+                (name for name in named if name and DISTRIBUTIONS[name] == ros_version),
+                default_distribution(ros_version, self._environ),
+            )
             catalog = self._catalogs[ros_version] = self._new_catalog(chosen)
         return catalog
 
@@ -168,6 +173,16 @@ class Session:
         own = self.project.types or (self.folder,)
         installed = installed_folders(self._environ, DISTRIBUTIONS[distribution])
         return Catalog(distribution, (*own, *installed))
+
+    def snapshot(self) -> Session:
+        """Return a session of the program as it is now, for another thread.
+
+        What a session reads once (the project file, interface types, targets) both share; it is
+        the other thread's as long as it works.
+        """
+        other = copy(self)
+        other.document = self.document.snapshot()
+        return other
 
     def edit(self, start: int, old_end: int, new: bytes) -> None:
         """Replace the bytes from `start` to `old_end` of the program."""

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from plastron_tui.diagnostics import Diagnostic, did_you_mean, has_errors
+from plastron_tui.ros.catalog import DISTRIBUTIONS, default_distribution
 from plastron_tui.session import Options, Session
 
 from .common import (
@@ -65,16 +66,30 @@ def command(
         finish(report)
         return
     found = find_environments()
-    if target is None and session.project.target is None:
-        environment, _ = found.choose()
-        if environment is not None:
-            session.options = Options(environment.library, output)
+    session.options = _options(session, found)
     files = _prepare(session, nodes, found, report)
     if not report.status and files:
         result = run_nodes(files, RunOptions(seconds, network, watch))
         report.add(result.diagnostics, lambda _: None, session.path)
         report.status = max(report.status, result.status)
     finish(report)
+
+
+def _options(session: Session, found: Found) -> Options:
+    """Return the options of a program that runs with the ROS that is there.
+
+    What the command line or the project file leaves open follows from it: the client library,
+    and the distribution that has the types.
+    """
+    options = session.options
+    environment, _ = found.choose()
+    if environment is not None and options.target is None and session.project.target is None:
+        options = options._replace(target=environment.library)
+    ros2, _ = found.choose(2)
+    if ros2 is not None and DISTRIBUTIONS.get(session.project.distribution or "") != 2:
+        distribution = default_distribution(2, {"ROS_DISTRO": ros2.distribution})
+        options = options._replace(distribution=distribution)
+    return options
 
 
 def _prepare(
