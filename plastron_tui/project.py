@@ -102,7 +102,7 @@ class _Reader:
     def pairs(self, root: _Node | None) -> dict[str, _Node]:
         """Return the nodes of the keys that there are."""
         values: dict[str, _Node] = {}
-        if root is None:
+        if root is None or root.tag == _NULL:
             return values
         if root.id != "mapping":
             self._report(root, "a project file is a list of `key: value` lines")

@@ -1,0 +1,108 @@
+"""An interrupt ends plastron with 130, and leaves the disk wholly old or wholly new."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from command_line import PLASTRON, snapshot
+
+COUNT = 40
+
+# Sends a signal to its own process at the nth call of a function of `os`.
+SIGNALLED = """
+import os, signal, sys
+from plastron_tui.cli import main
+name, wanted, number = sys.argv.pop(1), int(sys.argv.pop(1)), int(sys.argv.pop(1))
+original, calls = getattr(os, name), 0
+def counted(*arguments, **options):
+    global calls
+    calls += 1
+    if calls == wanted:
+        os.kill(os.getpid(), number)
+    return original(*arguments, **options)
+setattr(os, name, counted)
+main()
+"""
+
+
+def many(count: int, topic: str = "chatter") -> str:
+    return "".join(
+        f"create_node 'n{i}' as n{i}\n"
+        f"subscribe n{i} to '{topic}' of message_type String\n"
+        f"generate_node n{i}\n"
+        for i in range(count)
+    )
+
+
+def generate_with_signal(
+    here: Path, name: str, call: int, number: int
+) -> subprocess.CompletedProcess[bytes]:
+    return subprocess.run(
+        [sys.executable, "-c", SIGNALLED, name, str(call), str(number), "generate", "a.plastron"],
+        cwd=here,
+        capture_output=True,
+        timeout=60,
+    )
+
+
+@pytest.mark.parametrize("call", [1, 2, COUNT // 2, COUNT, COUNT + 1])
+@pytest.mark.parametrize("name", ["fsync", "rename", "replace", "open"])
+@pytest.mark.parametrize("has_files", [False, True])
+def test_interrupt_while_writing(here: Path, name: str, call: int, has_files: bool) -> None:
+    program = here / "a.plastron"
+    if has_files:
+        program.write_text(many(COUNT))
+        assert subprocess.run([*PLASTRON, "generate", "a.plastron"], cwd=here).returncode == 0
+    old = snapshot(here / "output")
+    program.write_text(many(COUNT, "other"))
+    result = generate_with_signal(here, name, call, signal.SIGINT)
+    assert b"Traceback" not in result.stderr
+    new = snapshot(here / "output")
+    assert result.returncode in (0, 130)
+    nodes = {name for name in new if name.endswith(".py")}
+    # Where the writer does not call the function so often there is no interrupt.
+    if new != old or result.returncode == 0:
+        assert len(nodes) == COUNT
+        assert all(b"other" in (new[name] or b"") for name in nodes)
+    assert not [name for name in new if name.startswith(".plastron-")]
+    # What is there is what the next run expects: no conflict.
+    again = subprocess.run([*PLASTRON, "generate", "a.plastron"], cwd=here, capture_output=True)
+    assert (again.returncode, again.stderr) == (0, b"")
+
+
+def test_interrupt_is_130(here: Path) -> None:
+    (here / "a.plastron").write_text(many(COUNT))
+    result = generate_with_signal(here, "fsync", 3, signal.SIGINT)
+    assert (result.returncode, result.stderr.strip()) == (130, b"")
+    assert not (here / "output").exists()
+
+
+def test_termination_leaves_nothing(here: Path) -> None:
+    (here / "a.plastron").write_text(many(COUNT))
+    result = generate_with_signal(here, "fsync", 3, signal.SIGTERM)
+    assert result.returncode == -signal.SIGTERM
+    assert not (here / "output").exists()
+
+
+@pytest.mark.parametrize("delay", [0.3, 0.6, 0.9])
+def test_interrupt_from_outside(here: Path, delay: float) -> None:
+    (here / "a.plastron").write_text(many(1500))
+    with subprocess.Popen(
+        [*PLASTRON, "generate", "a.plastron"],
+        cwd=here,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+    ) as process:
+        time.sleep(delay)
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=60)
+    assert b"Traceback" not in errors
+    assert process.returncode in (0, 130)
+    found = snapshot(here / "output")
+    assert len([name for name in found if name.endswith(".py")]) in (0, 1500)
+    assert not [name for name in found if name.startswith(".plastron-")]

@@ -1,0 +1,172 @@
+"""`plastron shell`, from a pipe and at a terminal."""
+
+from __future__ import annotations
+
+import os
+import pty
+import select
+import subprocess
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from command_line import PLASTRON, TALKER, Run
+
+
+def test_pipe_generates_at_once(run: Run, here: Path) -> None:
+    result = run("shell", stdin=TALKER.encode())
+    assert (result.returncode, result.stderr) == (0, b"")
+    assert result.stdout == b"   create  output/talker_pub.py\n"
+    assert (here / "output" / "talker_pub.py").exists()
+
+
+@pytest.mark.parametrize("end", ["", "\n", "\r\n", "\n\n\n"])
+def test_pipe_ends_anywhere(run: Run, end: str) -> None:
+    text = TALKER.rstrip("\n").replace("\n", end if end == "\r\n" else "\n") + end
+    assert run("shell", "-o", "x", stdin=text.encode()).stderr == b""
+
+
+def test_mistake_has_no_effect_and_a_place(run: Run, here: Path) -> None:
+    text = TALKER.replace("generate", "subscribe tolker to 'x' of message_type String\ngenerate")
+    result = run("shell", stdin=text.encode())
+    assert result.returncode == 1
+    assert result.stderr.decode() == (
+        "error[unknown-node]: no node `tolker`\n"
+        " --> <input>:4:11\n"
+        "  |\n"
+        "4 | subscribe tolker to 'x' of message_type String\n"
+        "  |           ^^^^^^\n"
+        "  = help: did you mean `talker`?\n"
+        "\n"
+        "found 1 error\n"
+    )
+    assert (here / "output" / "talker_pub.py").exists()
+
+
+def test_statement_that_cannot_be_generated_is_marked(run: Run) -> None:
+    text = TALKER.replace("as talker", "as talker using nodelet", 1)
+    result = run("shell", stdin=text.encode())
+    assert (result.returncode, b"<input>:4:1" in result.stderr) == (1, True)
+    assert b"error[unsupported-target]" in result.stderr
+
+
+def test_generate_twice_and_load(run: Run, here: Path) -> None:
+    text = TALKER + (
+        "subscribe talker to 'x' of message_type String\n"
+        "generate_node talker\n"
+        "load talker_node as again\n"
+        "again stop_publishing to 'chatter'\n"
+        "generate_node again\n"
+    )
+    result = run("shell", stdin=text.encode())
+    assert (result.returncode, result.stderr) == (0, b"")
+    assert [line.split()[0] for line in result.stdout.decode().splitlines()] == [
+        "create",
+        "create",
+        "changed",
+    ]
+
+
+def test_conflict_is_reported(run: Run, here: Path) -> None:
+    (here / "output").mkdir()
+    (here / "output" / "talker_pub.py").write_text("mine")
+    result = run("shell", stdin=TALKER.encode())
+    assert (result.returncode, b"error[file-conflict]" in result.stderr) == (1, True)
+    assert (here / "output" / "talker_pub.py").read_text() == "mine"
+
+
+@pytest.mark.parametrize(
+    "line",
+    [b"\xff\xfe\n", b"a\0b\n", b"x" * 1_000_000 + b"\n", b"foo\n"],
+    ids=["not utf-8", "nul", "long", "nonsense"],
+)
+def test_noise_does_not_end_the_shell(run: Run, line: bytes) -> None:
+    result = run("shell", stdin=line + TALKER.encode())
+    assert result.returncode == 1
+    assert result.stdout == b"   create  output/talker_pub.py\n"
+    assert len(result.stderr) < 2_000
+
+
+class Terminal:
+    """A process at a terminal of its own."""
+
+    def __init__(self, here: Path) -> None:
+        self._master, slave = pty.openpty()
+        environment = {**os.environ, "TERM": "dumb", "PYTHON_BASIC_REPL": "1"}
+        self.process = subprocess.Popen(
+            [*PLASTRON, "shell"],
+            cwd=here,
+            stdin=slave,
+            stdout=slave,
+            stderr=slave,
+            env=environment,
+            start_new_session=True,
+            preexec_fn=lambda: os.close(os.open(os.ttyname(0), os.O_RDWR)),
+        )
+        os.close(slave)
+        self.shown = ""
+
+    def expect(self, text: str, count: int = 1) -> None:
+        limit = time.monotonic() + 30
+        while self.shown.count(text) < count:
+            ready, _, _ = select.select([self._master], [], [], 1)
+            if ready:
+                try:
+                    self.shown += os.read(self._master, 4096).decode("utf-8", "replace")
+                except OSError:
+                    break
+            assert time.monotonic() < limit, self.shown
+        assert self.shown.count(text) >= count, self.shown
+
+    def type(self, text: bytes) -> None:
+        os.write(self._master, text)
+
+    def close(self) -> None:
+        self.process.kill()
+        self.process.wait()
+        os.close(self._master)
+
+
+@pytest.fixture
+def terminal(here: Path) -> Iterator[Terminal]:
+    terminal = Terminal(here)
+    terminal.expect(">> ")
+    yield terminal
+    terminal.close()
+
+
+@pytest.mark.parametrize("leave", [b"exit\n", b"quit\n", b"\x04"])
+def test_terminal_takes_statements(terminal: Terminal, here: Path, leave: bytes) -> None:
+    for number, line in enumerate(TALKER.splitlines(), 2):
+        terminal.type(line.encode() + b"\n")
+        terminal.expect(">> ", number)
+    terminal.expect("create  output/talker_pub.py")
+    assert (here / "output" / "talker_pub.py").exists()
+    terminal.type(leave)
+    assert terminal.process.wait(30) == 0
+
+
+def test_terminal_helps_and_survives_mistakes(terminal: Terminal) -> None:
+    terminal.type(b"help\n")
+    terminal.expect("generate_node VARIABLE")
+    terminal.expect(">> ", 2)
+    terminal.type(b"nonsense here\n")
+    terminal.expect("error[")
+    terminal.expect(">> ", 3)
+    terminal.type(b"\xff\xfe\n")
+    terminal.expect("not UTF-8")
+    terminal.expect(">> ", 4)
+    terminal.type(b"half a li\x03")
+    terminal.expect(">> ", 5)
+    assert terminal.process.poll() is None
+    assert "Traceback" not in terminal.shown
+    terminal.type(b"exit\n")
+    assert terminal.process.wait(30) == 0
+
+
+def test_terminal_completes_keywords(terminal: Terminal) -> None:
+    terminal.type(b"create_n\t'a' as a\n")
+    terminal.expect("create_node 'a' as a")
+    terminal.expect(">> ", 2)
+    assert "error" not in terminal.shown

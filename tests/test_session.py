@@ -1,0 +1,143 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from plastron_tui.output.plan import FileState
+from plastron_tui.output.writer import write
+from plastron_tui.session import Options, Session, check_text, read_program
+
+TALKER = """\
+create_node 'talker' as talker
+create_message greeting of message_type String and input "hello"
+talker publish greeting to 'chatter' of message_type String
+generate_node talker
+"""
+
+
+def session(folder: Path, text: str = TALKER, **options: object) -> Session:
+    return Session(
+        text.encode(), folder / "a.plastron", Options(**options), environ={}  # type: ignore[arg-type]
+    )  # fmt: skip
+
+
+def codes(made: Session) -> list[str]:
+    return [found.code for found in made.diagnostics]
+
+
+def test_everything_follows_from_the_text(tmp_path: Path) -> None:
+    made = session(tmp_path)
+    assert len(made.program.statements) == 4
+    assert made.diagnostics == ()
+    assert list(made.workspace.nodes) == ["talker"]
+    plan, diagnostics = made.plan()
+    assert diagnostics == ()
+    assert [(file.name, file.state) for file in plan.files] == [("talker_pub.py", FileState.CREATE)]
+    assert not (tmp_path / "output").exists()
+
+
+def test_an_edit_changes_what_follows(tmp_path: Path) -> None:
+    made = session(tmp_path)
+    at = TALKER.index("talker publish")
+    made.edit(at, at + len("talker"), b"tolker")
+    assert codes(made)[0] == "unknown-node"
+    made.edit(at, at + len("tolker"), b"talker")
+    assert made.diagnostics == ()
+    assert made.document.text == TALKER.encode()
+
+
+@pytest.mark.parametrize(
+    ("environ", "project", "target", "library"),
+    [
+        ({}, "", None, "rospy"),
+        ({"ROS_VERSION": "1"}, "", None, "rospy"),
+        ({"ROS_VERSION": "2"}, "", None, "rclpy"),
+        ({"ROS_VERSION": "nonsense"}, "", None, "rospy"),
+        ({"ROS_VERSION": "2"}, "target: rospy", None, "rospy"),
+        ({"ROS_VERSION": "1"}, "target: rospy", "rclpy", "rclpy"),
+    ],
+)
+def test_library_by_precedence(
+    tmp_path: Path, environ: dict[str, str], project: str, target: str | None, library: str
+) -> None:
+    (tmp_path / "plastron.yaml").write_text(project)
+    made = Session(TALKER.encode(), tmp_path / "a.plastron", Options(target), environ)
+    assert made.library == library
+    (generation,) = made.workspace.generations
+    assert generation.library == library
+
+
+@pytest.mark.parametrize(
+    ("environ", "project", "distribution"),
+    [
+        ({}, "", "jazzy"),
+        ({"ROS_DISTRO": "humble", "ROS_VERSION": "2"}, "", "humble"),
+        ({"ROS_DISTRO": "humble", "ROS_VERSION": "2"}, "distribution: kilted", "kilted"),
+        ({}, "distribution: noetic", "jazzy"),
+    ],
+)
+def test_distribution_by_precedence(
+    tmp_path: Path, environ: dict[str, str], project: str, distribution: str
+) -> None:
+    (tmp_path / "plastron.yaml").write_text(project)
+    made = Session(b"", tmp_path / "a.plastron", None, environ)
+    assert made.catalog(2).distribution == distribution
+    assert made.catalog(1).distribution == "noetic"
+    assert made.catalog(2) is made.catalog(2)
+
+
+def test_output_folder_by_precedence(tmp_path: Path) -> None:
+    assert session(tmp_path).output == tmp_path / "output"
+    (tmp_path / "plastron.yaml").write_text("output: ../nodes")
+    assert session(tmp_path).output == tmp_path / ".." / "nodes"
+    assert session(tmp_path, output=Path("x")).output == Path("x")
+
+
+def test_output_folder_of_the_project_may_lie_anywhere(tmp_path: Path) -> None:
+    home = tmp_path / "home"
+    home.mkdir()
+    (home / "plastron.yaml").write_text("output: ../nodes")
+    plan, diagnostics = session(home).plan()
+    assert diagnostics == ()
+    assert write(plan).diagnostics == ()
+    assert (tmp_path / "nodes" / "talker_pub.py").exists()
+
+
+def test_problems_of_types_are_there_at_once(tmp_path: Path) -> None:
+    (tmp_path / "msg").mkdir()
+    (tmp_path / "msg" / "Mine.msg").write_text("int32\n")
+    made = session(tmp_path, TALKER.replace("String", "Mine"))
+    assert "bad-definition" in codes(made)
+    assert codes(made) == codes(made)
+
+
+def test_last_generation_of_a_node_counts(tmp_path: Path) -> None:
+    more = "subscribe talker to 'x' of message_type String\ngenerate_node talker\n"
+    (generated,) = session(tmp_path, TALKER + more).generated()
+    assert generated.file is not None
+    assert generated.file.name == "talker_node.py"
+
+
+def test_one_node_for_two_libraries_is_two_files(tmp_path: Path) -> None:
+    made = session(tmp_path, TALKER + "generate_node talker using rclpy\n")
+    assert [each.generation.library for each in made.generated()] == ["rospy", "rclpy"]
+    _, diagnostics = made.plan()
+    assert [found.code for found in diagnostics] == ["same-file"]
+
+
+def test_lines_of_other_files(tmp_path: Path) -> None:
+    made = session(tmp_path)
+    other = tmp_path / "other"
+    other.write_text("a\nb\n")
+    lines = made.lines(other)
+    assert lines is not None
+    assert lines.line(2) == "b"
+    assert made.lines(tmp_path / "missing") is None
+    assert made.lines(None) is made.document.lines
+
+
+def test_path_that_is_none(tmp_path: Path) -> None:
+    (found,) = read_program(Path("a\0b")).diagnostics
+    assert found.code == "unreadable-file"
+    assert check_text(None, "grüße\r\n".encode()).diagnostics == ()
