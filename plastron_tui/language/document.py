@@ -76,6 +76,16 @@ class Document:
         self._is_parsed = False
         self._lines = None
 
+    def snapshot(self) -> Document:
+        """Return the document as it is now, for another thread; edits leave it alone."""
+        other = Document.__new__(Document)
+        other._parser = new_parser()
+        other._text = self._text
+        other._tree = self._tree.copy()
+        other._is_parsed = self._is_parsed
+        other._lines = self._lines
+        return other
+
     def excerpt(self, start: int, end: int) -> Excerpt:
         """Return the tree of the lines that hold the bytes from `start` to `end`.
 

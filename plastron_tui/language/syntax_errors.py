@@ -38,10 +38,11 @@ def explain(source: bytes, broken: Sequence[Node]) -> tuple[tuple[Diagnostic, ..
         if not any(token.kind in QUOTED_KINDS for token in tokens):
             unfinished |= names - KEYWORDS or {""}
         declaration = _intended(tokens)
-        if _may_declare(declaration or _guessed(tokens)):
+        is_explained = len(diagnostics) < MOST_BROKEN_LINES
+        if _may_declare(declaration or (_guessed(tokens) if is_explained else None)):
             declared |= names
             lost += declaration is not None and not _has_variable(declaration, tokens)
-        if len(diagnostics) < MOST_BROKEN_LINES:
+        if is_explained:
             diagnostics.append(_explain_line(tokens, declaration))
     found = Broken(frozenset(words), frozenset(declared), frozenset(unfinished), lost)
     return tuple(diagnostics), found
