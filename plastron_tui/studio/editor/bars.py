@@ -1,0 +1,201 @@
+"""The one-line bars at the editor's lower edge: find and replace, and a question with an answer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import ClassVar
+
+from textual import on
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Horizontal, Vertical
+from textual.message import Message
+from textual.widgets import Button, Input, Label
+
+
+class FindBar(Vertical):
+    """Asks what to find, and what to put in its place."""
+
+    DEFAULT_CSS = """
+    FindBar { dock: bottom; height: auto; display: none; background: $panel; }
+    FindBar Horizontal { height: 1; width: 1fr; }
+    FindBar Input { width: 1fr; height: 1; border: none; padding: 0 1; }
+    FindBar Label { width: auto; padding: 0 1; }
+    FindBar Button { min-width: 4; width: auto; height: 1; border: none; margin: 0 0 0 1; }
+    FindBar .is-on { text-style: bold reverse; }
+    FindBar #find-count { min-width: 10; text-align: right; }
+    """
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape", "close", "Close", id="find.close"),
+        Binding("down,f3", "step(1)", "Next", id="find.next"),
+        Binding("up,shift+f3,f15", "step(-1)", "Previous", id="find.previous"),
+        Binding("alt+r,f6", "toggle_regex", "Regular expression", id="find.regex"),
+        Binding("alt+c,f7", "toggle_case", "Upper and lower case", id="find.case"),
+        Binding("alt+a,f9", "all", "Replace all", id="find.replace_all"),
+    ]
+
+    class Wanted(Message):
+        """What is to be found has changed."""
+
+    class Step(Message):
+        """The next match is asked for, or the one before."""
+
+        def __init__(self, by: int) -> None:
+            super().__init__()
+            self.by = by
+
+    class Replace(Message):
+        """A replacement is asked for, of one match or of all."""
+
+        def __init__(self, *, every: bool) -> None:
+            super().__init__()
+            self.every = every
+
+    class Closed(Message):
+        """The bar was closed."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.is_regex = False
+        self.is_case_sensitive = False
+
+    def compose(self) -> ComposeResult:
+        """Make the two lines."""
+        with Horizontal():
+            yield Label("find")
+            yield Input(id="find-what", compact=True)
+            yield Button(".*", id="find-regex", compact=True, tooltip="regular expression")
+            yield Button("Aa", id="find-case", compact=True, tooltip="upper and lower case")
+            yield Label("", id="find-count")
+        with Horizontal(id="replace-line"):
+            yield Label("with")
+            yield Input(id="find-with", compact=True)
+            yield Button("replace", id="find-one", compact=True)
+            yield Button("all", id="find-all", compact=True)
+
+    @property
+    def what(self) -> str:
+        """What is to be found."""
+        return self.query_one("#find-what", Input).value
+
+    @property
+    def replacement(self) -> str:
+        """What is to be put in its place."""
+        return self.query_one("#find-with", Input).value
+
+    def open(self, what: str, *, replace: bool) -> None:
+        """Show the bar, with something to find already there."""
+        self.display = True
+        self.query_one("#replace-line").display = replace
+        field = self.query_one("#find-what", Input)
+        if what:
+            field.value = what
+        field.focus()
+        field.select_all()
+        self.post_message(self.Wanted())
+
+    def say(self, text: str) -> None:
+        """Show how many matches there are."""
+        self.query_one("#find-count", Label).update(text)
+
+    def action_close(self) -> None:
+        """Close the bar."""
+        self.display = False
+        self.post_message(self.Closed())
+
+    def action_step(self, by: int) -> None:
+        """Go to another match."""
+        self.post_message(self.Step(by))
+
+    def action_toggle_regex(self) -> None:
+        """Take what is to be found for a regular expression, or for plain text."""
+        self.is_regex = not self.is_regex
+        self.query_one("#find-regex").set_class(self.is_regex, "is-on")
+        self.post_message(self.Wanted())
+
+    def action_toggle_case(self) -> None:
+        """Tell upper from lower case, or not."""
+        self.is_case_sensitive = not self.is_case_sensitive
+        self.query_one("#find-case").set_class(self.is_case_sensitive, "is-on")
+        self.post_message(self.Wanted())
+
+    def action_all(self) -> None:
+        """Replace all matches."""
+        self.post_message(self.Replace(every=True))
+
+    @on(Input.Changed, "#find-what")
+    def _changed(self, event: Input.Changed) -> None:
+        event.stop()
+        self.post_message(self.Wanted())
+
+    @on(Input.Submitted)
+    def _submitted(self, event: Input.Submitted) -> None:
+        event.stop()
+        if event.input.id == "find-what":
+            self.post_message(self.Step(1))
+        else:
+            self.post_message(self.Replace(every=False))
+
+    @on(Button.Pressed)
+    def _pressed(self, event: Button.Pressed) -> None:
+        event.stop()
+        match event.button.id:
+            case "find-regex":
+                self.action_toggle_regex()
+            case "find-case":
+                self.action_toggle_case()
+            case "find-one":
+                self.post_message(self.Replace(every=False))
+            case _:
+                self.post_message(self.Replace(every=True))
+
+
+class PromptBar(Horizontal):
+    """Asks a question, and hands the answer on."""
+
+    DEFAULT_CSS = """
+    PromptBar { dock: bottom; height: 1; display: none; background: $panel; }
+    PromptBar Input { width: 1fr; height: 1; border: none; padding: 0 1; }
+    PromptBar Label { width: auto; padding: 0 1; }
+    """
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape", "close", "Cancel", id="prompt.close")
+    ]
+
+    class Closed(Message):
+        """The bar was closed."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._answer: Callable[[str], None] | None = None
+
+    def compose(self) -> ComposeResult:
+        """Make the line."""
+        yield Label("", markup=False)
+        yield Input(compact=True)
+
+    def ask(self, question: str, value: str, answer: Callable[[str], None]) -> None:
+        """Show a question; the answer goes to a function."""
+        self._answer = answer
+        self.query_one(Label).update(question)
+        self.display = True
+        field = self.query_one(Input)
+        field.value = value
+        field.focus()
+        field.select_all()
+
+    def action_close(self) -> None:
+        """Close the bar without an answer."""
+        self._answer = None
+        self.display = False
+        self.post_message(self.Closed())
+
+    @on(Input.Submitted)
+    def _submitted(self, event: Input.Submitted) -> None:
+        event.stop()
+        answer = self._answer
+        self.action_close()
+        if answer is not None:
+            answer(event.value)

@@ -1,0 +1,114 @@
+"""The keys and the moments at which completion is offered and taken."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from textual.binding import Binding, BindingType
+
+from plastron_tui.diagnostics import Span
+from plastron_tui.language.lowering import lower
+
+from .base import EditorBase
+from .completion import Candidate, Vocabulary, candidates, detail_of
+from .history import Selection
+from .popup import CompletionPopup
+
+_SMALL = 64 * 1024
+"""A text of so many bytes is understood at once; a longer one waits for its diagnostics."""
+
+
+class CompletingActions(EditorBase):
+    """Offers what may stand at the cursor."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("ctrl+@,ctrl+space,f4", "complete", "Complete", show=False, id="editor.complete"),
+        Binding("tab", "accept", "Complete", show=False, id="editor.accept"),
+        Binding("escape", "dismiss", "Close the list", show=False, id="editor.dismiss"),
+    ]
+
+    def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
+        """Leave Escape to others while there is nothing to close."""
+        if action == "dismiss":
+            return self.popup.is_open or not self.selection.is_empty
+        return super().check_action(action, parameters)
+
+    def action_complete(self) -> None:
+        """Offer what may stand at the cursor, however little is typed."""
+        self._offer(is_asked=True)
+
+    def action_accept(self) -> None:
+        """Take what is marked in the list; without a list, offer one, and take what is alone."""
+        if self.popup.is_open:
+            self.popup.accept()
+            return
+        self._offer(is_asked=True)
+        if len(self.popup.candidates) == 1:
+            self.popup.accept()
+
+    def action_dismiss(self) -> None:
+        """Close the list, or let go of what is selected."""
+        if self.popup.is_open:
+            self.popup.close()
+        else:
+            self.state.move(self.state.cursor)
+            self.done()
+
+    def complete_typed(self) -> None:
+        """Offer what may follow what was just typed."""
+        self._offer(is_asked=False)
+
+    def names(self) -> Vocabulary:
+        """Return the names of the program, as of its last diagnostics."""
+        if self.vocabulary is None:
+            session = self.session
+            if self.state.buffer.size > _SMALL:
+                return Vocabulary(lower(type(session.document)()), type(session.workspace)())
+            self.vocabulary = Vocabulary(session.program, session.workspace)
+        return self.vocabulary
+
+    def _offer(self, *, is_asked: bool) -> None:
+        expected = self.expected
+        if not self.selection.is_empty or (
+            not is_asked and expected.starts_line and not expected.prefix
+        ):
+            self.popup.close()
+            return
+        names, session = self.names(), self.session
+        found = candidates(expected, names, session)
+        if not found or (len(found) == 1 and found[0].text == expected.prefix):
+            self.popup.close()
+            return
+        place = self.view.cursor_on_screen
+        start = self.view.geometry.place_of(self._replaced().start)
+        here = self.view.geometry.place_of(self.state.cursor)
+        place = place._replace(x=place.x - max(0, here.x - start.x))
+        self.popup.offer(
+            found, lambda candidate: detail_of(candidate, expected, names, session), place
+        )
+
+    def _replaced(self) -> Span:
+        """Return the range that a candidate replaces: the word, or the quote so far."""
+        span, prefix = self.expected.span, self.expected.prefix
+        written = self.text[span.start : span.end]
+        is_open = prefix[:1] == "'" and not (len(written) > 1 and written.endswith(b"'"))
+        return Span(span.start, self.state.cursor if is_open else span.end)
+
+    def on_completion_popup_accepted(self, message: CompletionPopup.Accepted) -> None:
+        """Write what was taken, and what follows it if the line ends there."""
+        message.stop()
+        self.write_candidate(message.candidate)
+
+    def write_candidate(self, candidate: Candidate) -> None:
+        """Put a candidate in the place of the word at the cursor."""
+        span = self._replaced()
+        buffer = self.state.buffer
+        rest = buffer.text[span.end : buffer.end(buffer.row(span.end))]
+        text = candidate.text
+        if candidate.after and (not rest.strip() or candidate.after == "="):
+            text += candidate.after if not rest.startswith(b"=") else ""
+        new = text.encode("utf-8")
+        at = span.start + len(new)
+        self.state.history.close()
+        self.state.apply([(span.start, span.end, new)], Selection(at, at))
+        self.done()

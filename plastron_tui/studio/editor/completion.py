@@ -1,0 +1,322 @@
+"""What completion offers: names of a program, types of a distribution, words of the language."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import islice
+
+from plastron_tui.language import Program, SlotKind
+from plastron_tui.language import statements as st
+from plastron_tui.language.expectations import Expectation
+from plastron_tui.language.keywords import BY_KEYWORD
+from plastron_tui.model.types import TypeResolver
+from plastron_tui.model.workspace import Workspace
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import Field, InterfaceKind
+from plastron_tui.session import Session
+from plastron_tui.targets import LIBRARIES
+
+MOST_OFFERED = 200
+_MOST_FIELDS = 12
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """Something that completion offers.
+
+    `text` is what is written, `after` what follows it where the line ends there, `detail` what is
+    said beside it.
+    """
+
+    text: str
+    detail: str = ""
+    after: str = ""
+
+
+class Vocabulary:
+    """The names of a program, as it was when it was last understood."""
+
+    def __init__(self, program: Program, workspace: Workspace) -> None:
+        self._program = program
+        self._workspace = workspace
+
+    @cached_property
+    def _names(self) -> Mapping[str, dict[str, str]]:
+        nodes: dict[str, str] = {}
+        messages: dict[str, str] = {}
+        topics: dict[str, str] = {}
+        services: dict[str, str] = {}
+        libraries: dict[str, str] = {}
+        for statement in self._program.statements:
+            match statement:
+                case st.CreateNode(name=name, variable=variable, library=library):
+                    nodes[variable] = f"node '{name}'"
+                    if library is not None:
+                        libraries[variable] = library
+                case st.Load(source=source, variable=variable):
+                    nodes[variable] = f"node from {source}"
+                case st.CreateMessage(variable=variable, type=type_):
+                    messages[variable] = type_
+                case st.Subscribe(topic=topic, type=type_):
+                    topics.setdefault(topic, type_)
+                case st.Publish(topic=topic, type=type_):
+                    topics.setdefault(topic, type_)
+                case st.ProvidesService(service=service, type=type_):
+                    services.setdefault(service, type_)
+                case st.ClientRequests(service=service, type=type_):
+                    services.setdefault(service, type_)
+        for node in self._workspace.nodes.values():
+            for topic_end in (*node.publishers.values(), *node.subscriptions.values()):
+                topics.setdefault(topic_end.topic, str(topic_end.type or ""))
+            for service_end in (*node.services.values(), *node.clients.values()):
+                services.setdefault(service_end.name, str(service_end.type or ""))
+        return {
+            "nodes": nodes,
+            "messages": messages,
+            "topics": topics,
+            "services": services,
+            "libraries": libraries,
+        }
+
+    @property
+    def nodes(self) -> dict[str, str]:
+        """The variables of nodes, and what each is."""
+        return self._names["nodes"]
+
+    @property
+    def messages(self) -> dict[str, str]:
+        """The variables of messages, and the type of each as it is written."""
+        return self._names["messages"]
+
+    @property
+    def topics(self) -> dict[str, str]:
+        """The topics, and the type of each as it is written, empty where it is unknown."""
+        return self._names["topics"]
+
+    @property
+    def services(self) -> dict[str, str]:
+        """The services, and the type of each as it is written, empty where it is unknown."""
+        return self._names["services"]
+
+    def library(self, variable: str) -> str | None:
+        """Return the client library that a node names."""
+        return self._names["libraries"].get(variable)
+
+    def endpoints(self, variable: str, keyword: str) -> Iterable[str]:
+        """Return what a statement that takes something away from a node may name."""
+        node = self._workspace.nodes.get(variable)
+        if node is None:
+            return ()
+        ends: dict[str, Iterable[str]] = {
+            "unsubscribe": node.subscriptions,
+            "stop_publishing": node.publishers,
+            "stop_request": node.clients,
+            "stop_service": node.services,
+        }
+        return ends.get(keyword, ())
+
+
+def candidates(expected: Expectation, vocabulary: Vocabulary, session: Session) -> list[Candidate]:
+    """Return what may stand at a place, what fits its prefix best first."""
+    found = _offered(expected, vocabulary, session)
+    return list(islice(_ranked(found, expected.prefix.lstrip("'\"")), MOST_OFFERED))
+
+
+def _ranked(found: Iterable[Candidate], prefix: str) -> Iterator[Candidate]:
+    if not prefix:
+        yield from found
+        return
+    folded = prefix.lower()
+    ranks: tuple[list[Candidate], ...] = ([], [], [])
+    for candidate in found:
+        text = candidate.text.lstrip("'")
+        lower = text.lower()
+        if text.startswith(prefix):
+            ranks[0].append(candidate)
+        elif lower.startswith(folded) or f"/{folded}" in lower:
+            ranks[1].append(candidate)
+        elif folded in lower:
+            ranks[2].append(candidate)
+    for rank in ranks:
+        yield from rank
+
+
+def _offered(
+    expected: Expectation, vocabulary: Vocabulary, session: Session
+) -> Iterator[Candidate]:
+    slot = expected.slot
+    if slot is not None:
+        yield from _of_slot(slot.kind, expected, vocabulary, session)
+    for word in expected.keywords:
+        declaration = BY_KEYWORD.get(word)
+        yield Candidate(word, declaration.summary if declaration is not None else "")
+
+
+def _of_slot(
+    kind: SlotKind, expected: Expectation, vocabulary: Vocabulary, session: Session
+) -> Iterator[Candidate]:
+    match kind:
+        case SlotKind.NODE:
+            yield from (Candidate(*entry) for entry in vocabulary.nodes.items())
+        case SlotKind.MESSAGE:
+            yield from (Candidate(*entry) for entry in vocabulary.messages.items())
+        case SlotKind.NEW_NODE | SlotKind.NEW_MESSAGE:
+            yield from _variable(expected, vocabulary)
+        case SlotKind.TOPIC:
+            yield from _graph_names(expected, vocabulary, vocabulary.topics, "message_type")
+        case SlotKind.SERVICE:
+            yield from _graph_names(expected, vocabulary, vocabulary.services, "service_type")
+        case SlotKind.MESSAGE_TYPE:
+            yield from _types(expected, vocabulary, session, InterfaceKind.MESSAGE)
+        case SlotKind.SERVICE_TYPE:
+            yield from _types(expected, vocabulary, session, InterfaceKind.SERVICE)
+        case SlotKind.LIBRARY:
+            yield from (Candidate(name, f"ROS {LIBRARIES[name]}") for name in LIBRARIES)
+        case SlotKind.FILE:
+            yield from _files(session)
+        case SlotKind.INPUT:
+            yield from _values(expected, vocabulary, session)
+
+
+def _variable(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate]:
+    """Offer a node's own name as its variable."""
+    name = expected.filled.get("name") or expected.filled.get("source") or ""
+    name = name.strip("'").rpartition("/")[2].removesuffix(".py")
+    taken = name in vocabulary.nodes or name in vocabulary.messages
+    if name.isidentifier() and name[0].isalpha() and not taken:
+        yield Candidate(name)
+
+
+def _graph_names(
+    expected: Expectation, vocabulary: Vocabulary, names: Mapping[str, str], word: str
+) -> Iterator[Candidate]:
+    declaration = expected.declaration
+    keyword = declaration.keyword if declaration is not None else ""
+    used = list(vocabulary.endpoints(expected.filled.get("node", ""), keyword))
+    if used:
+        yield from (Candidate(f"'{name}'", names.get(name, "")) for name in used)
+        return
+    wants_type = declaration is not None and word in declaration.elements
+    message = vocabulary.messages.get(expected.filled.get("message", ""))
+    # Those of the type that the message has come first.
+    for name, type_ in sorted(names.items(), key=lambda entry: entry[1] != message):
+        after = f" of {word} {type_}" if wants_type and type_ else ""
+        yield Candidate(f"'{name}'", type_, after)
+
+
+def _catalog(expected: Expectation, vocabulary: Vocabulary, session: Session) -> Catalog:
+    library = vocabulary.library(expected.filled.get("node", "")) or session.library
+    return session.catalog(LIBRARIES.get(library, 1))
+
+
+def _types(
+    expected: Expectation, vocabulary: Vocabulary, session: Session, kind: InterfaceKind
+) -> Iterator[Candidate]:
+    catalog = _catalog(expected, vocabulary, session)
+    filled = expected.filled
+    first = (
+        vocabulary.topics.get(filled.get("topic", "").strip("'"))
+        or vocabulary.services.get(filled.get("service", "").strip("'"))
+        or vocabulary.messages.get(filled.get("message", ""))
+    )
+    if first is not None:
+        yield Candidate(first, described_type(first, kind, catalog))
+    qualified = "/" in expected.prefix
+    for name in catalog.names(kind):
+        alone = not qualified and len(catalog.candidates(name.name, kind)) == 1
+        text = name.name if alone and catalog.candidates(name.name, kind)[0] == name else str(name)
+        if text != first:
+            yield Candidate(text, "")
+
+
+def described_type(text: str, kind: InterfaceKind, catalog: Catalog) -> str:
+    """Return the fields of a type, for what is shown beside it; empty for one that is unknown."""
+    found = TypeResolver(catalog).resolve(text, kind)
+    fields = getattr(found, "fields", None)
+    if fields is None:
+        return ""
+    shown = ", ".join(f"{field.name}: {field.type}" for field in fields[:_MOST_FIELDS])
+    more = ", …" if len(fields) > _MOST_FIELDS else ""
+    return shown + more or "no fields"
+
+
+def detail_of(
+    candidate: Candidate, expected: Expectation, vocabulary: Vocabulary, session: Session
+) -> str:
+    """Return what is said beside a candidate; the fields of a type are looked up only when seen."""
+    kinds = {
+        SlotKind.MESSAGE_TYPE: InterfaceKind.MESSAGE,
+        SlotKind.SERVICE_TYPE: InterfaceKind.SERVICE,
+    }
+    kind = kinds.get(expected.slot.kind) if expected.slot is not None else None
+    if candidate.detail or kind is None:
+        return candidate.detail
+    return described_type(candidate.text, kind, _catalog(expected, vocabulary, session))
+
+
+def _files(session: Session) -> Iterator[Candidate]:
+    """Offer the Python files of the output folder and of the program's folder."""
+    seen: set[str] = set()
+    for folder in (session.output, session.folder):
+        try:
+            names = sorted(path.name for path in islice(folder.glob("*.py"), MOST_OFFERED))
+        except OSError:
+            continue
+        for name in names:
+            stem = name.removesuffix(".py")
+            if stem not in seen:
+                seen.add(stem)
+                text = stem if stem.isidentifier() and stem[0].isalpha() else f"'{name}'"
+                yield Candidate(text, f"in {folder.name}")
+
+
+def _values(expected: Expectation, vocabulary: Vocabulary, session: Session) -> Iterator[Candidate]:
+    place, declaration = expected.values, expected.declaration
+    if place is None or place.is_text or declaration is None:
+        return
+    catalog = _catalog(expected, vocabulary, session)
+    is_message = SlotKind.MESSAGE_TYPE in (slot.kind for slot in declaration.slots)
+    kind = InterfaceKind.MESSAGE if is_message else InterfaceKind.SERVICE
+    found = TypeResolver(catalog).resolve(expected.filled.get("type", ""), kind)
+    fields: tuple[Field, ...] | None = getattr(found, "fields", None)
+    for key in place.path:
+        field = _field(fields, key, catalog)
+        fields = _fields_in(field, catalog)
+    if fields is None:
+        return
+    if place.name is not None or place.is_list:
+        field = _field(fields, place.name, catalog) if place.name is not None else None
+        if field is not None and field.type.name == "bool":
+            yield from (Candidate("True"), Candidate("False"))
+        return
+    *parents, _ = expected.prefix.split(".")
+    if parents:
+        fields = _fields_in(_field(fields, ".".join(parents), catalog), catalog) or ()
+    elif not place.used and [field.type.name for field in fields[place.index :][:1]] == ["bool"]:
+        yield from (Candidate("True"), Candidate("False"))
+    start = "".join(f"{parent}." for parent in parents)
+    for field in fields:
+        if start + field.name not in place.used:
+            yield Candidate(f"{start}{field.name}", str(field.type), "=")
+
+
+def _field(
+    fields: tuple[Field, ...] | None, key: str | int | None, catalog: Catalog
+) -> Field | None:
+    if fields is None or key is None:
+        return None
+    if isinstance(key, int):
+        return fields[key] if key < len(fields) else None
+    found: Field | None = None
+    for name in key.split("."):
+        found = next((field for field in fields or () if field.name == name), None)
+        fields = _fields_in(found, catalog)
+    return found
+
+
+def _fields_in(field: Field | None, catalog: Catalog) -> tuple[Field, ...] | None:
+    message = field.type.message if field is not None else None
+    found = catalog.find(message, InterfaceKind.MESSAGE) if message is not None else None
+    return found.fields if found is not None else None

@@ -1,0 +1,152 @@
+"""The editor's colours, made from those of the app's theme."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+
+from rich.style import Style
+from textual.color import Color
+
+PLAIN = Style.null()
+
+_THEMED: Mapping[str, tuple[str, str]] = {
+    "keyword.function": ("primary", "bold"),
+    "keyword": ("primary", ""),
+    "variable": ("", ""),
+    "type": ("success", ""),
+    "module": ("success", "dim"),
+    "function": ("warning", ""),
+    "property": ("warning", ""),
+    "string": ("accent", ""),
+    "string.escape": ("accent", "bold"),
+    "string.special": ("secondary", ""),
+    "string.special.path": ("secondary", "underline"),
+    "number": ("error", ""),
+    "boolean": ("error", ""),
+    "constant.builtin": ("error", "italic"),
+    "operator": ("", "dim"),
+    "punctuation.delimiter": ("", "dim"),
+    "punctuation.bracket": ("", "dim"),
+    "comment": ("", "dim italic"),
+}
+"""For each capture of the grammar's query: a colour of the theme, and how it is written."""
+
+_ANSI: Mapping[str, str] = {
+    "primary": "blue",
+    "secondary": "cyan",
+    "accent": "green",
+    "success": "yellow",
+    "warning": "magenta",
+    "error": "red",
+}
+
+
+@dataclass(frozen=True)
+class Palette:
+    """The styles of everything that the editor draws."""
+
+    text: Style
+    captures: Mapping[str, Style]
+    gutter: Style
+    gutter_here: Style
+    line_here: Style
+    selection: Style
+    match: Style
+    match_here: Style
+    bracket: Style
+    cursor: Style
+    cursor_away: Style
+    tab: Style
+    error: Style
+    warning: Style
+    error_line: Style
+    warning_line: Style
+
+
+def themed_palette(variables: Mapping[str, str], foreground: Color, background: Color) -> Palette:
+    """Make a palette from a theme's CSS variables and a widget's own colours."""
+
+    def color(name: str) -> Color:
+        try:
+            return Color.parse(variables[name])
+        except (KeyError, ValueError):
+            return foreground
+
+    dark = background.brightness < 0.5
+    text = Style(color=foreground.rich_color, bgcolor=background.rich_color)
+    quiet = background.blend(foreground, 0.45)
+    here = background.blend(foreground, 0.06)
+    selected = background.blend(color("primary"), 0.4)
+
+    def written(name: str, how: str) -> Style:
+        tint = _legible(color(name), background, dark) if name else foreground
+        if "dim" in how:
+            tint = background.blend(tint, 0.6)
+        return Style(color=tint.rich_color) + Style.parse(how.replace("dim", "").strip() or "none")
+
+    error = _legible(color("error"), background, dark)
+    warning = _legible(color("warning"), background, dark)
+    return Palette(
+        text=text,
+        captures={capture: written(*look) for capture, look in _THEMED.items()},
+        gutter=Style(color=quiet.rich_color),
+        gutter_here=Style(color=foreground.rich_color, bold=True),
+        line_here=Style(bgcolor=here.rich_color),
+        selection=Style(bgcolor=selected.rich_color),
+        match=Style(bgcolor=background.blend(warning, 0.3).rich_color),
+        match_here=Style(bgcolor=background.blend(warning, 0.6).rich_color),
+        bracket=Style(bgcolor=background.blend(foreground, 0.25).rich_color, bold=True),
+        cursor=Style(color=background.rich_color, bgcolor=foreground.rich_color),
+        cursor_away=Style(bgcolor=background.blend(foreground, 0.3).rich_color),
+        tab=Style(color=background.blend(foreground, 0.3).rich_color),
+        error=Style(color=error.rich_color),
+        warning=Style(color=warning.rich_color),
+        error_line=Style(underline=True, color=error.rich_color),
+        warning_line=Style(underline=True, color=warning.rich_color),
+    )
+
+
+def _legible(color: Color, background: Color, dark: bool) -> Color:
+    """Move a colour away from the background until it can be read on it."""
+    target = Color(255, 255, 255) if dark else Color(0, 0, 0)
+    for _ in range(8):
+        if abs(color.brightness - background.brightness) >= 0.35:
+            break
+        color = color.blend(target, 0.15)
+    return color
+
+
+def ansi_palette() -> Palette:
+    """Make a palette of the terminal's own sixteen colours."""
+
+    def written(name: str, how: str) -> Style:
+        return Style(color=_ANSI[name] if name else None) + Style.parse(how or "none")
+
+    return Palette(
+        text=PLAIN,
+        captures={capture: written(*look) for capture, look in _THEMED.items()},
+        gutter=Style(dim=True),
+        gutter_here=Style(bold=True),
+        line_here=PLAIN,
+        selection=Style(reverse=True),
+        match=Style(underline=True, bold=True),
+        match_here=Style(reverse=True, bold=True),
+        bracket=Style(bold=True, underline=True),
+        cursor=Style(reverse=True),
+        cursor_away=Style(underline=True),
+        tab=Style(dim=True),
+        error=Style(color="red"),
+        warning=Style(color="yellow"),
+        error_line=Style(color="red", underline=True),
+        warning_line=Style(color="yellow", underline=True),
+    )
+
+
+@lru_cache(4096)
+def combined(base: Style, *more: Style) -> Style:
+    """Return styles laid over each other; the same ones are combined once."""
+    for style in more:
+        base = base + style
+    return base

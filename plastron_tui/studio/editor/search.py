@@ -1,0 +1,81 @@
+"""Finding and replacing in a text."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left, bisect_right
+from dataclasses import dataclass, field
+
+MOST_MATCHES = 20_000
+
+
+@dataclass
+class Search:
+    """What is looked for, and where a text has it, in bytes.
+
+    `problem` says what is wrong with a regular expression.
+    """
+
+    pattern: re.Pattern[str] | None = None
+    is_regex: bool = False
+    problem: str = ""
+    spans: list[tuple[int, int]] = field(default_factory=list)
+    _matches: list[re.Match[str]] = field(default_factory=list)
+
+    @classmethod
+    def make(cls, what: str, *, is_regex: bool, is_case_sensitive: bool) -> Search:
+        """Prepare a search; nothing is found for an empty or a wrong pattern."""
+        if not what:
+            return cls()
+        flags = re.MULTILINE | (0 if is_case_sensitive else re.IGNORECASE)
+        try:
+            return cls(re.compile(what if is_regex else re.escape(what), flags), is_regex)
+        except (re.error, RecursionError, OverflowError) as error:
+            return cls(problem=str(error))
+
+    def run(self, text: bytes) -> None:
+        """Find all matches, up to `MOST_MATCHES`; empty ones count for nothing."""
+        self.spans = []
+        self._matches = []
+        if self.pattern is None:
+            return
+        written = text.decode("utf-8", "replace")
+        is_ascii = len(written) == len(text)
+        at_char = at_byte = 0
+        for match in self.pattern.finditer(written):
+            start, end = match.span()
+            if start == end:
+                continue
+            if not is_ascii:
+                at_byte += len(written[at_char:start].encode())
+                at_char = start
+                start, end = at_byte, at_byte + len(match.group().encode())
+            self.spans.append((start, end))
+            self._matches.append(match)
+            if len(self.spans) >= MOST_MATCHES:
+                break
+
+    def within(self, start: int, end: int) -> list[tuple[int, int]]:
+        """Return the matches that touch a range."""
+        last = bisect_right(self.spans, (end, 0))
+        first = bisect_left(self.spans, (start, 0))
+        return self.spans[max(0, first - 1) : last]
+
+    def step(self, offset: int, by: int) -> tuple[int, int] | None:
+        """Return the match after an offset, or before it, around the text's end if need be."""
+        if not self.spans:
+            return None
+        if by > 0:
+            return self.spans[bisect_left(self.spans, (offset, 0)) % len(self.spans)]
+        return self.spans[bisect_left(self.spans, (offset, 0)) - 1]
+
+    def replaced(self, span: tuple[int, int], template: str) -> str:
+        """Return what comes in a match's place; a regular expression's groups are filled in.
+
+        Raises:
+            re.error: the template names a group that is not there.
+        """
+        at = bisect_left(self.spans, span)
+        if not self.is_regex or at >= len(self.spans) or self.spans[at] != span:
+            return template
+        return self._matches[at].expand(template)

@@ -1,0 +1,33 @@
+"""A line about the statement under the cursor."""
+
+from __future__ import annotations
+
+from plastron_tui.language import Clause, Slot
+from plastron_tui.language.declaration import Element
+from plastron_tui.language.expectations import Expectation
+
+START = "a statement starts with create_node, load, create_message, subscribe, …, or with a node"
+
+
+def help_of(expected: Expectation) -> str:
+    """Return the sentence of the statement at a place, the current part marked, and its help.
+
+    The line is plain text, no markup; it is empty where there is nothing to say.
+    """
+    declaration = expected.declaration
+    if declaration is None:
+        return START if expected.starts_line else ""
+    sentence = " ".join(_shown(element, expected.element) for element in declaration.elements)
+    slot = expected.element if isinstance(expected.element, Slot) else None
+    return f"{sentence}   {slot.help if slot else declaration.summary}"
+
+
+def _shown(element: Element, current: Element | None) -> str:
+    match element:
+        case Slot(kind=kind):
+            shown = kind.placeholder
+        case Clause(elements=parts):
+            shown = "[" + " ".join(_shown(part, current) for part in parts) + "]"
+        case word:
+            shown = word
+    return f"‹{shown}›" if element is current else shown

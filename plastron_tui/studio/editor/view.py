@@ -1,0 +1,394 @@
+"""The rows of a text on the screen: what is drawn, what is drawn again, what scrolls."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from textual import events
+from textual.geometry import Offset, Region, Size
+from textual.message import Message
+from textual.reactive import reactive
+from textual.scroll_view import ScrollView
+from textual.strip import Strip
+
+from . import motions
+from .columns import Line
+from .geometry import Geometry, scrolled_to
+from .highlights import RowPaint, highlight
+from .history import Selection
+from .marks import Marks, worst
+from .palette import Palette, ansi_palette, themed_palette
+from .rows import Canvas, Layer, Row, below, draw
+from .state import Edited, TextState
+
+_OVERSCAN = 8
+_WIDTH_STEP = 32
+
+
+class EditorView(ScrollView, can_focus=True):
+    """Draws a `TextState`, and tells of keys and of the mouse."""
+
+    DEFAULT_CSS = """
+    EditorView { width: 1fr; height: 1fr; scrollbar-gutter: stable; overflow-x: auto; }
+    """
+
+    soft_wrap: reactive[bool] = reactive(False)
+    line_numbers: reactive[bool] = reactive(True)
+
+    class Typed(Message):
+        """A character was typed, or text was pasted."""
+
+        def __init__(self, text: str, *, is_paste: bool = False) -> None:
+            super().__init__()
+            self.text = text
+            self.is_paste = is_paste
+
+    class Selected(Message):
+        """The mouse selected a range."""
+
+        def __init__(self, anchor: int, head: int) -> None:
+            super().__init__()
+            self.selection = Selection(anchor, head)
+
+    def __init__(self, state: TextState) -> None:
+        super().__init__(id="editor-view")
+        self.state = state
+        self.marks = Marks()
+        self.matches: Callable[[int, int], list[tuple[int, int]]] | None = None
+        self.geometry = Geometry(state, self.marks)
+        self._paint: dict[int, RowPaint] = {}
+        self._edits: list[Edited] = []
+        self._shown = state.selection
+        self._brackets: tuple[int, int] | None = None
+        self._palette: Palette | None = None
+        self._drag_from: int | None = None
+        state.listeners.append(self._heard)
+
+    def set_state(self, state: TextState) -> None:
+        """Show another text, from its top."""
+        self.state = state
+        self.marks = Marks()
+        self.geometry = Geometry(state, self.marks)
+        self._paint.clear()
+        self._edits.clear()
+        self._shown = state.selection
+        state.listeners.append(self._heard)
+        self._fit()
+        self.scroll_to(0, 0, animate=False, force=True)
+        self.refresh()
+
+    def set_marks(self, marks: Marks) -> None:
+        """Show other mistakes."""
+        self.marks = self.geometry.marks = marks
+        self._place_lines()
+        self.refresh()
+
+    def on_mount(self) -> None:
+        """Follow the theme."""
+        self.app.theme_changed_signal.subscribe(self, lambda _: self._recolor())
+        self._fit()
+
+    def _recolor(self) -> None:
+        self._palette = None
+        self.refresh()
+
+    def notify_style_update(self) -> None:
+        """Follow colours that a style sheet changes."""
+        super().notify_style_update()
+        self._palette = None
+
+    @property
+    def palette(self) -> Palette:
+        """The colours, made when they are first needed."""
+        if self._palette is None:
+            if self.app.native_ansi_color:
+                self._palette = ansi_palette()
+            else:
+                _, background = self.background_colors
+                self._palette = themed_palette(
+                    self.app.theme_variables, self.styles.color, background
+                )
+        return self._palette
+
+    @property
+    def gutter_width(self) -> int:
+        """The cells that signs and line numbers take."""
+        if not self.line_numbers:
+            return 0
+        return max(3, len(str(self.state.buffer.row_count))) + 2
+
+    @property
+    def text_width(self) -> int:
+        """The cells that are there for text."""
+        return max(1, self.scrollable_content_region.width - self.gutter_width)
+
+    def watch_soft_wrap(self) -> None:
+        """Lay all rows out again."""
+        self._place_lines()
+        self._fit()
+        self.refresh()
+
+    def watch_line_numbers(self) -> None:
+        """Draw with or without numbers."""
+        self._fit()
+        self.refresh()
+
+    def on_resize(self) -> None:
+        """Lay out for another width."""
+        self._place_lines()
+
+    def on_focus(self) -> None:
+        """Show the cursor."""
+        self._place_terminal_cursor()
+        self.refresh()
+
+    def on_blur(self) -> None:
+        """Show that the cursor is elsewhere."""
+        self.refresh()
+
+    def _heard(self, edited: Edited) -> None:
+        self.marks.edited(edited)
+        self.geometry.lines.edited(edited)
+        self._edits.append(edited)
+
+    def sync(self, *, scroll: bool = True) -> None:
+        """Draw again what an edit or a move of the cursor changed, and keep the cursor in sight."""
+        state = self.state
+        before, self._shown = self._shown, state.selection
+        brackets = self._brackets
+        self._brackets = motions.matching_brackets(state.buffer, state.cursor)
+        if self._edits:
+            self._refresh_edited()
+        if not (before.is_empty and state.selection.is_empty):
+            self._refresh_rows(range(*self._span(before, state.selection)))
+        else:
+            for offset in {before.head, state.cursor}:
+                row = state.buffer.row(min(offset, state.buffer.size))
+                self._refresh_rows(range(row, row + 1))
+        for pair in (brackets, self._brackets):
+            if pair is not None and brackets != self._brackets:
+                row = state.buffer.row(min(pair[0], state.buffer.size))
+                self._refresh_rows(range(row, row + 1))
+        if scroll:
+            self.scroll_to_cursor()
+        self._place_terminal_cursor()
+
+    def _span(self, *selections: Selection) -> tuple[int, int]:
+        buffer = self.state.buffer
+        start = min(selection.start for selection in selections)
+        end = max(selection.end for selection in selections)
+        return buffer.row(min(start, buffer.size)), buffer.row(min(end, buffer.size)) + 1
+
+    def _refresh_edited(self) -> None:
+        edits, self._edits = self._edits, []
+        if any(edited.old_rows != edited.new_rows for edited in edits):
+            self._paint.clear()
+            self.geometry.place_edited(edits)
+            self._fit()
+            self.refresh()
+            return
+        old = self._paint
+        first, last = self._window()
+        self._paint = highlight(self.state.buffer, first, last)
+        touched = {row for edit in edits for row in range(edit.row, edit.row + edit.new_rows)}
+        for row, paint in self._paint.items():
+            if row in touched or old.get(row) != paint:
+                self._refresh_rows(range(row, row + 1))
+        if self.geometry.place_edited(edits):
+            self.refresh()
+        self._fit()
+
+    def _refresh_rows(self, rows: range) -> None:
+        top, height, width = self.scroll_offset.y, self.size.height, self.size.width
+        first = max(0, self.geometry.lines.line_of(rows.start) - top)
+        last = min(height, self.geometry.lines.line_of(rows.stop) - top)
+        if first < last:
+            self.refresh(Region(0, first, width, last - first))
+
+    def repaint(self) -> None:
+        """Ask for all highlights again, because the tree is now that of the text."""
+        first, last = self._window()
+        paint = highlight(self.state.buffer, first, last)
+        for row in paint:
+            if paint[row] != self._paint.get(row):
+                self._refresh_rows(range(row, row + 1))
+        self._paint = paint
+
+    def _window(self) -> tuple[int, int]:
+        top = self.scroll_offset.y
+        last_row = self.state.buffer.row_count - 1
+        first, _ = self.geometry.lines.row_at(max(0, top - _OVERSCAN))
+        last, _ = self.geometry.lines.row_at(top + self.size.height + _OVERSCAN)
+        first = min(first, last_row)
+        return first, max(first, min(last, last_row))
+
+    def _paint_of(self, row: int) -> RowPaint:
+        paint = self._paint.get(row)
+        if paint is None:
+            self._paint = highlight(self.state.buffer, *self._window())
+            paint = self._paint.get(row, ())
+        return paint
+
+    def _place_lines(self) -> None:
+        """Find the rows that take more than one line of the screen, now that widths changed."""
+        self.geometry.width = self.text_width
+        self.geometry.is_wrapped = self.soft_wrap
+        self.geometry.place_lines()
+        self._fit()
+
+    def _fit(self) -> None:
+        """Let the scroll bars know how much text there is."""
+        buffer = self.state.buffer
+        height = self.geometry.height
+        width = 0
+        if not self.soft_wrap:
+            wide = self.gutter_width + buffer.widest + 1
+            width = -(-wide // _WIDTH_STEP) * _WIDTH_STEP
+            if wide <= self.size.width:
+                width = min(width, self.size.width)
+        size = Size(width, height)
+        if size != self.virtual_size:
+            self.virtual_size = size
+
+    def render_line(self, y: int) -> Strip:
+        """Draw a line of the screen."""
+        buffer = self.state.buffer
+        row, line = self.geometry.lines.row_at(self.scroll_offset.y + y)
+        width = self.size.width
+        if row >= buffer.row_count:
+            return Strip.blank(width, self.palette.text)
+        left = 0 if self.soft_wrap else self.scroll_offset.x
+        canvas = Canvas(self.palette, self.gutter_width, width - self.gutter_width, left)
+        look = self._look(row)
+        pieces = self.geometry.sections(row)
+        message = worst([mark for _, _, mark in look.marks])
+        if line >= len(pieces):
+            return below(look, canvas, message) if message else Strip.blank(width)
+        if row in self.geometry.lines.extra and self.geometry.message_below(row):
+            message = None
+        start, end = pieces[line]
+        return draw(look, canvas, start, end, message=message if end == look.line.size else None)
+
+    def _look(self, row: int) -> Row:
+        buffer, selection = self.state.buffer, self.state.selection
+        start = buffer.start(row)
+        line = buffer.line(row)
+        found = self.geometry.marks_of(row)
+        marks = [(mark.start - start, mark.end - start, mark) for mark in found]
+        here = self.state.row == row
+        return Row(
+            line,
+            row + 1,
+            here and self.has_focus and selection.is_empty,
+            self._paint_of(row),
+            marks,
+            self._layers(row, start, line),
+        )
+
+    def _layers(self, row: int, start: int, line: Line) -> list[Layer]:
+        palette, selection = self.palette, self.state.selection
+        layers: list[Layer] = []
+        if self.matches is not None:
+            layers += [
+                Layer(begin - start, until - start, palette.match)
+                for begin, until in self.matches(start, start + line.size)
+            ]
+        if not selection.is_empty and selection.start <= start + line.size:
+            begin, until = selection.start - start, selection.end - start
+            if until > 0:
+                over = line.size + 1 if until > line.size else until
+                layers.append(Layer(max(0, begin), over, palette.selection))
+        if self._brackets is not None and self.has_focus:
+            layers += [
+                Layer(at - start, at - start + 1, palette.bracket)
+                for at in self._brackets
+                if start <= at < start + line.size
+            ]
+        if self.state.row == row:
+            column = self.state.cursor - start
+            style = palette.cursor if self.has_focus else palette.cursor_away
+            layers.append(Layer(column, max(line.next_stop(column), column + 1), style))
+        return layers
+
+    @property
+    def page(self) -> int:
+        """How many lines a page has."""
+        return max(1, self.scrollable_content_region.height - 1)
+
+    def scroll_to_cursor(self, *, center: bool = False) -> None:
+        """Scroll as far as is needed to see the cursor, with some lines around it."""
+        place = self.geometry.place_of(self.state.cursor)
+        height = max(1, self.scrollable_content_region.height)
+        scroll = Offset(0 if self.soft_wrap else self.scroll_offset.x, self.scroll_offset.y)
+        if self.soft_wrap:
+            place = Offset(0, place.y)
+        to = scrolled_to(place, scroll, Size(self.text_width, height), center=center)
+        if to != self.scroll_offset:
+            self.scroll_to(*to, animate=False, force=True, immediate=True)
+
+    @property
+    def cursor_on_screen(self) -> Offset:
+        """The cell of the screen that the cursor is in."""
+        place = self.geometry.place_of(self.state.cursor)
+        region, scroll = self.content_region, self.scroll_offset
+        x = region.x + self.gutter_width + place.x - (0 if self.soft_wrap else scroll.x)
+        return Offset(x, region.y + place.y - scroll.y)
+
+    def _place_terminal_cursor(self) -> None:
+        """Tell the terminal where its own cursor is, for input methods."""
+        if self.has_focus and self.is_mounted:
+            self.app.cursor_position = self.cursor_on_screen
+
+    def on_key(self, event: events.Key) -> None:
+        """Take the characters; what other keys do is bound."""
+        if event.is_printable and event.character is not None:
+            event.stop()
+            event.prevent_default()
+            self.post_message(self.Typed(event.character))
+
+    def on_paste(self, event: events.Paste) -> None:
+        """Take what the terminal pastes."""
+        event.stop()
+        event.prevent_default()
+        self.post_message(self.Typed(event.text, is_paste=True))
+
+    def _offset_of(self, event: events.MouseEvent) -> int:
+        place = event.get_content_offset_capture(self)
+        x = place.x - self.gutter_width + (0 if self.soft_wrap else self.scroll_offset.x)
+        return self.geometry.offset_at(x, place.y + self.scroll_offset.y)
+
+    def on_mouse_down(self, event: events.MouseDown) -> None:
+        """Put the cursor there; with shift, select up to there."""
+        if event.button != 1:
+            return
+        event.stop()
+        offset = self._offset_of(event)
+        anchor = self.state.selection.anchor if event.shift else offset
+        self._drag_from = anchor
+        self.capture_mouse()
+        self.post_message(self.Selected(anchor, offset))
+
+    def on_mouse_move(self, event: events.MouseMove) -> None:
+        """Select from where the button went down."""
+        if self._drag_from is not None:
+            event.stop()
+            self.post_message(self.Selected(self._drag_from, self._offset_of(event)))
+
+    def on_mouse_up(self, event: events.MouseUp) -> None:
+        """End the selection."""
+        if self._drag_from is not None:
+            event.stop()
+            self._drag_from = None
+            self.release_mouse()
+
+    def on_click(self, event: events.Click) -> None:
+        """Select the word with two clicks, the line with three."""
+        if event.button != 1 or event.chain < 2:
+            return
+        buffer, offset = self.state.buffer, self._offset_of(event)
+        if event.chain == 2:
+            start, end = motions.word_at(buffer, offset)
+        else:
+            row = buffer.row(offset)
+            start, end = buffer.start(row), buffer.next_start(row)
+        self.post_message(self.Selected(start, end))
