@@ -68,10 +68,14 @@ class Vocabulary:
                 case st.ClientRequests(service=service, type=type_):
                     services.setdefault(service, type_)
         for node in self._workspace.nodes.values():
-            for topic_end in (*node.publishers.values(), *node.subscriptions.values()):
-                topics.setdefault(topic_end.topic, str(topic_end.type or ""))
-            for service_end in (*node.services.values(), *node.clients.values()):
-                services.setdefault(service_end.name, str(service_end.type or ""))
+            for publisher in node.publishers.values():
+                topics.setdefault(publisher.topic, str(publisher.type or ""))
+            for subscription in node.subscriptions.values():
+                topics.setdefault(subscription.topic, str(subscription.type or ""))
+            for provided in node.services.values():
+                services.setdefault(provided.name, str(provided.type or ""))
+            for client in node.clients.values():
+                services.setdefault(client.name, str(client.type or ""))
         return {
             "nodes": nodes,
             "messages": messages,
