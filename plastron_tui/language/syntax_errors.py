@@ -14,14 +14,12 @@ from .alignment import QUOTED_KINDS, WORD_KINDS, Alignment, unexpected
 from .broken import Broken
 from .declaration import Declaration, SlotKind
 from .keywords import BY_KEYWORD, FIRST_WORDS, KEYWORDS, VERBS
-from .tokens import UNKNOWN, Token, tokens_of
+from .tokens import MOST_WORDS, UNKNOWN, Token, tokens_of
 
 __all__ = ["FIRST_WORDS", "KEYWORDS", "MOST_BROKEN_LINES", "VERBS", "explain"]
 
-# What a machine wrote can have a mistake on each of a million lines, or a million words on one
-# line; nobody reads that many.
 MOST_BROKEN_LINES = 1_000
-_MOST_WORDS = 10_000
+"""How many lines are explained; what a machine wrote can have a mistake on each of a million."""
 
 
 def explain(source: bytes, broken: Sequence[Node]) -> tuple[tuple[Diagnostic, ...], Broken]:
@@ -32,7 +30,7 @@ def explain(source: bytes, broken: Sequence[Node]) -> tuple[tuple[Diagnostic, ..
     unfinished: set[str] = set()
     lost = 0
     for _, line in groupby(tokens_of(source, broken), key=lambda token: token.row):
-        tokens = tuple(islice(line, _MOST_WORDS))
+        tokens = tuple(islice(line, MOST_WORDS))
         names = set(_names(tokens))
         words |= names
         if not any(token.kind in QUOTED_KINDS for token in tokens):

@@ -17,6 +17,9 @@ UNKNOWN = "unknown"
 UNCLOSED_STRING = "unclosed_string"
 """The kind of a string that its line does not close."""
 
+MOST_WORDS = 10_000
+"""How many words of a line count; what a machine wrote can have millions, and nobody reads them."""
+
 # A reader sees these as one word, however many nodes they have.
 _WHOLE_KINDS = frozenset({"string", "ros_name", "path", "number", "boolean", "none"})
 
@@ -74,11 +77,15 @@ def _is_error(node: Node | None) -> bool:
 
 
 def tokens_of(source: bytes, nodes: Sequence[Node]) -> Iterator[Token]:
-    """Yield the tokens of nodes, comments left out, unknown characters between them included."""
+    """Yield the tokens of nodes, comments left out, unknown characters between them included.
+
+    Of a node that is all on one line, what comes after `MOST_WORDS` is left out.
+    """
     joined: dict[int, int] = {}
     for node in nodes:
         at = node.start_byte
         row = node.start_point.row
+        left = MOST_WORDS if node.end_point.row == row else -1
         for leaf, in_error in leaves(node):
             yield from _unknown(source, at, leaf.start_byte, row, joined)
             at, row = leaf.end_byte, leaf.end_point.row
@@ -96,7 +103,11 @@ def tokens_of(source: bytes, nodes: Sequence[Node]) -> Iterator[Token]:
             text = source[leaf.start_byte : at].decode("utf-8", "replace")
             first = joined.get(first, first)
             yield Token(_KINDS.get(kind, kind), text, leaf.start_byte, at, first, in_error)
-        yield from _unknown(source, at, node.end_byte, row, joined)
+            left -= 1
+            if left == 0:
+                break
+        else:
+            yield from _unknown(source, at, node.end_byte, row, joined)
 
 
 def _is_closed(string: Node) -> bool:
