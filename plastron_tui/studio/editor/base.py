@@ -21,7 +21,6 @@ from .bars import FindBar, PromptBar
 from .completion import Vocabulary
 from .history import Selection
 from .marks import Mark, Marks, worst
-from .popup import CompletionPopup
 from .state import TextState
 from .statement_help import help_of
 from .view import EditorView
@@ -73,7 +72,7 @@ class EditorBase(Vertical):
         self.view = EditorView(self.state)
         self.find_bar = FindBar()
         self.prompt_bar = PromptBar()
-        self.popup = CompletionPopup()
+        self.popup = self.view.popup
         self.vocabulary: Vocabulary | None = None
         self._told_text = self.state.buffer.text
         self._told_cursor = 0
@@ -85,7 +84,6 @@ class EditorBase(Vertical):
         yield self.view
         yield self.find_bar
         yield self.prompt_bar
-        yield self.popup
 
     @property
     def session(self) -> Session:
@@ -109,7 +107,7 @@ class EditorBase(Vertical):
 
     def set_session(self, session: Session) -> None:
         """Edit the text of another session, with a history of its own."""
-        self.popup.close()
+        self.view.close_popup()
         self.state = TextState(session)
         self.view.set_state(self.state)
         self.vocabulary = None
@@ -199,7 +197,7 @@ class EditorBase(Vertical):
 
     def done(self, *, scroll: bool = True, center: bool = False) -> None:
         """Show and tell what an action did. Every action ends with it."""
-        self.popup.close()
+        self.view.close_popup()
         if center:
             self.view.scroll_to_cursor(center=True)
         self.view.sync(scroll=scroll)

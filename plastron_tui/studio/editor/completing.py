@@ -12,7 +12,7 @@ from plastron_tui.language.lowering import lower
 from .base import EditorBase
 from .completion import Candidate, Vocabulary, candidates, detail_of
 from .history import Selection
-from .popup import CompletionPopup
+from .view import EditorView
 
 _SMALL = 64 * 1024
 """A text of so many bytes is understood at once; a longer one waits for its diagnostics."""
@@ -40,16 +40,16 @@ class CompletingActions(EditorBase):
     def action_accept(self) -> None:
         """Take what is marked in the list; without a list, offer one, and take what is alone."""
         if self.popup.is_open:
-            self.popup.accept()
+            self.accept()
             return
         self._offer(is_asked=True)
         if len(self.popup.candidates) == 1:
-            self.popup.accept()
+            self.accept()
 
     def action_dismiss(self) -> None:
         """Close the list, or let go of what is selected."""
         if self.popup.is_open:
-            self.popup.close()
+            self.view.close_popup()
         else:
             self.state.move(self.state.cursor)
             self.done()
@@ -72,19 +72,17 @@ class CompletingActions(EditorBase):
         if not self.selection.is_empty or (
             not is_asked and expected.starts_line and not expected.prefix
         ):
-            self.popup.close()
+            self.view.close_popup()
             return
         names, session = self.names(), self.session
         found = candidates(expected, names, session)
         if not found or (len(found) == 1 and found[0].text == expected.prefix):
-            self.popup.close()
+            self.view.close_popup()
             return
-        place = self.view.cursor_on_screen
-        start = self.view.geometry.place_of(self._replaced().start)
-        here = self.view.geometry.place_of(self.state.cursor)
-        place = place._replace(x=place.x - max(0, here.x - start.x))
-        self.popup.offer(
-            found, lambda candidate: detail_of(candidate, expected, names, session), place
+        self.view.offer(
+            found,
+            lambda candidate: detail_of(candidate, expected, names, session),
+            self._replaced().start,
         )
 
     def _replaced(self) -> Span:
@@ -94,13 +92,18 @@ class CompletingActions(EditorBase):
         is_open = prefix[:1] == "'" and not (len(written) > 1 and written.endswith(b"'"))
         return Span(span.start, self.state.cursor if is_open else span.end)
 
-    def on_completion_popup_accepted(self, message: CompletionPopup.Accepted) -> None:
-        """Write what was taken, and what follows it if the line ends there."""
+    def on_editor_view_picked(self, message: EditorView.Picked) -> None:
+        """Take what the mouse picked."""
         message.stop()
-        self.write_candidate(message.candidate)
+        self.accept()
 
-    def write_candidate(self, candidate: Candidate) -> None:
-        """Put a candidate in the place of the word at the cursor."""
+    def accept(self) -> None:
+        """Write what is marked in the list, and what follows it if the line ends there."""
+        candidate = self.popup.current
+        if candidate is not None:
+            self._write(candidate)
+
+    def _write(self, candidate: Candidate) -> None:
         span = self._replaced()
         buffer = self.state.buffer
         rest = buffer.text[span.end : buffer.end(buffer.row(span.end))]

@@ -66,7 +66,7 @@ class EditingActions(CompletingActions):
     def action_newline(self) -> None:
         """Break the line; with an entry of the popup chosen, take that."""
         if self.popup.is_open and self.popup.is_chosen:
-            self.popup.accept()
+            self.accept()
             return
         self.state.replace_selection(self.state.buffer.ending)
         self.done()

@@ -37,7 +37,7 @@ class FindingActions(EditorBase):
         self._open_bar(replace=True)
 
     def _open_bar(self, *, replace: bool) -> None:
-        self.popup.close()
+        self.view.close_popup()
         selected = self.state.selected
         what = selected.decode("utf-8", "replace") if b"\n" not in selected else ""
         self.find_bar.open(what, replace=replace)

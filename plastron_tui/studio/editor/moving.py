@@ -69,14 +69,14 @@ class MovingActions(EditorBase):
     def action_cursor_up(self, extend: bool = False) -> None:
         """Go a line up, or an entry in the popup."""
         if self.popup.is_open and not extend:
-            self.popup.choose(-1)
+            self.view.choose(-1)
         else:
             self._go_lines(-1, extend)
 
     def action_cursor_down(self, extend: bool = False) -> None:
         """Go a line down, or an entry in the popup."""
         if self.popup.is_open and not extend:
-            self.popup.choose(1)
+            self.view.choose(1)
         else:
             self._go_lines(1, extend)
 

@@ -59,6 +59,9 @@ class Palette:
     cursor: Style
     cursor_away: Style
     tab: Style
+    popup: Style
+    popup_here: Style
+    popup_quiet: Style
     error: Style
     warning: Style
     error_line: Style
@@ -78,6 +81,7 @@ def themed_palette(variables: Mapping[str, str], foreground: Color, background: 
     text = Style(color=foreground.rich_color, bgcolor=background.rich_color)
     quiet = background.blend(foreground, 0.45)
     here = background.blend(foreground, 0.06)
+    panel = background.blend(foreground, 0.12)
     selected = background.blend(color("primary"), 0.4)
 
     def written(name: str, how: str) -> Style:
@@ -101,6 +105,9 @@ def themed_palette(variables: Mapping[str, str], foreground: Color, background: 
         cursor=Style(color=background.rich_color, bgcolor=foreground.rich_color),
         cursor_away=Style(bgcolor=background.blend(foreground, 0.3).rich_color),
         tab=Style(color=background.blend(foreground, 0.3).rich_color),
+        popup=Style(color=foreground.rich_color, bgcolor=panel.rich_color),
+        popup_here=Style(color=foreground.rich_color, bgcolor=selected.rich_color, bold=True),
+        popup_quiet=Style(color=panel.blend(foreground, 0.6).rich_color, bgcolor=panel.rich_color),
         error=Style(color=error.rich_color),
         warning=Style(color=warning.rich_color),
         error_line=Style(underline=True, color=error.rich_color),
@@ -137,6 +144,9 @@ def ansi_palette() -> Palette:
         cursor=Style(reverse=True),
         cursor_away=Style(underline=True),
         tab=Style(dim=True),
+        popup=Style(reverse=True),
+        popup_here=Style(bold=True, underline=True),
+        popup_quiet=Style(reverse=True, dim=True),
         error=Style(color="red"),
         warning=Style(color="yellow"),
         error_line=Style(color="red", underline=True),

@@ -2,38 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from textual import events
 from textual.geometry import Offset, Region, Size
 from textual.message import Message
-from textual.reactive import reactive
-from textual.scroll_view import ScrollView
-from textual.strip import Strip
 
 from . import motions
-from .columns import Line
+from .completion import Candidate
+from .drawing import DrawnText
 from .geometry import Geometry, scrolled_to
-from .highlights import RowPaint, highlight
+from .highlights import highlight
 from .history import Selection
-from .marks import Marks, worst
-from .palette import Palette, ansi_palette, themed_palette
-from .rows import Canvas, Layer, Row, below, draw
+from .marks import Marks
 from .state import Edited, TextState
 
-_OVERSCAN = 8
 _WIDTH_STEP = 32
 
 
-class EditorView(ScrollView, can_focus=True):
+class EditorView(DrawnText, can_focus=True):
     """Draws a `TextState`, and tells of keys and of the mouse."""
 
     DEFAULT_CSS = """
     EditorView { width: 1fr; height: 1fr; scrollbar-gutter: stable; overflow-x: auto; }
     """
-
-    soft_wrap: reactive[bool] = reactive(False)
-    line_numbers: reactive[bool] = reactive(True)
 
     class Typed(Message):
         """A character was typed, or text was pasted."""
@@ -50,17 +42,13 @@ class EditorView(ScrollView, can_focus=True):
             super().__init__()
             self.selection = Selection(anchor, head)
 
+    class Picked(Message):
+        """The mouse picked the entry of the popup that is marked now."""
+
     def __init__(self, state: TextState) -> None:
-        super().__init__(id="editor-view")
-        self.state = state
-        self.marks = Marks()
-        self.matches: Callable[[int, int], list[tuple[int, int]]] | None = None
-        self.geometry = Geometry(state, self.marks)
-        self._paint: dict[int, RowPaint] = {}
+        super().__init__(state)
         self._edits: list[Edited] = []
         self._shown = state.selection
-        self._brackets: tuple[int, int] | None = None
-        self._palette: Palette | None = None
         self._drag_from: int | None = None
         state.listeners.append(self._heard)
 
@@ -69,7 +57,7 @@ class EditorView(ScrollView, can_focus=True):
         self.state = state
         self.marks = Marks()
         self.geometry = Geometry(state, self.marks)
-        self._paint.clear()
+        self.paint.clear()
         self._edits.clear()
         self._shown = state.selection
         state.listeners.append(self._heard)
@@ -85,42 +73,8 @@ class EditorView(ScrollView, can_focus=True):
 
     def on_mount(self) -> None:
         """Follow the theme."""
-        self.app.theme_changed_signal.subscribe(self, lambda _: self._recolor())
+        self.app.theme_changed_signal.subscribe(self, lambda _: self.recolor())
         self._fit()
-
-    def _recolor(self) -> None:
-        self._palette = None
-        self.refresh()
-
-    def notify_style_update(self) -> None:
-        """Follow colours that a style sheet changes."""
-        super().notify_style_update()
-        self._palette = None
-
-    @property
-    def palette(self) -> Palette:
-        """The colours, made when they are first needed."""
-        if self._palette is None:
-            if self.app.native_ansi_color:
-                self._palette = ansi_palette()
-            else:
-                _, background = self.background_colors
-                self._palette = themed_palette(
-                    self.app.theme_variables, self.styles.color, background
-                )
-        return self._palette
-
-    @property
-    def gutter_width(self) -> int:
-        """The cells that signs and line numbers take."""
-        if not self.line_numbers:
-            return 0
-        return max(3, len(str(self.state.buffer.row_count))) + 2
-
-    @property
-    def text_width(self) -> int:
-        """The cells that are there for text."""
-        return max(1, self.scrollable_content_region.width - self.gutter_width)
 
     def watch_soft_wrap(self) -> None:
         """Lay all rows out again."""
@@ -155,8 +109,8 @@ class EditorView(ScrollView, can_focus=True):
         """Draw again what an edit or a move of the cursor changed, and keep the cursor in sight."""
         state = self.state
         before, self._shown = self._shown, state.selection
-        brackets = self._brackets
-        self._brackets = motions.matching_brackets(state.buffer, state.cursor)
+        brackets = self.brackets
+        self.brackets = motions.matching_brackets(state.buffer, state.cursor)
         if self._edits:
             self._refresh_edited()
         if not (before.is_empty and state.selection.is_empty):
@@ -165,8 +119,8 @@ class EditorView(ScrollView, can_focus=True):
             for offset in {before.head, state.cursor}:
                 row = state.buffer.row(min(offset, state.buffer.size))
                 self._refresh_rows(range(row, row + 1))
-        for pair in (brackets, self._brackets):
-            if pair is not None and brackets != self._brackets:
+        for pair in (brackets, self.brackets):
+            if pair is not None and brackets != self.brackets:
                 row = state.buffer.row(min(pair[0], state.buffer.size))
                 self._refresh_rows(range(row, row + 1))
         if scroll:
@@ -182,16 +136,16 @@ class EditorView(ScrollView, can_focus=True):
     def _refresh_edited(self) -> None:
         edits, self._edits = self._edits, []
         if any(edited.old_rows != edited.new_rows for edited in edits):
-            self._paint.clear()
+            self.paint.clear()
             self.geometry.place_edited(edits)
             self._fit()
             self.refresh()
             return
-        old = self._paint
-        first, last = self._window()
-        self._paint = highlight(self.state.buffer, first, last)
+        old = self.paint
+        first, last = self.window()
+        self.paint = highlight(self.state.buffer, first, last)
         touched = {row for edit in edits for row in range(edit.row, edit.row + edit.new_rows)}
-        for row, paint in self._paint.items():
+        for row, paint in self.paint.items():
             if row in touched or old.get(row) != paint:
                 self._refresh_rows(range(row, row + 1))
         if self.geometry.place_edited(edits):
@@ -207,27 +161,12 @@ class EditorView(ScrollView, can_focus=True):
 
     def repaint(self) -> None:
         """Ask for all highlights again, because the tree is now that of the text."""
-        first, last = self._window()
+        first, last = self.window()
         paint = highlight(self.state.buffer, first, last)
         for row in paint:
-            if paint[row] != self._paint.get(row):
+            if paint[row] != self.paint.get(row):
                 self._refresh_rows(range(row, row + 1))
-        self._paint = paint
-
-    def _window(self) -> tuple[int, int]:
-        top = self.scroll_offset.y
-        last_row = self.state.buffer.row_count - 1
-        first, _ = self.geometry.lines.row_at(max(0, top - _OVERSCAN))
-        last, _ = self.geometry.lines.row_at(top + self.size.height + _OVERSCAN)
-        first = min(first, last_row)
-        return first, max(first, min(last, last_row))
-
-    def _paint_of(self, row: int) -> RowPaint:
-        paint = self._paint.get(row)
-        if paint is None:
-            self._paint = highlight(self.state.buffer, *self._window())
-            paint = self._paint.get(row, ())
-        return paint
+        self.paint = paint
 
     def _place_lines(self) -> None:
         """Find the rows that take more than one line of the screen, now that widths changed."""
@@ -250,65 +189,34 @@ class EditorView(ScrollView, can_focus=True):
         if size != self.virtual_size:
             self.virtual_size = size
 
-    def render_line(self, y: int) -> Strip:
-        """Draw a line of the screen."""
-        buffer = self.state.buffer
-        row, line = self.geometry.lines.row_at(self.scroll_offset.y + y)
-        width = self.size.width
-        if row >= buffer.row_count:
-            return Strip.blank(width, self.palette.text)
-        left = 0 if self.soft_wrap else self.scroll_offset.x
-        canvas = Canvas(self.palette, self.gutter_width, width - self.gutter_width, left)
-        look = self._look(row)
-        pieces = self.geometry.sections(row)
-        message = worst([mark for _, _, mark in look.marks])
-        if line >= len(pieces):
-            return below(look, canvas, message) if message else Strip.blank(width)
-        if row in self.geometry.lines.extra and self.geometry.message_below(row):
-            message = None
-        start, end = pieces[line]
-        return draw(look, canvas, start, end, message=message if end == look.line.size else None)
+    def offer(
+        self, candidates: Sequence[Candidate], detail: Callable[[Candidate], str], offset: int
+    ) -> None:
+        """Show the popup below an offset."""
+        covered = self.popup.region if self.popup.is_open else None
+        region, scroll = self.scrollable_content_region, self.scroll_offset
+        place = self.geometry.place_of(offset)
+        x = self.gutter_width + place.x - (0 if self.soft_wrap else scroll.x)
+        self.popup.offer(candidates, detail, Offset(x, place.y - scroll.y), region.size)
+        for changed in (covered, self.popup.region):
+            if changed is not None:
+                self.refresh(changed)
 
-    def _look(self, row: int) -> Row:
-        buffer, selection = self.state.buffer, self.state.selection
-        start = buffer.start(row)
-        line = buffer.line(row)
-        found = self.geometry.marks_of(row)
-        marks = [(mark.start - start, mark.end - start, mark) for mark in found]
-        here = self.state.row == row
-        return Row(
-            line,
-            row + 1,
-            here and self.has_focus and selection.is_empty,
-            self._paint_of(row),
-            marks,
-            self._layers(row, start, line),
-        )
+    def choose(self, by: int) -> None:
+        """Mark another entry of the popup."""
+        self.popup.choose(by)
+        self.refresh(self.popup.region)
 
-    def _layers(self, row: int, start: int, line: Line) -> list[Layer]:
-        palette, selection = self.palette, self.state.selection
-        layers: list[Layer] = []
-        if self.matches is not None:
-            layers += [
-                Layer(begin - start, until - start, palette.match)
-                for begin, until in self.matches(start, start + line.size)
-            ]
-        if not selection.is_empty and selection.start <= start + line.size:
-            begin, until = selection.start - start, selection.end - start
-            if until > 0:
-                over = line.size + 1 if until > line.size else until
-                layers.append(Layer(max(0, begin), over, palette.selection))
-        if self._brackets is not None and self.has_focus:
-            layers += [
-                Layer(at - start, at - start + 1, palette.bracket)
-                for at in self._brackets
-                if start <= at < start + line.size
-            ]
-        if self.state.row == row:
-            column = self.state.cursor - start
-            style = palette.cursor if self.has_focus else palette.cursor_away
-            layers.append(Layer(column, max(line.next_stop(column), column + 1), style))
-        return layers
+    def close_popup(self) -> None:
+        """Show no popup."""
+        if self.popup.is_open:
+            self.popup.close()
+            self.refresh(self.popup.region)
+
+    def watch_scroll_y(self, old_value: float, new_value: float) -> None:
+        """Let the popup go when its word does."""
+        super().watch_scroll_y(old_value, new_value)
+        self.close_popup()
 
     @property
     def page(self) -> int:
@@ -362,6 +270,10 @@ class EditorView(ScrollView, can_focus=True):
         if event.button != 1:
             return
         event.stop()
+        if self.popup.is_open and self.popup.region.contains(event.x, event.y):
+            if self.popup.choose_at(event.y):
+                self.post_message(self.Picked())
+            return
         offset = self._offset_of(event)
         anchor = self.state.selection.anchor if event.shift else offset
         self._drag_from = anchor
