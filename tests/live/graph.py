@@ -39,6 +39,10 @@ class Graph:
         """Start a node's file."""
         return self._start([self.python, "-u", node], node.stem)
 
+    def run_with(self, script: Path, *arguments: str) -> Process:
+        """Start a script of the test's own, which runs a node in its own way."""
+        return self._start([self.python, "-u", script, *arguments], script.stem)
+
     def listen(self, topics: Mapping[str, str], seconds: float) -> dict[str, list[Received]]:
         """Return what comes over topics, by name: `topics` says the type of each.
 
