@@ -129,14 +129,19 @@ def lower_number(text: str) -> int | float:
 
 def _string(node: Node, text: Slice) -> str:
     parts = []
+    has_surrogates = False
     for part in node.named_children:
         written = text(part.start_byte, part.end_byte)
         if part.kind_id == STRING_CONTENT:
             parts.append(written)
+        elif written in _ESCAPES:
+            parts.append(_ESCAPES[written])
         else:
-            parts.append(_ESCAPES.get(written) or chr(int(written[2:], 16)))
+            code = int(written[2:], 16)
+            has_surrogates = has_surrogates or 0xD800 <= code < 0xDC00
+            parts.append(chr(code))
     string = "".join(parts)
-    if any("\ud800" <= part <= "\udbff" for part in parts):
-        # A character beyond U+FFFF is written as two escapes, as in JSON.
-        return string.encode("utf-16", "surrogatepass").decode("utf-16", "surrogatepass")
-    return string
+    if not has_surrogates:
+        return string
+    # A character beyond U+FFFF is written as two escapes, as in JSON.
+    return string.encode("utf-16", "surrogatepass").decode("utf-16", "surrogatepass")

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Label
 from plastron_tui.language.declaration import Statement
@@ -12,16 +12,13 @@ from plastron_tui.ros.names import resolved_name
 
 from .workspace import EndpointKind, Node
 
-
-class _Usage(NamedTuple):
-    node: str
-    where: Statement
+_User = tuple[str, EndpointKind]
 
 
 @dataclass(slots=True)
 class _Use:
     type: InterfaceName
-    users: dict[EndpointKind, dict[str, _Usage]] = field(default_factory=dict)
+    users: dict[_User, Statement] = field(default_factory=dict)
 
 
 class Agreement:
@@ -40,7 +37,7 @@ class Agreement:
         use = self._add(node, role, name, type_, statement)
         if use is None:
             return None
-        elsewhere = min(usage.where.span for by in use.users.values() for usage in by.values())
+        elsewhere = next(iter(use.users.values())).span
         return Diagnostic(
             self._code,
             f"{self._what} `{name}` is of type `{use.type}` elsewhere in this program",
@@ -61,24 +58,26 @@ class Agreement:
         if type_ is not None:
             self._add(node, role, name, type_, statement)
 
-    def other(self, node: Node, role: EndpointKind, name: str) -> Statement | None:
+    def other(
+        self, node: Node, role: EndpointKind, name: str, nodes: Mapping[str, Node]
+    ) -> Statement | None:
         """Return the statement by which another node has the same role in a name, if one has."""
-        use = self._uses.get(resolved_name(node.name, name))
+        use = self._uses.get(_key(node, name))
         if use is None:
             return None
-        others = use.users.get(role, {}).values()
-        return next((usage.where for usage in others if usage.node != node.name), None)
+        for (variable, other_role), where in use.users.items():
+            # A node that was loaded again is not another one.
+            if other_role is role and nodes[variable].name != node.name:
+                return where
+        return None
 
     def leave(self, node: Node, role: EndpointKind, name: str) -> None:
         """Note that a node uses a name no longer; a name that nobody uses is free again."""
-        key = resolved_name(node.name, name)
+        key = _key(node, name)
         use = self._uses.get(key)
         if use is None:
             return
-        users = use.users.get(role, {})
-        users.pop(node.variable, None)
-        if not users:
-            use.users.pop(role, None)
+        use.users.pop((node.variable, role), None)
         if not use.users:
             del self._uses[key]
 
@@ -86,14 +85,17 @@ class Agreement:
         self, node: Node, role: EndpointKind, name: str, type_: InterfaceName, where: Statement
     ) -> _Use | None:
         """Add a user, or return the use that is of another type."""
-        key = resolved_name(node.name, name)
+        key = _key(node, name)
         use = self._uses.get(key)
         if use is None:
-            use = self._uses[key] = _Use(type_)
-        elif use.type != type_:
+            self._uses[key] = _Use(type_, {(node.variable, role): where})
+            return None
+        if use.type != type_:
             return use
-        users = use.users.get(role)
-        if users is None:
-            users = use.users[role] = {}
-        users.setdefault(node.variable, _Usage(node.name, where))
+        use.users.setdefault((node.variable, role), where)
         return None
+
+
+def _key(node: Node, name: str) -> str:
+    # Most names are one word, for which resolving is to put a slash before it.
+    return f"/{name}" if name.isidentifier() else resolved_name(node.name, name)

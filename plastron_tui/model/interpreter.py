@@ -63,6 +63,7 @@ class Interpreter(Checks):
         self._topics = {v: Agreement("topic", "topic-type-conflict") for v in versions}
         self._services = {v: Agreement("service", "service-type-conflict") for v in versions}
         self._messages: dict[str, st.CreateMessage] = {}
+        self._foreign: dict[str, int] = {}
         self._variants: dict[tuple[str, int], Message | None] = {}
         self._node_names: dict[str, Span] = {}
         self._run: dict[type[Statement], Callable[[Any], None]] = {
@@ -175,20 +176,19 @@ class Interpreter(Checks):
 
     def _create_message(self, statement: st.CreateMessage) -> None:
         self._check_new_variable(statement, statement.variable)
-        variable = statement.variable
         try:
-            message, version = self._message_in(statement, self._version), self._version
+            message = self._message_in(statement, self._version)
         except Mistake:
             # The message may be meant for nodes of the other ROS.
             for version in self._other_versions():
                 with suppress(Mistake):
                     message = self._message_in(statement, version)
+                    self._foreign[statement.variable] = version
                     break
             else:
                 raise
-        self.workspace.messages[variable] = message
-        self._messages[variable] = statement
-        self._variants[variable, version] = message
+        self.workspace.messages[statement.variable] = message
+        self._messages[statement.variable] = statement
 
     def _message_in(self, statement: st.CreateMessage, version: int) -> Message:
         """Make a message of the type that its name means in a generation of ROS."""
@@ -207,10 +207,13 @@ class Interpreter(Checks):
 
     def _message_for(self, message: Message, version: int) -> Message:
         """Return a message as nodes of a generation of ROS send it."""
-        key = message.variable, version
+        variable = message.variable
+        if version == self._foreign.get(variable, self._version):
+            return message
+        key = variable, version
         if key not in self._variants:
             self._variants[key] = None
-            self._variants[key] = self._message_in(self._messages[message.variable], version)
+            self._variants[key] = self._message_in(self._messages[variable], version)
         found = self._variants[key]
         if found is None:
             raise Mistake
@@ -245,7 +248,8 @@ class Interpreter(Checks):
         topic = statement.topic
         self._check_name(statement, "topic", topic, version)
         type_ = self._type(statement, statement.type, InterfaceKind.MESSAGE, version).name
-        message = self._message_for(message, version)
+        if version != self._version or self._foreign:
+            message = self._message_for(message, version)
         if message.value.type != type_:
             raise Mistake(
                 Diagnostic(
@@ -308,7 +312,9 @@ class Interpreter(Checks):
             others = (each for each in node.services.values() if each.type != type_)
             self._check_function(statement, node, ((each.handler, each.span) for each in others))
         self._agree(statement, node, EndpointKind.SERVICE, name, type_)
-        other = self._services[version].other(node, EndpointKind.SERVICE, name)
+        other = self._services[version].other(
+            node, EndpointKind.SERVICE, name, self.workspace.nodes
+        )
         if other is not None:
             self._report(
                 statement,
