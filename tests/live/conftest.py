@@ -1,15 +1,19 @@
 from __future__ import annotations
 
+import fcntl
 import os
 import random
+import shutil
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from xmlrpc.client import ServerProxy
 
 import pytest
 from graph import Graph
+from interfaces import build
+from interfaces import environ as interfaces_environ
 from processes import Process, free_port, processes, skip_or_fail, wait_for
 
 ROS1_PYTHON = Path("/usr/bin/python3")
@@ -107,6 +111,15 @@ ROS2_INSTALL = (
     "ROS 2 is missing: pip install ros-rclpy ros-rmw-fastrtps-cpp ros-std-msgs ros-std-srvs "
     "ros-geometry-msgs (or set PLASTRON_ROS2_PYTHON to a Python that has them)"
 )
+ROS2_BUILD_INSTALL = (
+    "the tools that build an interface package are missing: ./dev setup dev, "
+    "and apt-get install cmake make g++"
+)
+ROS2_BUILD_MODULES = "colcon_core, ament_package, rosidl_generator_py, rosidl_adapter, numpy"
+ROS2_SERVICES = {
+    "example_interfaces": SERVICES["beginner_tutorials"],
+    "mavros_msgs": SERVICES["mavros_msgs"],
+}
 ROS2_MODULES = "rclpy, rmw_fastrtps_cpp, std_msgs.msg, std_srvs.srv, geometry_msgs.msg"
 
 
@@ -122,13 +135,48 @@ def ros2_python() -> Path:
     return python
 
 
+@pytest.fixture(scope="session")
+def ros2_services_env(
+    ros2_python: Path, tmp_path_factory: pytest.TempPathFactory
+) -> dict[str, str]:
+    """The environment with the packages of the services, which are built once for all workers."""
+    check = subprocess.run(
+        [ros2_python, "-c", f"import {ROS2_BUILD_MODULES}"], capture_output=True, check=False
+    )
+    if check.returncode != 0 or not all(map(shutil.which, ("cmake", "make", "g++"))):
+        skip_or_fail(ROS2_BUILD_INSTALL)
+    base = tmp_path_factory.getbasetemp()
+    workspace = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "interfaces"
+    workspace.mkdir(exist_ok=True)
+    prefix = ros2_python.parent.parent
+    done = workspace / "done"
+    with (workspace / "lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not done.exists():
+            build(ROS2_SERVICES, workspace, prefix)
+            done.touch()
+    return interfaces_environ(workspace / "install", prefix)
+
+
 @pytest.fixture
 def ros2(ros2_python: Path, tmp_path: Path) -> Iterator[Graph]:
     """A graph of its own, on the loopback interface only."""
-    logs = tmp_path / "ros2-logs"
+    yield from _ros2(ros2_python, tmp_path, os.environ)
+
+
+@pytest.fixture
+def ros2_with_services(
+    ros2_python: Path, ros2_services_env: dict[str, str], tmp_path: Path
+) -> Iterator[Graph]:
+    """A graph of its own, with the services of the language's table."""
+    yield from _ros2(ros2_python, tmp_path, ros2_services_env)
+
+
+def _ros2(python: Path, folder: Path, environ: Mapping[str, str]) -> Iterator[Graph]:
+    logs = folder / "ros2-logs"
     logs.mkdir()
     env = {
-        **os.environ,
+        **environ,
         "ROS_DOMAIN_ID": str(random.randint(1, 100)),
         "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
         "ROS_LOG_DIR": str(logs),
@@ -136,7 +184,14 @@ def ros2(ros2_python: Path, tmp_path: Path) -> Iterator[Graph]:
     }
     probe = Path(__file__).with_name("probe_ros2.py")
     with processes() as started:
-        yield Graph("rclpy", ros2_python, probe, env, logs, started)
+        yield Graph("rclpy", python, probe, env, logs, started)
+
+
+@pytest.fixture(params=["ros1", "ros2_with_services"])
+def service_graph(request: pytest.FixtureRequest) -> Graph:
+    """A graph of each generation, with the services of the language's table."""
+    found: Graph = request.getfixturevalue(request.param)
+    return found
 
 
 @pytest.fixture(params=["ros1", "ros2"])
