@@ -270,7 +270,7 @@ class _Sentence:
             return self._with(place, declaration, keywords=tuple(keywords), slot=part, element=part)
         written = self._before[self._at :]
         values = _place_in_values(written, word)
-        words = ("none",) if not written else ()
+        words = ("none",) if not written and not values.is_text else ()
         return self._with(
             place, declaration, keywords=words, slot=part, element=part, values=values
         )

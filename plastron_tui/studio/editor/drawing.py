@@ -99,7 +99,7 @@ class DrawnText(ScrollView):
     def _text_line(self, y: int) -> Strip:
         buffer = self.state.buffer
         row, line = self.geometry.lines.row_at(self.scroll_offset.y + y)
-        width = self.size.width
+        width = self.scrollable_content_region.width
         if row >= buffer.row_count:
             return Strip.blank(width, self.palette.text)
         left = 0 if self.soft_wrap else self.scroll_offset.x

@@ -54,7 +54,6 @@ class Palette:
     line_here: Style
     selection: Style
     match: Style
-    match_here: Style
     bracket: Style
     cursor: Style
     cursor_away: Style
@@ -100,7 +99,6 @@ def themed_palette(variables: Mapping[str, str], foreground: Color, background: 
         line_here=Style(bgcolor=here.rich_color),
         selection=Style(bgcolor=selected.rich_color),
         match=Style(bgcolor=background.blend(warning, 0.3).rich_color),
-        match_here=Style(bgcolor=background.blend(warning, 0.6).rich_color),
         bracket=Style(bgcolor=background.blend(foreground, 0.25).rich_color, bold=True),
         cursor=Style(color=background.rich_color, bgcolor=foreground.rich_color),
         cursor_away=Style(bgcolor=background.blend(foreground, 0.3).rich_color),
@@ -139,7 +137,6 @@ def ansi_palette() -> Palette:
         line_here=PLAIN,
         selection=Style(reverse=True),
         match=Style(underline=True, bold=True),
-        match_here=Style(reverse=True, bold=True),
         bracket=Style(bold=True, underline=True),
         cursor=Style(reverse=True),
         cursor_away=Style(underline=True),

@@ -79,7 +79,7 @@ class TextState:
             after: the selection afterwards; None puts the cursor behind the last edit.
             kind: whether it is typing that may join the step before.
         """
-        ordered = sorted(splices, key=lambda splice: splice[0], reverse=True)
+        ordered = sorted(splices, key=lambda splice: splice[0])[::-1]
         changes = [
             Change(start, self.buffer.text[start:end], new)
             for start, end, new in ordered

@@ -183,8 +183,9 @@ class EditorView(DrawnText, can_focus=True):
         if not self.soft_wrap:
             wide = self.gutter_width + buffer.widest + 1
             width = -(-wide // _WIDTH_STEP) * _WIDTH_STEP
-            if wide <= self.size.width:
-                width = min(width, self.size.width)
+            there = self.scrollable_content_region.width
+            if wide <= there:
+                width = min(width, there)
         size = Size(width, height)
         if size != self.virtual_size:
             self.virtual_size = size

@@ -1,0 +1,118 @@
+from __future__ import annotations
+
+import pytest
+
+from plastron_tui.language import Document
+from plastron_tui.language.expectations import Expectation, ValuePlace, expected_at
+from plastron_tui.language.keywords import FIRST_WORDS, VERBS
+
+
+def at_bar(text: str) -> Expectation:
+    """What is expected at the `|` of a text."""
+    before, after = text.split("|")
+    return expected_at(Document((before + after).encode()), len(before.encode()))
+
+
+@pytest.mark.parametrize(
+    ("text", "slot", "prefix"),
+    [
+        ("subscribe |", "node", ""),
+        ("subscribe li|", "node", "li"),
+        ("subscribe listener to |", "topic", ""),
+        ("subscribe listener to 'cha|", "topic", "'cha"),
+        ("subscribe listener to 'cha|tter' of message_type String", "topic", "'cha"),
+        ("subscribe listener to 'cha| of message_type String", "topic", "'cha"),
+        ("subscribe n to 't' of message_type |", "type", ""),
+        ("subscribe n to 't' of message_type geometry_msgs/|", "type", "geometry_msgs/"),
+        ("subscribe n to 't' of message_type geometry_msgs/Tw|", "type", "geometry_msgs/Tw"),
+        ("subscribe n to 't' of message_type String calling |", "function", ""),
+        ("n publish |", "message", ""),
+        ("n publish m to 't' of message_type String at |", "rate", ""),
+        ("create_node 't' as |", "variable", ""),
+        ("create_node 't' as t using ro|", "library", "ro"),
+        ("load |", "source", ""),
+        ("load 'scr|", "source", "'scr"),
+        ("generate_node |\nsubscribe n to 't' of message_type String\n", "node", ""),
+        ("/* a\nb */ subscribe |", "node", ""),
+        ("subscribe /* who */ |", "node", ""),
+        ("unsubscribe é |", None, ""),
+    ],
+)
+def test_slot(text: str, slot: str | None, prefix: str) -> None:
+    expected = at_bar(text)
+    assert (expected.slot.name if expected.slot else None, expected.prefix) == (slot, prefix)
+
+
+@pytest.mark.parametrize(
+    ("text", "keywords"),
+    [
+        ("|", FIRST_WORDS),
+        ("sub|", FIRST_WORDS),
+        ("create_node 'a' as a\n|\nload b as b", FIRST_WORDS),
+        ("talker |", VERBS),
+        ("talker pub|", VERBS),
+        ("subscribe n |", ("to",)),
+        ("subscribe n to 't' o|", ("of",)),
+        ("subscribe n to 't' of |", ("message_type",)),
+        ("subscribe n to 't' of message_type String |", ("calling",)),
+        ("n publish m to 't' of message_type String at 5 |", ("hz",)),
+        ("create_message m of message_type Point and input |", ("none",)),
+        ("create_message m of message_type Point and input 1, |", ()),
+        ('create_message m of message_type String and input "no|', ()),
+        ("subscribe n foo |", ()),
+        ("generate_node n using rospy |", ()),
+        ("// subscribe |", ()),
+        ("subscribe /* n| */", ()),
+        ("subscribe n // |", ()),
+    ],
+)
+def test_keywords(text: str, keywords: tuple[str, ...]) -> None:
+    assert at_bar(text).keywords == keywords
+
+
+@pytest.mark.parametrize(
+    ("values", "place"),
+    [
+        ("|", ValuePlace()),
+        ("1, |", ValuePlace(index=1)),
+        ("x=1, |", ValuePlace(index=1, used=frozenset({"x"}))),
+        ("linear.|", ValuePlace()),
+        ("linear.x=|", ValuePlace(name="linear.x", used=frozenset({"linear.x"}))),
+        ("(|", ValuePlace(path=(0,))),
+        ("(1,2,3), (1, |", ValuePlace(path=(1,), index=1)),
+        ("linear=(x=1, |", ValuePlace(path=("linear",), index=1, used=frozenset({"x"}))),
+        ("linear=(1,2,3), |", ValuePlace(index=1, used=frozenset({"linear"}))),
+        ("ranges=[1, |", ValuePlace(path=("ranges",), index=1, is_list=True)),
+        ('"(', ValuePlace(is_text=True)),
+    ],
+)
+def test_place_in_values(values: str, place: ValuePlace) -> None:
+    text = f"create_message m of message_type T and input {values}"
+    assert at_bar(text if "|" in text else text + "|").values == place
+
+
+def test_span_is_the_whole_word() -> None:
+    expected = at_bar("subscribe lis|tener to 'chatter'")
+    assert tuple(expected.span) == (10, 18)
+    assert expected.prefix == "lis"
+
+
+def test_filled_slots_are_those_before() -> None:
+    expected = at_bar("subscribe n to 'topic' of message_type |")
+    assert expected.filled == {"node": "n", "topic": "'topic'"}
+
+
+def test_the_statement_is_known_by_its_keyword_wherever_the_place_is() -> None:
+    for text in ("talker| publish m", "|talker publish m", "talker publish m|"):
+        declaration = at_bar(text).declaration
+        assert declaration is not None
+        assert declaration.keyword == "publish"
+
+
+def test_every_place_of_every_prefix_of_a_program_has_an_answer() -> None:
+    line = "n client_requests 's' of service_type a/srv/B with input x=(1,[2]), \"é\" // c"
+    for cut in range(len(line) + 1):
+        document = Document(line[:cut].encode())
+        for offset in range(len(document.text) + 1):
+            expected = expected_at(document, offset)
+            assert 0 <= expected.span.start <= offset <= expected.span.end
