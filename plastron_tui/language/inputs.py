@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import NamedTuple, TypeAlias
 
 from tree_sitter import Node
@@ -20,9 +19,6 @@ STRING_CONTENT = kind_id("string_content")
 COMMENTS = frozenset({kind_id("line_comment"), kind_id("block_comment")})
 
 _ESCAPES = {'\\"': '"', "\\\\": "\\", "\\n": "\n", "\\t": "\t"}
-
-Slice = Callable[[int, int], str]
-"""Returns the text between two byte offsets."""
 
 
 class Literal(NamedTuple):
@@ -70,56 +66,56 @@ class TooDeep(Exception):  # noqa: N818 - control flow, from a value to the stat
         self.syntax = syntax
 
 
-def lower_input(node: Node, text: Slice) -> Input:
+def lower_input(node: Node, source: bytes) -> Input:
     """Lower what stands after the word `input`.
 
     Raises:
         TooDeep: the values are nested deeper than `DEEPEST_NESTING`.
     """
-    return _arguments(node, text, 0) if node.kind_id == ARGUMENTS else ()
+    return _arguments(node, source, 0) if node.kind_id == ARGUMENTS else ()
 
 
-def _arguments(node: Node, text: Slice, depth: int) -> tuple[Argument, ...]:
+def _arguments(node: Node, source: bytes, depth: int) -> tuple[Argument, ...]:
     return tuple(
         [
-            _named(child, text, depth)
+            _named(child, source, depth)
             if child.kind_id == NAMED_ARGUMENT
-            else _value(child, text, depth)
+            else _value(child, source, depth)
             for child in node.named_children
             if child.kind_id not in COMMENTS
         ]
     )
 
 
-def _named(node: Node, text: Slice, depth: int) -> NamedArgument:
+def _named(node: Node, source: bytes, depth: int) -> NamedArgument:
     path = node.child_by_field_name("field")
     value = node.child_by_field_name("value")
     assert path is not None and value is not None  # a node without errors has both
     names = tuple(
-        text(part.start_byte, part.end_byte)
+        source[part.start_byte : part.end_byte].decode()
         for part in path.named_children
         if part.kind_id not in COMMENTS
     )
-    return NamedArgument(names, _value(value, text, depth), node)
+    return NamedArgument(names, _value(value, source, depth), node)
 
 
-def _value(node: Node, text: Slice, depth: int) -> InputValue:
+def _value(node: Node, source: bytes, depth: int) -> InputValue:
     kind = node.kind_id
     if kind == NUMBER:
-        return Literal(lower_number(text(node.start_byte, node.end_byte)), node)
+        return Literal(lower_number(source[node.start_byte : node.end_byte]), node)
     if kind == STRING:
-        return Literal(_string(node, text), node)
+        return Literal(_string(node, source), node)
     if kind == BOOLEAN:
-        return Literal(text(node.start_byte, node.end_byte) == "True", node)
+        return Literal(source[node.start_byte : node.end_byte] == b"True", node)
     if depth == DEEPEST_NESTING:
         raise TooDeep(node)
     children = [child for child in node.named_children if child.kind_id not in COMMENTS]
     if kind == LIST:
-        return ListValue(tuple([_value(child, text, depth + 1) for child in children]), node)
-    return NestedValue(_arguments(children[0], text, depth + 1) if children else (), node)
+        return ListValue(tuple([_value(child, source, depth + 1) for child in children]), node)
+    return NestedValue(_arguments(children[0], source, depth + 1) if children else (), node)
 
 
-def lower_number(text: str) -> int | float:
+def lower_number(text: bytes) -> int | float:
     """Return the number that a text says; one too large for a float is infinite."""
     try:
         return int(text)
@@ -127,11 +123,11 @@ def lower_number(text: str) -> int | float:
         return float(text)
 
 
-def _string(node: Node, text: Slice) -> str:
+def _string(node: Node, source: bytes) -> str:
     parts = []
     has_surrogates = False
     for part in node.named_children:
-        written = text(part.start_byte, part.end_byte)
+        written = source[part.start_byte : part.end_byte].decode()
         if part.kind_id == STRING_CONTENT:
             parts.append(written)
         elif written in _ESCAPES:

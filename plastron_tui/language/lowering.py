@@ -40,6 +40,9 @@ class _Lowered(Enum):
     INPUT = auto()
 
 
+# Looking a member up in its class costs as much as lowering a word.
+_TEXT, _QUOTED, _INPUT = _Lowered.TEXT, _Lowered.QUOTED, _Lowered.INPUT
+
 _BY_SLOT_KIND = {
     SlotKind.RATE: _Lowered.NUMBER,
     SlotKind.INPUT: _Lowered.INPUT,
@@ -71,17 +74,6 @@ def lower(document: Document) -> Program:
     """
     source = document.text
     root = document.tree.root_node
-    if source.isascii():
-        text = source.decode("ascii").__getitem__
-
-        def read(start: int, end: int) -> str:
-            return text(slice(start, end))
-
-    else:
-
-        def read(start: int, end: int) -> str:
-            return source[start:end].decode("utf-8", "replace")
-
     found: list[Statement] = []
     broken: list[Node] = []
     too_deep: list[Diagnostic] = []
@@ -91,10 +83,10 @@ def lower(document: Document) -> Program:
             plan = _PLANS.get(node.kind_id)
             if plan is not None and not node.has_error:
                 try:
-                    found.append(_lower_statement(node, plan, read))
+                    found.append(_lower_statement(node, plan, source))
                 except TooDeep as problem:
                     too_deep.append(_too_deep(problem.syntax))
-                    unread.update(_variables(node, read))
+                    unread.update(_variables(node, source))
             elif node.kind_id not in COMMENTS:
                 broken.append(node)
     if not broken:
@@ -124,12 +116,12 @@ def _too_deep(syntax: Node) -> Diagnostic:
     )
 
 
-def _variables(node: Node, text: Callable[[int, int], str]) -> Iterator[str]:
+def _variables(node: Node, source: bytes) -> Iterator[str]:
     """Yield what a statement that has no effect names: variables, and names without quotes."""
     for field in ("variable", "node", "service"):
         child = node.child_by_field_name(field)
         if child is not None:
-            yield text(child.start_byte, child.end_byte).strip("'")
+            yield source[child.start_byte : child.end_byte].decode().strip("'")
 
 
 def _rows(node: Node) -> range:
@@ -145,22 +137,22 @@ def _flattened(root: Node) -> Iterator[Node]:
             yield node
 
 
-def _lower_statement(node: Node, plan: _Plan, text: Callable[[int, int], str]) -> Statement:
+def _lower_statement(node: Node, plan: _Plan, source: bytes) -> Statement:
     make, slots = plan
     values: list[Any] = [node]
     for field, how in slots:
         child = node.child_by_field_id(field)
         if child is None:
             values.append(None)
-        elif how is _Lowered.TEXT:
-            values.append(text(child.start_byte, child.end_byte))
-        elif how is _Lowered.QUOTED:
-            values.append(text(child.start_byte + 1, child.end_byte - 1))
-        elif how is _Lowered.INPUT:
-            values.append(lower_input(child, text))
+        elif how is _TEXT:
+            values.append(source[child.start_byte : child.end_byte].decode())
+        elif how is _QUOTED:
+            values.append(source[child.start_byte + 1 : child.end_byte - 1].decode())
+        elif how is _INPUT:
+            values.append(lower_input(child, source))
         elif how is _Lowered.NUMBER:
-            values.append(lower_number(text(child.start_byte, child.end_byte)))
+            values.append(lower_number(source[child.start_byte : child.end_byte]))
         else:
-            written = text(child.start_byte, child.end_byte)
+            written = source[child.start_byte : child.end_byte].decode()
             values.append(written[1:-1] if child.type == "path" else written)
     return make(*values)

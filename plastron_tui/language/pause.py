@@ -11,7 +11,8 @@ from contextlib import contextmanager
 def collection_paused() -> Iterator[None]:
     """Keep the collector from walking, over and over, what a pass has made so far.
 
-    Without it the time of a statement grows with the length of the program.
+    Without it the time of a statement grows with the length of the program. What was made goes
+    straight to the oldest generation, as the next collection would put it there after walking it.
     """
     was_enabled = gc.isenabled()
     gc.disable()
@@ -19,4 +20,6 @@ def collection_paused() -> Iterator[None]:
         yield
     finally:
         if was_enabled:
+            gc.freeze()
+            gc.unfreeze()
             gc.enable()
