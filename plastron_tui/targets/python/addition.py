@@ -29,6 +29,7 @@ from .place import (
     function_place,
     is_attribute_style,
     method_place,
+    running_place,
 )
 from .references import identifiers
 from .removal import callback_scope
@@ -153,6 +154,9 @@ def plan_addition(
     if place is None:
         message = f"the file has no line behind which it could create `{name}`"
         raise CannotAddError("edit-refused", message, endpoint.span)
+    sends = isinstance(endpoint, Publisher) and bool(endpoint.publications)
+    if sends or (isinstance(endpoint, Client) and endpoint.requests):
+        place = running_place(analysis, place)
     added = Addition(analysis, kind, endpoint, name, place, writer, imports, messages, dialect)
     lines: list[str] = []
     if present:

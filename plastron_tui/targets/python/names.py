@@ -21,6 +21,10 @@ _CLASS_LOADERS = frozenset({"roslib.message.get_message_class", "roslib.message.
 _KINDS = ("msg", "srv", "action")
 
 
+NODE = "a node"
+"""What the qualified name of a node of the client library itself stands for."""
+
+
 @dataclass(frozen=True, slots=True)
 class Instance:
     """An object of a class: one of the file (`scope`), or an imported one (`qualified`)."""
@@ -37,6 +41,7 @@ class Resolver:
     ) -> None:
         self._syntax = syntax
         self._ros = library.distribution
+        self._node_makers = library.node_classes | library.node_calls.keys()
         self._scopes = scopes
         self._calls = calls
         self._callers: dict[str, list[Node]] | None = None
@@ -194,6 +199,12 @@ class Resolver:
             return self.instance(node.named_children[0], scope, depth + 1)
         if node.type == "call":
             return self._made_by(node, scope)
+        if node.type in ("conditional_expression", "boolean_operator"):
+            # `node or create_node('x')`: what is known of one side is meant of the other.
+            parts = operands(node)
+            sides = [self.instance(side, scope, depth + 1) for side in (parts[0], parts[-1])]
+            known = {side for side in sides if side is not None}
+            return known.pop() if len(known) == 1 else None
         bindings: list[Binding] = []
         if node.type == "identifier":
             name = self._syntax.slice(node)
@@ -257,6 +268,8 @@ class Resolver:
                 if binding.kind is BindingKind.CLASS:
                     return Instance(binding.owner)
         names = self.qualified(node, scope)
+        if any(name in self._node_makers for name in names):
+            return Instance(None, NODE)
         return Instance(None, names[0]) if names else None
 
     def fold(self, node: Node | None, scope: Scope, depth: int = 0) -> Folded:

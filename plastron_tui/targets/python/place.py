@@ -90,6 +90,16 @@ def _once_named(analysis: Analysis, place: Place) -> Place:
     return place
 
 
+def running_place(analysis: Analysis, place: Place) -> Place:
+    """Return a place for what starts a timer: a module runs before a function calls `init_node`."""
+    if analysis.library.node_classes or place.scope.parent is not None:
+        return place
+    for node in analysis.nodes:
+        if node.call is not None and node.scope.enclosing("function") is not None:
+            return _behind_node(analysis, node) or place
+    return place
+
+
 def _callbacks(analysis: Analysis) -> set[int]:
     found = set()
     for site in analysis.sites:

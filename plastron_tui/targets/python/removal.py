@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
 from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind, Remove
 
+from .arguments import Arguments
+from .calls import Argument
+from .constants import Known
+from .creation import Removal, line_of, remove_creation
 from .generated import is_calling_function, is_own_call, is_publishing_function, is_stub
 from .imports import unused_imports
 from .references import (
@@ -18,33 +20,10 @@ from .references import (
     is_member,
     references,
     statement_of,
-    variable_of,
 )
 from .scopes import BindingKind, Scope
 from .sites import Analysis, Site, callback_target
-from .splices import Splice, delete_item, delete_statements
-
-_USED_AT_ONCE = {
-    EndpointKind.PUBLISHER: frozenset({"publish"}),
-}
-_SEQUENCES = frozenset({"pattern_list", "tuple_pattern", "list_pattern"})
-
-
-@dataclass(slots=True)
-class Removal:
-    """What a removal deletes, or the lines that stand in its way.
-
-    Attributes:
-        statements: the statements that go.
-        splices: what goes besides.
-        sites: the call sites that go; with those asked for, timers of Plastron's own.
-        lines: the lines that use the endpoint in a way that a removal cannot mend.
-    """
-
-    statements: list[Node] = field(default_factory=list)
-    splices: list[Splice] = field(default_factory=list)
-    sites: list[Site] = field(default_factory=list)
-    lines: set[int] = field(default_factory=set)
+from .splices import Splice, delete_statements
 
 
 def find_sites(analysis: Analysis, change: Remove) -> list[Site]:
@@ -59,12 +38,13 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
     removal = Removal(sites=list(sites))
     variables: dict[Variable, None] = {}
     for site in sites:
-        for variable in _remove_creation(analysis, site, removal):
+        for variable in remove_creation(analysis, site, removal):
             variables[variable] = None
     for variable in variables:
         _remove_uses(analysis, variable, sites, removal)
     if removal.lines:
         return removal
+    removal.statements += _waits(analysis, sites)
     gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
     callbacks = _stub_callbacks(analysis, removal.sites, gone)
     removal.statements += callbacks
@@ -74,160 +54,26 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
     return removal
 
 
-def _line(node: Node) -> int:
-    return int(node.start_point.row) + 1
+def _waits(analysis: Analysis, sites: list[Site]) -> list[Node]:
+    """Return the statements that wait for a service that nothing calls any more.
 
-
-def _remove_creation(analysis: Analysis, site: Site, removal: Removal) -> list[Variable]:
-    """Remove the statement that creates an endpoint; return the variables that hold it."""
-    value, parent = site.call, site.call.parent
-    while parent is not None and parent.type == "parenthesized_expression":
-        value, parent = parent, parent.parent
-    if parent is None:
-        return []
-    if parent.type == "expression_statement" and parent.named_child_count == 1:
-        removal.statements.append(parent)
-        return []
-    if parent.type == "attribute" and (chain := _chain(analysis, site, parent)) is not None:
-        removal.statements.append(chain)
-        return []
-    if parent.type == "assignment":
-        return _remove_assignment(analysis, parent, removal)
-    if parent.type in ("expression_list", "tuple", "list"):
-        return _remove_element(analysis, value, parent, removal)
-    if parent.type == "argument_list" and _is_append(analysis, parent):
-        return _remove_append(analysis, parent, removal)
-    removal.lines.add(_line(site.call))
-    return []
-
-
-def _chain(analysis: Analysis, site: Site, attribute: Node) -> Node | None:
-    """Return the statement of `Publisher(…).publish(…)`."""
-    name = attribute.child_by_field_name("attribute")
-    call = attribute.parent
-    statement = call.parent if call is not None else None
-    is_use = name is not None and analysis.syntax.slice(name) in _USED_AT_ONCE.get(
-        site.endpoint.kind, ()
-    )
-    is_statement = (
-        statement is not None
-        and statement.type == "expression_statement"
-        and statement.named_child_count == 1
-        and call is not None
-        and call.type == "call"
-    )
-    return statement if is_use and is_statement else None
-
-
-def _remove_assignment(analysis: Analysis, assignment: Node, removal: Removal) -> list[Variable]:
+    Where the service is not there they would keep the node waiting for ever.
+    """
+    names = {site.endpoint.name for site in sites if site.endpoint.kind is EndpointKind.CLIENT}
     found = []
-    outermost: Node | None = assignment
-    while outermost is not None and outermost.type == "assignment":
-        target = outermost.child_by_field_name("left")
-        variable = variable_of(target, analysis) if target is not None else None
-        if variable is None:
-            removal.lines.add(_line(assignment))
-            return []
-        found.append(variable)
-        if outermost.parent is not None and outermost.parent.type == "expression_statement":
-            removal.statements.append(outermost.parent)
-            return found
-        outermost = outermost.parent
-    removal.lines.add(_line(assignment))
-    return []
-
-
-def _remove_element(
-    analysis: Analysis, value: Node, sequence: Node, removal: Removal
-) -> list[Variable]:
-    """Remove one of several values that a statement assigns to as many targets."""
-    assignment = sequence.parent
-    target = assignment.child_by_field_name("left") if assignment is not None else None
-    text = analysis.syntax.text
-    if assignment is None or target is None or assignment.type != "assignment":
-        removal.lines.add(_line(value))
-        return []
-    values = [child for child in sequence.named_children if child.type != "comment"]
-    if target.type not in _SEQUENCES:
-        return _remove_from_list(analysis, value, values, target, removal)
-    targets = [child for child in target.named_children if child.type != "comment"]
-    index = next(i for i, other in enumerate(values) if other.id == value.id)
-    variable = variable_of(targets[index], analysis) if len(targets) == len(values) else None
-    is_plain = len(values) > 1 and _brackets(text, target) == _brackets(text, sequence)
-    is_alone = assignment.parent is not None and assignment.parent.type == "expression_statement"
-    if variable is None or not is_plain or not is_alone:
-        removal.lines.add(_line(value))
-        return []
-    siblings = [site.call.id for site in removal.sites]
-    if all(other.id in siblings for other in values):
-        removal.statements.append(assignment.parent)  # type: ignore[arg-type]
-    else:
-        removal.splices.append(delete_item(text, targets, targets[index]))
-        removal.splices.append(delete_item(text, values, value))
-    return [variable]
-
-
-def _brackets(text: bytes, node: Node) -> bytes:
-    first = text[node.start_byte : node.start_byte + 1]
-    has_brackets = node.type not in ("pattern_list", "expression_list")
-    return first if has_brackets else b""
-
-
-def _remove_from_list(
-    analysis: Analysis, value: Node, values: list[Node], target: Node, removal: Removal
-) -> list[Variable]:
-    """Remove an item of a list that only keeps its items alive."""
-    variable = variable_of(target, analysis)
-    is_kept = variable is not None and all(
-        reference.use in (Use.BINDING, Use.NOTHING) for reference in references(variable, analysis)
-    )
-    is_tuple = value.parent is not None and value.parent.type != "list"
-    if not is_kept or (is_tuple and len(values) < 3):
-        removal.lines.add(_line(value))
-        return []
-    removal.splices.append(delete_item(analysis.syntax.text, values, value))
-    return []
-
-
-def _is_append(analysis: Analysis, arguments: Node) -> bool:
-    call = arguments.parent
-    callee = call.child_by_field_name("function") if call is not None else None
-    name = callee.child_by_field_name("attribute") if callee is not None else None
-    return (
-        name is not None
-        and analysis.syntax.slice(name) == "append"
-        and arguments.named_child_count == 1
-        and call is not None
-        and call.parent is not None
-        and call.parent.type == "expression_statement"
-    )
-
-
-def _remove_append(analysis: Analysis, arguments: Node, removal: Removal) -> list[Variable]:
-    """Remove `items.append(…)` where no item is taken from the list by its place."""
-    statement = statement_of(arguments)
-    callee = arguments.parent.child_by_field_name("function") if arguments.parent else None
-    holder = callee.child_by_field_name("object") if callee is not None else None
-    variable = variable_of(holder, analysis) if holder is not None else None
-    if variable is None:
-        removal.lines.add(_line(arguments))
-        return []
-    others = [
-        reference
-        for reference in references(variable, analysis)
-        if reference.use is Use.OTHER and not _is_append_reference(analysis, reference)
-    ]
-    if others:
-        removal.lines.update(_line(reference.node) for reference in others)
-    removal.statements.append(statement)
-    return []
-
-
-def _is_append_reference(analysis: Analysis, reference: Reference) -> bool:
-    attribute = reference.node.parent
-    call = attribute.parent if attribute is not None else None
-    arguments = call.child_by_field_name("arguments") if call is not None else None
-    return arguments is not None and _is_append(analysis, arguments)
+    for call in analysis.captures.get("call", []) if names else []:
+        statement = call.parent
+        if statement is None or statement.type != "expression_statement":
+            continue
+        scope = analysis.scopes.at(call.start_byte)
+        callee = call.child_by_field_name("function")
+        if "rospy.wait_for_service" not in analysis.resolver.qualified(callee, scope):
+            continue
+        given = Arguments.of(call, analysis.syntax).get(Argument(0, "service"))
+        folded = analysis.resolver.fold(given, scope)
+        if isinstance(folded, Known) and folded.value is not None and folded.value in names:
+            found.append(statement)
+    return found
 
 
 def _remove_uses(
@@ -251,9 +97,9 @@ def _remove_uses(
         elif reference.use is Use.BARE or is_own_call(analysis, reference):
             removal.statements.append(reference.statement)
         elif reference.use is Use.BINDING:
-            rebound.add(_line(reference.node))
+            rebound.add(line_of(reference.node))
         elif reference.use is not Use.NOTHING:
-            removal.lines.add(_line(reference.node))
+            removal.lines.add(line_of(reference.node))
     # What the variable holds besides matters only where something is done with it.
     removal.lines |= rebound if publishing or removal.lines else set()
     calls = {site.call.id for site in sites}
@@ -267,7 +113,7 @@ def _remove_uses(
             < reference.statement.end_byte
         ]
         if inside:
-            removal.lines.add(_line(reference.node))
+            removal.lines.add(line_of(reference.node))
     _remove_publishing(analysis, variable, publishing, removal)
 
 

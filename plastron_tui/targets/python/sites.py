@@ -14,7 +14,7 @@ from plastron_tui.ros.interfaces import InterfaceName
 from .arguments import Arguments
 from .calls import Argument, CallShape, ClientLibrary
 from .constants import Defaulted, Known
-from .names import Resolver
+from .names import NODE, Resolver
 from .scopes import Scope, ScopeTree, build_scopes
 from .syntax import Syntax, parse
 
@@ -227,18 +227,25 @@ class _Finder:
         instance = resolver.instance(holder, scope)
         if instance is not None:
             if instance.qualified:
-                return instance.qualified in self._node_classes | self._node_calls.keys()
+                return instance.qualified == NODE
             owner = instance.scope
             if owner is not None and resolver.derives_from(owner, self._node_classes):
                 return True
-            if owner is None or not self._is_typed(shape, arguments, scope):
-                return False
-            return self._may_be_node(owner) or self.heir(owner) is not None
+            return owner is not None and self._is_mixin(owner, shape, arguments, scope)
         if holder.type == "call" and self._is_super(holder, scope):
             return True
         if not self._is_called_node(holder, scope):
             return False
         return shape.type is None or self._is_typed(shape, arguments, scope)
+
+    def _is_mixin(self, owner: Scope, shape: CallShape, arguments: Arguments, scope: Scope) -> bool:
+        """Whether the method must be that of a node, which another class or file brings in."""
+        scopes = [owner, *self._a.resolver.base_scopes(owner)]
+        if any(name in each.bindings for each in scopes for name in shape.callees):
+            return False
+        if self.heir(owner) is not None or not self._a.resolver.foreign_bases(owner):
+            return not any(base.type == "call" for each in scopes for base in each.bases)
+        return self._may_be_node(owner) and self._is_typed(shape, arguments, scope)
 
     def _is_super(self, holder: Node, scope: Scope) -> bool:
         callee = holder.child_by_field_name("function")
