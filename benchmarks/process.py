@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 from .row import Row, paired
+
+# Installed packages are compiled once; so is a checkout, where the environment allows it.
+_ENVIRON = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
 
 EXAMPLES = sorted(Path(__file__).parent.parent.joinpath("examples").glob("*.plastron"))
 
@@ -25,4 +29,4 @@ def rows() -> Iterator[Row]:
 
 
 def _run(command: list[str]) -> None:
-    subprocess.run(command, check=True, capture_output=True)
+    subprocess.run(command, check=True, capture_output=True, env=_ENVIRON)
