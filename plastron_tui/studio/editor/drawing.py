@@ -20,7 +20,7 @@ from .state import TextState
 _OVERSCAN = 8
 
 
-class DrawnText(ScrollView):
+class DrawnText(ScrollView, inherit_bindings=False):
     """Draws the rows of a `TextState`, with all that lies over them."""
 
     soft_wrap: reactive[bool] = reactive(False)

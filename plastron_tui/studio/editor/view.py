@@ -20,7 +20,7 @@ from .state import Edited, TextState
 _WIDTH_STEP = 32
 
 
-class EditorView(DrawnText, can_focus=True):
+class EditorView(DrawnText, can_focus=True, inherit_bindings=False):
     """Draws a `TextState`, and tells of keys and of the mouse."""
 
     DEFAULT_CSS = """

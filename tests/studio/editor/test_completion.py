@@ -1,0 +1,209 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from editor_host import editing
+from textual.geometry import Offset
+
+from plastron_tui.language.expectations import expected_at
+from plastron_tui.session import Session
+from plastron_tui.studio.editor.completion import Candidate, Vocabulary, candidates, detail_of
+
+PROGRAM = """\
+create_node 'talker' as talker
+create_node 'adder' as adder using rclpy
+create_message hello of message_type String and input "hello"
+create_message here of message_type Point and input 1,2,3
+talker publish hello to 'chatter' of message_type String
+subscribe talker to 'places' of message_type Point
+adder provides_service 'add' of service_type AddTwoInts
+"""
+
+
+def offered(line: str, program: str = PROGRAM, path: Path | None = None) -> list[Candidate]:
+    """What is offered at the end of a line below a program, or at its `|`."""
+    before, _, after = line.partition("|")
+    session = Session((program + before + after + "\n").encode(), path, environ={})
+    known = Session(program.encode(), path, environ={})
+    expected = expected_at(session.document, len((program + before).encode()))
+    return candidates(expected, Vocabulary(known.program, known.workspace), session)
+
+
+def texts(line: str) -> list[str]:
+    return [candidate.text for candidate in offered(line)]
+
+
+@pytest.mark.parametrize(
+    ("line", "first"),
+    [
+        ("cre", ["create_node", "create_message"]),
+        ("ta", ["talker"]),
+        ("talker stop_r", ["stop_request"]),
+        ("subscribe talker ", ["to"]),
+        ("subscribe ", ["talker", "adder"]),
+        ("talker publish ", ["hello", "here"]),
+        ("talker publish he", ["hello", "here"]),
+        ("talker publish here to ", ["'places'", "'chatter'"]),
+        ("subscribe talker to 'pl", ["'places'"]),
+        ("unsubscribe talker from ", ["'places'"]),
+        ("talker stop_publishing to ", ["'chatter'"]),
+        ("adder stop_service ", ["'add'"]),
+        ("talker client_requests ", ["'add'"]),
+        ("subscribe talker to 'chatter' of message_type ", ["String"]),
+        ("talker publish here to 'new' of message_type ", ["Point"]),
+        ("create_message m of message_type Twi", ["Twist", "TwistStamped"]),
+        ("create_message m of message_type geometry_msgs/Tw", ["geometry_msgs/Twist"]),
+        ("create_message m of message_type nav_msgs/", ["nav_msgs/GetMapAction"]),
+        ("talker provides_service 'x' of service_type SetB", ["SetBool"]),
+        ("generate_node talker using rc", ["rclpy", "rclcpp"]),
+        ("create_node 'listener' as ", ["listener"]),
+        ("create_message m of message_type Twist and input ", ["linear", "angular", "none"]),
+        ("create_message m of message_type Twist and input linear.", ["linear.x", "linear.y"]),
+        ("create_message m of message_type Twist and input linear=(", ["x", "y", "z"]),
+        ("create_message m of message_type Twist and input (1,2,3), (x=1, ", ["y", "z"]),
+        ("create_message m of message_type Point and input x=1, ", ["y", "z"]),
+        ("talker client_requests 's' of service_type SetBool with input ", ["True", "False"]),
+        ("talker client_requests 's' of service_type SetBool with input data=", ["True", "False"]),
+    ],
+)
+def test_offered(line: str, first: list[str]) -> None:
+    assert texts(line)[: len(first)] == first
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "// cre",
+        "create_node 'ta",
+        "create_node 'talker' as ",
+        'create_message m of message_type String and input "he',
+        "talker publish hello to 'c' of message_type String at ",
+        "subscribe talker oops ",
+        "create_message m of message_type Nothing and input ",
+    ],
+)
+def test_nothing_is_offered(line: str) -> None:
+    assert [text for text in texts(line) if text != "none"] == []
+
+
+def test_a_type_that_packages_share_is_offered_with_its_package() -> None:
+    found = texts("create_message m of message_type ")
+    assert len(found) == len(set(found))
+    for text in found:
+        session = Session(
+            f"create_message m of message_type {text} and input none\n".encode(), environ={}
+        )
+        assert [problem for problem in session.diagnostics if "type" in problem.code] == []
+
+
+def test_the_fields_of_a_type_are_said() -> None:
+    line = "create_message m of message_type Poi"
+    session = Session((PROGRAM + line).encode(), environ={})
+    expected = expected_at(session.document, len(session.document.text))
+    names = Vocabulary(session.program, session.workspace)
+    found = next(entry for entry in candidates(expected, names, session) if entry.text == "Point")
+    assert detail_of(found, expected, names, session) == "x: float64, y: float64, z: float64"
+
+
+def test_files_that_can_be_loaded(tmp_path: Path) -> None:
+    (tmp_path / "output").mkdir()
+    (tmp_path / "output" / "talker_pub.py").touch()
+    (tmp_path / "my-driver.py").touch()
+    found = offered("load ", "", tmp_path / "a.plastron")
+    assert [entry.text for entry in found] == ["talker_pub", "'my-driver.py'"]
+
+
+class TestPopup:
+    async def test_tab_takes_the_first(self) -> None:
+        async with editing("") as at:
+            await at.type("create_n")
+            assert at.editor.popup.is_open
+            await at.press("tab")
+            assert at.marked == "create_node[]"
+            assert not at.editor.popup.is_open
+
+    async def test_enter_breaks_the_line_unless_an_entry_was_chosen(self) -> None:
+        async with editing("") as at:
+            await at.type("crea")
+            await at.press("enter")
+            assert at.editor.text == b"crea\n"
+            await at.type("crea")
+            await at.press("down", "enter")
+            assert at.editor.text == b"crea\ncreate_message"
+
+    async def test_escape_closes_it_and_up_chooses_the_last(self) -> None:
+        async with editing("") as at:
+            await at.type("s")
+            await at.press("escape")
+            assert not at.editor.popup.is_open
+            await at.press("ctrl+@", "up")
+            current = at.editor.popup.current
+            assert current is not None
+            assert current == at.editor.popup.candidates[-1]
+
+    async def test_a_topic_brings_its_type(self) -> None:
+        async with editing(PROGRAM, cursor=len(PROGRAM)) as at:
+            await at.understand()
+            await at.type("subscribe talker to 'ch")
+            await at.press("tab")
+            last = at.editor.text.decode().splitlines()[-1]
+            assert last == "subscribe talker to 'chatter' of message_type String"
+
+    async def test_within_quotes_only_the_name_is_replaced(self) -> None:
+        text = PROGRAM + "subscribe talker to 'cha' of message_type Point\n"
+        async with editing(text, cursor=text.index("cha'") + 3) as at:
+            await at.understand()
+            await at.press("ctrl+@", "tab")
+            last = at.editor.text.decode().splitlines()[-1]
+            assert last == "subscribe talker to 'chatter' of message_type Point"
+
+    async def test_an_open_quote_keeps_what_follows(self) -> None:
+        text = PROGRAM + "subscribe talker to 'cha of message_type Point\n"
+        async with editing(text, cursor=text.index("cha of") + 3) as at:
+            await at.understand()
+            await at.press("ctrl+@", "tab")
+            last = at.editor.text.decode().splitlines()[-1]
+            assert last == "subscribe talker to 'chatter' of message_type Point"
+
+    async def test_it_narrows_and_widens_with_the_word(self) -> None:
+        async with editing("") as at:
+            await at.type("stop")
+            assert not at.editor.popup.is_open
+            await at.press(*["backspace"] * 4)
+            await at.type("c")
+            wide = len(at.editor.popup.candidates)
+            await at.type("reate_m")
+            assert len(at.editor.popup.candidates) < wide
+            await at.press(*["backspace"] * 7)
+            assert len(at.editor.popup.candidates) == wide
+
+    async def test_it_is_drawn_by_the_word_within_the_view(self) -> None:
+        async with editing("\n" * 30, size=(40, 10)) as at:
+            await at.type("create_")
+            assert at.lines[1].lstrip().startswith("create_node")
+            await at.press("escape", "ctrl+end")
+            await at.type("create_")
+            row = next(y for y, line in enumerate(at.lines) if line.endswith("create_"))
+            assert at.lines[row - 2].lstrip().startswith("create_node")
+
+    async def test_a_click_takes_an_entry(self) -> None:
+        async with editing("") as at:
+            await at.type("create_")
+            region = at.editor.popup.region
+            await at.pilot.click(at.editor.view, offset=Offset(region.x + 2, region.y + 1))
+            await at.pilot.pause()
+            assert at.editor.text == b"create_message"
+
+    async def test_it_does_not_come_on_an_empty_line_or_by_moving(self) -> None:
+        async with editing(PROGRAM) as at:
+            await at.press("end", "enter")
+            assert not at.editor.popup.is_open
+            await at.press("down", "right")
+            assert not at.editor.popup.is_open
+
+    async def test_taking_an_entry_is_one_step_to_undo(self) -> None:
+        async with editing("") as at:
+            await at.type("create_n")
+            await at.press("tab", "ctrl+z")
+            assert at.editor.text == b"create_n"
