@@ -27,13 +27,23 @@ _COMMANDS = {
     "graph": "Show nodes, topics and services.",
     "inspect": "Show what node files hold.",
     "run": "Start the nodes of a program.",
+    "serve": "Show the studio in a browser.",
     "shell": "Take one statement at a time.",
     "types": "List interface types, or show one.",
 }
 
+_STUDIO = "studio"
+"""The command that a file's name, or nothing at all, stands for."""
+
 
 class LazyGroup(click.Group):
     """A group that knows its commands' names and lines without importing them."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Open the studio where nothing is said in a terminal."""
+        if not args and not ctx.resilient_parsing and _has_terminal():
+            args = [_STUDIO]
+        return super().parse_args(ctx, args)
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Return the names of the commands."""
@@ -41,7 +51,7 @@ class LazyGroup(click.Group):
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """Import a command; None when there is none of that name."""
-        if cmd_name not in _COMMANDS:
+        if cmd_name not in _COMMANDS and cmd_name != _STUDIO:
             return None
         # Modules live as long as the process: the collector has nothing to find among them.
         gc.disable()
@@ -56,7 +66,9 @@ class LazyGroup(click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """Find the command of an argument list, and offer the nearest where there is none."""
         name = args[0]
-        if name not in _COMMANDS and not name.startswith("-"):
+        if _is_program(name):
+            args = [_STUDIO, *args]
+        elif name not in _COMMANDS and name != _STUDIO and not name.startswith("-"):
             ctx.fail(f"no command '{name}'{_hint(name)}")
         return super().resolve_command(ctx, args)
 
@@ -85,11 +97,20 @@ class LazyGroup(click.Group):
         return found + click.Command.shell_complete(self, ctx, incomplete)
 
 
+def _has_terminal() -> bool:
+    return all(stream is not None and stream.isatty() for stream in (sys.stdin, sys.stdout))
+
+
+def _is_program(name: str) -> bool:
+    """Tell whether an argument in the place of a command is a program to open."""
+    if name in _COMMANDS or name.startswith("-"):
+        return False
+    return name.endswith(".plastron") or os.path.isfile(name)  # noqa: PTH113 - a name with NUL
+
+
 def _hint(name: str) -> str:
     from plastron_tui.diagnostics import did_you_mean
 
-    if name.endswith(".plastron"):
-        return f"; to look for mistakes in a program: plastron check {name}"
     hint = did_you_mean(name, _COMMANDS)
     return "" if hint is None else f"; {hint.replace('`', chr(39))}"
 
@@ -97,11 +118,15 @@ def _hint(name: str) -> str:
 @click.group(
     cls=LazyGroup,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
-    epilog="Example: plastron generate talker.plastron",
+    subcommand_metavar="[FILE | COMMAND [ARGS]...]",
+    epilog="Examples: plastron talker.plastron    plastron generate talker.plastron",
 )
 @click.version_option(__version__, prog_name="plastron")
 def cli() -> None:
-    """Plastron: ROS nodes, described in sentences."""
+    """Plastron: ROS nodes, described in sentences.
+
+    With a FILE, or alone in a terminal, it opens the studio, to write programs.
+    """
 
 
 def main() -> None:

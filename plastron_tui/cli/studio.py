@@ -1,0 +1,34 @@
+"""`plastron [FILE]`: the studio."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import click
+
+from plastron_tui.session import Options
+
+from .common import output_option, target_option
+
+
+@click.command(
+    name="plastron",
+    epilog="Without FILE it opens with a welcome. All else is a command: see plastron --help.",
+)
+@click.argument("file", required=False, type=click.Path(path_type=Path, dir_okay=False))
+@output_option
+@target_option
+def command(file: Path | None, output: Path | None, target: str | None) -> None:
+    """Open the studio, with a program to write or to change."""
+    if not (sys.stdin.isatty() and sys.stdout.isatty()):
+        name = "FILE" if file is None else str(file)
+        click.echo(
+            f"error: the studio needs a terminal; without one: plastron check {name}", err=True
+        )
+        click.get_current_context().exit(2)
+    from plastron_tui.studio.app import run
+
+    status = run(file, Options(target, output))
+    if status:
+        click.get_current_context().exit(status)

@@ -1,0 +1,139 @@
+"""What a program means at one moment: the data that the panels show.
+
+It is made by a worker from a snapshot of the session, part by part as panels ask for it, and is
+read by everybody afterwards.
+"""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.language import Program
+from plastron_tui.model.graph import Graph, graph_of
+from plastron_tui.model.workspace import Workspace
+from plastron_tui.session import Session
+
+from .panels import outline
+from .panels.entry import Entries
+
+if TYPE_CHECKING:
+    from .panels.tones import Lines
+    from .preview import Preview
+
+_LARGE = 100_000
+"""From so many bytes on, a walk of Python's cycle collector takes longer than a key may."""
+
+
+@dataclass
+class Analysis:
+    """What follows from a text.
+
+    Attributes:
+        session: the snapshot that it was made from; only the worker asks it anything.
+        text: the program.
+        program: its statements.
+        workspace: what it builds.
+        graph: who meets whom.
+        diagnostics: what is wrong with it.
+        entries: the entries of the panels that are in sight, by the panel's name.
+        previews: the files of the nodes that were looked at, by the node's variable.
+        drawing: the graph, drawn, by the width that it was drawn for.
+    """
+
+    session: Session
+    text: bytes
+    program: Program
+    workspace: Workspace
+    graph: Graph
+    diagnostics: tuple[Diagnostic, ...]
+    entries: dict[str, Entries] = field(default_factory=dict)
+    previews: dict[str, tuple[Preview, ...]] = field(default_factory=dict)
+    drawing: Lines | None = None
+
+    def node_at(self, offset: int) -> str | None:
+        """Return the variable of the node that the statement at an offset is about."""
+        return self.nodes_by_place().get(self.text.count(b"\n", 0, offset))
+
+    def nodes_by_place(self) -> dict[int, str]:
+        """Return, by row, the variable of the node that a row's statement names."""
+        if self._places is None:
+            known = self.workspace.nodes
+            self._places = {}
+            for statement in self.program.statements:
+                name = getattr(statement, "node", None) or getattr(statement, "variable", None)
+                if name in known:
+                    self._places[statement.syntax.start_point.row] = name
+        return self._places
+
+    _places: dict[int, str] | None = None
+
+
+class Stale(Exception):  # noqa: N818 - no error: the text has changed meanwhile
+    """A newer text is there; what was begun is of no use."""
+
+
+def analyse(session: Session, check: Callable[[], None]) -> Analysis:
+    """Find out what a program means.
+
+    `check` is called between the steps, and raises `Stale` when there is a newer text.
+    """
+    _ = session.document.tree
+    check()
+    program = session.program
+    check()
+    workspace = session.workspace
+    diagnostics = session.diagnostics
+    check()
+    graph = graph_of(workspace)
+    analysis = Analysis(session, session.document.text, program, workspace, graph, diagnostics)
+    if len(analysis.text) > _LARGE:
+        # The collector would walk what is new at once, and stop the event loop meanwhile.
+        gc.freeze()
+    return analysis
+
+
+def add_entries(analysis: Analysis, panel: str) -> None:
+    """Make the entries of a panel, once."""
+    if panel in analysis.entries:
+        return
+    session, graph = analysis.session, analysis.graph
+    match panel:
+        case "nodes":
+            libraries = outline.libraries_of(graph.nodes, session.library)
+            made = outline.node_entries(analysis.workspace, libraries)
+        case "topics":
+            made = outline.topic_entries(graph)
+        case "services":
+            made = outline.service_entries(graph)
+        case "messages":
+            used: dict[str, list[str]] = {}
+            for topic in graph.topics:
+                for publisher in topic.publishers:
+                    for sending in publisher.sendings:
+                        used.setdefault(sending.message, []).append(topic.name)
+            made = outline.message_entries(analysis.workspace.messages, used)
+        case "problems":
+            made = outline.problem_entries(analysis.diagnostics, session.lines)
+        case _:
+            raise ValueError(panel)
+    analysis.entries[panel] = made
+
+
+def add_preview(analysis: Analysis, variable: str) -> None:
+    """Make the files that a node becomes, once."""
+    if variable not in analysis.previews:
+        from .preview import previews_of
+
+        analysis.previews[variable] = previews_of(analysis, variable)
+
+
+def add_drawing(analysis: Analysis) -> None:
+    """Draw the graph, once."""
+    if analysis.drawing is None:
+        from .panels.drawing import drawn
+
+        analysis.drawing = drawn(analysis.graph)

@@ -1,0 +1,138 @@
+"""The worker that finds out what the program means, in a thread of its own.
+
+It takes the newest request only, and posts what it found; it touches no widget.
+"""
+
+from __future__ import annotations
+
+import sys
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from textual.message import Message
+
+from plastron_tui.session import Session
+
+from .analysis import Analysis, Stale, add_drawing, add_entries, add_preview, analyse
+
+_SWITCH = 0.001
+"""Seconds after which a busy thread lets the event loop go on; Python's own are five times that."""
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """What is in sight, and so has to be known.
+
+    Attributes:
+        panels: the panels with entries.
+        preview: the variable of the node whose files are shown.
+        graph: whether the graph is.
+    """
+
+    panels: tuple[str, ...] = ()
+    preview: str | None = None
+    graph: bool = False
+
+
+class Analysed(Message):
+    """What a text means is known, or one more part of it."""
+
+    def __init__(self, analysis: Analysis, seconds: float) -> None:
+        super().__init__()
+        self.analysis = analysis
+        self.seconds = seconds
+
+    def can_replace(self, message: Message) -> bool:
+        """Let the newest stand for all."""
+        return isinstance(message, Analysed)
+
+
+class AnalysisFailed(Message):
+    """The worker met an error of Plastron's own."""
+
+    def __init__(self, error: BaseException) -> None:
+        super().__init__()
+        self.error = error
+
+
+class Analyst:
+    """Answers the newest question, in a thread."""
+
+    def __init__(self, post: Callable[[Message], object]) -> None:
+        self._post = post
+        self._condition = threading.Condition()
+        self._session: Session | None = None
+        self._wanted: Wanted | None = None
+        self._is_stopped = False
+        self._last: Analysis | None = None
+        self._thread = threading.Thread(target=self._run, name="analyst", daemon=True)
+        self._switch = sys.getswitchinterval()
+
+    def start(self) -> None:
+        """Start the thread."""
+        sys.setswitchinterval(_SWITCH)
+        self._thread.start()
+
+    def stop(self) -> None:
+        """Let the thread end after what it does now."""
+        with self._condition:
+            self._is_stopped = True
+            self._condition.notify()
+        sys.setswitchinterval(self._switch)
+
+    def join(self, seconds: float) -> None:
+        """Wait for the thread to end, so long at most."""
+        self._thread.join(seconds)
+
+    def ask(self, wanted: Wanted, session: Session | None = None) -> None:
+        """Ask what a snapshot means; None asks for more about the last one."""
+        with self._condition:
+            if session is not None:
+                self._session = session
+            self._wanted = wanted
+            self._condition.notify()
+
+    def _run(self) -> None:
+        while True:
+            with self._condition:
+                self._condition.wait_for(lambda: self._is_stopped or self._wanted is not None)
+                if self._is_stopped:
+                    return
+                session, wanted = self._session, self._wanted
+                self._session = self._wanted = None
+            try:
+                self._answer(session, wanted or Wanted())
+            except Stale:
+                continue
+            except Exception as error:
+                self._post(AnalysisFailed(error))
+
+    def _check(self) -> None:
+        if self._is_stopped or self._session is not None:
+            raise Stale
+
+    def _answer(self, session: Session | None, wanted: Wanted) -> None:
+        from time import perf_counter
+
+        start = perf_counter()
+        if session is not None:
+            try:
+                self._last = analyse(session, self._check)
+            except Stale:
+                # What else was asked for is asked again with the newer text.
+                raise
+        analysis = self._last
+        if analysis is None:
+            return
+        for panel in wanted.panels:
+            add_entries(analysis, panel)
+            self._check()
+        self._post(Analysed(analysis, perf_counter() - start))
+        if wanted.graph:
+            add_drawing(analysis)
+        if wanted.preview is not None:
+            add_preview(analysis, wanted.preview)
+        if wanted.graph or wanted.preview is not None:
+            self._check()
+            self._post(Analysed(analysis, perf_counter() - start))

@@ -1,0 +1,153 @@
+"""The studio: the app around the main screen."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping
+from functools import partial
+from pathlib import Path
+from typing import ClassVar
+
+from textual.app import App, SystemCommand
+from textual.binding import Binding, BindingType
+from textual.screen import Screen
+
+from plastron_tui.session import Options
+
+from . import config as settings
+from .actions import ACTIONS, ids
+from .files import open_file
+from .journal import Kept, kept_texts
+from .screens.main import MainScreen
+from .state import opened
+
+DEFAULT_THEME = "textual-dark"
+_SMALL = "ansi-dark"
+"""The theme of terminals that have only their own sixteen colours."""
+_SMALL_TERMINALS = frozenset({"linux", "xterm", "screen", "rxvt", "ansi", "vt100", "vt220"})
+
+
+class StudioApp(App[None], inherit_bindings=False):
+    """Opens a program, and keeps what lasts longer than it."""
+
+    TITLE = "plastron"
+    CSS_PATH = "studio.tcss"
+    ENABLE_COMMAND_PALETTE = True
+    COMMAND_PALETTE_BINDING = "ctrl+p"
+    BINDINGS: ClassVar[list[BindingType]] = []
+
+    def __init__(self, path: Path | None = None, options: Options | None = None) -> None:
+        """Start the studio.
+
+        Args:
+            path: the program to open; it need not be there yet.
+            options: what the command line sets.
+        """
+        super().__init__()
+        self.state_folder = settings.state_folder() / "journal"
+        self._memory = settings.state_folder()
+        self.remembered = settings.load_remembered(self._memory)
+        self.config, self._messages = settings.load_config(
+            settings.config_file(), ids(), self.available_themes
+        )
+        self._path = path
+        self._options = options or Options()
+        self._kept: list[Kept] = []
+        self._has_failed = False
+
+    def get_default_screen(self) -> Screen[None]:
+        """Open the program that was asked for."""
+        disk = None
+        if self._path is not None:
+            found = open_file(self._path)
+            disk = found.disk
+            if found.problem is not None:
+                self._messages += (found.problem.message,)
+        return MainScreen(opened(disk, self.state_folder, self._options))
+
+    @property
+    def main(self) -> MainScreen:
+        """The main screen."""
+        screen = self.screen_stack[0]
+        assert isinstance(screen, MainScreen)
+        return screen
+
+    def on_mount(self) -> None:
+        """Take the theme and the keys; offer what was not saved; say what is wrong."""
+        self.theme = first = self._first_theme()
+        self.theme_changed_signal.subscribe(self, lambda theme: self._themed(theme.name, first))
+        if self.config.keys:
+            self.set_keymap(self.config.keys)
+        for message in self._messages:
+            self.notify(message, severity="warning", timeout=10, markup=False)
+        self._kept = kept_texts(self.state_folder)
+        path = self.main.open.path
+        own = [kept for kept in self._kept if path is None or kept.path == path.absolute()]
+        if path is not None:
+            self.opened(path)
+        if own:
+            self.call_after_refresh(self.main.offer_kept, own[0])
+        elif self._path is None:
+            self.call_after_refresh(self.main.action_welcome)
+
+    def _first_theme(self) -> str:
+        wanted = self.config.theme or self.remembered.theme
+        if wanted in self.available_themes:
+            return wanted
+        return _SMALL if has_few_colours(os.environ) else DEFAULT_THEME
+
+    def _themed(self, name: str, first: str) -> None:
+        if name != first or self.remembered.theme is not None:
+            self.remembered.theme = name
+
+    def opened(self, path: Path) -> None:
+        """Remember a program that was opened or saved."""
+        self.remembered.opened(path)
+
+    def get_system_commands(self, screen: Screen[object]) -> Iterable[SystemCommand]:
+        """List every action of the studio, with its key."""
+        if not isinstance(screen, MainScreen):
+            return
+        for action in ACTIONS:
+            if action.id == "menu":
+                continue
+            key = self.key_of(action.id, action.keys)
+            title = f"{action.title}  ({key})" if key else action.title
+            yield SystemCommand(title, action.help, partial(self.run_call, action.call))
+
+    def key_of(self, action: str, keys: str) -> str:
+        """Return the key of an action, as a person writes it."""
+        key = self.config.keys.get(action, keys).split(",")[0]
+        return self.get_key_display(Binding(key, "")) if key else ""
+
+    async def run_call(self, call: str) -> None:
+        """Do an action by its call."""
+        await self.run_action(call, self.main)
+
+    def show_error(self, error: BaseException) -> None:
+        """Show an error of Plastron's own, with the place of the journal and a report."""
+        if self._has_failed:
+            return
+        self._has_failed = True
+        from .screens.failure import Failure
+
+        self.main.keep_now()
+        self.push_screen(Failure(error, self.main.open.journal.file))
+
+    def on_unmount(self) -> None:
+        """Remember what lasts."""
+        settings.save_remembered(self._memory, self.remembered)
+
+
+def run(path: Path | None, options: Options | None = None) -> int:
+    """Run the studio in this terminal, and return the exit status."""
+    app = StudioApp(path, options)
+    app.run(mouse=app.config.mouse)
+    return app.return_code or 0
+
+
+def has_few_colours(environ: Mapping[str, str]) -> bool:
+    """Tell whether a terminal says that it has no more than its own sixteen colours."""
+    term = environ.get("TERM", "")
+    is_small = term in _SMALL_TERMINALS or term.endswith("-16color")
+    return is_small and not environ.get("COLORTERM")

@@ -1,0 +1,197 @@
+"""The configuration file, and what the studio remembers from one start to the next."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Mapping
+from contextlib import suppress
+from dataclasses import asdict, dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from plastron_tui.diagnostics import did_you_mean
+
+_MOST_RECENT = 12
+
+
+def config_file(environ: Mapping[str, str] = os.environ) -> Path:
+    """Return where the configuration file is, by the XDG base directory specification."""
+    return _base(environ, "XDG_CONFIG_HOME", ".config") / "plastron" / "studio.yaml"
+
+
+def state_folder(environ: Mapping[str, str] = os.environ) -> Path:
+    """Return the folder of what is remembered, by the XDG base directory specification."""
+    return _base(environ, "XDG_STATE_HOME", ".local/state") / "plastron"
+
+
+def _base(environ: Mapping[str, str], variable: str, default: str) -> Path:
+    set_ = environ.get(variable, "")
+    if set_ and Path(set_).is_absolute():
+        return Path(set_)
+    with suppress(RuntimeError):
+        return Path.home() / default
+    return Path("/tmp") / f"plastron-{os.getuid()}"
+
+
+@dataclass(frozen=True, slots=True)
+class Config:
+    """What the configuration file says.
+
+    Attributes:
+        theme: the name of a theme, None for the one that was used last.
+        keys: keys by the id of an action.
+        mouse: whether the mouse is used.
+        wrap: whether long lines are wrapped.
+        numbers: whether lines have numbers.
+    """
+
+    theme: str | None = None
+    keys: dict[str, str] = field(default_factory=dict)
+    mouse: bool = True
+    wrap: bool = False
+    numbers: bool = True
+
+
+_SWITCHES = ("mouse", "wrap", "numbers")
+_KEYS = ("theme", "keys", *_SWITCHES)
+
+
+def load_config(
+    file: Path, actions: Iterable[str], themes: Iterable[str]
+) -> tuple[Config, tuple[str, ...]]:
+    """Read the configuration; what is wrong with it is a message, and the default counts."""
+    try:
+        text = file.read_bytes()
+    except FileNotFoundError:
+        return Config(), ()
+    except OSError as error:
+        return Config(), (f"{file.name} cannot be read: {(error.strerror or '').lower()}",)
+    import yaml
+
+    try:
+        data = yaml.safe_load(text)
+    except (yaml.YAMLError, ValueError) as error:
+        mark = getattr(error, "problem_mark", None)
+        where = "" if mark is None else f", line {mark.line + 1}"
+        return Config(), (f"{file.name} is not YAML{where}",)
+    if data is None:
+        return Config(), ()
+    if not isinstance(data, dict):
+        return Config(), (f"{file.name} is not a mapping of settings",)
+    problems: list[str] = []
+    config = Config()
+    for key, value in data.items():
+        config = _with(config, str(key), value, (set(actions), set(themes)), problems)
+    return config, tuple(f"{file.name}: {problem}" for problem in problems)
+
+
+def template(file: Path, actions: Iterable[tuple[str, str]]) -> str | None:
+    """Write a configuration that says nothing yet, if there is none; return why that failed."""
+    lines = [
+        "# The settings of the studio; what starts with # is off.",
+        "# theme: nord",
+        "# mouse: true",
+        "# wrap: false",
+        "# numbers: true",
+        "# keys:",
+        *(f"#   {action}: {keys or 'f11'}" for action, keys in actions),
+    ]
+    try:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        with file.open("x", encoding="utf-8") as stream:
+            stream.write("\n".join(lines) + "\n")
+    except FileExistsError:
+        return None
+    except OSError as error:
+        return f"{file} cannot be written: {(error.strerror or '').lower()}"
+    return None
+
+
+def _with(
+    config: Config, key: str, value: Any, known: tuple[set[str], set[str]], problems: list[str]
+) -> Config:
+    actions, themes = known
+    if key == "theme" and isinstance(value, str):
+        if value in themes:
+            return replace(config, theme=value)
+        problems.append(f"no theme `{value}`{_hint(value, themes)}")
+    elif key == "keys" and isinstance(value, dict):
+        keys = {}
+        for action, wanted in value.items():
+            if str(action) not in actions:
+                problems.append(f"no action `{action}`{_hint(str(action), actions)}")
+            elif not isinstance(wanted, str) or not all(p.strip() for p in wanted.split(",")):
+                problems.append(f"the key of `{action}` is no key")
+            else:
+                keys[str(action)] = wanted
+        return replace(config, keys=keys)
+    elif key in _SWITCHES and isinstance(value, bool):
+        changes: dict[str, Any] = {key: value}
+        return replace(config, **changes)
+    elif key in _KEYS:
+        problems.append(f"`{key}` has a value that it cannot have")
+    else:
+        problems.append(f"no setting `{key}`{_hint(key, _KEYS)}")
+    return config
+
+
+def _hint(word: str, known: Iterable[str]) -> str:
+    hint = did_you_mean(word, known)
+    return f"; {hint}" if hint else ""
+
+
+@dataclass(slots=True)
+class Remembered:
+    """What the studio remembers.
+
+    Attributes:
+        theme: the theme that was chosen last.
+        recent: the files that were open, the latest first.
+        sizes: how large each dock is, in cells.
+        hidden: the docks that are hidden.
+        tabs: the tab that each dock showed.
+        toured: whether the tour was taken.
+    """
+
+    theme: str | None = None
+    recent: list[str] = field(default_factory=list)
+    sizes: dict[str, int] = field(default_factory=dict)
+    hidden: list[str] = field(default_factory=list)
+    tabs: dict[str, str] = field(default_factory=dict)
+    toured: bool = False
+
+    def opened(self, path: Path) -> None:
+        """Put a file in front of the recent ones."""
+        name = os.fspath(path.absolute())
+        others = [other for other in self.recent if other != name]
+        self.recent = [name, *others][:_MOST_RECENT]
+
+
+_STATE_FILE = "studio.json"
+
+
+def load_remembered(folder: Path) -> Remembered:
+    """Read what is remembered; what cannot be read is forgotten."""
+    remembered = Remembered()
+    with suppress(OSError, ValueError):
+        data = json.loads((folder / _STATE_FILE).read_bytes())
+        defaults = asdict(remembered)
+        for key, value in data.items():
+            default = defaults.get(key, value)
+            if key in defaults and (default is None or isinstance(value, type(default))):
+                setattr(remembered, key, value)
+    remembered.recent = [name for name in remembered.recent if isinstance(name, str)]
+    sizes = remembered.sizes
+    remembered.sizes = {key: size for key, size in sizes.items() if isinstance(size, int)}
+    return remembered
+
+
+def save_remembered(folder: Path, remembered: Remembered) -> None:
+    """Write what is remembered; a disk that takes nothing is no reason to stop."""
+    file = folder / _STATE_FILE
+    temporary = file.with_name(f"{_STATE_FILE}.{os.getpid()}.tmp")
+    with suppress(OSError):
+        folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+        temporary.write_text(json.dumps(asdict(remembered), indent=1), encoding="utf-8")
+        temporary.replace(file)

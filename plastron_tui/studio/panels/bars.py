@@ -1,0 +1,76 @@
+"""The line above everything, and the line about the statement at the cursor."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from rich.cells import cell_len, set_cell_size
+from rich.segment import Segment
+from textual.strip import Strip
+from textual.widget import Widget
+
+
+class Bar(Widget):
+    """A line with text at its left and at its right."""
+
+    COMPONENT_CLASSES: ClassVar[set[str]] = {"bar--strong", "bar--quiet", "bar--here"}
+
+    def __init__(self, *, id: str) -> None:  # noqa: A002 - Textual's word
+        super().__init__(id=id)
+        self.left: tuple[tuple[str, str], ...] = ()
+        self.right: tuple[tuple[str, str], ...] = ()
+
+    def show(
+        self, left: tuple[tuple[str, str], ...], right: tuple[tuple[str, str], ...] = ()
+    ) -> None:
+        """Show pieces of text, each with the name of a component or ""."""
+        if (left, right) != (self.left, self.right):
+            self.left, self.right = left, right
+            self.refresh()
+
+    @property
+    def text(self) -> str:
+        """What the bar says."""
+        return "".join(text for text, _ in (*self.left, *self.right))
+
+    def _segments(self, pieces: tuple[tuple[str, str], ...]) -> list[Segment]:
+        base = self.rich_style
+        return [
+            Segment(
+                text,
+                base + self.get_component_rich_style(f"bar--{tone}", partial=True)
+                if tone
+                else base,
+            )
+            for text, tone in pieces
+        ]
+
+    def render_line(self, y: int) -> Strip:
+        """Draw the line; the right side gives way to the left one."""
+        width = self.size.width
+        base = self.rich_style
+        left = Strip([Segment(" ", base), *self._segments(self.left)])
+        right = Strip([*self._segments(self.right), Segment(" ", base)])
+        room = width - right.cell_length - 1
+        if left.cell_length > room and right.cell_length > width // 2:
+            right, room = Strip([]), width
+        if left.cell_length > room:
+            left = Strip([*left.crop(0, max(0, room - 1)), Segment("…", base)])
+        left = left.extend_cell_length(width - right.cell_length, base)
+        return Strip([*left, *right]).crop(0, width)
+
+
+def help_pieces(text: str) -> tuple[tuple[str, str], ...]:
+    """Return the line about a statement: what stands between `‹` and `›` is the part at hand."""
+    before, mark, rest = text.partition("‹")
+    if not mark:
+        return ((text, "quiet"),)
+    here, _, after = rest.partition("›")
+    return ((before, "quiet"), (here, "here"), (after, "quiet"))
+
+
+def fitted(text: str, width: int) -> str:
+    """Return a text that has its start left out where it is too wide."""
+    if cell_len(text) <= width:
+        return text
+    return "…" + set_cell_size(text[::-1], width - 1)[::-1]

@@ -1,0 +1,200 @@
+"""Docks: panels behind tabs, beside or below the editor, with an edge that can be dragged."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import ClassVar
+
+from rich.cells import cell_len
+from rich.segment import Segment
+from textual import events
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Vertical
+from textual.message import Message
+from textual.strip import Strip
+from textual.widget import Widget
+from textual.widgets import ContentSwitcher
+
+
+class TabStrip(Widget):
+    """One line with the names of panels; it is the edge of its dock too."""
+
+    COMPONENT_CLASSES: ClassVar[set[str]] = {
+        "tab-strip--active",
+        "tab-strip--count",
+        "tab-strip--alarm",
+    }
+
+    class Picked(Message):
+        """A tab was clicked."""
+
+        def __init__(self, name: str) -> None:
+            super().__init__()
+            self.name = name
+
+    class Dragged(Message):
+        """The edge was dragged to a row of the screen."""
+
+        def __init__(self, strip: TabStrip, row: int) -> None:
+            super().__init__()
+            self.strip = strip
+            self.row = row
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.tabs: tuple[tuple[str, str], ...] = ()
+        self.counts: dict[str, str] = {}
+        self.active = ""
+        self._places: list[tuple[int, int, str]] = []
+        self._is_dragged = False
+
+    def show(self, tabs: Iterable[tuple[str, str]], active: str, counts: dict[str, str]) -> None:
+        """Show tabs, by name and title, with what is counted in each."""
+        new = (tuple(tabs), active, dict(counts))
+        if new != (self.tabs, self.active, self.counts):
+            self.tabs, self.active, self.counts = new
+            self.refresh()
+
+    def render_line(self, y: int) -> Strip:
+        """Draw the line: as many tabs as fit, the active one always."""
+        base = self.rich_style
+        width = self.size.width
+        tabs = [(name, title, self.counts.get(name, "")) for name, title in self.tabs]
+        sizes = [cell_len(title) + (cell_len(count) + 1 if count else 0) + 2
+                 for _, title, count in tabs]  # fmt: skip
+        at = next((at for at, (name, _, _) in enumerate(tabs) if name == self.active), 0)
+        first = 0
+        while first < at and sum(sizes[first : at + 1]) > width:
+            first += 1
+        segments, x = [], 0
+        self._places = []
+        for (name, title, count), size in list(zip(tabs, sizes, strict=True))[first:]:
+            style = base
+            if name == self.active:
+                style += self.get_component_rich_style("tab-strip--active", partial=True)
+            segments.append(Segment(f" {title}", style))
+            if count:
+                kind = "alarm" if name == "problems" else "count"
+                tone = self.get_component_rich_style(f"tab-strip--{kind}", partial=True)
+                segments.append(Segment(f" {count}", style + tone))
+            segments.append(Segment(" ", style))
+            self._places.append((x, x + size, name))
+            x += size
+        return Strip(segments).adjust_cell_length(width, base)
+
+    def on_mouse_down(self, event: events.MouseDown) -> None:
+        """Begin to drag the edge."""
+        self._is_dragged = False
+        self.capture_mouse()
+        event.stop()
+
+    def on_mouse_move(self, event: events.MouseMove) -> None:
+        """Drag the edge."""
+        if self.app.mouse_captured is self and event.delta_y:
+            self._is_dragged = True
+            self.post_message(self.Dragged(self, int(event.screen_y)))
+
+    def on_mouse_up(self, event: events.MouseUp) -> None:
+        """Pick a tab, or let the edge go."""
+        self.release_mouse()
+        if not self._is_dragged:
+            for start, end, name in self._places:
+                if start <= event.x < end:
+                    self.post_message(self.Picked(name))
+
+
+class Edge(Widget):
+    """The line between a dock and the editor, to drag."""
+
+    class Dragged(Message):
+        """The edge was dragged to a column of the screen."""
+
+        def __init__(self, edge: Edge, column: int) -> None:
+            super().__init__()
+            self.edge = edge
+            self.column = column
+
+    def render_line(self, y: int) -> Strip:
+        """Draw a piece of the line."""
+        return Strip([Segment("│", self.rich_style)])
+
+    def on_mouse_down(self, event: events.MouseDown) -> None:
+        """Begin to drag."""
+        self.capture_mouse()
+        event.stop()
+
+    def on_mouse_move(self, event: events.MouseMove) -> None:
+        """Drag."""
+        if self.app.mouse_captured is self:
+            self.post_message(self.Dragged(self, int(event.screen_x)))
+
+    def on_mouse_up(self) -> None:
+        """Let go."""
+        self.release_mouse()
+
+
+class Dock(Vertical):
+    """Panels of which one is in sight."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("left_square_bracket", "turn(-1)", "Tab before", show=False, id="panel.previous"),
+        Binding("right_square_bracket", "turn(1)", "Next tab", show=False, id="panel.next"),
+        Binding("escape", "leave", "Editor", id="panel.leave", tooltip="Back to the editor"),
+    ]
+
+    class Turned(Message):
+        """Another panel shall be in sight."""
+
+        def __init__(self, dock: Dock, name: str) -> None:
+            super().__init__()
+            self.dock = dock
+            self.name = name
+
+    class Left(Message):
+        """The editor shall have the focus again."""
+
+    def __init__(self, name: str, panels: Iterable[tuple[str, str, Widget]]) -> None:
+        """Make a dock.
+
+        Args:
+            name: the dock's id.
+            panels: name, title and widget of each panel; the widget's id is the panel's name.
+        """
+        super().__init__(id=name)
+        self._panels = tuple(panels)
+        self.titles = tuple((panel, title) for panel, title, _ in self._panels)
+        self.strip = TabStrip()
+        self.active = self.titles[0][0]
+
+    def compose(self) -> ComposeResult:
+        """Make the strip and the panels."""
+        yield self.strip
+        with ContentSwitcher(initial=self.active):
+            for _, _, widget in self._panels:
+                yield widget
+
+    def show(self, name: str) -> None:
+        """Bring a panel in sight."""
+        self.active = name
+        self.query_one(ContentSwitcher).current = name
+
+    @property
+    def panel(self) -> Widget:
+        """The widget in sight."""
+        return next(widget for name, _, widget in self._panels if name == self.active)
+
+    def focus_panel(self) -> None:
+        """Give the panel in sight the focus."""
+        panel = self.panel
+        (panel if panel.can_focus else panel.query("*:can-focus").first()).focus()
+
+    def action_turn(self, by: int) -> None:
+        """Go to the next tab, or the one before."""
+        names = [name for name, _ in self.strip.tabs]
+        at = names.index(self.active) if self.active in names else 0
+        self.post_message(self.Turned(self, names[(at + by) % len(names)]))
+
+    def action_leave(self) -> None:
+        """Go back to the editor."""
+        self.post_message(self.Left())

@@ -1,0 +1,101 @@
+"""An entry of a panel, as data: made apart from the screen, shown by `EntryList`."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import Enum
+
+from plastron_tui.diagnostics import Edit, Span
+
+
+class Subject(Enum):
+    """What an entry is about, which decides what can be done with it."""
+
+    NODE = "node"
+    PUBLISHER = "publisher"
+    SUBSCRIPTION = "subscription"
+    SERVICE = "service"
+    CLIENT = "client"
+    TOPIC = "topic"
+    SERVICE_NAME = "service name"
+    MESSAGE = "message"
+    PROBLEM = "problem"
+    OTHER = "other"
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One line of a panel.
+
+    Attributes:
+        key: what the entry is, the same from one analysis to the next.
+        text: its name.
+        detail: what is written behind the name, quietly.
+        sign: one character before the name.
+        tone: the tone of the sign, a name that `tones.py` knows.
+        warning: what is wrong with it, behind all the rest.
+        depth: how far it is indented.
+        span: the statement that it comes from, None for what was read from a file.
+        subject: what it is about.
+        node: the variable of the node that it belongs to.
+        name: the topic, service or variable as the program has it.
+        edits: a fix that can be applied.
+        is_branch: whether entries below belong to it.
+    """
+
+    key: str
+    text: str
+    detail: str = ""
+    sign: str = ""
+    tone: str = "dim"
+    warning: str = ""
+    depth: int = 0
+    span: Span | None = None
+    subject: Subject = Subject.OTHER
+    node: str | None = None
+    name: str | None = None
+    edits: tuple[Edit, ...] = ()
+    is_branch: bool = False
+
+    @property
+    def statement(self) -> str | None:
+        """The statement that ends what the entry shows, None where there is none."""
+        match self.subject:
+            case Subject.PUBLISHER:
+                return f"{self.node} stop_publishing to '{self.name}'"
+            case Subject.SUBSCRIPTION:
+                return f"unsubscribe {self.node} from '{self.name}'"
+            case Subject.SERVICE:
+                return f"{self.node} stop_service '{self.name}'"
+            case Subject.CLIENT:
+                return f"{self.node} stop_request '{self.name}'"
+            case _:
+                return None
+
+
+class Entries:
+    """The entries of a panel, in order, and which of them a place of the program belongs to."""
+
+    def __init__(self, entries: Iterable[Entry] = (), empty: str = "") -> None:
+        self.all = tuple(entries)
+        self.empty = empty
+        places = sorted(
+            (entry.span.start, -entry.depth, number)
+            for number, entry in enumerate(self.all)
+            if entry.span is not None
+        )
+        self._starts = [start for start, _, _ in places]
+        self._numbers = [number for _, _, number in places]
+
+    def at(self, offset: int) -> Entry | None:
+        """Return the entry whose statement is at an offset, None between statements."""
+        place = bisect_right(self._starts, offset) - 1
+        if place < 0:
+            return None
+        while place > 0 and self._starts[place - 1] == self._starts[place]:
+            place -= 1
+        entry = self.all[self._numbers[place]]
+        assert entry.span is not None
+        return entry if offset <= entry.span.end else None

@@ -1,0 +1,217 @@
+"""A list of entries that can be folded: it draws what is in sight, however many there are."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from rich.cells import cell_len, set_cell_size
+from rich.segment import Segment
+from rich.style import Style
+from textual import events
+from textual.binding import Binding, BindingType
+from textual.geometry import Region, Size
+from textual.message import Message
+from textual.reactive import reactive
+from textual.scroll_view import ScrollView
+from textual.strip import Strip
+
+from .entry import Entries, Entry
+from .tones import COMPONENTS, tone_style
+
+
+class EntryList(ScrollView, can_focus=True):
+    """Entries, one a line, with a cursor."""
+
+    COMPONENT_CLASSES: ClassVar[set[str]] = {*COMPONENTS, "entry-list--cursor", "entry-list--here"}
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("up,k", "move(-1)", "Up", show=False, id="panel.up"),
+        Binding("down,j", "move(1)", "Down", show=False, id="panel.down"),
+        Binding("pageup", "page(-1)", "Page up", show=False, id="panel.page_up"),
+        Binding("pagedown", "page(1)", "Page down", show=False, id="panel.page_down"),
+        Binding("home", "move(-1000000)", "First", show=False, id="panel.first"),
+        Binding("end", "move(1000000)", "Last", show=False, id="panel.last"),
+        Binding("space,left,right", "fold", "Fold", show=False, id="panel.fold"),
+        Binding("enter", "choose", "Go there", id="panel.choose", tooltip="Go to the statement"),
+    ]
+
+    index: reactive[int] = reactive(0, repaint=False)
+
+    class Chosen(Message):
+        """An entry was chosen, by Enter or with the mouse."""
+
+        def __init__(self, sender: EntryList, entry: Entry) -> None:
+            super().__init__()
+            self.sender = sender
+            self.entry = entry
+
+        @property
+        def control(self) -> EntryList:
+            """The list."""
+            return self.sender
+
+    class Lit(Message):
+        """The cursor is on another entry."""
+
+        def __init__(self, sender: EntryList, entry: Entry) -> None:
+            super().__init__()
+            self.sender = sender
+            self.entry = entry
+
+        @property
+        def control(self) -> EntryList:
+            """The list."""
+            return self.sender
+
+    def __init__(self, *, id: str | None = None, empty: str = "") -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.entries = Entries(empty=empty)
+        self._folded: set[str] = set()
+        self._shown: list[Entry] = []
+        self._rows: dict[str, int] = {}
+        self._here: str | None = None
+
+    @property
+    def current(self) -> Entry | None:
+        """The entry that the cursor is on."""
+        return self._shown[self.index] if 0 <= self.index < len(self._shown) else None
+
+    def show(self, entries: Entries) -> None:
+        """Show other entries; the cursor stays on the entry of the same key."""
+        if entries is self.entries:
+            return
+        current = self.current
+        self.entries = entries
+        self._lay_out()
+        row = None if current is None else self._rows.get(current.key)
+        self.index = max(0, min(self.index if row is None else row, len(self._shown) - 1))
+
+    def follow(self, offset: int) -> Entry | None:
+        """Light the entry of the statement at an offset, and return it."""
+        entry = self.entries.at(offset)
+        key = None if entry is None else entry.key
+        if key == self._here:
+            return entry
+        self._here = key
+        row = None if key is None else self._rows.get(key)
+        if row is not None and not self.has_focus:
+            self.index = row
+            self._reveal(row)
+        self.refresh()
+        return entry
+
+    def _lay_out(self) -> None:
+        shown: list[Entry] = []
+        depth: int | None = None
+        for entry in self.entries.all:
+            if depth is not None and entry.depth > depth:
+                continue
+            depth = entry.depth if entry.key in self._folded else None
+            shown.append(entry)
+        self._shown = shown
+        self._rows = {entry.key: row for row, entry in enumerate(shown)}
+        self.virtual_size = Size(0, len(shown))
+        self.refresh()
+
+    def watch_index(self, old: int, new: int) -> None:
+        """Draw the two lines again."""
+        top = self.scroll_offset.y
+        for row in (old, new):
+            self.refresh(Region(0, row - top, self.size.width, 1))
+
+    def _reveal(self, row: int) -> None:
+        region = Region(0, row, 1, 1)
+        self.scroll_to_region(region, animate=False, force=True, x_axis=False)
+
+    def action_move(self, by: int) -> None:
+        """Move the cursor."""
+        if self._shown:
+            self.index = max(0, min(len(self._shown) - 1, self.index + by))
+            self._reveal(self.index)
+            self._tell()
+
+    def action_page(self, by: int) -> None:
+        """Move the cursor by a page."""
+        self.action_move(by * max(1, self.size.height - 1))
+
+    def _tell(self) -> None:
+        if self.current is not None:
+            self.post_message(self.Lit(self, self.current))
+
+    def action_fold(self) -> None:
+        """Fold or unfold the entry, or the one that it belongs to."""
+        row = self.index
+        while 0 < row < len(self._shown) and not self._shown[row].is_branch:
+            row -= 1
+        if 0 <= row < len(self._shown) and self._shown[row].is_branch:
+            self._folded ^= {self._shown[row].key}
+            self._lay_out()
+            self.index = row
+            self._reveal(row)
+
+    def action_choose(self) -> None:
+        """Choose the entry."""
+        if self.current is not None:
+            self.post_message(self.Chosen(self, self.current))
+
+    def on_click(self, event: events.Click) -> None:
+        """Choose the entry under the mouse; its sign folds it."""
+        row = event.y + self.scroll_offset.y
+        if not 0 <= row < len(self._shown):
+            return
+        self.index = row
+        entry = self._shown[row]
+        if entry.is_branch and event.x <= 2 * entry.depth + 1:
+            self.action_fold()
+        else:
+            self.action_choose()
+
+    def on_focus(self) -> None:
+        """Show the cursor."""
+        self.refresh()
+
+    def on_blur(self) -> None:
+        """Show that the cursor is elsewhere."""
+        self.refresh()
+
+    def render_line(self, y: int) -> Strip:
+        """Draw a line."""
+        width = self.scrollable_content_region.width
+        base = self.rich_style
+        row = y + self.scroll_offset.y
+        if not self._shown:
+            return self._render_empty(y, width, base)
+        if row >= len(self._shown):
+            return Strip.blank(width, base)
+        entry = self._shown[row]
+        if row == self.index and self.has_focus:
+            base += self.get_component_rich_style("entry-list--cursor", partial=True)
+        elif entry.key == self._here:
+            base += self.get_component_rich_style("entry-list--here", partial=True)
+        return Strip(self._segments(entry, width, base)).adjust_cell_length(width, base)
+
+    def _render_empty(self, y: int, width: int, base: Style) -> Strip:
+        lines = self.entries.empty.split("\n")
+        if y == 0 or y > len(lines):
+            return Strip.blank(width, base)
+        style = base + tone_style(self, "quiet" if y == 1 else "dim")
+        return Strip([Segment(f" {lines[y - 1]}", style)]).adjust_cell_length(width, base)
+
+    def _segments(self, entry: Entry, width: int, base: Style) -> list[Segment]:
+        indent = " " + "  " * entry.depth
+        fold = ""
+        if entry.is_branch and entry.key in self._folded:
+            fold = "…"
+        parts = [(indent, ""), (f"{entry.sign} " if entry.sign else "", entry.tone)]
+        parts.append((entry.text + fold, "strong" if entry.depth == 0 else ""))
+        room = width - sum(cell_len(text) for text, _ in parts) - 1
+        warning = f" ⚠ {entry.warning}" if entry.warning and not entry.edits else ""
+        if entry.edits:
+            warning = f" ⚑ {entry.warning}"
+        room -= cell_len(warning)
+        if entry.detail and room > 3:
+            detail = entry.detail
+            if cell_len(detail) + 1 > room:
+                detail = set_cell_size(detail, room - 2).rstrip() + "…"
+            parts.append((f" {detail}", "quiet"))
+        parts.append((warning, "success" if entry.edits else "warning"))
+        return [Segment(text, base + tone_style(self, tone)) for text, tone in parts if text]

@@ -1,0 +1,224 @@
+"""From an analysis to the entries of the panels. Pure: it runs in the worker."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+
+from plastron_tui.diagnostics import Diagnostic, LineIndex, Severity, Span
+from plastron_tui.model.graph import Graph, GraphNode, Missing
+from plastron_tui.model.values import MessageValue
+from plastron_tui.model.workspace import Message, Node, Workspace
+from plastron_tui.ros.interfaces import InterfaceName
+
+from .entry import Entries, Entry, Subject
+
+SIGNS = {
+    Subject.NODE: ("●", "primary"),
+    Subject.PUBLISHER: ("↑", "success"),
+    Subject.SUBSCRIPTION: ("↓", "accent"),
+    Subject.SERVICE: ("◆", "warning"),
+    Subject.CLIENT: ("◇", "secondary"),
+    Subject.TOPIC: ("≈", "success"),
+    Subject.SERVICE_NAME: ("◆", "warning"),
+    Subject.MESSAGE: ("✉", "accent"),
+}
+
+_MISSING = {
+    Missing.PUBLISHER: "nobody publishes",
+    Missing.SUBSCRIBER: "nobody listens",
+    Missing.PROVIDER: "nobody provides",
+    Missing.CLIENT: "nobody calls",
+}
+
+
+def node_entries(workspace: Workspace, libraries: dict[str, str | None]) -> Entries:
+    """Return the nodes, each with its endpoints.
+
+    `libraries` has the client library of each node by its variable.
+    """
+    return Entries(_nodes(workspace, libraries), "no nodes yet\ncreate_node 'talker' as talker")
+
+
+def _nodes(workspace: Workspace, libraries: dict[str, str | None]) -> Iterator[Entry]:
+    for variable, node in workspace.nodes.items():
+        library = libraries.get(variable)
+        from_file = node.source.path.name if node.source is not None else None
+        parts = [part for part in (from_file or library,) if part]
+        if variable != node.name:
+            parts.insert(0, variable)
+        yield Entry(
+            f"node {variable}",
+            node.name,
+            " · ".join(parts),
+            *SIGNS[Subject.NODE],
+            warning="does nothing" if node.is_idle else "",
+            span=node.span,
+            subject=Subject.NODE,
+            node=variable,
+            name=variable,
+            is_branch=not node.is_idle,
+        )
+        yield from _endpoints(variable, node)
+
+
+def _endpoints(variable: str, node: Node) -> Iterator[Entry]:
+    groups = (
+        (Subject.PUBLISHER, node.publishers),
+        (Subject.SUBSCRIPTION, node.subscriptions),
+        (Subject.SERVICE, node.services),
+        (Subject.CLIENT, node.clients),
+    )
+    for subject, endpoints in groups:
+        for name, endpoint in endpoints.items():
+            yield Entry(
+                f"{subject.value} {variable} {name}",
+                name,
+                _type(endpoint.type),
+                *SIGNS[subject],
+                depth=1,
+                span=endpoint.span,
+                subject=subject,
+                node=variable,
+                name=name,
+            )
+
+
+def topic_entries(graph: Graph) -> Entries:
+    """Return the topics, each with who speaks and who listens."""
+
+    def all_() -> Iterator[Entry]:
+        for topic in graph.topics:
+            ends = [
+                (end.node, Subject.PUBLISHER, end.span, end.written) for end in topic.publishers
+            ] + [
+                (end.node, Subject.SUBSCRIPTION, end.span, end.written) for end in topic.subscribers
+            ]
+            yield from _meeting(Subject.TOPIC, topic.name, topic.types, topic.missing, ends)
+
+    return Entries(all_(), "no topics yet\ntalker publish … to 'chatter' …")
+
+
+def service_entries(graph: Graph) -> Entries:
+    """Return the services, each with who provides it and who calls it."""
+
+    def all_() -> Iterator[Entry]:
+        for service in graph.services:
+            ends = [
+                (end.node, Subject.SERVICE, end.span, end.written) for end in service.providers
+            ] + [(end.node, Subject.CLIENT, end.span, end.written) for end in service.clients]
+            yield from _meeting(
+                Subject.SERVICE_NAME, service.name, service.types, service.missing, ends
+            )
+
+    return Entries(all_(), "no services yet\nadder provides_service 'add' …")
+
+
+def _meeting(
+    subject: Subject,
+    name: str,
+    types: Sequence[InterfaceName],
+    missing: Missing | None,
+    ends: list[tuple[GraphNode, Subject, Span | None, str]],
+) -> Iterator[Entry]:
+    yield Entry(
+        f"{subject.value} {name}",
+        name,
+        " or ".join(map(_type, types)),
+        *SIGNS[subject],
+        warning="" if missing is None else _MISSING[missing],
+        span=next((span for _, _, span, _ in ends if span is not None), None),
+        subject=subject,
+        name=name,
+        is_branch=True,
+    )
+    for node, kind, span, written in ends:
+        yield Entry(
+            f"{kind.value} {node.variable} {written}",
+            node.name,
+            kind.value,
+            *SIGNS[kind],
+            depth=1,
+            span=span,
+            subject=kind,
+            node=node.variable,
+            name=written,
+        )
+
+
+def message_entries(messages: dict[str, Message], used: dict[str, list[str]]) -> Entries:
+    """Return the messages, each with its values; `used` has the topics that each goes to."""
+
+    def all_() -> Iterator[Entry]:
+        for variable, message in messages.items():
+            fields = list(message_fields(message.value))
+            yield Entry(
+                f"message {variable}",
+                variable,
+                _type(message.value.type),
+                *SIGNS[Subject.MESSAGE],
+                warning="" if variable in used else "not sent",
+                span=message.span,
+                subject=Subject.MESSAGE,
+                name=variable,
+                is_branch=bool(fields),
+            )
+            for name, value in fields:
+                key = f"field {variable} {name}"
+                yield Entry(key, f"{name} = {value}", depth=1, name=variable)
+
+    return Entries(all_(), "no messages yet\ncreate_message hello of message_type String …")
+
+
+def problem_entries(
+    diagnostics: Sequence[Diagnostic], lines: Callable[[Path | None], LineIndex | None]
+) -> Entries:
+    """Return what is wrong, in the order of the program."""
+    in_order = sorted(diagnostics, key=lambda found: (found.file is not None, found.span or (0, 0)))
+    return Entries((_problem(found, lines) for found in in_order), "no problems")
+
+
+def _problem(found: Diagnostic, lines: Callable[[Path | None], LineIndex | None]) -> Entry:
+    is_error = found.severity is Severity.ERROR
+    index = None if found.span is None else lines(found.file)
+    where = found.file.name if found.file is not None else ""
+    if index is not None and found.span is not None:
+        where += f":{index.position(found.span.start).line}" if where else ""
+        where = where or f"line {index.position(found.span.start).line}"
+    help_ = f" — {found.help}" if found.help else ""
+    own = found.file is None
+    return Entry(
+        f"problem {found.code} {found.message}",
+        found.message + help_,
+        " · ".join(part for part in (where, found.code) if part),
+        "✖" if is_error else "▲",
+        "error" if is_error else "warning",
+        span=found.span if own else None,
+        subject=Subject.PROBLEM,
+        edits=found.fix.edits if found.fix is not None and own else (),
+        warning=f"fix: {found.fix.title}" if found.fix is not None and own else "",
+    )
+
+
+def _type(type_: InterfaceName | None) -> str:
+    return "type unknown" if type_ is None else str(type_)
+
+
+def libraries_of(nodes: Sequence[GraphNode], default: str) -> dict[str, str | None]:
+    """Return the client library of each node by its variable."""
+    return {node.variable: node.library or (None if node.is_loaded else default) for node in nodes}
+
+
+def message_fields(value: MessageValue, before: str = "") -> Iterator[tuple[str, str]]:
+    """Yield the fields that have a value, nested ones by their dotted names."""
+    for name, inner in value.fields.items():
+        if isinstance(inner, MessageValue):
+            yield from message_fields(inner, f"{before}{name}.")
+        else:
+            yield before + name, _shown(inner)
+
+
+def _shown(value: object) -> str:
+    if isinstance(value, tuple):
+        return "[" + ", ".join(map(_shown, value)) + "]"
+    return f'"{value}"' if isinstance(value, str) else str(value)

@@ -1,0 +1,109 @@
+"""The panel with the file that the node at the cursor becomes."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Vertical
+from textual.widgets import Static
+
+from plastron_tui.output.plan import FileState
+
+from ..preview import Preview
+from .text_view import TextView
+from .tones import Line, Piece
+
+_STATES = {
+    FileState.CREATE: ("will be created", "success"),
+    FileState.IDENTICAL: ("on the disk as it is", "quiet"),
+    FileState.CHANGED: ("will be changed", "warning"),
+    FileState.CONFLICT: ("was changed by hand", "error"),
+    None: ("not generated yet", "quiet"),
+}
+
+
+class PreviewPanel(Vertical):
+    """A file, or how it would change."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("d", "toggle_diff", "Diff", id="preview.diff",
+                tooltip="Show the whole file, or what changes in it"),
+        Binding("n", "next_file", "Next file", id="preview.next",
+                tooltip="Show the next file of the node"),
+    ]  # fmt: skip
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
+        super().__init__(id=id)
+        self.previews: tuple[Preview, ...] = ()
+        self._at = 0
+        self._shows_diff = True
+        self._head = Static("", id="preview-head", markup=True)
+        self._view = TextView(numbers=True, id="preview-text")
+
+    def compose(self) -> ComposeResult:
+        """Make the heading and the text."""
+        yield self._head
+        yield self._view
+
+    @property
+    def current(self) -> Preview | None:
+        """The file that is shown."""
+        return self.previews[self._at % len(self.previews)] if self.previews else None
+
+    @property
+    def text(self) -> str:
+        """What is shown, without its colours."""
+        return self._view.text
+
+    def show(self, previews: tuple[Preview, ...] | None) -> None:
+        """Show the files of a node; None for no node."""
+        self.previews = previews or ()
+        self._draw()
+
+    def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
+        """Offer the diff where there is one."""
+        current = self.current
+        if action == "toggle_diff":
+            return current is not None and current.diff is not None
+        if action == "next_file":
+            return len(self.previews) > 1
+        return True
+
+    def action_toggle_diff(self) -> None:
+        """Show the whole file, or what changes in it."""
+        self._shows_diff = not self._shows_diff
+        self._draw()
+
+    def action_next_file(self) -> None:
+        """Show the next file of the node."""
+        self._at += 1
+        self._draw()
+
+    def _draw(self) -> None:
+        from textual.content import Content
+
+        current = self.current
+        if current is None:
+            self._head.update(Content.styled("put the cursor on a node's statement", "$text-muted"))
+            self._view.show((), numbers=False)
+            return
+        if current.path is None:
+            self._head.update(Content(current.name))
+            self._view.show(tuple(_problem(found.message, found.help)
+                                  for found in current.problems), numbers=False)  # fmt: skip
+            return
+        state, tone = _STATES[current.state]
+        colour = {"quiet": "$text-muted"}.get(tone, f"$text-{tone}")
+        self._head.update(Content.assemble((current.name, "bold"), "  ", (state, colour)))
+        if self._shows_diff and current.diff is not None:
+            self._view.show(current.diff, numbers=False)
+        else:
+            self._view.show(current.lines, numbers=True)
+        self.refresh_bindings()
+
+
+def _problem(message: str, remedy: str | None) -> Line:
+    text = f" {message}" + (f" — {remedy}" if remedy else "")
+    return (Piece(text, "error"),)

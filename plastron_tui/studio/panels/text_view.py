@@ -1,0 +1,87 @@
+"""Coloured lines that scroll: source files, diffs, what programs print, the graph."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from rich.cells import cell_len
+from rich.segment import Segment
+from textual.binding import Binding, BindingType
+from textual.geometry import Size
+from textual.scroll_view import ScrollView
+from textual.strip import Strip
+
+from .tones import COMPONENTS, Lines, Piece, tone_style
+
+
+class TextView(ScrollView, can_focus=True):
+    """Lines that are read, not written; only those in sight are drawn."""
+
+    COMPONENT_CLASSES: ClassVar[set[str]] = {*COMPONENTS, "text-view--number"}
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("up,k", "scroll_up", "Up", show=False),
+        Binding("down,j", "scroll_down", "Down", show=False),
+        Binding("left,h", "scroll_left", "Left", show=False),
+        Binding("right,l", "scroll_right", "Right", show=False),
+        Binding("home", "scroll_home", "Start", show=False),
+        Binding("end", "scroll_end", "End", show=False),
+        Binding("pageup", "page_up", "Page up", show=False),
+        Binding("pagedown", "page_down", "Page down", show=False),
+    ]
+
+    def __init__(
+        self,
+        lines: Lines = (),
+        *,
+        numbers: bool = False,
+        id: str | None = None,  # noqa: A002 - Textual's word
+    ) -> None:
+        super().__init__(id=id)
+        self.lines = lines
+        self.numbers = numbers
+
+    def on_show(self) -> None:
+        """Fit the first lines."""
+        self._fit()
+
+    def show(self, lines: Lines, *, numbers: bool | None = None, follow: bool = False) -> None:
+        """Show other lines; with `follow` the last one stays in sight if it was."""
+        was_at_end = self.is_vertical_scroll_end
+        numbers = self.numbers if numbers is None else numbers
+        if lines == self.lines and numbers == self.numbers:
+            return
+        self.lines, self.numbers = lines, numbers
+        self._fit()
+        if follow and was_at_end:
+            self.scroll_end(animate=False, force=True)
+        self.refresh()
+
+    @property
+    def text(self) -> str:
+        """The lines without their colours."""
+        return "\n".join("".join(piece.text for piece in line) for line in self.lines)
+
+    @property
+    def _margin(self) -> int:
+        return max(3, len(str(len(self.lines)))) + 1 if self.numbers else 0
+
+    def _fit(self) -> None:
+        widest = max((sum(cell_len(p.text) for p in line) for line in self.lines), default=0)
+        self.virtual_size = Size(widest + self._margin + 1, len(self.lines))
+
+    def render_line(self, y: int) -> Strip:
+        """Draw a line."""
+        width = self.scrollable_content_region.width
+        base = self.rich_style
+        x, top = self.scroll_offset
+        row = top + y
+        if row >= len(self.lines):
+            return Strip.blank(width, base)
+        margin = self._margin
+        pieces = self.lines[row] or (Piece(""),)
+        line = Strip([Segment(text, base + tone_style(self, tone)) for text, tone in pieces])
+        line = line.crop(x, x + width - margin).extend_cell_length(width - margin, base)
+        if not margin:
+            return line
+        style = base + self.get_component_rich_style("text-view--number", partial=True)
+        return Strip([Segment(f"{row + 1:>{margin - 1}} ", style), *line])

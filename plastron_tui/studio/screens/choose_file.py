@@ -1,0 +1,153 @@
+"""Choosing a file: by writing its name, or by going through folders."""
+
+from __future__ import annotations
+
+import os
+from contextlib import suppress
+from pathlib import Path
+from typing import ClassVar
+
+from textual import on
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Vertical
+from textual.screen import ModalScreen
+from textual.widgets import Input, Label, OptionList
+from textual.widgets.option_list import Option
+
+_MOST = 2000
+
+
+class ChooseFile(ModalScreen["Path | None"]):
+    """Asks for a file; the result is its path, None for none."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape", "cancel", "Cancel"),
+        Binding("down", "to_list", "Files", show=False),
+    ]
+
+    def __init__(self, title: str, start: Path, *, name: str = "", must_be: bool) -> None:
+        """Make the question.
+
+        Args:
+            title: what it is for.
+            start: the folder to begin with.
+            name: the name to begin with.
+            must_be: whether the file must be there.
+        """
+        super().__init__()
+        self._title = title
+        self._folder = start
+        self._first = name
+        self._must_be = must_be
+
+    def compose(self) -> ComposeResult:
+        """Make the line and the list."""
+        with Vertical(id="dialog", classes="-tall"):
+            yield Label(self._title, id="dialog-title", markup=False)
+            yield Input(self._first, id="dialog-input", compact=True,
+                        placeholder="a name, a path, or part of one")  # fmt: skip
+            yield Label("", id="dialog-folder", markup=False)
+            yield OptionList(id="dialog-list", compact=True, markup=False)
+
+    def on_mount(self) -> None:
+        """Show the first folder."""
+        self._list()
+
+    def _list(self) -> None:
+        """List the programs and the folders that the written part fits."""
+        folder, part = self._split()
+        self.query_one("#dialog-folder", Label).update(_shown(folder))
+        options = [Option("../", id="..")]
+        names = _names(folder, self._must_be)
+        options += [Option(name, id=name) for name in names if part.lower() in name.lower()]
+        options_list = self.query_one(OptionList)
+        options_list.clear_options()
+        options_list.add_options(options)
+        options_list.highlighted = 1 if len(options) > 1 else 0
+
+    def _split(self) -> tuple[Path, str]:
+        written = self.query_one(Input).value.strip()
+        if written.startswith("~"):
+            with suppress(RuntimeError):
+                end = "/" if written.endswith("/") else ""
+                written = os.fspath(Path(written).expanduser()) + end
+        if "/" not in written:
+            return self._folder, written
+        folder, _, part = written.rpartition("/")
+        return self._folder / (folder or "/"), part
+
+    @on(Input.Changed)
+    def changed(self) -> None:
+        """List what fits."""
+        if self.is_mounted:
+            self._list()
+
+    @on(Input.Submitted)
+    def submitted(self) -> None:
+        """Take what is written; of an existing file the only one that fits will do."""
+        folder, part = self._split()
+        path = folder / part if part else folder
+        if path.is_dir():
+            self._enter(path)
+        elif path.is_file() or (part and not self._must_be):
+            self.dismiss(path)
+        else:
+            options_list = self.query_one(OptionList)
+            fitting = [option.id for option in options_list.options if option.id != ".."]
+            if len(fitting) >= 1:
+                at = options_list.highlighted or 1
+                self._take(options_list.get_option_at_index(at).id or "")
+            else:
+                self.notify(f"there is no file {part}", severity="warning", markup=False)
+
+    @on(OptionList.OptionSelected)
+    def selected(self, event: OptionList.OptionSelected) -> None:
+        """Take a file, or go into a folder."""
+        self._take(event.option.id or "")
+
+    def _take(self, name: str) -> None:
+        folder, _ = self._split()
+        path = folder.parent if name == ".." else folder / name
+        if path.is_dir():
+            self._enter(path)
+        elif self._must_be:
+            self.dismiss(path)
+        else:
+            self.query_one(Input).value = os.fspath(path)
+            self.query_one(Input).focus()
+
+    def _enter(self, folder: Path) -> None:
+        with suppress(OSError):
+            self._folder = folder.resolve()
+        self.query_one(Input).value = "" if self._must_be else self._first
+        self._list()
+
+    def action_to_list(self) -> None:
+        """Go from the line to the list."""
+        if self.query_one(Input).has_focus:
+            self.query_one(OptionList).focus()
+
+    def action_cancel(self) -> None:
+        """Take nothing."""
+        self.dismiss(None)
+
+
+def _names(folder: Path, only_programs: bool) -> list[str]:
+    folders, files = [], []
+    with suppress(OSError), os.scandir(folder) as entries:
+        for entry in entries:
+            if entry.name.startswith("."):
+                continue
+            with suppress(OSError):
+                if entry.is_dir():
+                    folders.append(f"{entry.name}/")
+                elif entry.name.endswith(".plastron"):
+                    files.append(entry.name)
+    return [*sorted(files, key=str.lower), *sorted(folders, key=str.lower)][:_MOST]
+
+
+def _shown(folder: Path) -> str:
+    with suppress(OSError, RuntimeError, ValueError):
+        return f"in ~/{folder.resolve().relative_to(Path.home())}"
+    return f"in {folder}"

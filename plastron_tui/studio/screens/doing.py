@@ -1,0 +1,273 @@
+"""What is done with a program: entries acted on, nodes generated, nodes run."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+from contextlib import suppress
+from pathlib import Path
+
+from textual import on, work
+from textual.message import Message
+from textual.screen import Screen
+
+from plastron_tui.diagnostics import Edit, Severity, Span, has_errors
+
+from ..editor import ProgramEditor
+from ..panels.entry import Entry, Subject
+from ..panels.program_panel import ProgramPanel
+from ..panels.text_view import TextView
+from ..panels.tones import Line, Piece
+from ..state import Open
+
+_MOST_LINES = 5000
+
+
+class Printed(Message):
+    """Nodes that run printed something, or ended."""
+
+    def __init__(self, process: subprocess.Popen[bytes], text: str | None) -> None:
+        super().__init__()
+        self.process = process
+        self.text = text
+
+
+class Doing(Screen[None]):
+    """Acts on the program."""
+
+    open: Open
+    editor: ProgramEditor
+    output: TextView
+    _process: subprocess.Popen[bytes] | None = None
+
+    # What the other parts of the screen do.
+
+    async def save(self, *, other: bool = False) -> bool:
+        """Save."""
+        raise AssertionError("the screen saves")
+
+    def show_title(self) -> None:
+        """Show the program's name."""
+
+    def bring(self, name: str, *, focus: bool = False) -> None:
+        """Bring a panel in sight."""
+
+    def ask_anew(self) -> None:
+        """Ask what the text means."""
+
+    # Entries.
+
+    @on(ProgramPanel.Asked)
+    def entry_asked(self, message: ProgramPanel.Asked) -> None:
+        """Do what was asked about an entry: as text in the editor."""
+        entry = message.entry
+        match message.what:
+            case "end" if entry.statement is not None:
+                self._append(entry.statement, before_generation_of=entry.node)
+            case "generate" if entry.node is not None:
+                self._append(f"generate_node {entry.node}")
+            case "fix" if entry.edits:
+                self.editor.apply(entry.edits)
+                self.editor.focus()
+            case "rename":
+                self._rename(entry)
+
+    def _append(self, statement: str, *, before_generation_of: str | None = None) -> None:
+        """Write a statement where it takes effect: last, but before its node is generated."""
+        text = self.open.text
+        at = len(text.rstrip())
+        analysis = self.open.analysis
+        if analysis is not None and analysis.text == text and before_generation_of is not None:
+            spans = [
+                made.span
+                for made in analysis.workspace.generations
+                if made.node.variable == before_generation_of
+            ]
+            if spans:
+                line = text.rfind(b"\n", 0, spans[-1].start) + 1
+                self.editor.replace(Span(line, line), statement + "\n")
+                self.editor.go_to(line)
+                self.editor.focus()
+                return
+        self.editor.go_to(at)
+        self.editor.insert_statement(statement)
+        self.editor.focus()
+
+    @work(exclusive=True, group="rename")
+    async def _rename(self, entry: Entry) -> None:
+        from ..renaming import renamed, wrong_name
+        from .question import Prompt
+
+        old = entry.name or ""
+        open_, text = self.open, self.open.text
+        new = await self.app.push_screen_wait(Prompt(f"Rename {old} to", old))
+        if not new or new == old or open_ is not self.open or text != open_.text:
+            return
+        subject = Subject.MESSAGE if entry.subject is Subject.NODE else entry.subject
+        problem = wrong_name(subject, new, open_.session)
+        if problem is not None:
+            self.notify(problem, severity="warning", markup=False)
+            return
+        edits = renamed(open_.session.program, subject, old, new, entry.node)
+        if not edits:
+            self.notify(f"{old} is not written in this program", markup=False)
+            return
+        self.editor.apply(edits)
+        self.notify(f"renamed {len(edits)} places", timeout=2)
+
+    def action_fix(self) -> None:
+        """Apply the remedy of the mistake on the cursor's line."""
+        analysis = self.open.analysis
+        offset, text = self.editor.cursor_offset, self.open.text
+        if analysis is None or analysis.text != text:
+            return
+        start = text.rfind(b"\n", 0, offset) + 1
+        end = text.find(b"\n", offset)
+        end = len(text) if end < 0 else end
+        for found in analysis.diagnostics:
+            span = found.span
+            if found.fix is None or found.file is not None or span is None:
+                continue
+            if start <= span.start <= end:
+                edits: tuple[Edit, ...] = found.fix.edits
+                self.editor.apply(edits)
+                self.notify(found.fix.title, timeout=2, markup=False)
+                return
+        self.notify("nothing on this line has a remedy that can be applied", timeout=3)
+
+    # Generating.
+
+    @work(exclusive=True, group="generate")
+    async def action_generate(self) -> None:
+        """Show what would be written, then write it."""
+        from .generate import GenerateDialog
+
+        if not await self._has_place():
+            return
+        session = self.open.session
+        if has_errors(session.diagnostics):
+            self._say_errors()
+            return
+        await self.app.push_screen_wait(GenerateDialog(session))
+        session.__dict__.pop("setting", None)
+        self.ask_anew()
+
+    async def _has_place(self) -> bool:
+        """Make sure that there is a folder to generate into: that of the program."""
+        if self.open.path is not None:
+            return True
+        self.notify("the files go beside the program: save it first", timeout=4)
+        return await self.save()
+
+    def _say_errors(self) -> None:
+        errors = [d for d in self.open.session.diagnostics if d.severity is Severity.ERROR]
+        count = len(errors)
+        self.notify(
+            f"{count} {'mistake has' if count == 1 else 'mistakes have'} to be mended first",
+            severity="warning",
+        )
+        self.bring("problems", focus=True)
+
+    # Running.
+
+    @property
+    def runs_nodes(self) -> bool:
+        """Whether nodes run."""
+        return self._process is not None
+
+    @work(exclusive=True, group="run")
+    async def action_run(self) -> None:
+        """Save, then start the nodes."""
+        if self._process is not None:
+            self.notify("the nodes run already; stop them first", timeout=3)
+            self.bring("output", focus=True)
+            return
+        if not await self._has_place():
+            return
+        if has_errors(self.open.session.diagnostics):
+            self._say_errors()
+            return
+        if self.open.is_changed and not await self.save():
+            return
+        assert self.open.path is not None
+        self._start(self.open.path)
+
+    def _start(self, path: Path) -> None:
+        options = self.open.session.options
+        command = [sys.executable, "-m", "plastron_tui", "run", os.fspath(path)]
+        if options.target is not None:
+            command += ["--target", options.target]
+        if options.output is not None:
+            command += ["--output", os.fspath(options.output)]
+        environ = {**os.environ, "PYTHONUNBUFFERED": "1", "NO_COLOR": "1"}
+        try:
+            process = subprocess.Popen(
+                command,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+                env=environ,
+                start_new_session=True,
+            )
+        except OSError as error:
+            self.notify(f"cannot run: {error.strerror}", severity="error", markup=False)
+            return
+        self._process = process
+        self.output.show(((Piece(f"plastron run {path.name}", "quiet"),),))
+        threading.Thread(target=self._read, args=(process,), daemon=True).start()
+        self.show_title()
+        self.bring("output", focus=True)
+
+    def _read(self, process: subprocess.Popen[bytes]) -> None:
+        assert process.stdout is not None
+        with process.stdout as stream:
+            for line in iter(stream.readline, b""):
+                self.post_message(Printed(process, line.decode("utf-8", "replace").rstrip("\r\n")))
+        process.wait()
+        self.post_message(Printed(process, None))
+
+    @on(Printed)
+    def printed(self, message: Printed) -> None:
+        """Show what nodes print."""
+        if message.process is not self._process:
+            return
+        if message.text is None:
+            self._process = None
+            status = message.process.returncode
+            tone = "success" if status == 0 else "error"
+            stopped = status in (130, -signal.SIGINT, -signal.SIGTERM)
+            words = "stopped" if stopped else f"ended with status {status}"
+            line: Line = (Piece(words, "quiet" if stopped else tone),)
+            self.show_title()
+        else:
+            line = _printed_line(message.text)
+        self.output.show((*self.output.lines, line)[-_MOST_LINES:], follow=True)
+
+    def action_stop(self) -> None:
+        """Stop what runs."""
+        if self._process is None:
+            self.notify("nothing runs", timeout=2)
+        else:
+            self.stop_running()
+
+    def stop_running(self) -> None:
+        """Interrupt the nodes, as Ctrl-C does."""
+        if self._process is not None:
+            with suppress(ProcessLookupError, PermissionError):
+                self._process.send_signal(signal.SIGINT)
+
+
+def _printed_line(text: str) -> Line:
+    from plastron_tui.diagnostics.render import printable
+
+    shown = printable(text.expandtabs(4))
+    lower = shown.lower()
+    if "error" in lower or "traceback" in lower:
+        return (Piece(shown, "error"),)
+    if "warn" in lower:
+        return (Piece(shown, "warning"),)
+    name, colon, rest = shown.partition(" | ")
+    return (Piece(name + colon, "primary"), Piece(rest)) if colon else (Piece(shown),)

@@ -1,0 +1,371 @@
+"""Opening and saving, and everything that keeps a text from being lost."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, cast
+
+from textual import work
+from textual.screen import Screen
+from textual.timer import Timer
+
+from ..analyst import Analyst
+from ..editor import ProgramEditor
+from ..files import OnDisk, Saved, open_file, read_again, save_file, with_suffix
+from ..journal import Kept
+from ..panels.tones import Lines
+from ..state import Open, opened
+
+if TYPE_CHECKING:
+    from ..app import StudioApp
+
+_KEEP = 0.5
+"""Seconds after which what was typed is in the journal, at most."""
+
+
+class Filing(Screen[None]):
+    """Owns the file of the program that is open."""
+
+    open: Open
+    editor: ProgramEditor
+    analyst: Analyst
+    _keeping: Timer | None = None
+    _journal_failed = False
+
+    # What the other parts of the screen do.
+
+    def show_title(self) -> None:
+        """Show the program's name."""
+
+    def clear_panels(self) -> None:
+        """Show nothing."""
+
+    def ask_anew(self) -> None:
+        """Ask what the text means."""
+
+    def remember_layout(self) -> None:
+        """Remember how the screen is laid out."""
+
+    @property
+    def _studio(self) -> StudioApp:
+        return cast("StudioApp", self.app)
+
+    # The journal.
+
+    def keep_soon(self) -> None:
+        """Keep the text within half a second."""
+        if self._keeping is None:
+            self._keeping = self.set_timer(_KEEP, self._keep)
+
+    def _keep(self) -> None:
+        self._keeping = None
+        if not self.open.is_changed:
+            self.open.journal.drop()
+            return
+        self._write_journal(self.open, self.open.text, self.editor.cursor_offset)
+
+    def keep_now(self) -> None:
+        """Keep the text at once: something has gone wrong."""
+        if self.open.is_changed:
+            self.open.journal.write(self.open.text, self.editor.cursor_offset)
+
+    @work(thread=True, group="journal", exit_on_error=False)
+    def _write_journal(self, open_: Open, text: bytes, cursor: int) -> None:
+        error = open_.journal.write(text, cursor)
+        if error is not None:
+            self.app.call_from_thread(self._journal_refused, error)
+
+    def _journal_refused(self, error: OSError) -> None:
+        if not self._journal_failed:
+            self._journal_failed = True
+            reason = (error.strerror or str(error)).lower()
+            self.notify(f"what you type is not kept: {reason}; save often", severity="warning",
+                        markup=False)  # fmt: skip
+
+    # Opening.
+
+    def take(self, open_: Open, cursor: int = 0) -> None:
+        """Show another program."""
+        self.open = open_
+        self.editor.set_session(open_.session)
+        if cursor:
+            self.editor.go_to(cursor)
+        if open_.path is not None:
+            self._studio.opened(open_.path)
+        self.clear_panels()
+        self.show_title()
+        self.ask_anew()
+        if open_.is_changed:
+            self.keep_soon()
+        self.editor.focus()
+
+    def take_file(self, path: Path, *, kept: Kept | None = None) -> bool:
+        """Open a file, or say why that cannot be; the text that is open is then left alone."""
+        found = open_file(path)
+        if found.problem is not None:
+            help_ = f"\n{found.problem.help}" if found.problem.help else ""
+            self.notify(found.problem.message + help_, severity="error", timeout=10, markup=False)
+            return False
+        text = None if kept is None else kept.text
+        options = self.open.session.options
+        self.take(opened(found.disk, self._studio.state_folder, options, text),
+                  0 if kept is None else kept.cursor)  # fmt: skip
+        return True
+
+    @work(exclusive=True, group="file")
+    async def action_new(self) -> None:
+        """Start an empty program."""
+        if await self.may_leave():
+            self.take(opened(None, self._studio.state_folder, self.open.session.options))
+
+    @work(exclusive=True, group="file")
+    async def action_open(self) -> None:
+        """Open a program."""
+        from .choose_file import ChooseFile
+
+        if not await self.may_leave():
+            return
+        start = self.open.session.folder
+        path = await self.app.push_screen_wait(ChooseFile("Open", start, must_be=True))
+        if path is not None:
+            self.take_file(path)
+
+    @work(exclusive=True, group="file")
+    async def open_path(self, path: Path) -> None:
+        """Open a file that was chosen elsewhere."""
+        if await self.may_leave():
+            self.take_file(path)
+
+    # Saving.
+
+    @work(exclusive=True, group="file")
+    async def action_save(self) -> None:
+        """Write the program to its file."""
+        await self.save()
+
+    @work(exclusive=True, group="file")
+    async def action_save_as(self) -> None:
+        """Write the program to another file."""
+        await self.save(other=True)
+
+    async def save(self, *, other: bool = False) -> bool:
+        """Save, and ask what has to be asked; tell whether it was done."""
+        path = self.open.path
+        if path is None or other:
+            path = await self._ask_path()
+            if path is None:
+                return False
+        text = self.open.text
+        disk = self.open.disk
+        saved = save_file(path, text, disk)
+        if saved.found is not None:
+            if not await self._may_overwrite(path, saved.found, text):
+                return False
+            saved = save_file(path, text, disk, force=True)
+        return self._saved(path, saved)
+
+    async def _ask_path(self) -> Path | None:
+        from .choose_file import ChooseFile
+
+        path = self.open.path
+        start = self.open.session.folder
+        name = "" if path is None else path.name
+        chosen = await self.app.push_screen_wait(
+            ChooseFile("Save as", start, name=name or self._suggested(), must_be=False)
+        )
+        return None if chosen is None else with_suffix(chosen)
+
+    def _suggested(self) -> str:
+        analysis = self.open.analysis
+        nodes = () if analysis is None else tuple(analysis.workspace.nodes.values())
+        return f"{nodes[0].name}.plastron" if nodes else "program.plastron"
+
+    async def _may_overwrite(self, path: Path, found: bytes, text: bytes) -> bool:
+        from .question import Question
+
+        answer = await self.app.push_screen_wait(
+            Question(
+                f"{path.name} holds something else on the disk",
+                [("cancel", "Cancel"), ("overwrite", "Overwrite it")],
+                text="This is what saving would change there:",
+                lines=difference(path.name, found, text),
+            )
+        )
+        return answer == "overwrite"
+
+    def _saved(self, path: Path, saved: Saved) -> bool:
+        if saved.disk is None:
+            problem = saved.problem
+            if problem is not None:
+                help_ = f"\n{problem.help}" if problem.help else ""
+                self.notify(problem.message + help_, severity="error", timeout=10, markup=False)
+            return False
+        open_ = self.open
+        open_.journal.drop()
+        if open_.path == path:
+            open_.disk = saved.disk
+            open_.told = None
+        else:
+            cursor = self.editor.cursor_offset
+            self.take(opened(saved.disk, self._studio.state_folder, open_.session.options), cursor)
+        self._studio.opened(path)
+        self.show_title()
+        self.notify(f"saved {path.name}", timeout=2, markup=False)
+        return True
+
+    # Leaving.
+
+    async def may_leave(self) -> bool:
+        """Ask about what is not saved; tell whether the program may be closed."""
+        if not self.open.is_changed:
+            self.open.journal.drop()
+            return True
+        from .question import Question
+
+        answer = await self.app.push_screen_wait(
+            Question(
+                f"Save {self.open.name}?",
+                [("save", "Save"), ("drop", "Don't save"), ("cancel", "Cancel")],
+                text="There are changes that are not saved.",
+            )
+        )
+        if answer == "save":
+            return await self.save()
+        if answer == "drop":
+            self.open.journal.drop()
+            return True
+        return False
+
+    @work(exclusive=True, group="file")
+    async def action_quit(self) -> None:
+        """Leave the studio."""
+        if await self.may_leave():
+            if self._keeping is not None:
+                self._keeping.stop()
+            self.remember_layout()
+            self.app.exit()
+
+    @work(exclusive=True, group="file")
+    async def action_welcome(self) -> None:
+        """Show recent programs, examples and the tour."""
+        from .welcome import Welcome
+
+        studio = self._studio
+        answer = await self.app.push_screen_wait(Welcome(studio.remembered.recent))
+        match answer:
+            case ("open", str(path)):
+                if await self.may_leave():
+                    self.take_file(Path(path))
+            case ("example", str(path)):
+                if await self.may_leave():
+                    self.take_example(Path(path))
+            case ("action", str(call)):
+                await self.run_action(call)
+            case _:
+                self.editor.focus()
+
+    def take_example(self, path: Path) -> None:
+        """Open a copy of an example, which has no file yet."""
+        found = open_file(path)
+        if found.disk is not None:
+            folder, options = self._studio.state_folder, self.open.session.options
+            self.take(opened(None, folder, options, found.disk.text))
+
+    # Others who write the file.
+
+    def look_at_disk(self) -> None:
+        """Ask, when somebody else has written the file."""
+        disk = self.open.disk
+        if disk is None or not disk.is_changed or self.app.screen is not self:
+            return
+        now = read_again(disk)
+        if now.text == disk.text:
+            self.open.disk = now
+        elif now.text is None:
+            if self.open.told is None or self.open.told.text is not None:
+                self.open.told = now
+                self.notify(f"{disk.path.name} is no longer on the disk; save it to keep it",
+                            severity="warning", markup=False)  # fmt: skip
+        elif self.open.told is None or self.open.told.stamp != now.stamp:
+            self.open.told = now
+            self._ask_about_disk(self.open, now)
+
+    @work(exclusive=True, group="disk")
+    async def _ask_about_disk(self, open_: Open, now: OnDisk) -> None:
+        from .question import Question
+
+        assert now.text is not None
+        answer = await self.app.push_screen_wait(
+            Question(
+                f"{now.path.name} was changed by another program",
+                [("keep", "Keep my text"), ("load", "Load the file")],
+                text="This is how the file differs from the text in the editor:",
+                lines=difference(now.path.name, open_.text, now.text),
+            )
+        )
+        if open_ is not self.open or answer != "load":
+            return
+        found = open_file(now.path)
+        if found.problem is not None or found.disk is None:
+            message = found.problem.message if found.problem is not None else "it has gone"
+            self.notify(message, severity="error", markup=False)
+            return
+        open_.disk = found.disk
+        self.editor.replace_all(found.disk.text or b"")
+        self.show_title()
+
+    # What was kept.
+
+    def offer_kept(self, kept: Kept) -> None:
+        """Offer a text that was not saved before the studio ended."""
+        self._offer(kept)
+
+    @work(exclusive=True, group="kept")
+    async def _offer(self, kept: Kept) -> None:
+        from datetime import datetime
+
+        from .question import Question
+
+        name = "a new program" if kept.path is None else kept.path.name
+        found = None if kept.path is None else open_file(kept.path).disk
+        before = b"" if found is None or found.text is None else found.text
+        when = datetime.fromtimestamp(kept.when).strftime("%H:%M on %d %B")
+        answer = await self.app.push_screen_wait(
+            Question(
+                f"{name} was not saved",
+                [("restore", "Restore"), ("later", "Later"), ("drop", "Forget it")],
+                text=f"The studio ended at {when} with these changes:",
+                lines=difference(name, before, kept.text),
+            )
+        )
+        if answer == "drop":
+            kept.drop()
+        if answer != "restore":
+            return
+        if kept.path is None:
+            folder, options = self._studio.state_folder, self.open.session.options
+            self.take(opened(None, folder, options, kept.text), kept.cursor)
+        elif not self.take_file(kept.path, kept=kept):
+            return
+        if kept.file != self.open.journal.file:
+            self.call_after_refresh(partial(self._adopt, kept))
+
+    def _adopt(self, kept: Kept) -> None:
+        """Forget the old journal as soon as the new one is written."""
+        if self.open.journal.write(self.open.text, kept.cursor) is None:
+            kept.drop()
+
+
+def difference(name: str, before: bytes, after: bytes) -> Lines:
+    """Return how two texts differ, to look at."""
+    from difflib import unified_diff
+
+    from ..preview import diff_lines
+
+    rows = unified_diff(
+        before.decode("utf-8", "replace").splitlines(),
+        after.decode("utf-8", "replace").splitlines(),
+        name, name, lineterm="",
+    )  # fmt: skip
+    return diff_lines("\n".join(rows))

@@ -1,0 +1,225 @@
+"""The dialog that shows what would be written, writes it, and says how to run it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import ClassVar
+
+from textual import on
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Horizontal, Vertical
+from textual.content import Content
+from textual.screen import ModalScreen
+from textual.widgets import Button, Label, OptionList
+from textual.widgets.option_list import Option
+
+from plastron_tui.diagnostics import Diagnostic, has_errors
+from plastron_tui.output.diff import file_diff, printable
+from plastron_tui.output.plan import FilePlan, FileState, PlannedFile
+from plastron_tui.output.writer import WriteResult, write
+from plastron_tui.session import Session
+
+from ..panels.text_view import TextView
+from ..panels.tones import Lines, Piece
+from ..preview import coloured, diff_lines
+
+_TONES = {
+    FileState.CREATE: "$text-success",
+    FileState.IDENTICAL: "$text-muted",
+    FileState.CHANGED: "$text-warning",
+    FileState.CONFLICT: "$text-error",
+}
+_SIGNS = {
+    FileState.CREATE: "+",
+    FileState.IDENTICAL: "=",
+    FileState.CHANGED: "~",
+    FileState.CONFLICT: "!",
+}
+
+
+class GenerateDialog(ModalScreen[bool]):
+    """Lists the files; the result is whether they were written."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape", "close", "Close"),
+        Binding("f6", "write", "Write"),
+        Binding("f5", "run", "Run"),
+        Binding("d", "toggle_diff", "Diff or file"),
+    ]
+    AUTO_FOCUS = "#dialog-files"
+
+    def __init__(self, session: Session) -> None:
+        super().__init__()
+        self._session = session
+        self.plan, self.problems = session.plan()
+        self.is_written = False
+        self._shows_diff = True
+
+    def compose(self) -> ComposeResult:
+        """Make the list, the diff and the buttons."""
+        with Vertical(id="dialog", classes="-tall"):
+            yield Label(self._heading(), id="dialog-title", markup=False)
+            yield OptionList(*self._options(), id="dialog-files", compact=True)
+            yield Label("", id="dialog-text", markup=False)
+            yield TextView(id="dialog-view")
+            with Horizontal(id="dialog-buttons"):
+                yield Button(self._write_words(), id="write", variant="primary", compact=True)
+                yield Button("Overwrite, keep a backup", id="force", compact=True)
+                yield Button("Run", id="run", compact=True)
+                yield Button("Close", id="close", compact=True)
+
+    def on_mount(self) -> None:
+        """Offer what can be done."""
+        self._offer()
+        if self.plan.files:
+            self.query_one(OptionList).highlighted = 0
+        else:
+            self.query_one(TextView).show(self._reasons())
+
+    def _heading(self) -> str:
+        if not self.plan.files:
+            return "Nothing to generate"
+        return f"Generate into {_short(self.plan.folder)}"
+
+    def _write_words(self) -> str:
+        count = len(self._waiting())
+        return f"Write {count} file{'' if count == 1 else 's'}"
+
+    def _waiting(self) -> list[PlannedFile]:
+        return [file for file in self.plan.files
+                if file.state in (FileState.CREATE, FileState.CHANGED)]  # fmt: skip
+
+    def _options(self) -> list[Option]:
+        return [
+            Option(
+                Content.assemble(
+                    (f" {_SIGNS[file.state]} {file.state.value:<10}", _TONES[file.state]),
+                    (file.name, "bold"),
+                )
+            )
+            for file in self.plan.files
+        ]
+
+    def _reasons(self) -> Lines:
+        found = self.problems or (
+            Diagnostic(
+                "nothing-to-generate",
+                "the program generates no node",
+                help="end it with `generate_node` and the variable of a node",
+            ),
+        )
+        return tuple(
+            (Piece(f" {one.message}" + (f" — {one.help}" if one.help else ""), "warning"),)
+            for one in found
+        )
+
+    def _offer(self) -> None:
+        """Show the buttons that lead somewhere, and say what is the case."""
+        has_problem = has_errors(self.problems)
+        conflicts = self.plan.conflicts
+        can_write = bool(self._waiting()) and not (has_problem or conflicts or self.is_written)
+        self.query_one("#write", Button).display = can_write
+        self.query_one("#force", Button).display = bool(conflicts) and not self.is_written
+        all_there = self.is_written or all(
+            file.state is FileState.IDENTICAL for file in self.plan.files
+        )
+        self.query_one("#run", Button).display = bool(self.plan.files) and all_there
+        text = self.query_one("#dialog-text", Label)
+        if has_problem:
+            text.update("\n".join(found.message for found in self.problems))
+        elif self.is_written or (self.plan.files and all_there):
+            text.update(f"{'Written' if self.is_written else 'All is there'}. To run: F5, or "
+                        f"in a shell: plastron run {self._program()}")  # fmt: skip
+        elif conflicts:
+            text.update("Files marked ! were changed by hand, and are left alone.")
+        text.display = bool(str(text.content))
+
+    def _program(self) -> str:
+        return "FILE" if self._session.path is None else _short(self._session.path)
+
+    @on(OptionList.OptionHighlighted)
+    def highlighted(self) -> None:
+        """Show the diff of the file."""
+        self._draw()
+
+    @on(OptionList.OptionSelected)
+    def selected(self) -> None:
+        """Take Enter on a file for the first button."""
+        self.action_write()
+
+    def _draw(self) -> None:
+        at = self.query_one(OptionList).highlighted
+        if at is None or at >= len(self.plan.files):
+            return
+        file = self.plan.files[at]
+        view = self.query_one(TextView)
+        if self._shows_diff and file.before is not None and file.before != file.text:
+            view.show(diff_lines(printable(file_diff(file))), numbers=False)
+        else:
+            view.show(coloured(file.text.decode("utf-8", "replace"), file.path), numbers=True)
+        view.scroll_home(animate=False)
+
+    def action_toggle_diff(self) -> None:
+        """Show the whole file, or what changes in it."""
+        self._shows_diff = not self._shows_diff
+        self._draw()
+
+    @on(Button.Pressed, "#write")
+    def action_write(self) -> None:
+        """Write the files, where nothing stands against it."""
+        if self.query_one("#write", Button).display:
+            self._write(force=False)
+        elif self.query_one("#run", Button).display:
+            self.query_one("#run", Button).focus()
+
+    @on(Button.Pressed, "#force")
+    def _force(self) -> None:
+        self._write(force=True)
+
+    def _write(self, *, force: bool) -> None:
+        result = write(self.plan, force=force)
+        if result.diagnostics:
+            found = result.diagnostics[0]
+            self.notify(found.message + (f"\n{found.help}" if found.help else ""),
+                        severity="error", timeout=10, markup=False)  # fmt: skip
+            return
+        self._wrote(result)
+
+    def _wrote(self, result: WriteResult) -> None:
+        backups = [written.backup.name for written in result.written if written.backup]
+        if backups:
+            self.notify("kept as " + ", ".join(backups), markup=False)
+        self.is_written = True
+        # What was written is what is there: look again.
+        fresh = Session(self._session.document.text, self._session.path, self._session.options)
+        plan, _ = fresh.plan()
+        self._show_plan(plan)
+
+    def _show_plan(self, plan: FilePlan) -> None:
+        self.plan = plan
+        files = self.query_one(OptionList)
+        at = files.highlighted
+        files.clear_options()
+        files.add_options(self._options())
+        files.highlighted = at
+        self._offer()
+        self.query_one("#run", Button).focus()
+
+    @on(Button.Pressed, "#run")
+    def action_run(self) -> None:
+        """Start the nodes."""
+        self.dismiss(self.is_written)
+        self.app.call_later(self.app.run_action, "screen.run")
+
+    @on(Button.Pressed, "#close")
+    def action_close(self) -> None:
+        """Close the dialog."""
+        self.dismiss(self.is_written)
+
+
+def _short(path: Path) -> str:
+    try:
+        return str(path.absolute().relative_to(Path.cwd()))
+    except (OSError, ValueError):
+        return str(path)

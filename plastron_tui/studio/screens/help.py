@@ -1,0 +1,112 @@
+"""Help: what the part with the focus is for, its keys, and all actions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import ClassVar
+
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Vertical
+from textual.screen import ModalScreen
+from textual.widgets import Label
+
+from plastron_tui.language import DECLARATIONS
+
+from ..actions import grouped
+from ..panels.text_view import TextView
+from ..panels.tones import Line, Lines, Piece
+
+ABOUT = {
+    "editor": ("The editor", "One statement a line. While you type, a list offers what can stand "
+               "there: Tab takes it, Esc closes it. A mistake is underlined, with its message "
+               "beside it."),
+    "nodes": ("Nodes", "Each node with its publishers ↑, subscriptions ↓, services ◆ and "
+              "clients ◇. Enter goes to the statement; Delete writes the one that ends it."),
+    "topics": ("Topics", "Each topic with who publishes ↑ and who listens ↓. A ⚠ says which side "
+               "is missing."),
+    "services": ("Services", "Each service with who provides it ◆ and who calls it ◇. A ⚠ says "
+                 "which side is missing."),
+    "messages": ("Messages", "Each message with the values of its fields."),
+    "problems": ("Problems", "Everything that is wrong. Enter goes there; F applies the remedy "
+                 "where there is a ⚑."),
+    "preview": ("Preview", "The file that the node at the cursor becomes. For a file that is "
+                "there already: what changes in it; D shows the whole file."),
+    "graph": ("Graph", "Nodes are boxes with corners, topics and services have round ones. The "
+              "arrows go from who speaks to who listens. Arrow keys scroll, Ctrl-T enlarges."),
+    "output": ("Output", "What the nodes print that F5 started."),
+}  # fmt: skip
+"""What each part is for, by its id."""
+
+
+class Help(ModalScreen[None]):
+    """Shows help for the part that has the focus."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape,f1,q", "close", "Close")]
+    AUTO_FOCUS = "TextView"
+
+    def __init__(self, part: str, keys: Iterable[tuple[str, str]], actions: Lines) -> None:
+        """Make the help.
+
+        Args:
+            part: the id of the part that has the focus.
+            keys: its keys and what they do.
+            actions: the actions of the studio, in lines.
+        """
+        super().__init__()
+        self.title_, self.about = ABOUT.get(part, ABOUT["editor"])
+        self._lines: list[Line] = [*self._key_lines(keys)]
+        if part == "editor":
+            self._lines += [*statement_lines()]
+        self._lines += actions
+
+    @staticmethod
+    def _key_lines(keys: Iterable[tuple[str, str]]) -> Iterable[Line]:
+        rows = list(keys)
+        if rows:
+            yield (Piece("Keys here", "primary"),)
+            for key, what in rows:
+                yield (Piece(f"  {key:<18}", "accent"), Piece(what))
+            yield ()
+
+    def compose(self) -> ComposeResult:
+        """Make the text."""
+        with Vertical(id="dialog", classes="-tall"):
+            yield Label(self.title_, id="dialog-title")
+            yield Label(self.about, id="dialog-text", markup=False)
+            yield TextView(tuple(self._lines), id="dialog-view")
+            yield Label("Esc closes", id="dialog-keys")
+
+    def action_close(self) -> None:
+        """Close."""
+        self.dismiss(None)
+
+
+def statement_lines() -> Iterable[Line]:
+    """Yield the statements of the language, as they are declared."""
+    yield (Piece("Statements", "primary"),)
+    for declaration in DECLARATIONS.values():
+        yield (Piece(f"  {declaration.usage}", "strong"),)
+        yield (Piece(f"      {declaration.summary}", "quiet"),)
+        yield (Piece(f"      {declaration.example}", "string"),)
+    yield ()
+
+
+def action_lines(keys: Iterable[tuple[str, str]]) -> Lines:
+    """Return all actions in lines, under their headings; `keys` has the key of each by its id."""
+    of = dict(keys)
+    lines: list[Line] = []
+    for group, actions in grouped():
+        lines.append((Piece(group, "primary"),))
+        for action in actions:
+            key = of.get(action.id, "")
+            what = action.help.rstrip(".")
+            lines.append(
+                (
+                    Piece(f"  {key or 'menu':<18}", "accent" if key else "dim"),
+                    Piece(f"{action.title:<28}"),
+                    Piece(what, "quiet"),
+                )
+            )
+        lines.append(())
+    return tuple(lines)

@@ -1,0 +1,112 @@
+"""A question with a few answers, and, where that helps, a text to look at."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import ClassVar
+
+from textual import on
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Horizontal, Vertical
+from textual.screen import ModalScreen
+from textual.widgets import Button, Input, Label
+
+from ..panels.text_view import TextView
+from ..panels.tones import Lines
+
+
+class Question(ModalScreen[str]):
+    """Asks; the result is the id of the answer, "" for none."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape", "answer('')", "Cancel"),
+        Binding("left", "app.focus_previous", show=False),
+        Binding("right", "app.focus_next", show=False),
+    ]
+
+    def __init__(
+        self,
+        title: str,
+        answers: Sequence[tuple[str, str]],
+        *,
+        text: str = "",
+        lines: Lines | None = None,
+    ) -> None:
+        """Make a question.
+
+        Args:
+            title: the question.
+            answers: the id and the words of each answer; the first one is the safe one. A
+                letter that starts the words, pressed, gives the answer too.
+            text: an explanation.
+            lines: something to look at, a diff say.
+        """
+        super().__init__()
+        self._title = title
+        self._answers = list(answers)
+        self._text = text
+        self._lines = lines
+
+    def compose(self) -> ComposeResult:
+        """Make the question and its answers."""
+        with Vertical(id="dialog", classes="-tall" if self._lines else ""):
+            yield Label(self._title, id="dialog-title", markup=False)
+            if self._text:
+                yield Label(self._text, id="dialog-text", markup=False)
+            if self._lines is not None:
+                yield TextView(self._lines, id="dialog-view")
+            with Horizontal(id="dialog-buttons"):
+                for number, (id_, words) in enumerate(self._answers):
+                    variant = "primary" if number == 0 else "default"
+                    yield Button(words, id=id_, variant=variant, compact=True)  # type: ignore[arg-type]
+
+    def on_mount(self) -> None:
+        """Let Enter give the first answer."""
+        self.query(Button).first().focus()
+
+    @on(Button.Pressed)
+    def pressed(self, event: Button.Pressed) -> None:
+        """Answer."""
+        self.dismiss(event.button.id or "")
+
+    def on_key(self, event: object) -> None:
+        """Take the first letter of an answer for the answer."""
+        character = getattr(event, "character", None)
+        for id_, words in self._answers:
+            if character and character.lower() == words[0].lower():
+                self.dismiss(id_)
+                return
+
+    def action_answer(self, answer: str) -> None:
+        """Answer."""
+        self.dismiss(answer)
+
+
+class Prompt(ModalScreen[str]):
+    """Asks for a line of text; the result is the line, "" for none."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "cancel", "Cancel")]
+
+    def __init__(self, title: str, value: str = "", *, text: str = "") -> None:
+        super().__init__()
+        self._title = title
+        self._value = value
+        self._text = text
+
+    def compose(self) -> ComposeResult:
+        """Make the question and the line."""
+        with Vertical(id="dialog"):
+            yield Label(self._title, id="dialog-title", markup=False)
+            if self._text:
+                yield Label(self._text, id="dialog-text", markup=False)
+            yield Input(self._value, id="dialog-input", compact=True, select_on_focus=True)
+
+    @on(Input.Submitted)
+    def submitted(self, event: Input.Submitted) -> None:
+        """Take the line."""
+        self.dismiss(event.value.strip())
+
+    def action_cancel(self) -> None:
+        """Take nothing."""
+        self.dismiss("")

@@ -1,0 +1,74 @@
+"""What is open in the studio: a session, what its file holds, and what the text means."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from plastron_tui.session import Options, Session
+
+from .analysis import Analysis
+from .files import OnDisk
+from .journal import Journal
+
+
+@dataclass
+class Open:
+    """The program that is open. Handlers of the main screen own it; nobody else writes here.
+
+    Attributes:
+        session: the program; the editor edits it.
+        disk: what its file held when it was read or saved last, None for a program without one.
+        journal: where what was typed is kept.
+        analysis: what the text meant when that was found out last.
+        told: what was on the disk when it was asked about; None when nothing was.
+    """
+
+    session: Session
+    disk: OnDisk | None
+    journal: Journal
+    analysis: Analysis | None = None
+    told: OnDisk | None = None
+
+    @property
+    def path(self) -> Path | None:
+        """The program's file."""
+        return self.session.path
+
+    @property
+    def text(self) -> bytes:
+        """The program."""
+        return self.session.document.text
+
+    @property
+    def saved(self) -> bytes:
+        """What the file holds, as far as is known."""
+        return (self.disk.text or b"") if self.disk is not None else b""
+
+    @property
+    def is_changed(self) -> bool:
+        """Whether there is something to save."""
+        text, saved = self.text, self.saved
+        return len(text) != len(saved) or text != saved
+
+    @property
+    def name(self) -> str:
+        """What the program is called."""
+        return "new program" if self.path is None else self.path.name
+
+
+def opened(
+    disk: OnDisk | None, folder: Path, options: Options | None = None, text: bytes | None = None
+) -> Open:
+    """Open a program.
+
+    Args:
+        disk: its file; None for a new one.
+        folder: where journals are.
+        options: what the command line sets.
+        text: another text than that of the file, which is then not saved yet.
+    """
+    path = None if disk is None else disk.path
+    if text is None:
+        text = (disk.text or b"") if disk is not None else b""
+    return Open(Session(text, path, options), disk, Journal(folder, path))

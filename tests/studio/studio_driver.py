@@ -1,0 +1,118 @@
+from __future__ import annotations
+
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
+from pathlib import Path
+from typing import Any
+
+from textual.pilot import Pilot
+
+from plastron_tui.studio.app import StudioApp
+from plastron_tui.studio.screens.main import MainScreen
+
+PROGRAM = """\
+create_node 'talker' as talker
+create_message greeting of message_type String and input "hello"
+talker publish greeting to 'chatter' of message_type String
+generate_node talker
+
+create_node 'listener' as listener
+subscribe listener to 'chatter' of message_type String
+generate_node listener
+"""
+
+SIZES = [(80, 24), (120, 40)]
+
+
+class Driver:
+    """A studio that runs headless, and what tests ask of it."""
+
+    def __init__(self, app: StudioApp, pilot: Pilot[None]) -> None:
+        self.app = app
+        self.pilot = pilot
+
+    @property
+    def main(self) -> MainScreen:
+        return self.app.main
+
+    @property
+    def text(self) -> str:
+        return self.main.editor.text.decode()
+
+    async def press(self, *keys: str) -> None:
+        for key in keys:
+            await self.pilot.press(key)
+        await self.settle()
+
+    async def type(self, text: str) -> None:
+        for character in text:
+            await self.pilot.press({"\n": "enter", " ": "space"}.get(character, character))
+        await self.settle()
+
+    async def settle(self) -> None:
+        """Wait until what the text means is known and shown."""
+        await self.until(lambda: self.is_current)
+        await self.pilot.pause()
+
+    @property
+    def is_current(self) -> bool:
+        main = self.main
+        analysis = main.open.analysis
+        if analysis is None or analysis.text != main.open.text or main._pause is not None:
+            return False
+        wanted = main.wanted()
+        return (
+            set(wanted.panels) <= analysis.entries.keys()
+            and (wanted.preview is None or wanted.preview in analysis.previews)
+            and (not wanted.graph or analysis.drawing is not None)
+        )
+
+    async def until(self, condition: Callable[[], bool]) -> None:
+        for _ in range(400):
+            await self.pilot.pause()
+            if condition():
+                return
+            await self.pilot.pause(0.01)
+        raise AssertionError("it did not happen within four seconds")
+
+    async def dialog(self, name: str) -> Any:
+        """Wait for a dialog, by the name of its class."""
+        await self.until(lambda: type(self.app.screen).__name__ == name)
+        await self.pilot.pause()
+        return self.app.screen
+
+    async def back(self) -> None:
+        """Wait until the main screen is in front again."""
+        await self.until(lambda: self.app.screen is self.main)
+        await self.settle()
+
+    def shown(self, name: str) -> list[str]:
+        """Return the lines of a panel of entries, as one reads them."""
+        panel = self.main.lists[name]
+        return [
+            " ".join(part for part in (entry.sign, entry.text, entry.detail, entry.warning) if part)
+            for entry in panel._shown
+        ]
+
+    def notes(self) -> str:
+        """Return what was said in the corner."""
+        return "\n".join(note.message for note in self.app._notifications)
+
+
+@asynccontextmanager
+async def studio(
+    path: Path | None, size: tuple[int, int] = (120, 40), *, welcome: bool = False
+) -> AsyncIterator[Driver]:
+    """Run the studio; without a file it is past the welcome, unless that is what is tested."""
+    app = StudioApp(path)
+    app.animation_level = "none"
+    async with app.run_test(size=size) as pilot:
+        driver = Driver(app, pilot)
+        main = driver.main
+        if path is None and not welcome:
+            await driver.dialog("Welcome")
+            await pilot.press("escape")
+        if not welcome:
+            await driver.back()
+        yield driver
+    main.analyst.join(5)
