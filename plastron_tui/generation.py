@@ -95,18 +95,20 @@ def generate(
     *,
     in_place: bool = False,
     force: bool = False,
+    origin: tuple[Target, Catalog] | None = None,
 ) -> Generated:
     """Make the text of one `generate_node`.
 
     A created node is written anew; where its file was changed by hand, the endpoints are merged
     into what is there, unless `force` asks for the new text. A loaded node is its file, changed
-    by splices; `in_place` writes it over the file that it came from.
+    by splices; `in_place` writes it over the file that it came from. Where it is for another
+    client library, the changes are made in the file's own (`origin`), and the result is ported.
     """
     node = generation.node
     if node.source is None:
         return _created(generation, target, catalog, output, manifest, force=force)
     if node.source.library != target.name:
-        return _ported(generation, node.source, target, catalog)
+        return _ported(generation, node.source, target, catalog, origin)
     rendered = target.edit(node.source, changes_of(node), catalog)
     if rendered.text is None:
         return _refused(generation, rendered)
@@ -195,9 +197,24 @@ def _kept_handwork(name: str, path: Path) -> Diagnostic:
 
 
 def _ported(
-    generation: Generation, source: SourceFile, target: Target, catalog: Catalog
+    generation: Generation,
+    source: SourceFile,
+    target: Target,
+    catalog: Catalog,
+    origin: tuple[Target, Catalog] | None,
 ) -> Generated:
-    """Write a loaded node for another client library."""
+    """Write a loaded node for another client library, with the changes of the program.
+
+    It goes under the file's own name, into the output folder: never over the file itself.
+    """
+    changes = changes_of(generation.node)
+    if changes and origin is not None:
+        own, own_catalog = origin
+        edited = own.edit(source, changes, own_catalog)
+        read = own.read(source.path, edited.text) if edited.text is not None else None
+        if read is None or read.source is None:
+            return _refused(generation, edited)
+        source = read.source
     rendered = target.port(generation.node, source, catalog)
     if rendered.text is None:
         return _refused(generation, rendered)
@@ -208,15 +225,13 @@ def _ported(
 
 def _refused(generation: Generation, rendered: Rendered) -> Generated:
     """Give every diagnostic a place: where none says better, the statement that generates."""
-    from dataclasses import replace
-
     return Generated(
         generation,
         None,
         tuple(
             found
             if found.span is not None or found.file is not None
-            else replace(found, span=generation.span)
+            else found._replace(span=generation.span)
             for found in rendered.diagnostics
         ),
     )

@@ -58,7 +58,7 @@ def joined(sessions: Iterable[Session]) -> Workspace:
             whole.nodes[names[variable]] = replace(node, variable=names[variable])
         for made in session.workspace.generations:
             node = replace(made.node, variable=names[made.node.variable])
-            whole.generations.append(replace(made, node=node))
+            whole.generations.append(made._replace(node=node))
     return whole
 
 

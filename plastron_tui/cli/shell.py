@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 from pathlib import Path
 
 import click
@@ -90,7 +89,7 @@ class Shell:
         # Another place than the statement's own is in a line that was said before.
         self._add(
             [
-                found if found.file or found.span == generation.span else replace(found, span=None)
+                found if found.file or found.span == generation.span else found._replace(span=None)
                 for found in diagnostics
             ],
             start,
@@ -109,7 +108,7 @@ def _moved(found: Diagnostic, start: int) -> Diagnostic:
         return found
     span = found.span and Span(found.span.start + start, found.span.end + start)
     # A label points into an earlier line, and tells its place in that line only.
-    return replace(found, span=span, labels=())
+    return found._replace(span=span, labels=())
 
 
 def _typed() -> Iterator[bytes]:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import replace
 from typing import Any, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Label, Severity, Span
@@ -153,7 +152,7 @@ class Interpreter(Checks):
         loaded = self._setting.read(request)
         where = statement.span_of("source")
         for found in loaded.diagnostics:
-            placed = found if found.file is not None else replace(found, span=where)
+            placed = found if found.file is not None else found._replace(span=where)
             self._report(statement, placed)
         if loaded.source is None:
             raise Mistake
@@ -289,7 +288,7 @@ class Interpreter(Checks):
         if client is None:
             node.clients[name] = Client(name, type_.name, (request,), statement.span)
         else:
-            node.clients[name] = replace(client, requests=(*client.requests, request))
+            node.clients[name] = client._replace(requests=(*client.requests, request))
 
     def _stop_request(self, statement: st.StopRequest) -> None:
         node = self._node(statement)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.ros.interfaces import InterfaceName
@@ -13,8 +13,7 @@ from .workspace import Client, Publisher, Service, Subscription
 from .workspace import EndpointKind as EndpointKind
 
 
-@dataclass(frozen=True, slots=True)
-class SourceEndpoint:
+class SourceEndpoint(NamedTuple):
     """One call site.
 
     Attributes:
@@ -42,8 +41,7 @@ class SourceEndpoint:
     default: str | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class SourceNode:
+class SourceNode(NamedTuple):
     """A node of a file: its name, None where the file does not say it, and its call sites."""
 
     name: str | None
@@ -56,8 +54,7 @@ class SourceNode:
         return (endpoint for endpoint in self.endpoints if endpoint.kind is kind)
 
 
-@dataclass(frozen=True, slots=True)
-class SourceFile:
+class SourceFile(NamedTuple):
     """A source file, as bytes, with the nodes that it holds."""
 
     path: Path
@@ -66,15 +63,13 @@ class SourceFile:
     nodes: tuple[SourceNode, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Add:
+class Add(NamedTuple):
     """Ask an editor for an endpoint that is not in the file yet."""
 
     endpoint: Publisher | Subscription | Service | Client
 
 
-@dataclass(frozen=True, slots=True)
-class Remove:
+class Remove(NamedTuple):
     """Ask an editor to take every call site of an endpoint out of the file."""
 
     kind: EndpointKind

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from enum import Enum
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.ros.interfaces import InterfaceName
@@ -34,8 +34,7 @@ class EndpointKind(str, Enum):
     PARAMETER = "parameters"
 
 
-@dataclass(frozen=True, slots=True)
-class Message:
+class Message(NamedTuple):
     """A message that a program created, under its variable's name."""
 
     variable: str
@@ -43,8 +42,7 @@ class Message:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
-class Publication:
+class Publication(NamedTuple):
     """One message on its way to a topic, and how often it is sent, in hertz."""
 
     message: Message
@@ -52,8 +50,7 @@ class Publication:
     span: Span | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Publisher:
+class Publisher(NamedTuple):
     """A topic that a node publishes; `publications` is empty for one that was read from a file."""
 
     topic: str
@@ -62,8 +59,7 @@ class Publisher:
     span: Span | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Subscription:
+class Subscription(NamedTuple):
     """A topic that a node listens to; without a `callback` the target names one."""
 
     topic: str
@@ -72,8 +68,7 @@ class Subscription:
     span: Span | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Service:
+class Service(NamedTuple):
     """A service that a node provides; without a `handler` the target names one."""
 
     name: str
@@ -82,8 +77,7 @@ class Service:
     span: Span | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Client:
+class Client(NamedTuple):
     """A service that a node calls, with the request of each call, in order."""
 
     name: str
@@ -140,8 +134,7 @@ class Node:
         )
 
 
-@dataclass(frozen=True, slots=True)
-class Generation:
+class Generation(NamedTuple):
     """A `generate_node`: the node as it was then, and the client library asked for."""
 
     node: Node

@@ -9,7 +9,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
 from typing import Any
@@ -103,7 +103,7 @@ class Found:
         ]
         for environment in self.environments:
             if ros_version in (None, environment.ros_version):
-                return environment, [replace(half, severity=Severity.WARNING) for half in halves]
+                return environment, [half._replace(severity=Severity.WARNING) for half in halves]
         if halves:
             return None, halves
         there = ", ".join(environment.words for environment in self.environments)

@@ -6,7 +6,6 @@ import ast
 import subprocess
 import sys
 import tempfile
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -110,20 +109,20 @@ def tame(node: Node) -> Node:
     tame_node = Node(words(node.name), "node", SPAN)
     for publisher in node.publishers.values():
         sent = tuple(
-            Publication(replace(each.message, value=tamed(each.message.value)), each.rate)
+            Publication(each.message._replace(value=tamed(each.message.value)), each.rate)
             for each in publisher.publications
         )
         topic = words(publisher.topic)
-        tame_node.publishers[topic] = replace(publisher, topic=topic, publications=sent)
+        tame_node.publishers[topic] = publisher._replace(topic=topic, publications=sent)
     for subscription in node.subscriptions.values():
         topic = words(subscription.topic)
-        tame_node.subscriptions[topic] = replace(subscription, topic=topic)
+        tame_node.subscriptions[topic] = subscription._replace(topic=topic)
     for service in node.services.values():
-        tame_node.services[words(service.name)] = replace(service, name=words(service.name))
+        tame_node.services[words(service.name)] = service._replace(name=words(service.name))
     for client in node.clients.values():
         requests = tuple(tamed(each) for each in client.requests)
         name = words(client.name)
-        tame_node.clients[name] = replace(client, name=name, requests=requests)
+        tame_node.clients[name] = client._replace(name=name, requests=requests)
     return tame_node
 
 

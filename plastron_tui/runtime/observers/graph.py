@@ -11,8 +11,8 @@ import sys
 import time
 from typing import Any
 
-import rclpy  # type: ignore[import-not-found]
-from rclpy.signals import SignalHandlerOptions  # type: ignore[import-not-found]
+import rclpy
+from rclpy.signals import SignalHandlerOptions
 
 # Fast DDS announces a participant every three seconds; a first announcement may be missed.
 _LEAST = 3.5

@@ -19,7 +19,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from plastron_text import line_of  # type: ignore[import-not-found]
+from plastron_text import line_of
 
 # A write to a pipe is one piece up to PIPE_BUF, 4096 bytes, also among several writers.
 _LONGEST = 700
@@ -51,7 +51,7 @@ def report(
 
 def trace_rospy() -> None:
     """Wrap the handlers of rospy's services and the calls of its clients."""
-    import rospy  # type: ignore[import-not-found]
+    import rospy
 
     make, call = rospy.Service.__init__, rospy.ServiceProxy.call
 
@@ -85,7 +85,7 @@ def trace_rospy() -> None:
 
 def _as_message(response: Any, response_class: Any) -> Any:
     """Return what a rospy handler returned as a message, the way rospy itself does."""
-    from rospy.impl.tcpros_service import (  # type: ignore[import-not-found]
+    from rospy.impl.tcpros_service import (
         convert_return_to_response,
     )
 
@@ -94,8 +94,8 @@ def _as_message(response: Any, response_class: Any) -> Any:
 
 def trace_rclpy() -> None:
     """Wrap the callbacks of rclpy's services and the calls of its clients."""
-    from rclpy.client import Client  # type: ignore[import-not-found]
-    from rclpy.node import Node  # type: ignore[import-not-found]
+    from rclpy.client import Client
+    from rclpy.node import Node
 
     make, make_client, call = Node.create_service, Node.create_client, Client.call_async
 

@@ -12,7 +12,7 @@ import time
 from collections import deque
 from typing import Any
 
-from plastron_text import line_of  # type: ignore[import-not-found]
+from plastron_text import line_of
 
 _PERIOD = 0.5
 _WINDOW = 50
@@ -76,8 +76,8 @@ def _decoded(decode: Any, topic: Topic) -> str:
 
 def watch_ros1() -> None:
     """Watch the topics of a ROS 1 master."""
-    import roslib.message  # type: ignore[import-not-found]
-    import rospy  # type: ignore[import-not-found]
+    import roslib.message
+    import rospy
 
     rospy.init_node("plastron_watch", anonymous=True, disable_signals=True)
     topics: dict[str, Topic] = {}
@@ -105,9 +105,9 @@ def watch_ros1() -> None:
 
 def watch_ros2() -> None:
     """Watch the topics that ROS 2 discovers."""
-    import rclpy  # type: ignore[import-not-found]
-    from rclpy.serialization import deserialize_message  # type: ignore[import-not-found]
-    from rclpy.signals import SignalHandlerOptions  # type: ignore[import-not-found]
+    import rclpy
+    from rclpy.serialization import deserialize_message
+    from rclpy.signals import SignalHandlerOptions
 
     rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
     node = rclpy.create_node("_plastron_watch", enable_rosout=False, start_parameter_services=False)
@@ -148,7 +148,7 @@ def _ros2_class(type_name: str) -> Any:
 
 def _ros2_qos(node: Any, topic: str) -> Any:
     """Return a quality of service that every publisher of the topic can serve."""
-    from rclpy.qos import (  # type: ignore[import-not-found]
+    from rclpy.qos import (
         DurabilityPolicy,
         QoSProfile,
         ReliabilityPolicy,
