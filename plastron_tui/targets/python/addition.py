@@ -114,11 +114,12 @@ class Addition:
                 scope = scope.parent
         return self.imports.library("rospy", name, scope)
 
-    def log(self, level: str, name: str, value: str) -> str:
+    def log(self, level: str, value: str, *, in_callback: bool = True) -> str:
         """Return a statement that logs a value of the endpoint."""
         quote = self.writer.conventions.quote
         if not self.is_rclpy:
-            logger = self.rospy("loginfo" if level == "info" else "logerr", in_callback=True)
+            function = "loginfo" if level == "info" else "logerr"
+            logger = self.rospy(function, in_callback=in_callback)
             return f"{logger}({quote}{self.label}: %s{quote}, {value})"
         receiver = self.receiver_in_callback()
         printed = f"f{quote}{self.label}: {{{value}}}{quote}"
@@ -126,11 +127,29 @@ class Addition:
 
     def receiver_in_callback(self) -> str:
         """Return what a callback calls the node, "" where it cannot see it."""
-        if self.place.owner is not None:
+        if self.is_method_place:
             return self.place.receiver or self.place.self_name
         found = self.place.scope.lookup(self.place.receiver.partition(".")[0])
         is_global = found is not None and found[0].parent is None
         return self.place.receiver if is_global else ""
+
+    @property
+    def is_nested(self) -> bool:
+        """Whether a function that uses the endpoint stands within the one that creates it."""
+        is_method = self.is_method_place and "." in self.variable
+        return not is_method and self.place.scope.parent is not None
+
+    def stand(self, *, is_nested: bool) -> None:
+        """Say where what is written next stands: where the endpoint is, or in another function."""
+        module = self.analysis.scopes.module
+        scope = self.place.scope if is_nested else module
+        self.imports.stand(scope, self.place.offset)
+
+    @property
+    def is_method_place(self) -> bool:
+        """Whether the methods of the class around the endpoint see the node as it does."""
+        holder = self.place.receiver.partition(".")[0]
+        return self.place.owner is not None and holder in ("", self.place.self_name)
 
 
 def plan_addition(
@@ -158,6 +177,7 @@ def plan_addition(
     if sends or (isinstance(endpoint, Client) and endpoint.requests):
         place = running_place(analysis, place)
     added = Addition(analysis, kind, endpoint, name, place, writer, imports, messages, dialect)
+    added.stand(is_nested=True)
     lines: list[str] = []
     if present:
         _use_present(added, present)
@@ -340,7 +360,9 @@ def _callback(added: Addition, interface: Interface) -> str:
             message = f"`{wanted}` is a method that every {added.dialect.library} node has"
             raise CannotAddError("invalid-function", message, endpoint.span)
     name = wanted or added.free_name(callback_naming(added.analysis, added.kind).name(added.name))
+    added.stand(is_nested=False)
     added.writer.function(callback_place(added), _stub(added, name, interface))
+    added.stand(is_nested=True)
     return f"{added.place.self_name}.{name}" if owner is not None else name
 
 
@@ -374,8 +396,8 @@ def callback_place(added: Addition) -> FunctionPlace:
 def _stub(added: Addition, name: str, interface: Interface) -> list[str]:
     first = f"{added.place.self_name}, " if added.place.owner is not None else ""
     if added.kind is EndpointKind.SUBSCRIPTION:
-        return [f"def {name}({first}message):", "\t" + added.log("info", name, "message")]
-    log = "\t" + added.log("info", name, "request")
+        return [f"def {name}({first}message):", "\t" + added.log("info", "message")]
+    log = "\t" + added.log("info", "request")
     if added.is_rclpy:
         return [f"def {name}({first}request, response):", log, "\treturn response"]
     response = added.messages.response(interface)

@@ -115,7 +115,7 @@ def _remove_element(
     targets = [child for child in target.named_children if child.type != "comment"]
     index = next(i for i, other in enumerate(values) if other.id == value.id)
     variable = variable_of(targets[index], analysis) if len(targets) == len(values) else None
-    is_plain = len(values) > 1 and _brackets(text, target) == _brackets(text, sequence)
+    is_plain = len(values) > 1 and _unpack_alike(text, target, sequence, len(values))
     is_alone = assignment.parent is not None and assignment.parent.type == "expression_statement"
     if variable is None or not is_plain or not is_alone:
         removal.lines.add(line_of(value))
@@ -129,10 +129,16 @@ def _remove_element(
     return [variable]
 
 
-def _brackets(text: bytes, node: Node) -> bytes:
-    first = text[node.start_byte : node.start_byte + 1]
-    has_brackets = node.type not in ("pattern_list", "expression_list")
-    return first if has_brackets else b""
+def _unpack_alike(text: bytes, target: Node, sequence: Node, count: int) -> bool:
+    """Whether one target less and one value less still fit: of two, a single one is left."""
+    if count > 2:
+        return True
+    is_list = [node.type in ("list", "list_pattern") for node in (target, sequence)]
+    has_comma = [
+        text[node.named_children[-1].end_byte : node.end_byte].lstrip().startswith(b",")
+        for node in (target, sequence)
+    ]
+    return is_list[0] == is_list[1] and (is_list[0] or has_comma[0] == has_comma[1])
 
 
 def _remove_from_list(

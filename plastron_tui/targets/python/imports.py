@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 from tree_sitter import Node
 
 from .references import identifiers, is_member
-from .scopes import Binding, BindingKind
+from .scopes import Binding, BindingKind, Scope
 from .sites import Analysis
 from .splices import Splice, delete_item, delete_statements
 
@@ -23,7 +24,8 @@ def is_interface_module(target: str) -> bool:
 def unused_imports(analysis: Analysis, gone: list[Splice]) -> list[Splice]:
     """Delete the imports of interface types whose every use lies in what is deleted."""
     removed: dict[int, tuple[Node, list[Node]]] = {}
-    for name, bindings in analysis.scopes.module.bindings.items():
+    every = ((scope, *entry) for scope in analysis.scopes.all for entry in scope.bindings.items())
+    for scope, name, bindings in every:
         if len(bindings) != 1 or bindings[0].kind is not BindingKind.IMPORT:
             continue
         binding = bindings[0]
@@ -34,7 +36,7 @@ def unused_imports(analysis: Analysis, gone: list[Splice]) -> list[Splice]:
             for node in identifiers(name, analysis)
             if not is_member(node)
             and not _is_inside(node, binding.node)
-            and _means_import(node, name, analysis)
+            and _means_import(node, name, scope, analysis)
         ]
         is_freed = any(_is_deleted(node, gone) for node in uses)
         if not is_freed or not all(_is_deleted(node, gone) for node in uses):
@@ -52,7 +54,9 @@ def unused_imports(analysis: Analysis, gone: list[Splice]) -> list[Splice]:
 
 def _is_removable(binding: Binding, analysis: Analysis) -> bool:
     parent = binding.node.parent
-    if parent is None or parent.type != "module":
+    is_module = binding.scope.parent is None
+    # A module that tries an import may bind the name otherwise where that fails.
+    if parent is None or (is_module and parent.type != "module"):
         return False
     if is_interface_module(binding.target):
         return True
@@ -63,9 +67,9 @@ def _is_removable(binding: Binding, analysis: Analysis) -> bool:
     )
 
 
-def _means_import(node: Node, name: str, analysis: Analysis) -> bool:
+def _means_import(node: Node, name: str, scope: Scope, analysis: Analysis) -> bool:
     found = analysis.scopes.at(node.start_byte).lookup(name)
-    return found is None or found[0] is analysis.scopes.module
+    return scope.parent is None if found is None else found[0] is scope
 
 
 def _is_inside(node: Node, outer: Node) -> bool:
@@ -78,10 +82,19 @@ def _is_deleted(node: Node, gone: Iterable[Splice]) -> bool:
 
 def _is_named_in_strings(name: str, analysis: Analysis) -> bool:
     """Whether the name is a whole string somewhere: an annotation, or an item of `__all__`."""
-    text = analysis.syntax.text
-    return any(quote + analysis.syntax.encode(name) + quote in text for quote in (b"'", b'"')) and (
-        b"__all__" in text or b"->" in text or b": '" in text or b': "' in text
-    )
+    quoted = re.compile(rb"""["']%s["']""" % re.escape(analysis.syntax.encode(name)))
+    root = analysis.syntax.root
+    for found in quoted.finditer(analysis.syntax.text):
+        node = root.descendant_for_byte_range(found.start() + 1, found.end() - 1)
+        while node is not None:
+            if node.type == "type":
+                return True
+            if node.type in ("assignment", "augmented_assignment"):
+                left = node.child_by_field_name("left")
+                if left is not None and analysis.syntax.slice(left) == "__all__":
+                    return True
+            node = node.parent
+    return False
 
 
 def _item(statement: Node, name: str, analysis: Analysis) -> Node | None:

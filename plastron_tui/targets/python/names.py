@@ -260,14 +260,16 @@ class Resolver:
                 if binding.kind is BindingKind.CLASS:
                     return Instance(binding.owner)
                 if binding.kind is BindingKind.IMPORT:
-                    return Instance(None, binding.target)
+                    return self._imported_class((binding.target,))
             return None
         if node.type == "identifier":
             found = scope.lookup(self._syntax.slice(node))
             for binding in found[1] if found is not None else []:
                 if binding.kind is BindingKind.CLASS:
                     return Instance(binding.owner)
-        names = self.qualified(node, scope)
+        return self._imported_class(self.qualified(node, scope))
+
+    def _imported_class(self, names: Sequence[str]) -> Instance | None:
         if any(name in self._node_makers for name in names):
             return Instance(None, NODE)
         return Instance(None, names[0]) if names else None

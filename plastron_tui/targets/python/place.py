@@ -25,6 +25,8 @@ _KINDS = (
     EndpointKind.ACTION_CLIENT,
     EndpointKind.TIMER,
 )
+# Behind these nothing runs, or not while the node does.
+_LAST = frozenset({"while_statement", "return_statement", "raise_statement"})
 # What is around an endpoint and yet runs exactly once.
 _RUNS_ONCE = frozenset({"try_statement", "with_statement"})
 
@@ -110,8 +112,13 @@ def _callbacks(analysis: Analysis) -> set[int]:
 
 
 def _is_setup(analysis: Analysis, site: Site, callbacks: set[int]) -> bool:
-    """Whether a call site runs when the node starts: not in a callback, a loop or a lambda."""
+    """Whether a call site runs when the node starts: not in a callback, a loop or a lambda.
+
+    What a function creates to return it, it creates for others, whenever they call it.
+    """
     if "wait_for_message" in "".join(site.shape.callees):
+        return False
+    if statement_of(site.call).type == "return_statement":
         return False
     scope: Scope | None = site.scope
     while scope is not None:
@@ -196,7 +203,7 @@ def _place(
         return None
     function = scope.enclosing("function")
     owner = function.parent if function is not None and function.self_name else None
-    is_before = statement.type == "while_statement"
+    is_before = statement.type in _LAST
     offset = start if is_before else line_end(text, statement.end_byte)
     return Place(
         offset,

@@ -31,8 +31,11 @@ def add_publishing(added: Addition, publisher: Publisher) -> list[str]:
         return []
     block = _own_block(added)
     if block is not None:
+        scope = added.analysis.scopes.at(block.start_byte)
+        added.stand(is_nested=scope.is_within(added.place.scope))
         _publish_in(added, block, publisher.publications)
         return []
+    added.stand(is_nested=added.is_nested)
     by_rate: dict[float, list[Publication]] = defaultdict(list)
     for publication in publisher.publications:
         by_rate[publication.rate].append(publication)
@@ -173,7 +176,7 @@ def _function(
 ) -> tuple[str, list[str]]:
     """Write a method, or return the lines of a function that sees the local variables."""
     self_name = added.place.self_name
-    if added.place.owner is not None and "." in added.variable:
+    if added.is_method_place and "." in added.variable:
         listed = f"{self_name}, {parameters}" if parameters else self_name
         lines = [f"def {name}({listed}):", *("\t" + line for line in body)]
         senders = [
@@ -196,6 +199,7 @@ def add_calls(added: Addition, client: Client) -> list[str]:
     """Call a service with each request; return the lines that follow the client's creation."""
     if not client.requests:
         return []
+    added.stand(is_nested=added.is_nested)
     interface = added.messages.interface(client.type, InterfaceKind.SERVICE, client.name)
     requests = [added.messages.request(interface, request) for request in client.requests]
     if _call_in_own_method(added, requests):
@@ -205,13 +209,16 @@ def add_calls(added: Addition, client: Client) -> list[str]:
     summary = f'"""Call {added.label} once it is there, and log its answer."""'
     if added.is_rclpy:
         return _call_rclpy(added, name, summary, requests)
-    errors = [added.rospy(error) for error in ("ROSException", "ServiceException")]
+    errors = [
+        added.rospy(error, in_callback=not added.is_nested)
+        for error in ("ROSException", "ServiceException")
+    ]
     body = [summary, "try:", f"\t{added.variable}.wait_for_service(timeout=10.0)"]
     for request in requests:
         body.append(f"\tresponse = {added.variable}({request})")
-        body.append("\t" + added.log("info", name, "response"))
+        body.append("\t" + added.log("info", "response", in_callback=not added.is_nested))
     body.append(f"except ({', '.join(errors)}) as error:")
-    body.append("\t" + added.log("error", name, "error"))
+    body.append("\t" + added.log("error", "error", in_callback=not added.is_nested))
     callback, lines = _function(added, name, "event", body)
     added.writer.endpoints.append((EndpointKind.TIMER, _timer_name(added, "0.1"), "None", name))
     return [*lines, f"{_timer_call(added, '0.1', callback)}, oneshot=True)"]

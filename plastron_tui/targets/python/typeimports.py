@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from tree_sitter import Node
 
@@ -29,9 +30,17 @@ class FileImports(Imports):
         self._new: dict[str, list[tuple[str, str]]] = {}
         self._new_modules: list[str] = []
         self._module = analysis.scopes.module
+        self._scope, self._offset = self._module, 0
+
+    def stand(self, scope: Scope, offset: int) -> None:
+        """Say where what is written next stands: names that are imported there are seen there."""
+        self._scope, self._offset = scope, offset
 
     def use(self, module: str, name: str) -> str:
         """Import a name unless the file has it, and return what the file calls it."""
+        local = self._local(module, name)
+        if local is not None:
+            return local
         symbol = (module, name)
         if symbol not in self._given:
             self._given[symbol] = self._existing(module, name) or self._imported(module, name)
@@ -53,9 +62,39 @@ class FileImports(Imports):
         self._new_modules.append(module)
         return f"{module}.{name}"
 
+    def _functions(self) -> Iterator[Scope]:
+        """Yield the functions around the place, the innermost first."""
+        scope: Scope | None = self._scope
+        while scope is not None and scope.parent is not None:
+            if scope.kind != "class":
+                yield scope
+            scope = scope.parent
+
+    def _local(self, module: str, name: str) -> str | None:
+        """Return what a function around the place calls a name that it imports itself."""
+        hidden: set[str] = set()
+        for scope in self._functions():
+            for bound, bindings in scope.bindings.items():
+                targets = {binding.target for binding in bindings}
+                is_import = all(
+                    binding.kind is BindingKind.IMPORT and binding.node.end_byte <= self._offset
+                    for binding in bindings
+                )
+                if not is_import or bound in hidden:
+                    continue
+                if targets == {f"{module}.{name}"}:
+                    return bound
+                if targets == {module} and "." in module and bound != module:
+                    return f"{bound}.{name}"
+            hidden |= scope.bindings.keys()
+        return None
+
     def _existing(self, module: str, name: str) -> str | None:
         wanted = f"{module}.{name}"
+        hidden = {bound for scope in self._functions() for bound in scope.bindings}
         for bound, bindings in self._module.bindings.items():
+            if bound in hidden:
+                continue
             if all(binding.kind is BindingKind.IMPORT for binding in bindings):
                 targets = {binding.target for binding in bindings}
                 if targets == {wanted}:
@@ -87,6 +126,7 @@ class FileImports(Imports):
             self._new_modules.append(module)
             return f"{module}.{name}"
         taken = {*self._module.bindings, *self._given.values()}
+        taken = taken.union(*(scope.bindings for scope in self._functions()))
         package = naming.capitals(module.partition(".")[0])
         bound = name if name not in taken else naming.Scope(taken).new(package + name)
         self._new.setdefault(module, []).append((name, bound))
