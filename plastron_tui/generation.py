@@ -208,6 +208,7 @@ def _ported(
     It goes under the file's own name, into the output folder: never over the file itself.
     """
     changes = changes_of(generation.node)
+    is_changed = bool(changes) and origin is not None
     if changes and origin is not None:
         own, own_catalog = origin
         edited = own.edit(source, changes, own_catalog)
@@ -220,7 +221,11 @@ def _ported(
         return _refused(generation, rendered)
     name = f"{source.path.stem}{target.suffix}"
     file = OutputFile(name, rendered.text, target.is_executable)
-    return Generated(generation, file, rendered.diagnostics)
+    # What was found after a change has no place in the file as it is on the disk.
+    found = rendered.diagnostics
+    if is_changed:
+        found = tuple(each._replace(span=None) for each in found)
+    return Generated(generation, file, found)
 
 
 def _refused(generation: Generation, rendered: Rendered) -> Generated:

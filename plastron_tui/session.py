@@ -180,6 +180,7 @@ class Session:
         What a session reads once (the project file, interface types, targets) both share; it is
         the other thread's as long as it works.
         """
+        _ = self.setting
         other = copy(self)
         other.document = self.document.snapshot()
         return other
@@ -291,6 +292,8 @@ class Session:
                 "unsupported-target", message, generation.span, help="use rospy or rclpy"
             )
             return Generated(generation, None, (problem,))
+        source = generation.node.source
+        own = self._target(source.library) if source is not None else None
         return generate(
             generation,
             target,
@@ -299,6 +302,7 @@ class Session:
             manifest,
             in_place=self.options.in_place,
             force=self.options.force,
+            origin=None if own is None else (own, self.catalog(own.ros_version)),
         )
 
     def _rendered(self, generation: Generation) -> tuple[Path, bytes] | None:

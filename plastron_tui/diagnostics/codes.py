@@ -128,6 +128,12 @@ CODES: dict[str, Code] = {
             "A program generates no node. End it with `generate_node` and the variable of a node.",
         ),
         Code(
+            "port-by-hand",
+            "A node goes from one ROS to the other (`generate_node` of a loaded node, `using` another "
+            "client library), and this line means nothing there, or something else. It is carried "
+            "over as it is, under a comment `# port by hand: …`; change it in the new file.",
+        ),
+        Code(
             "merged-by-hand",
             "A created node's file was changed by hand. It is kept, and what the program has and "
             "the file lacks is added; messages, rates and callbacks stay as the file has them. "

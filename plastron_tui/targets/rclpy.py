@@ -69,6 +69,14 @@ class RclpyTarget(Target):
 
         return edit_python(source, changes, catalog, DIALECT)
 
+    def port(self, node: Node, source: SourceFile, catalog: Catalog) -> Rendered:
+        """Bring a node that was loaded from a Python file of the other ROS."""
+        if source.library not in ("rospy", "rclpy"):
+            return super().port(node, source, catalog)
+        from .porting import port_python  # loads tree-sitter-python
+
+        return port_python(source, catalog, self.name)
+
 
 class _Rclpy(Dialect):
     __slots__ = ()

@@ -1,0 +1,165 @@
+"""What is left in a file of the client library that it came from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from tree_sitter import Node
+
+from plastron_tui.model.source import EndpointKind
+from plastron_tui.targets.python.sites import Site
+
+from .work import Work, walk
+
+_IMPORTS = frozenset({"import_statement", "import_from_statement", "future_import_statement"})
+# What `publish` and a call of a service take in rospy, but no message and no request of rclpy.
+_PLAIN_VALUES = frozenset(
+    {"string", "concatenated_string", "integer", "float", "binary_operator", "true", "false"}
+    | {"unary_operator", "list", "dictionary", "comparison_operator", "boolean_operator"}
+    | {"not_operator"}
+)
+_BUILT_IN = frozenset({"str", "int", "float", "bool", "len", "abs", "round", "max", "min", "sum"})
+
+
+def mark_leftovers(
+    work: Work,
+    roots: frozenset[str],
+    attributes: Mapping[str, str],
+    remedies: Mapping[str, str],
+) -> None:
+    """Mark every use of a module of the old ROS, and every attribute that only it has.
+
+    Args:
+        work: the file.
+        roots: the modules of the old ROS.
+        attributes: what the attributes are of, or are called in the new ROS.
+        remedies: what to write for qualified names.
+    """
+    done = set(work.done)
+    for node in walk(work.analysis.syntax.root):
+        if node.type in _IMPORTS:
+            _mark_import(work, node, roots)
+        if node.type not in ("identifier", "attribute") or _is_inner(node) or work.is_gone(node):
+            continue
+        if _is_done(node, done) or _has_parent(node, _IMPORTS):
+            continue
+        names = [name for name in work.qualified(node) if name.partition(".")[0] in roots]
+        if names:
+            work.mark(node, ".".join(names[0].split(".")[:3]), _remedy(names[0], remedies))
+        elif node.type == "attribute":
+            _mark_attribute(work, node, attributes)
+
+
+def _mark_import(work: Work, node: Node, roots: frozenset[str]) -> None:
+    """Mark the import of a package that goes with the old ROS, and stays in the file."""
+    if work.is_gone(node) or node.id in work.done:
+        return
+    module = node.child_by_field_name("module_name")
+    parts = [module] if module is not None else node.children_by_field_name("name")
+    for part in parts:
+        name = part.child_by_field_name("name") or part
+        if work.slice(name).partition(".")[0] in roots:
+            work.mark(node, work.slice(name))
+
+
+def _mark_attribute(work: Work, node: Node, attributes: Mapping[str, str]) -> None:
+    current: Node | None = node
+    while current is not None and current.type == "attribute":
+        part = current.child_by_field_name("attribute")
+        name = work.slice(part) if part is not None else ""
+        if name in attributes and part is not None and part.id not in work.done:
+            work.mark(node, f".{name}", attributes[name])
+        current = current.child_by_field_name("object")
+
+
+def _remedy(name: str, remedies: Mapping[str, str]) -> str | None:
+    found = [remedy for start, remedy in remedies.items() if (name + ".").startswith(start + ".")]
+    return found[0] if found else None
+
+
+def _is_inner(node: Node) -> bool:
+    """Tell whether a node is a part of a dotted name, or no name that is looked up."""
+    parent = node.parent
+    if parent is None:
+        return False
+    if parent.type == "attribute":
+        return True
+    name = parent.child_by_field_name("name")
+    return parent.type == "keyword_argument" and name is not None and name.id == node.id
+
+
+def _is_done(node: Node, done: set[int]) -> bool:
+    parent = node.parent
+    return node.id in done or (
+        parent is not None
+        and parent.type == "call"
+        and parent.id in done
+        and (callee := parent.child_by_field_name("function")) is not None
+        and callee.id == node.id
+    )
+
+
+def _has_parent(node: Node, types: frozenset[str]) -> bool:
+    current = node.parent
+    while current is not None:
+        if current.type in types:
+            return True
+        current = current.parent
+    return False
+
+
+def mark_plain_publishing(work: Work) -> None:
+    """Mark what rospy makes messages of by itself: `publish("text")`, `Point(1, 2, 3)`."""
+    clients = {_target(work, each) for each in work.analysis.sites if _is_client(each)} - {""}
+    for call in work.analysis.captures.get("call", []):
+        callee = call.child_by_field_name("function")
+        arguments = call.child_by_field_name("arguments")
+        if callee is None or arguments is None or work.is_gone(call):
+            continue
+        given = [each for each in arguments.named_children if each.type != "comment"]
+        text = work.slice(callee)
+        if text in clients:
+            work.mark(call, f"the call of {text}", "`call_async` a request, and take its future")
+        elif text.endswith(".publish") and _is_plain(work, given):
+            work.mark(call, "publish takes a message", "make the message first")
+        elif given and given[0].type != "keyword_argument" and _is_message(work, callee):
+            work.mark(call, f"{text} takes keywords only", "name the fields")
+
+
+def _is_client(site: Site) -> bool:
+    return site.endpoint.kind is EndpointKind.CLIENT
+
+
+def _target(work: Work, site: Site) -> str:
+    """Return what a client is assigned to."""
+    parent = site.call.parent
+    left = parent.child_by_field_name("left") if parent is not None else None
+    return work.slice(left) if left is not None else ""
+
+
+def _is_plain(work: Work, given: list[Node]) -> bool:
+    if len(given) != 1 or given[0].type == "keyword_argument":
+        return bool(given)
+    [value] = given
+    if value.type == "identifier":
+        found = work.scope(value).lookup(work.slice(value))
+        values = [each.value for each in found[1]] if found is not None else []
+        return any(each is not None and _is_plain_value(work, each) for each in values)
+    return _is_plain_value(work, value)
+
+
+def _is_plain_value(work: Work, value: Node) -> bool:
+    callee = value.child_by_field_name("function") if value.type == "call" else None
+    if callee is not None and work.slice(callee) in _BUILT_IN:
+        return True
+    return value.type in _PLAIN_VALUES
+
+
+def _is_message(work: Work, callee: Node) -> bool:
+    """Tell whether a callee is the class of a message, a request or a response."""
+    for name in work.qualified(callee):
+        package, _, rest = name.partition(".")
+        kind, _, type_name = rest.partition(".")
+        if package and kind in ("msg", "srv") and type_name[:1].isupper():
+            return True
+    return False

@@ -1,0 +1,349 @@
+"""From rclpy to rospy: the endpoints, the node behind them, and what runs it."""
+
+from __future__ import annotations
+
+from tree_sitter import Node
+
+from plastron_tui.model.source import EndpointKind
+from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.targets import literals
+from plastron_tui.targets.python.calls import Argument
+from plastron_tui.targets.python.constants import Known
+from plastron_tui.targets.python.scopes import Scope
+from plastron_tui.targets.python.sites import NodeSite, Site
+from plastron_tui.targets.python.splices import delete_item, line_start
+
+from .leftovers import mark_leftovers
+from .placing import add_header
+from .types import port_imports, target_type
+from .work import Work, statement_of, walk
+
+_GONE = frozenset({"rclpy"})
+_LEFT = _GONE | {"ament_index_python", "launch", "launch_ros", "tf2_ros", "nav2_simple_commander"}
+_LEFT |= {"rcl_interfaces", "lifecycle_msgs", "rosbag2_py"}
+
+_INTERRUPTS = (
+    "rclpy.executors.ExternalShutdownException",
+    "rclpy.exceptions.ROSInterruptException",
+)
+
+_ATTRIBUTES = {
+    "get_logger": "`rospy.loginfo(...)`, `rospy.logwarn(...)`",
+    "get_clock": "`rospy.Time.now()`",
+    "declare_parameter": "`rospy.get_param('~name', default)`",
+    "declare_parameters": "`rospy.get_param('~name', default)`",
+    "get_parameter": "`rospy.get_param('~name')`",
+    "get_parameter_or": "`rospy.get_param('~name', default)`",
+    "set_parameters": "`rospy.set_param('~name', value)`",
+    "add_on_set_parameters_callback": "`dynamic_reconfigure`",
+    "get_name": "`rospy.get_name()`",
+    "get_namespace": "`rospy.get_namespace()`",
+    "call_async": "call the client itself; it waits for the answer",
+    "service_is_ready": "`wait_for_service` of the client",
+    "srv_name": "`resolved_name` of the client",
+    "remove_pending_request": None,
+    "get_subscription_count": "`get_num_connections` of the publisher",
+    "destroy_subscription": "`unregister` of the subscriber",
+    "destroy_publisher": "`unregister` of the publisher",
+    "destroy_timer": "`shutdown` of the timer",
+    "create_guard_condition": None,
+    "sec": "a time of ROS 1 has `secs`",
+    "nanosec": "a time of ROS 1 has `nsecs`",
+    "nanoseconds": "a time of ROS 1 has `to_nsec()`",
+    "Request": "rospy has it beside the service's class: `AddTwoIntsRequest`",
+    "Response": "rospy has it beside the service's class: `AddTwoIntsResponse`",
+}
+
+_REMEDIES = {
+    "rclpy.time": "`rospy.Time`",
+    "rclpy.duration": "`rospy.Duration`",
+    "rclpy.action": "`actionlib`",
+    "rclpy.qos": "ROS 1 has `latch` and `queue_size` only",
+    "rclpy.spin_once": "`rospy.sleep(...)`: rospy handles what comes in threads of its own",
+    "rclpy.spin_until_future_complete": "a client of rospy waits by itself",
+    "rclpy.executors": "rospy handles what comes in threads of its own",
+    "rclpy.logging": "`rospy.loginfo(...)`",
+}
+
+
+def port_to_rospy(work: Work) -> None:
+    """Rewrite what makes rclpy nodes and their endpoints, and mark the rest of rclpy."""
+    port_imports(work, _GONE)
+    _port_running(work)
+    for site in reversed(work.analysis.sites):
+        _port_site(work, site)
+    _port_nodes(work)
+    mark_leftovers(work, _LEFT, {k: v or "" for k, v in _ATTRIBUTES.items()}, _REMEDIES)
+    work.imports.add("import rospy")
+    add_header(work)
+
+
+def _port_site(work: Work, site: Site) -> None:
+    """Rewrite the call that makes an endpoint."""
+    if site.endpoint.kind not in _WRITERS or site.arguments.is_open:
+        return
+    name = site.arguments.get(site.shape.name)
+    if name is None:
+        return
+    written = work.text(name)
+    if site.endpoint.name is not None and site.endpoint.name.startswith("~/"):
+        if name.type == "string" and "~/" in written:
+            written = written.replace("~/", "~", 1)
+        else:
+            work.mark(site.call, "a private name", "ROS 1 writes `~name`, without a slash")
+    function = work.callback_of(site)
+    if function is not None and function.node.children[0].type == "async":
+        work.mark(function.node, "async", "rospy does not wait for coroutines")
+    wanted = _WRITERS[site.endpoint.kind](work, site, written)
+    if wanted is not None:
+        work.replace(site.call, wanted)
+
+
+def _publisher(work: Work, site: Site, name: str) -> str | None:
+    depth = _depth(work, site, Argument(2, "qos_profile")) or "10"
+    return f"rospy.Publisher({name}, {_type(work, site)}, queue_size={depth})"
+
+
+def _subscription(work: Work, site: Site, name: str) -> str | None:
+    callee = site.shape.callees[0]
+    type_ = _type(work, site)
+    if callee == "message_filters.Subscriber":
+        return f"message_filters.Subscriber({name}, {type_})"
+    if callee != "create_subscription":
+        limit = site.arguments.get(Argument(-1, "time_to_wait"))
+        timeout = f", timeout={work.text(limit)}" if limit is not None else ""
+        return f"(True, rospy.wait_for_message({name}, {type_}{timeout}))"
+    callback = site.arguments.get(Argument(2, "callback"))
+    depth = _depth(work, site, Argument(3, "qos_profile"))
+    called = f", {work.text(callback)}" if callback is not None else ""
+    queue = f", queue_size={depth}" if depth is not None else ""
+    return f"rospy.Subscriber({name}, {type_}{called}{queue})"
+
+
+def _service(work: Work, site: Site, name: str) -> str | None:
+    callback = site.arguments.get(Argument(2, "callback"))
+    if callback is None:
+        return None
+    called = work.text(callback)
+    function = work.callback_of(site)
+    made = _response(work, site)
+    if function is None or not _make_response(work, function, made):
+        holder = called if called.replace(".", "").isidentifier() else f"({called})"
+        called = f"lambda request: {holder}(request, {made})"
+    return f"rospy.Service({name}, {_type(work, site)}, {called})"
+
+
+def _client(work: Work, site: Site, name: str) -> str | None:
+    return f"rospy.ServiceProxy({name}, {_type(work, site)})"
+
+
+def _timer(work: Work, site: Site, name: str) -> str | None:
+    callback = site.arguments.get(Argument(1, "callback"))
+    if callback is None:
+        return None
+    called = work.text(callback)
+    function = work.callback_of(site)
+    if function is None or not _take_event(work, function):
+        holder = called if called.replace(".", "").isidentifier() else f"({called})"
+        called = f"lambda event: {holder}()"
+    return f"rospy.Timer(rospy.Duration({name}), {called})"
+
+
+_WRITERS = {
+    EndpointKind.PUBLISHER: _publisher,
+    EndpointKind.SUBSCRIPTION: _subscription,
+    EndpointKind.SERVICE: _service,
+    EndpointKind.CLIENT: _client,
+    EndpointKind.TIMER: _timer,
+}
+
+
+def _type(work: Work, site: Site) -> str:
+    given = site.arguments.get(site.shape.type) if site.shape.type is not None else None
+    return work.text(given) if given is not None else ""
+
+
+def _depth(work: Work, site: Site, argument: Argument) -> str | None:
+    """Write the depth of a queue; any other quality of service is marked."""
+    given = site.arguments.get(argument)
+    if given is None:
+        return None
+    folded = work.analysis.resolver.fold(given, site.scope)
+    if isinstance(folded, Known) and isinstance(folded.value, int):
+        return work.text(given)
+    work.mark(site.call, "quality of service", _REMEDIES["rclpy.qos"])
+    return None
+
+
+def _response(work: Work, site: Site) -> str:
+    """Write an expression that makes an empty response."""
+    type_ = site.endpoint.type
+    if type_ is None:
+        return f"{_type(work, site)}._response_class()"
+    found = target_type(work, type_, InterfaceKind.SERVICE)[0] or type_
+    work.imports.add(f"from {found.package}.srv import {found.name}Response")
+    return f"{found.name}Response()"
+
+
+def _make_response(work: Work, function: Scope, made: str) -> bool:
+    """Let a handler make the response that rclpy hands over; tell whether it can be."""
+    listed = function.node.child_by_field_name("parameters")
+    body = function.node.child_by_field_name("body")
+    if listed is None or body is None:
+        return False
+    if listed.id in work.done:
+        return True
+    children = [each for each in listed.named_children if each.type != "comment"]
+    own = children[1:] if function.self_name else children
+    if len(own) != 2 or own[1].type not in ("identifier", "typed_parameter"):
+        return False
+    work.done.add(listed.id)
+    name = own[1] if own[1].type == "identifier" else own[1].named_children[0]
+    work.cut(delete_item(work.analysis.syntax.text, children, own[1]))
+    work.done.update(node.id for node in walk(own[1]))
+    _put_first(work, body, f"{work.slice(name)} = {made}")
+    return True
+
+
+def _take_event(work: Work, function: Scope) -> bool:
+    """Let a timer's callback take its event; tell whether it can."""
+    listed = function.node.child_by_field_name("parameters")
+    if listed is None:
+        return False
+    if listed.id in work.done:
+        return True
+    children = [each for each in listed.named_children if each.type != "comment"]
+    if len(children) != (1 if function.self_name else 0):
+        return False
+    work.done.add(listed.id)
+    if children:
+        work.insert(children[-1].end_byte, ", event=None")
+    else:
+        work.insert(listed.start_byte + 1, "event=None")
+    return True
+
+
+def _put_first(work: Work, body: Node, line: str) -> None:
+    """Insert a statement at the start of a function, behind its docstring."""
+    statements = [each for each in body.named_children if each.type != "comment"]
+    first = statements[0]
+    text = work.analysis.syntax.text
+    is_docstring = first.type == "expression_statement" and bool(
+        first.named_children and first.named_children[0].type == "string"
+    )
+    if is_docstring and len(statements) > 1:
+        first = statements[1]
+    start = line_start(text, first.start_byte)
+    indent = text[start : first.start_byte]
+    if indent.strip():
+        work.insert(first.start_byte, f"{line}; ")
+    else:
+        work.insert(start, f"{indent.decode('ascii', 'replace')}{line}\n")
+
+
+def _port_running(work: Work) -> None:
+    """Rewrite what runs the nodes, outside of callbacks."""
+    for call in work.analysis.captures.get("call", []):
+        callee = call.child_by_field_name("function")
+        if callee is None or work.is_in_callback(call):
+            continue
+        names = set(work.qualified(callee))
+        statement = statement_of(call)
+        is_alone = statement.type == "expression_statement" and statement.named_children == [call]
+        if names & {"rclpy.init"} and is_alone:
+            work.delete(statement)
+        elif names & {"rclpy.spin"}:
+            work.replace(call, "rospy.spin()")
+        elif names & {"rclpy.shutdown", "rclpy.try_shutdown"}:
+            work.replace(call, 'rospy.signal_shutdown("the node is done")')
+        elif names & {"rclpy.ok"}:
+            _port_ok(work, call)
+        elif callee.type == "attribute":
+            _port_method(work, call, callee, statement if is_alone else None)
+    for node in walk(work.analysis.syntax.root):
+        parent = node.parent
+        if parent is None or node.type not in ("identifier", "attribute"):
+            continue
+        is_caught = parent.type in ("except_clause", "as_pattern", "tuple")
+        if is_caught and set(work.qualified(node)) & set(_INTERRUPTS):
+            work.replace(node, "rospy.ROSInterruptException")
+
+
+def _port_method(work: Work, call: Node, callee: Node, alone: Node | None) -> None:
+    part = callee.child_by_field_name("attribute")
+    name = work.slice(part) if part is not None else ""
+    if name == "destroy_node" and alone is not None:
+        work.delete(alone)
+    elif name == "create_rate":
+        arguments = call.child_by_field_name("arguments")
+        inner = work.text(arguments) if arguments is not None else "()"
+        work.replace(call, f"rospy.Rate{inner}")
+    elif name == "wait_for_service" and b"timeout_sec" in (call.text or b""):
+        work.mark(call, "timeout_sec", "`timeout=`; rospy raises where the time is up")
+
+
+def _port_ok(work: Work, call: Node) -> None:
+    parent = call.parent
+    if parent is not None and parent.type == "not_operator":
+        work.done.add(call.id)
+        work.replace(parent, "rospy.is_shutdown()")
+    else:
+        is_condition = parent is not None and parent.type in ("if_statement", "while_statement")
+        text = "not rospy.is_shutdown()"
+        work.replace(call, text if is_condition else f"({text})")
+
+
+def _port_nodes(work: Work) -> None:
+    """Make the one node that a process of ROS 1 has; classes of nodes become plain ones."""
+    classes = work.analysis.library.node_classes
+    for owner in work.analysis.scopes.classes():
+        for base in owner.bases:
+            if set(work.qualified(base)) & classes:
+                _leave_base(work, owner, base)
+    makers = [each for each in work.analysis.nodes if _is_maker(work, each)]
+    for index, maker in enumerate(makers):
+        _init(work, maker)
+        if index and maker.call is not None:
+            remedy = "ROS 1 has one node a process: make two programs of them"
+            work.mark(maker.call, "a second node", remedy)
+    for each in work.analysis.nodes:
+        if each.call is None and each.owner is not None and not _has_file_base(work, each.owner):
+            work.mark(each.scope.node, "the node's name", "`rospy.init_node(name)` makes the node")
+
+
+def _is_maker(work: Work, site: NodeSite) -> bool:
+    """Tell whether a place calls the library itself, and no class of the file."""
+    if site.call is None:
+        return False
+    return site.owner is None or not _has_file_base(work, site.owner)
+
+
+def _has_file_base(work: Work, owner: Scope) -> bool:
+    """Tell whether a class derives from a node class of the file."""
+    bases = [each for each in work.analysis.resolver.base_scopes(owner) if each is not owner]
+    classes = work.analysis.library.node_classes
+    return any(work.analysis.resolver.derives_from(base, classes) for base in bases)
+
+
+def _leave_base(work: Work, owner: Scope, base: Node) -> None:
+    listed = owner.node.child_by_field_name("superclasses")
+    if listed is None:
+        return
+    work.done.update(node.id for node in walk(base))
+    items = [each for each in listed.named_children if each.type != "comment"]
+    if len(items) == 1:
+        work.replace(listed, "")
+    else:
+        work.cut(delete_item(work.analysis.syntax.text, items, base))
+
+
+def _init(work: Work, maker: NodeSite) -> None:
+    assert maker.call is not None
+    written = maker.expression if maker.name is None else literals.string(maker.name)
+    if not written:
+        written = '"node"'
+        work.mark(maker.call, "the node's name")
+    arguments = maker.call.child_by_field_name("arguments")
+    if arguments is not None and arguments.named_child_count > 1:
+        work.mark(maker.call, "options of the node", "`rospy.init_node` has others")
+    work.replace(maker.call, f"rospy.init_node({written})")

@@ -1,0 +1,148 @@
+"""The imports of a file: those of the client library go, those of types change where ROS did."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+
+from tree_sitter import Node
+
+from plastron_tui.ros.catalog import Catalog, moved
+from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+
+from .work import Work, walk
+
+_SIDES = ("Request", "Response")
+_KINDS = {"msg": InterfaceKind.MESSAGE, "srv": InterfaceKind.SERVICE}
+
+
+def port_imports(work: Work, roots: frozenset[str]) -> None:
+    """Rewrite the import statements.
+
+    Args:
+        work: the file.
+        roots: the modules of the client library that the file leaves.
+    """
+    for node in work.analysis.captures.get("import", []):
+        _port_plain(work, node, roots)
+    for node in work.analysis.captures.get("import_from", []):
+        module = node.child_by_field_name("module_name")
+        name = work.slice(module) if module is not None else ""
+        if name.partition(".")[0] in roots:
+            work.delete(node)
+        elif name.endswith((".msg", ".srv")) and name.count(".") == 1:
+            if any(each.type == "wildcard_import" for each in node.named_children):
+                _port_star(work, node, name)
+            else:
+                _port_types(work, node, name)
+
+
+def _port_plain(work: Work, node: Node, roots: frozenset[str]) -> None:
+    """Rewrite `import rospy, sys`."""
+    kept = []
+    for each in node.named_children:
+        name = each.child_by_field_name("name") if each.type == "aliased_import" else each
+        if name is not None and work.slice(name).partition(".")[0] not in roots:
+            kept.append(work.slice(each))
+    if not kept:
+        work.delete(node)
+    elif len(kept) < node.named_child_count:
+        work.replace(node, f"import {', '.join(kept)}")
+
+
+def _port_types(work: Work, node: Node, module: str) -> None:
+    """Rewrite `from package.msg import A, B as C`."""
+    package, _, kind = module.partition(".")
+    by_module: dict[str, list[str]] = defaultdict(list)
+    aliases: list[str] = []
+    is_changed = False
+    for each in node.children_by_field_name("name"):
+        is_aliased = each.type == "aliased_import"
+        name_node = each.child_by_field_name("name") if is_aliased else each
+        alias_node = each.child_by_field_name("alias") if is_aliased else None
+        if name_node is None:
+            continue
+        name = work.slice(name_node)
+        used = work.slice(alias_node) if alias_node is not None else name
+        base, side = _split(name) if kind == "srv" else (name, "")
+        type_ = _in_target(work, each, InterfaceName(package, base), _KINDS[kind])
+        if side and work.catalog.ros_version == 2:
+            alias = f"{used} = {type_.name}.{side}"
+            is_top = node.parent is not None and node.parent.type == "module"
+            (work.constants if is_top else aliases).append(alias)
+            entry = type_.name
+        else:
+            entry = (
+                type_.name + side if used == type_.name + side else f"{type_.name}{side} as {used}"
+            )
+        is_changed |= (type_.package, entry) != (package, work.slice(each))
+        entries = by_module[f"{type_.package}.{kind}"]
+        if entry not in entries:
+            entries.append(entry)
+    if is_changed:
+        indent = " " * node.start_point.column
+        lines = [f"from {each} import {', '.join(names)}" for each, names in by_module.items()]
+        work.replace(node, f"\n{indent}".join([*lines, *aliases]))
+
+
+def _port_star(work: Work, node: Node, module: str) -> None:
+    """Rewrite `from package.srv import *`, where its types moved or their sides are named anew."""
+    package, _, kind = module.partition(".")
+    before = Catalog(work.analysis.library.distribution)
+    known = [each for each in before.names(_KINDS[kind]) if each.package == package]
+    pairs = [(each, target_type(work, each, _KINDS[kind])) for each in known]
+    moves = {each: found for each, (found, _) in pairs if found is not None and found != each}
+    if moves and len(moves) == len(known):
+        lines = [f"from {new.package}.{kind} import {new.name}" for new in moves.values()]
+        work.replace(node, f"\n{' ' * node.start_point.column}".join(lines))
+    else:
+        for each, (found, remedy) in pairs:
+            if found is None and _is_used(work, each.name):
+                work.mark(node, str(each), remedy)
+    if kind == "srv" and work.catalog.ros_version == 2:
+        for each in known:
+            for side in _SIDES:
+                if _is_used(work, each.name + side):
+                    name = moves.get(each, each).name
+                    work.constants.append(f"{each.name}{side} = {name}.{side}")
+
+
+def _is_used(work: Work, name: str) -> bool:
+    return any(
+        node.type == "identifier" and work.slice(node) == name
+        for node in walk(work.analysis.syntax.root)
+    )
+
+
+def _split(name: str) -> tuple[str, str]:
+    """Split rospy's `AddTwoIntsResponse` into the service and its side."""
+    for side in _SIDES:
+        if name.endswith(side) and name != side:
+            return name[: -len(side)], side
+    return name, ""
+
+
+def _in_target(work: Work, node: Node, type_: InterfaceName, kind: InterfaceKind) -> InterfaceName:
+    """Return a type as the other ROS names it; one that it lacks is marked."""
+    found, remedy = target_type(work, type_, kind)
+    if found is None:
+        work.mark(node, str(type_), remedy)
+    return found or type_
+
+
+def target_type(
+    work: Work, type_: InterfaceName, kind: InterfaceKind
+) -> tuple[InterfaceName | None, str | None]:
+    """Return a type as the other ROS names it; None and a remedy where it has none.
+
+    A type that neither ROS has is the user's own, and taken to be in both.
+    """
+    if work.catalog.find(type_, kind) is not None:
+        return type_, None
+    instead = moved(type_, work.catalog.ros_version)
+    if isinstance(instead, InterfaceName) and work.catalog.find(instead, kind) is not None:
+        return instead, None
+    if Catalog(work.analysis.library.distribution).find(type_, kind) is None:
+        return type_, None
+    return None, instead if isinstance(
+        instead, str
+    ) else f"{work.catalog.distribution} has no such type"
