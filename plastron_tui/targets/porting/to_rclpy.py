@@ -5,23 +5,19 @@ from __future__ import annotations
 from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
-from plastron_tui.targets import literals
 from plastron_tui.targets.python.calls import Argument
 from plastron_tui.targets.python.scopes import Scope
-from plastron_tui.targets.python.sites import NodeSite, Site
-from plastron_tui.targets.python.splices import line_start
+from plastron_tui.targets.python.sites import Site
 
 from .leftovers import mark_leftovers, mark_plain_publishing
-from .placing import add_header, first_call, top_level
+from .placing import add_header
+from .rclpy_node import make_node, port_running
 from .types import port_imports
-from .work import COMMENT, Mark, Work, first_of, statement_of, walk
+from .work import Work, walk
 
 _GONE = frozenset({"rospy", "roslib"})
 _LEFT = _GONE | {"actionlib", "rosgraph", "rosnode", "rosservice", "rostopic", "rosparam", "genpy"}
 _LEFT |= {"tf", "tf2_ros", "dynamic_reconfigure", "roslaunch", "rosbag"}
-
-_INTERRUPT = ("rospy.ROSInterruptException", "rospy.exceptions.ROSInterruptException")
-_INTERRUPTS = "KeyboardInterrupt, ExternalShutdownException, ROSInterruptException"
 
 _ATTRIBUTES = {
     "secs": "a time of ROS 2 has `sec`",
@@ -33,33 +29,15 @@ _ATTRIBUTES = {
     "unregister": "`destroy` of the endpoint",
 }
 
-_SPIN = """\
-def {spin}():
-    \"\"\"Handle what comes, until ROS ends.\"\"\"
-    try:
-        rclpy.spin({node})
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-"""
-_WAIT = """\
-def {wait}():
-    \"\"\"Wait until ROS ends, while a thread handles what comes.\"\"\"
-    try:
-        while rclpy.ok():
-            time.sleep(0.1)
-    except KeyboardInterrupt:
-        pass
-"""
-
 
 def port_to_rclpy(work: Work) -> None:
     """Rewrite what makes a rospy node and its endpoints, and mark the rest of rospy."""
     node = work.free_name("node")
     port_imports(work, _GONE)
-    runs_in_thread = _port_running(work, node)
+    runs_in_thread = port_running(work, node)
     for site in reversed(work.analysis.sites):
         _port_site(work, site, node)
-    _make_node(work, node, runs_in_thread)
+    make_node(work, node, in_thread=runs_in_thread)
     mark_plain_publishing(work)
     mark_leftovers(work, _LEFT, _ATTRIBUTES, _remedies(node))
     work.imports.add("import rclpy")
@@ -301,169 +279,3 @@ def _is_response(work: Work, value: Node | None) -> bool:
     return any(
         ".srv." in f".{name}" and name.endswith("Response") for name in work.qualified(callee)
     )
-
-
-def _port_running(work: Work, node: str) -> bool:
-    """Rewrite what runs the node, outside of callbacks; tell whether a thread has to spin."""
-    calls: dict[str, list[Node]] = {"rospy.spin": [], "rospy.is_shutdown": [], "rospy.Rate": []}
-    for call in work.analysis.captures.get("call", []):
-        callee = call.child_by_field_name("function")
-        if callee is not None and not work.is_in_callback(call):
-            for name in work.qualified(callee):
-                found = name.replace("rospy.client.", "rospy.").replace("rospy.core.", "rospy.")
-                found = found.replace("rospy.timer.", "rospy.")
-                if found in calls:
-                    calls[found].append(call)
-            if "roslib.load_manifest" in work.qualified(callee):
-                work.delete(statement_of(call))
-    listens = {EndpointKind.SUBSCRIPTION, EndpointKind.SERVICE, EndpointKind.TIMER}
-    is_listening = any(site.endpoint.kind in listens for site in work.analysis.sites)
-    in_thread = bool(calls["rospy.Rate"]) or (is_listening and not calls["rospy.spin"])
-    spin, wait = work.free_name("spin"), work.free_name("wait")
-    for call in calls["rospy.Rate"]:
-        arguments = call.child_by_field_name("arguments")
-        inner = work.text(arguments)[1:-1] if arguments is not None else ""
-        work.replace(call, f"{node}.create_rate({inner})")
-    for call in calls["rospy.is_shutdown"]:
-        _port_is_shutdown(work, call)
-    for call in calls["rospy.spin"]:
-        work.replace(call, f"{wait}()" if in_thread else f"{spin}()")
-    if in_thread or calls["rospy.spin"]:
-        work.helpers.append(_SPIN.format(spin=spin, node=node))
-        work.imports.add("from rclpy.executors import ExternalShutdownException")
-    if in_thread and calls["rospy.spin"]:
-        work.helpers.append(_WAIT.format(wait=wait))
-        work.imports.add("import time")
-    _port_interrupts(work)
-    return in_thread
-
-
-def _port_is_shutdown(work: Work, call: Node) -> None:
-    parent = call.parent
-    if parent is not None and parent.type == "not_operator":
-        work.done.add(call.id)
-        work.replace(parent, "rclpy.ok()")
-    else:
-        is_condition = parent is not None and parent.type in ("if_statement", "while_statement")
-        work.replace(call, "not rclpy.ok()" if is_condition else "(not rclpy.ok())")
-
-
-def _port_interrupts(work: Work) -> None:
-    """Rewrite `except rospy.ROSInterruptException`."""
-    for node in walk(work.analysis.syntax.root):
-        if node.type not in ("attribute", "identifier") or node.parent is None:
-            continue
-        parent = node.parent
-        if parent.type not in ("except_clause", "as_pattern", "tuple"):
-            continue
-        if not set(work.qualified(node)) & set(_INTERRUPT):
-            continue
-        outer = parent.parent.type if parent.parent is not None else ""
-        if parent.type == "except_clause" or outer == "except_clause":
-            is_item = parent.type == "tuple"
-            work.replace(node, _INTERRUPTS if is_item else f"({_INTERRUPTS})")
-            work.imports.add("from rclpy.executors import ExternalShutdownException")
-            work.imports.add("from rclpy.exceptions import ROSInterruptException")
-
-
-def _make_node(work: Work, node: str, in_thread: bool) -> None:
-    """Make the node where it is there before all that needs it."""
-    inits = [each for each in work.analysis.nodes if each.call is not None]
-    sites = [site.call for site in work.analysis.sites]
-    if not inits:
-        first = first_of(sites)
-        work.constants.append(f"{node} = None")
-        if first is not None:
-            work.mark(first, "the node", f"set `{node}` to the node, which no line of it makes")
-        return
-    is_global = any(init.scope.enclosing("function") is not None for init in inits)
-    if is_global and not _module_sites(work, inits[0]):
-        work.constants.append(f"{node} = None")
-    for init in inits:
-        _place(work, init, node, in_thread, can_move=len(inits) == 1)
-
-
-def _place(work: Work, init: NodeSite, node: str, in_thread: bool, *, can_move: bool) -> None:
-    assert init.call is not None
-    statement = statement_of(init.call)
-    written = init.expression if init.name is None else literals.string(init.name)
-    lines = ["rclpy.init()", f"{node} = rclpy.create_node({written or literals.string('node')})"]
-    if in_thread:
-        spin = work.free_name("spin")
-        lines.append(f"threading.Thread(target={spin}, daemon=True).start()")
-        work.imports.add("import threading")
-    if b"anonymous" in (init.call.text or b""):
-        remedy = "ROS 2 makes no name unique: start the node under a name of its own"
-        work.marks.append(Mark(init.call, "anonymous", remedy, has_comment=True))
-        lines.insert(1, f"{COMMENT}anonymous")
-    work.done.add(init.call.id)
-    function = init.scope.enclosing("function")
-    anchor = _anchor(work, init) if can_move and init.name is not None else statement
-    if function is not None and anchor.start_byte >= function.start:
-        body = function.node.child_by_field_name("body")
-        assert body is not None
-        _put_before(work, _first_statement(body), [f"global {node}"])
-    if anchor.id == statement.id and not _begins_line(work, statement):
-        work.replace(statement, "; ".join(line for line in lines if line[0] != "#"))
-        return
-    _put_before(work, anchor, lines)
-    if statement.type == "expression_statement":
-        work.delete(statement)
-
-
-def _anchor(work: Work, init: NodeSite) -> Node:
-    """Return the statement before which the node is made: no endpoint is made before it."""
-    assert init.call is not None
-    early = _module_sites(work, init)
-    function = init.scope.enclosing("function")
-    if early:
-        return top_level(early[0])
-    if function is not None:
-        body = function.node.child_by_field_name("body")
-        assert body is not None
-        return _first_statement(body)
-    top = top_level(init.call)
-    body = top.child_by_field_name("consequence") or top.child_by_field_name("body")
-    if body is not None and body.named_child_count:
-        return _first_statement(body)
-    return first_call(work, top)
-
-
-def _module_sites(work: Work, init: NodeSite) -> list[Node]:
-    """Return the endpoints that the module makes itself, before the statement with `init_node`."""
-    assert init.call is not None
-    top = top_level(init.call)
-    is_in_function = init.scope.enclosing("function") is not None
-    return [
-        site.call
-        for site in work.analysis.sites
-        if site.scope.enclosing("function") is None
-        and top_level(site.call).id != top.id
-        and (is_in_function or site.call.start_byte < top.start_byte)
-    ]
-
-
-def _first_statement(body: Node) -> Node:
-    """Return the first statement of a block, behind its docstring."""
-    statements = [each for each in body.named_children if each.type != "comment"]
-    first = statements[0]
-    is_docstring = first.type == "expression_statement" and bool(
-        first.named_children and first.named_children[0].type == "string"
-    )
-    return statements[1] if is_docstring and len(statements) > 1 else first
-
-
-def _begins_line(work: Work, statement: Node) -> bool:
-    text = work.analysis.syntax.text
-    return not text[line_start(text, statement.start_byte) : statement.start_byte].strip()
-
-
-def _put_before(work: Work, statement: Node, lines: list[str]) -> None:
-    text = work.analysis.syntax.text
-    if not _begins_line(work, statement):
-        code = [line for line in lines if not line.startswith("#")]
-        work.insert(statement.start_byte, "".join(f"{line}; " for line in code))
-        return
-    start = line_start(text, statement.start_byte)
-    indent = text[start : statement.start_byte].decode("ascii", "replace")
-    work.insert(start, "".join(f"{indent}{line}\n" for line in lines))
