@@ -178,9 +178,10 @@ class Work:
             line = syntax.text[at : line_end(syntax.text, at)]
             indent = line[: len(line) - len(line.lstrip(b" \t\f"))]
             comment = syntax.encode(COMMENT + SEPARATOR.join(words))
-            splices.append(Splice(at, at, indent + comment + newline))
+            splices.append(Splice(at, at, indent + comment + b"\n"))
         fitted = [
-            Splice(each.start, each.end, each.text.replace(b"\n", newline)) for each in splices
+            Splice(each.start, each.end, each.text.replace(b"\r\n", b"\n").replace(b"\n", newline))
+            for each in splices
         ]
         return apply(syntax.text, fitted)
 
