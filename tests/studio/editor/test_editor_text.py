@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as some
@@ -115,7 +117,7 @@ def test_wrapped_pieces_fit_and_make_up_the_line(text: str, width: int) -> None:
     pieces = sections(line, width)
     assert pieces[0][0] == 0
     assert pieces[-1][1] == line.size
-    for (_, end), (start, _) in zip(pieces, pieces[1:], strict=False):
+    for (_, end), (start, _) in pairwise(pieces):
         assert end == start
     if "\t" not in text:
         assert all(line.cell(end) - line.cell(start) <= width for start, end in pieces)

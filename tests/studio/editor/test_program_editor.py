@@ -6,12 +6,11 @@ import sys
 from pathlib import Path
 
 import pytest
+from editor_host import editing
 from textual.geometry import Offset
 
 from plastron_tui.diagnostics import Edit, Span
 from plastron_tui.session import Session
-
-from editor_host import editing
 
 PROGRAM = """\
 create_node 'talker' as talker

@@ -11,6 +11,7 @@ from hypothesis import strategies as some
 from plastron_tui.language import Document
 from plastron_tui.session import Session
 from plastron_tui.studio.editor.buffer import Buffer
+from plastron_tui.studio.editor.geometry import Geometry
 from plastron_tui.studio.editor.highlights import highlight
 
 PROGRAM = """\
@@ -43,7 +44,6 @@ def check_text(at: Driver) -> None:
     ]
     tree, other = at.editor.session.document.tree, Document(text).tree
     assert str(tree.root_node) == str(other.root_node)
-    at.editor.view.repaint()
     for row, paint in at.editor.view.paint.items():
         assert paint == highlight(fresh, row, row)[row]
     selection = at.editor.selection
@@ -52,9 +52,17 @@ def check_text(at: Driver) -> None:
 
 async def check_screen(at: Driver) -> None:
     """Nothing on the screen is left over from before."""
+    view = at.editor.view
+    assert at.editor.session.document.tree is not None
+    view.repaint()
+    fresh = Geometry(at.editor.state, view.marks)
+    fresh.width, fresh.is_wrapped = view.text_width, view.soft_wrap
+    fresh.place_lines()
+    assert view.geometry.lines.extra == fresh.lines.extra
     await at.pilot.pause()
     shown = at.app.export_screenshot()
-    at.editor.view.refresh()
+    view.paint.clear()
+    view.refresh()
     await at.pilot.pause()
     assert at.app.export_screenshot() == shown
 
@@ -65,8 +73,8 @@ async def run(keys: list[str], *, wrap: bool) -> None:
         await at.understand()
         for count, key in enumerate(keys):
             await at.press(key)
-            check_text(at)
             await check_screen(at)
+            check_text(at)
             if count % 5 == 4:
                 await at.understand()
         while at.editor.state.undo():
