@@ -82,7 +82,9 @@ class Constants:
         prefix = self._syntax.slice(node.children[0]).rstrip("'\"").lower()
         for child in node.children[1:-1]:
             if child.type == "interpolation":
-                if len(child.named_children) != 1:
+                # `{name=}` writes the name as well, `{name!r}` and `{name:3}` change the value.
+                is_plain = all(part.type in ("{", "}") or part.is_named for part in child.children)
+                if len(child.named_children) != 1 or not is_plain:
                     return None
                 parts.append(self.fold(child.child_by_field_name("expression"), scope, depth))
             elif child.type == "string_content":

@@ -18,6 +18,7 @@ from .syntax import Syntax
 
 _WRAPPED_TYPES = frozenset({"rospy.numpy_msg.numpy_msg", "numpy_msg.numpy_msg"})
 _CLASS_LOADERS = frozenset({"roslib.message.get_message_class", "roslib.message.get_service_class"})
+_ANYTHING = frozenset({"typing.Any", "typing.TypeVar", "typing.Protocol"})
 _KINDS = ("msg", "srv", "action")
 
 
@@ -253,14 +254,14 @@ class Resolver:
 
     def _class(self, node: Node, scope: Scope) -> Instance | None:
         if node.type == "string":
-            name = self._syntax.slice(node).strip("\"'")
+            name, dot, rest = self._syntax.slice(node).strip("\"'").partition(".")
             found = scope.lookup(name)
             bindings = found[1] if found is not None else []
             for binding in bindings:
-                if binding.kind is BindingKind.CLASS:
+                if binding.kind is BindingKind.CLASS and not dot:
                     return Instance(binding.owner)
                 if binding.kind is BindingKind.IMPORT:
-                    return self._imported_class((binding.target,))
+                    return self._imported_class((binding.target + dot + rest,))
             return None
         if node.type == "identifier":
             found = scope.lookup(self._syntax.slice(node))
@@ -272,7 +273,7 @@ class Resolver:
     def _imported_class(self, names: Sequence[str]) -> Instance | None:
         if any(name in self._node_makers for name in names):
             return Instance(None, NODE)
-        return Instance(None, names[0]) if names else None
+        return Instance(None, names[0]) if names and names[0] not in _ANYTHING else None
 
     def fold(self, node: Node | None, scope: Scope, depth: int = 0) -> Folded:
         """Return the constant that an expression is."""

@@ -18,7 +18,8 @@ from .syntax import parse
 MOST_BYTES = 4_000_000
 """Beyond this size a file is data, not a node that a person wrote."""
 
-_PLACES = (b"rospy", b"rclpy", b"message_filters", b"actionlib")
+# Part of a node whose class another file brings together may not import the library.
+_CREATION = re.compile(rb"\.create_(lifecycle_)?(publisher|subscription|service|client)\s*\(")
 
 
 def read_python(path: Path, text: bytes, library: str | None = None) -> ReadResult:
@@ -32,10 +33,13 @@ def read_python(path: Path, text: bytes, library: str | None = None) -> ReadResu
     if b"\x00" in text:
         return _refuse(path, "no-node", "the file is not a text")
     candidates = [LIBRARIES[library]] if library in LIBRARIES else _imported(text)
-    if not candidates:
+    is_guess = not candidates and _CREATION.search(text) is not None
+    if not candidates and not is_guess:
         return _refuse(path, "no-node", "the file imports neither rospy nor rclpy")
     syntax = parse(text)
-    analyses = [analyze(syntax, candidate) for candidate in candidates]
+    analyses = [analyze(syntax, candidate) for candidate in candidates or [LIBRARIES["rclpy"]]]
+    if is_guess and all(site.endpoint.type is None for site in analyses[0].sites):
+        return _refuse(path, "no-node", "the file imports neither rospy nor rclpy")
     best = max(analyses, key=lambda analysis: (len(analysis.sites), len(analysis.nodes)))
     source = SourceFile(path, text, best.library.module, group(best))
     return ReadResult(source)

@@ -20,6 +20,7 @@ from .syntax import Syntax, parse
 
 # How people call a variable that holds a node, where nothing else says what it is.
 _NODE_VARIABLE = re.compile(r"_*(\w+_)?(node|lifecycle_node)(handle)?_*$", re.IGNORECASE)
+_NODE_MAKER = re.compile(r"(Node|_node)$")
 # Packages whose classes are no nodes, so that a class derived from them is none either.
 _NO_NODES = frozenset(
     {"threading", "multiprocessing", "unittest", "enum", "abc", "typing", "collections", "logging"}
@@ -226,17 +227,24 @@ class _Finder:
         resolver = self._a.resolver
         instance = resolver.instance(holder, scope)
         if instance is not None:
+            if instance.qualified == NODE:
+                return True
             if instance.qualified:
-                return instance.qualified == NODE
+                # A class of another file that goes by the name of a node, or a function that
+                # makes one.
+                is_called_node = _NODE_MAKER.search(instance.qualified) is not None
+                return is_called_node and self._is_typed(shape, arguments, scope)
             owner = instance.scope
             if owner is not None and resolver.derives_from(owner, self._node_classes):
                 return True
             return owner is not None and self._is_mixin(owner, shape, arguments, scope)
         if holder.type == "call" and self._is_super(holder, scope):
             return True
+        is_typed = shape.type is not None and self._is_typed(shape, arguments, scope)
         if not self._is_called_node(holder, scope):
-            return False
-        return shape.type is None or self._is_typed(shape, arguments, scope)
+            return is_typed and shape.node is None
+        # Nothing but a node has these methods, with as many arguments.
+        return shape.type is None or is_typed or self._is_complete(shape, arguments)
 
     def _is_mixin(self, owner: Scope, shape: CallShape, arguments: Arguments, scope: Scope) -> bool:
         """Whether the method must be that of a node, which another class or file brings in."""
@@ -282,6 +290,12 @@ class _Finder:
             return False
         # A bare name must at least be bound; an attribute may be set by another file.
         return holder.type == "attribute" or scope.lookup(self._a.syntax.slice(node)) is not None
+
+    def _is_complete(self, shape: CallShape, arguments: Arguments) -> bool:
+        """Whether a call gives all that an endpoint needs, in a file that imports the library."""
+        wanted = (shape.name, shape.type, shape.callback)
+        is_given = all(each is None or arguments.get(each) is not None for each in wanted)
+        return (is_given or arguments.is_open) and self._a.library.module.encode() in self._a.syntax.text
 
     def _is_typed(self, shape: CallShape, arguments: Arguments, scope: Scope) -> bool:
         """Whether the call names an interface type where the shape wants one."""

@@ -1,0 +1,243 @@
+"""Edits in functions that import, return or hold what an edit has to do with, before → after."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from plastron_tui.diagnostics import Span
+from plastron_tui.model.source import Add, EndpointKind, Remove
+from plastron_tui.model.values import MessageValue
+from plastron_tui.model.workspace import (
+    Client,
+    Message,
+    Publication,
+    Publisher,
+    Service,
+    Subscription,
+)
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.targets import find_target
+from plastron_tui.targets.python import read_python
+
+AT = Span(0, 0)
+STRING = InterfaceName("std_msgs", "String")
+BOOL = InterfaceName("std_msgs", "Bool")
+TRIGGER = InterfaceName("std_srvs", "Trigger")
+CATALOGS = {"rospy": Catalog("noetic"), "rclpy": Catalog("jazzy")}
+
+LISTEN = Add(Subscription("in", STRING, None, AT))
+SEND = Add(
+    Publisher(
+        "out",
+        STRING,
+        (Publication(Message("m", MessageValue(STRING, {"data": "hi"}), AT), 10.0),),
+        AT,
+    )
+)
+CALL = Add(Client("call", TRIGGER, (MessageValue(TRIGGER, {}),), AT))
+SERVE = Add(Service("serve", TRIGGER, None, AT))
+
+
+def edited(text: str, change: Add | Remove) -> str:
+    source = read_python(Path("node.py"), text.encode()).source
+    assert source is not None
+    target = find_target(source.library)
+    assert target is not None
+    rendered = target.edit(source, [change], CATALOGS[source.library])
+    assert rendered.text is not None, rendered.diagnostics
+    return rendered.text.decode()
+
+
+RETURNED = """\
+import rospy
+from std_msgs.msg import String
+
+
+def listen(topic, callback):
+    return rospy.Subscriber(topic, String, callback)
+
+
+if __name__ == '__main__':
+    rospy.init_node('n')
+    subs = [listen('a', print)]
+    rospy.spin()
+"""
+LIBRARY = RETURNED[: RETURNED.index("\n\nif __name__")]
+LOCAL = """\
+import rclpy
+
+
+class Bridge:
+    def run(self):
+        from rclpy.node import Node
+        from std_msgs.msg import String
+
+        node = Node('bridge')
+        self.sub = node.create_subscription(String, 'a', self.on_a, 10)
+        rclpy.spin(node)
+
+    def on_a(self, msg):
+        print(msg.data)
+"""
+LAZY = """\
+def main():
+    import rospy
+    from std_srvs.srv import Trigger, TriggerRequest
+
+    rospy.init_node('n')
+    rospy.spin()
+
+
+main()
+"""
+OTHER_STRING = """\
+import rclpy
+
+
+def main():
+    from example_interfaces.msg import String
+
+    node = rclpy.create_node('n')
+    pub = node.create_publisher(String, 'a', 10)
+    rclpy.spin(node)
+"""
+TYPES = """\
+import rospy
+from std_msgs.msg import Bool, String
+
+TYPES = {"String": str, "Bool": bool}
+
+
+def f() -> None:
+    pass
+
+
+rospy.init_node('n')
+rospy.Publisher('b', Bool)
+rospy.Publisher('a', String)
+"""
+TUPLES = """\
+import rospy
+from std_msgs.msg import String
+
+
+class A:
+    def __init__(self):
+        self.a, self.b = (rospy.Publisher('a', String),
+                          rospy.Publisher('b', String))
+        self.a.publish('x')
+
+
+rospy.init_node('n')
+A()
+"""
+
+CASES = {
+    "what is returned is no place to stand behind": (
+        RETURNED,
+        LISTEN,
+        [
+            ("callback)\n", "callback)\n\n\ndef in_callback(message):\n"
+                            "    rospy.loginfo('in: %s', message)\n"),
+            ("node('n')\n", "node('n')\n    rospy.Subscriber('in', String, in_callback)\n"),
+        ],
+    ),
+    "where there is no other, before the return": (
+        LIBRARY,
+        LISTEN,
+        [
+            ("String\n\n", "String\n\n\ndef in_callback(message):\n"
+                           "    rospy.loginfo('in: %s', message)\n\n"),
+            ("    return", "    rospy.Subscriber('in', String, in_callback)\n    return"),
+        ],
+    ),
+    "a method that does not see the node prints": (
+        LOCAL,
+        LISTEN,
+        [
+            ("on_a, 10)\n", "on_a, 10)\n        self.in_sub = "
+                            "node.create_subscription(String, 'in', self.on_in, 10)\n"),
+            ("msg.data)\n", "msg.data)\n\n    def on_in(self, message):\n"
+                            "        print(f'in: {message}')\n"),
+        ],
+    ),
+    "a timer stands where the node is seen": (
+        LOCAL,
+        SEND,
+        [(
+            "on_a, 10)\n",
+            "on_a, 10)\n        self.out_pub = node.create_publisher(String, 'out', 10)\n\n"
+            "        def publish_out():\n"
+            "            \"\"\"Publish to out; called at its rate.\"\"\"\n"
+            "            message = String(data='hi')\n"
+            "            self.out_pub.publish(message)\n\n"
+            "        node.create_timer(0.1, publish_out)\n",
+        )],
+    ),
+    "what a function imports is not imported again": (
+        LAZY,
+        CALL,
+        [(
+            "node('n')\n",
+            "node('n')\n    call_client = rospy.ServiceProxy('call', Trigger)\n\n"
+            "    def call_call(event):\n"
+            "        \"\"\"Call call once it is there, and log its answer.\"\"\"\n"
+            "        try:\n"
+            "            call_client.wait_for_service(timeout=10.0)\n"
+            "            response = call_client(TriggerRequest())\n"
+            "            rospy.loginfo('call: %s', response)\n"
+            "        except (rospy.ROSException, rospy.ServiceException) as error:\n"
+            "            rospy.logerr('call: %s', error)\n\n"
+            "    rospy.Timer(rospy.Duration(0.1), call_call, oneshot=True)\n",
+        )],
+    ),
+    "a local name of another package is not hidden": (
+        OTHER_STRING,
+        LISTEN,
+        [
+            ("import rclpy\n", "import rclpy\nfrom std_msgs.msg import String as StdMsgsString\n"
+                               "\n\ndef on_in(message):\n    print(f'in: {message}')\n"),
+            ("'a', 10)\n", "'a', 10)\n    in_sub = "
+                           "node.create_subscription(StdMsgsString, 'in', on_in, 10)\n"),
+        ],
+    ),
+    "a word in a dictionary keeps no import": (
+        TYPES,
+        Remove(EndpointKind.PUBLISHER, "a", AT),
+        [("Bool, String\n", "Bool\n"), ("rospy.Publisher('a', String)\n", "")],
+    ),
+    "an import of a function goes with its last use": (
+        LOCAL,
+        Remove(EndpointKind.SUBSCRIPTION, "a", AT),
+        [
+            ("        from std_msgs.msg import String\n", ""),
+            ("        self.sub = node.create_subscription(String, 'a', self.on_a, 10)\n", ""),
+        ],
+    ),
+    "one of a tuple in brackets": (
+        TUPLES,
+        Remove(EndpointKind.PUBLISHER, "b", AT),
+        [("self.a, self.b =", "self.a ="),
+         (",\n                          rospy.Publisher('b', String))", ")")],
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_the_surroundings_are_seen(case: str) -> None:
+    before, change, replacements = CASES[case]
+    after = before
+    for old, new in replacements:
+        assert after.count(old) == 1, old
+        after = after.replace(old, new)
+    assert edited(before, change) == after
+
+
+@pytest.mark.parametrize("change", [LISTEN, SEND, CALL, SERVE])
+@pytest.mark.parametrize("annotation", ['"Node"', '"rclpy.node.Node"', "Node", "Any"])
+def test_a_node_with_an_annotation_is_found_again(change: Add, annotation: str) -> None:
+    text = LOCAL.replace("node = ", f"node: {annotation} = ")
+    assert edited(text, change) != text
