@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from difflib import unified_diff
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.workspace import Generation
 from plastron_tui.output.plan import FileState
 
@@ -84,8 +85,11 @@ def _preview(analysis: Analysis, generation: Generation, is_asked: bool) -> Prev
         return Preview(made.file.name, None, None, (), None, problems)
     file = plan.files[0]
     diff = None
+    source = generation.node.source
     if file.before is not None and file.state is not FileState.IDENTICAL:
         diff = diff_lines(printable(file_diff(file)))
+    elif file.before is None and source is not None and source.library == generation.library:
+        diff = difference(source.text, file.text)
     state = file.state if is_asked else None
     lines = coloured(file.text.decode("utf-8", "replace"), file.path)
     return Preview(file.name, file.path, state, lines, diff, made.diagnostics)
@@ -148,6 +152,11 @@ def diff_lines(patch: str) -> Lines:
     return tuple(lines)
 
 
-def spans_of(problems: tuple[Diagnostic, ...]) -> list[Span]:
-    """Return where the problems are."""
-    return [found.span for found in problems if found.span is not None]
+def difference(before: bytes, after: bytes) -> Lines:
+    """Return how two texts differ, coloured."""
+    rows = unified_diff(
+        before.decode("utf-8", "replace").splitlines(),
+        after.decode("utf-8", "replace").splitlines(),
+        lineterm="",
+    )
+    return diff_lines("\n".join(rows))

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from rich.cells import cell_len, set_cell_size
 from rich.segment import Segment
 from textual.strip import Strip
-from textual.widget import Widget
+
+from .tones import Toned
 
 
-class Bar(Widget):
+class Bar(Toned):
     """A line with text at its left and at its right."""
 
     COMPONENT_CLASSES: ClassVar[set[str]] = {"bar--strong", "bar--quiet", "bar--here"}
@@ -38,9 +38,7 @@ class Bar(Widget):
         return [
             Segment(
                 text,
-                base + self.get_component_rich_style(f"bar--{tone}", partial=True)
-                if tone
-                else base,
+                base + self.tone(tone, "bar"),
             )
             for text, tone in pieces
         ]
@@ -67,10 +65,3 @@ def help_pieces(text: str) -> tuple[tuple[str, str], ...]:
         return ((text, "quiet"),)
     here, _, after = rest.partition("›")
     return ((before, "quiet"), (here, "here"), (after, "quiet"))
-
-
-def fitted(text: str, width: int) -> str:
-    """Return a text that has its start left out where it is too wide."""
-    if cell_len(text) <= width:
-        return text
-    return "…" + set_cell_size(text[::-1], width - 1)[::-1]

@@ -7,6 +7,7 @@ from typing import ClassVar
 
 from rich.cells import cell_len
 from rich.segment import Segment
+from rich.style import Style
 from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
@@ -16,8 +17,12 @@ from textual.strip import Strip
 from textual.widget import Widget
 from textual.widgets import ContentSwitcher
 
+from .tones import Toned
 
-class TabStrip(Widget):
+_PLAIN = Style.null()
+
+
+class TabStrip(Toned):
     """One line with the names of panels; it is the edge of its dock too."""
 
     COMPONENT_CLASSES: ClassVar[set[str]] = {
@@ -58,30 +63,36 @@ class TabStrip(Widget):
 
     def render_line(self, y: int) -> Strip:
         """Draw the line: as many tabs as fit, the active one always."""
-        base = self.rich_style
-        width = self.size.width
-        tabs = [(name, title, self.counts.get(name, "")) for name, title in self.tabs]
-        sizes = [cell_len(title) + (cell_len(count) + 1 if count else 0) + 2
-                 for _, title, count in tabs]  # fmt: skip
+        base, width = self.rich_style, self.size.width
+        tabs = self._fitting(width)
+        sizes = [cell_len(text) + cell_len(count) for _, text, count in tabs]
         at = next((at for at, (name, _, _) in enumerate(tabs) if name == self.active), 0)
         first = 0
         while first < at and sum(sizes[first : at + 1]) > width:
             first += 1
         segments, x = [], 0
         self._places = []
-        for (name, title, count), size in list(zip(tabs, sizes, strict=True))[first:]:
-            style = base
-            if name == self.active:
-                style += self.get_component_rich_style("tab-strip--active", partial=True)
-            segments.append(Segment(f" {title}", style))
-            if count:
-                kind = "alarm" if name == "problems" else "count"
-                tone = self.get_component_rich_style(f"tab-strip--{kind}", partial=True)
-                segments.append(Segment(f" {count}", style + tone))
-            segments.append(Segment(" ", style))
+        for (name, text, count), size in list(zip(tabs, sizes, strict=True))[first:]:
+            style = base + (self.tone("active", "tab-strip") if name == self.active else _PLAIN)
+            kind = "alarm" if name == "problems" else "count"
+            segments.append(Segment(text, style))
+            segments.append(Segment(count, style + self.tone(kind, "tab-strip")))
             self._places.append((x, x + size, name))
             x += size
         return Strip(segments).adjust_cell_length(width, base)
+
+    def _fitting(self, width: int) -> list[tuple[str, str, str]]:
+        """Return name, text and count of the tabs: with all counts and some room if that fits."""
+        for room, has_counts in ((" ", True), ("", True), ("", False)):
+            tabs = []
+            for name, title in self.tabs:
+                is_counted = has_counts or name in (self.active, "problems")
+                count = self.counts.get(name, "") if is_counted else ""
+                text = f" {title} " if count else f" {title}{room}"
+                tabs.append((name, text, count + room if count else ""))
+            if sum(cell_len(text) + cell_len(count) for _, text, count in tabs) <= width:
+                break
+        return tabs
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
         """Begin to drag the edge."""

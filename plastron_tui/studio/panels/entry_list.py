@@ -16,10 +16,10 @@ from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
 from .entry import Entries, Entry
-from .tones import COMPONENTS, tone_style
+from .tones import COMPONENTS, Toned
 
 
-class EntryList(ScrollView, can_focus=True):
+class EntryList(Toned, ScrollView, can_focus=True):
     """Entries, one a line, with a cursor."""
 
     COMPONENT_CLASSES: ClassVar[set[str]] = {*COMPONENTS, "entry-list--cursor", "entry-list--here"}
@@ -183,20 +183,21 @@ class EntryList(ScrollView, can_focus=True):
         if row >= len(self._shown):
             return Strip.blank(width, base)
         entry = self._shown[row]
-        if row == self.index and self.has_focus:
-            base += self.get_component_rich_style("entry-list--cursor", partial=True)
+        is_lit = row == self.index and self.has_focus
+        if is_lit:
+            base += self.tone("cursor", "entry-list")
         elif entry.key == self._here:
-            base += self.get_component_rich_style("entry-list--here", partial=True)
-        return Strip(self._segments(entry, width, base)).adjust_cell_length(width, base)
+            base += self.tone("here", "entry-list")
+        return Strip(self._segments(entry, width, base, is_lit)).adjust_cell_length(width, base)
 
     def _render_empty(self, y: int, width: int, base: Style) -> Strip:
         lines = self.entries.empty.split("\n")
         if y == 0 or y > len(lines):
             return Strip.blank(width, base)
-        style = base + tone_style(self, "quiet" if y == 1 else "dim")
+        style = base + self.tone("quiet" if y == 1 else "dim")
         return Strip([Segment(f" {lines[y - 1]}", style)]).adjust_cell_length(width, base)
 
-    def _segments(self, entry: Entry, width: int, base: Style) -> list[Segment]:
+    def _segments(self, entry: Entry, width: int, base: Style, is_lit: bool) -> list[Segment]:
         indent = " " + "  " * entry.depth
         fold = ""
         if entry.is_branch and entry.key in self._folded:
@@ -214,4 +215,8 @@ class EntryList(ScrollView, can_focus=True):
                 detail = set_cell_size(detail, room - 2).rstrip() + "…"
             parts.append((f" {detail}", "quiet"))
         parts.append((warning, "success" if entry.edits else "warning"))
-        return [Segment(text, base + tone_style(self, tone)) for text, tone in parts if text]
+        return [
+            Segment(text, base + (Style.null() if is_lit else self.tone(tone)))
+            for text, tone in parts
+            if text
+        ]

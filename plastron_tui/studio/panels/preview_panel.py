@@ -86,7 +86,9 @@ class PreviewPanel(Vertical):
 
         current = self.current
         if current is None:
-            self._head.update(Content.styled("put the cursor on a node's statement", "$text-muted"))
+            self._head.update(
+                Content.styled("put the cursor on a node's statement", "$foreground 60%")
+            )
             self._view.show((), numbers=False)
             return
         if current.path is None:
@@ -95,7 +97,7 @@ class PreviewPanel(Vertical):
                                   for found in current.problems), numbers=False)  # fmt: skip
             return
         state, tone = _STATES[current.state]
-        colour = {"quiet": "$text-muted"}.get(tone, f"$text-{tone}")
+        colour = {"quiet": "$foreground 60%"}.get(tone, f"$text-{tone}")
         self._head.update(Content.assemble((current.name, "bold"), "  ", (state, colour)))
         if self._shows_diff and current.diff is not None:
             self._view.show(current.diff, numbers=False)

@@ -11,10 +11,10 @@ from textual.geometry import Size
 from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
-from .tones import COMPONENTS, Lines, Piece, tone_style
+from .tones import COMPONENTS, Lines, Piece, Toned
 
 
-class TextView(ScrollView, can_focus=True):
+class TextView(Toned, ScrollView, can_focus=True):
     """Lines that are read, not written; only those in sight are drawn."""
 
     COMPONENT_CLASSES: ClassVar[set[str]] = {*COMPONENTS, "text-view--number"}
@@ -79,9 +79,9 @@ class TextView(ScrollView, can_focus=True):
             return Strip.blank(width, base)
         margin = self._margin
         pieces = self.lines[row] or (Piece(""),)
-        line = Strip([Segment(text, base + tone_style(self, tone)) for text, tone in pieces])
+        line = Strip([Segment(text, base + self.tone(tone)) for text, tone in pieces])
         line = line.crop(x, x + width - margin).extend_cell_length(width - margin, base)
         if not margin:
             return line
-        style = base + self.get_component_rich_style("text-view--number", partial=True)
+        style = base + self.tone("number", "text-view")
         return Strip([Segment(f"{row + 1:>{margin - 1}} ", style), *line])

@@ -41,8 +41,42 @@ Line = tuple[Piece, ...]
 Lines = tuple[Line, ...]
 
 
-def tone_style(widget: Widget, tone: str) -> Style:
-    """Return the style of a tone in a widget that has `COMPONENTS`."""
+def tone_style(widget: Widget, tone: str, prefix: str = "tone") -> Style:
+    """Return the style of a tone in a widget that has `COMPONENTS`.
+
+    A colour that lets the background through is mixed with it: a terminal cannot.
+    """
     if not tone:
         return Style.null()
-    return widget.get_component_rich_style(f"tone--{tone}", partial=True)
+    styles = widget.get_component_styles(f"{prefix}--{tone}")
+    how = styles.text_style
+    color, background = styles.color, styles.background
+    behind = widget.background_colors[1]
+    if color.ansi is not None:
+        how += Style(color=color.rich_color, dim=color.a < 1 or None)
+    elif styles.has_rule("color"):
+        how += Style(color=behind.blend(color, color.a, 1).rich_color)
+    if background.a and background.ansi is None and styles.has_rule("background"):
+        how += Style(bgcolor=behind.blend(background, background.a, 1).rich_color)
+    return how
+
+
+class Toned(Widget):
+    """A widget that remembers its tones until its style changes."""
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
+        super().__init__(id=id)
+        self._tones: dict[tuple[str, str], Style] = {}
+
+    def tone(self, name: str, prefix: str = "tone") -> Style:
+        """Return the style of a tone."""
+        key = name, prefix
+        style = self._tones.get(key)
+        if style is None:
+            style = self._tones[key] = tone_style(self, name, prefix)
+        return style
+
+    def notify_style_update(self) -> None:
+        """Forget the tones: the theme is another one."""
+        super().notify_style_update()
+        self._tones = {}

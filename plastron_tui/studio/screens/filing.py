@@ -14,7 +14,7 @@ from ..analyst import Analyst
 from ..editor import ProgramEditor
 from ..files import OnDisk, Saved, open_file, read_again, save_file, with_suffix
 from ..journal import Kept
-from ..panels.tones import Lines
+from ..preview import difference
 from ..state import Open, opened
 
 if TYPE_CHECKING:
@@ -189,7 +189,7 @@ class Filing(Screen[None]):
                 f"{path.name} holds something else on the disk",
                 [("cancel", "Cancel"), ("overwrite", "Overwrite it")],
                 text="This is what saving would change there:",
-                lines=difference(path.name, found, text),
+                lines=difference(found, text),
             )
         )
         return answer == "overwrite"
@@ -301,7 +301,7 @@ class Filing(Screen[None]):
                 f"{now.path.name} was changed by another program",
                 [("keep", "Keep my text"), ("load", "Load the file")],
                 text="This is how the file differs from the text in the editor:",
-                lines=difference(now.path.name, open_.text, now.text),
+                lines=difference(open_.text, now.text),
             )
         )
         if open_ is not self.open or answer != "load":
@@ -336,7 +336,7 @@ class Filing(Screen[None]):
                 f"{name} was not saved",
                 [("restore", "Restore"), ("later", "Later"), ("drop", "Forget it")],
                 text=f"The studio ended at {when} with these changes:",
-                lines=difference(name, before, kept.text),
+                lines=difference(before, kept.text),
             )
         )
         if answer == "drop":
@@ -355,17 +355,3 @@ class Filing(Screen[None]):
         """Forget the old journal as soon as the new one is written."""
         if self.open.journal.write(self.open.text, kept.cursor) is None:
             kept.drop()
-
-
-def difference(name: str, before: bytes, after: bytes) -> Lines:
-    """Return how two texts differ, to look at."""
-    from difflib import unified_diff
-
-    from ..preview import diff_lines
-
-    rows = unified_diff(
-        before.decode("utf-8", "replace").splitlines(),
-        after.decode("utf-8", "replace").splitlines(),
-        name, name, lineterm="",
-    )  # fmt: skip
-    return diff_lines("\n".join(rows))

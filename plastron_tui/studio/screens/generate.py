@@ -26,7 +26,7 @@ from ..preview import coloured, diff_lines
 
 _TONES = {
     FileState.CREATE: "$text-success",
-    FileState.IDENTICAL: "$text-muted",
+    FileState.IDENTICAL: "$foreground 60%",
     FileState.CHANGED: "$text-warning",
     FileState.CONFLICT: "$text-error",
 }
