@@ -54,9 +54,9 @@ class DrawnText(ScrollView, inherit_bindings=False):
             if self.app.native_ansi_color:
                 self._palette = ansi_palette()
             else:
-                _, background = self.background_colors
+                _, _, background, foreground = self.colors
                 self._palette = themed_palette(
-                    self.app.theme_variables, self.styles.color, background
+                    self.app.theme_variables, background.blend(foreground, 1, 1), background
                 )
         return self._palette
 

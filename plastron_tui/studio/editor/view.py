@@ -74,6 +74,7 @@ class EditorView(DrawnText, can_focus=True, inherit_bindings=False):
     def on_mount(self) -> None:
         """Follow the theme."""
         self.app.theme_changed_signal.subscribe(self, lambda _: self.recolor())
+        self.watch(self.app, "ansi_color", self.recolor, init=False)
         self._fit()
 
     def watch_soft_wrap(self) -> None:

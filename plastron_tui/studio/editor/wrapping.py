@@ -17,10 +17,19 @@ def sections(line: Line, width: int) -> list[tuple[int, int]]:
         if end >= line.size and line.width - line.cell(start) <= width:
             break
         end = max(end, line.next_stop(start))
-        space = line.piece(start, end).rfind(" ") if end < line.size else -1
-        if space > 0 and len(line.piece(start, end)) == end - start:
-            end = start + space + 1
+        end = _after_space(line, start, end)
         found.append((start, end))
         start = end
     found.append((start, line.size))
     return found
+
+
+def _after_space(line: Line, start: int, end: int) -> int:
+    """Return the column after the last space of a piece, its end if it has none."""
+    at = end
+    while at > start:
+        before = line.previous_stop(at)
+        if line.piece(before, at) == " ":
+            return at
+        at = before
+    return end
