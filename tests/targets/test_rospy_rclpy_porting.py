@@ -65,7 +65,7 @@ if __name__ == "__main__":
     listener()
 '''
 LISTENER_2 = '''\
-#!/usr/bin/env python
+#!/usr/bin/env python3
 """Hears things."""
 
 import rclpy

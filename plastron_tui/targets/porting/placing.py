@@ -9,7 +9,7 @@ from plastron_tui.targets.python.splices import line_end, line_start
 from .work import Work
 
 _IMPORTS = frozenset({"import_statement", "import_from_statement", "future_import_statement"})
-_STANDARD = frozenset({"import threading", "import time"})
+_STANDARD = frozenset({"import atexit", "import threading", "import time"})
 _DEFINITIONS = frozenset({"function_definition", "class_definition", "decorated_definition"})
 
 

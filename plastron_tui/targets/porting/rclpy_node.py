@@ -23,6 +23,14 @@ def {spin}():
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
 """
+_THREAD = """\
+def {thread}():
+    \"\"\"Handle what comes in a thread, until the program ends.\"\"\"
+    thread = threading.Thread(target={spin}, daemon=True)
+    thread.start()
+    atexit.register(thread.join)
+    atexit.register(rclpy.try_shutdown)
+"""
 _WAIT = """\
 def {wait}():
     \"\"\"Wait until ROS ends, while a thread handles what comes.\"\"\"
@@ -62,6 +70,10 @@ def port_running(work: Work, node: str) -> bool:
     if in_thread or calls["rospy.spin"]:
         work.helpers.append(_SPIN.format(spin=spin, node=node))
         work.imports.add("from rclpy.executors import ExternalShutdownException")
+    if in_thread:
+        thread = work.free_name("spin_in_thread")
+        work.helpers.append(_THREAD.format(thread=thread, spin=spin))
+        work.imports.update(("import atexit", "import threading"))
     if in_thread and calls["rospy.spin"]:
         work.helpers.append(_WAIT.format(wait=wait))
         work.imports.add("import time")
@@ -120,9 +132,7 @@ def _place(work: Work, init: NodeSite, node: str, in_thread: bool, *, can_move: 
     written = init.expression if init.name is None else literals.string(init.name)
     lines = ["rclpy.init()", f"{node} = rclpy.create_node({written or literals.string('node')})"]
     if in_thread:
-        spin = work.free_name("spin")
-        lines.append(f"threading.Thread(target={spin}, daemon=True).start()")
-        work.imports.add("import threading")
+        lines.append(f"{work.free_name('spin_in_thread')}()")
     if b"anonymous" in (init.call.text or b""):
         remedy = "ROS 2 makes no name unique: start the node under a name of its own"
         work.marks.append(Mark(init.call, "anonymous", remedy, has_comment=True))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
@@ -19,6 +21,9 @@ _GONE = frozenset({"rospy", "roslib"})
 _LEFT = _GONE | {"actionlib", "rosgraph", "rosnode", "rosservice", "rostopic", "rosparam", "genpy"}
 _LEFT |= {"tf", "tf2_ros", "dynamic_reconfigure", "roslaunch", "rosbag"}
 
+# ROS 2 is of Python 3 only, which a plain `python` may not be.
+_OLD_PYTHON = re.compile(rb"#![^\r\n]*\bpython(?=[ \t]*[\r\n])()")
+
 _ATTRIBUTES = {
     "secs": "a time of ROS 2 has `sec`",
     "nsecs": "a time of ROS 2 has `nanosec`",
@@ -34,6 +39,8 @@ def port_to_rclpy(work: Work) -> None:
     """Rewrite what makes a rospy node and its endpoints, and mark the rest of rospy."""
     node = work.free_name("node")
     port_imports(work, _GONE)
+    if old := _OLD_PYTHON.match(work.analysis.syntax.text):
+        work.insert(old.end(1), "3")
     runs_in_thread = port_running(work, node)
     for site in reversed(work.analysis.sites):
         _port_site(work, site, node)
