@@ -204,14 +204,32 @@ def names_at_fault(results: Sequence[tuple[str, bytes, bytes]], folder: Path) ->
         old, new = found[texts[before]], found[texts[after]]
         if "" in old:
             continue  # not Python 3, for ruff
-        if worse := [each for each in (new - old).elements() if _is_fault(each, what)]:
+        tried = _tried_imports(before)
+        worse = [each for each in (new - old).elements() if _is_fault(each, what, tried)]
+        if worse:
             yield f"{what}: {', '.join(worse)}"
 
 
-def _is_fault(finding: str, what: str) -> bool:
-    """Whether a finding is an edit's fault; a removal takes no import but the type's."""
-    is_import = finding.startswith("F401")
-    return not (is_import and "remove" in what and not re.search(r"\.(msg|srv)\.\w", finding))
+def _is_fault(finding: str, what: str, tried: set[str]) -> bool:
+    """Whether a finding is an edit's fault.
+
+    A removal takes no import but the type's, and not that where the file tries the import.
+    """
+    if "remove" not in what or finding.startswith("F821"):
+        return True
+    found = re.search(r"`(?:[\w.]+\.(?:msg|srv)\.)(\w+)`", finding)
+    return found is not None and found[1] not in tried
+
+
+def _tried_imports(text: bytes) -> set[str]:
+    """Return the names that a module imports in a `try` or an `if`."""
+    found: set[str] = set()
+    for statement in ast.parse(text).body:
+        if isinstance(statement, (ast.Try, ast.If)):
+            for each in ast.walk(statement):
+                if isinstance(each, (ast.Import, ast.ImportFrom)):
+                    found |= {alias.asname or alias.name for alias in each.names}
+    return found
 
 
 def _ruff(folder: Path) -> dict[str, Counter[str]]:

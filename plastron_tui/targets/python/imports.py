@@ -10,7 +10,7 @@ from tree_sitter import Node
 from .references import identifiers, is_member
 from .scopes import Binding, BindingKind, Scope
 from .sites import Analysis
-from .splices import Splice, delete_item, delete_statements
+from .splices import Splice, delete_item
 
 _INTERFACES = ("msg", "srv", "action")
 
@@ -21,8 +21,12 @@ def is_interface_module(target: str) -> bool:
     return len(parts) >= 2 and parts[1] in _INTERFACES
 
 
-def unused_imports(analysis: Analysis, gone: list[Splice]) -> list[Splice]:
-    """Delete the imports of interface types whose every use lies in what is deleted."""
+def unused_imports(analysis: Analysis, gone: list[Splice]) -> tuple[list[Node], list[Splice]]:
+    """Find the imports of interface types whose every use lies in what is deleted.
+
+    Returns:
+        The statements that go, and what takes names out of others.
+    """
     removed: dict[int, tuple[Node, list[Node]]] = {}
     every = ((scope, *entry) for scope in analysis.scopes.all for entry in scope.bindings.items())
     for scope, name, bindings in every:
@@ -46,10 +50,14 @@ def unused_imports(analysis: Analysis, gone: list[Splice]) -> list[Splice]:
         item = _item(binding.node, name, analysis)
         if item is not None:
             removed.setdefault(binding.node.id, (binding.node, []))[1].append(item)
+    statements: list[Node] = []
     splices: list[Splice] = []
     for statement, items in removed.values():
-        splices += _delete_names(statement, items, analysis)
-    return splices
+        if len(items) == len(statement.children_by_field_name("name")):
+            statements.append(statement)
+        else:
+            splices += _delete_names(statement, items, analysis)
+    return statements, splices
 
 
 def _is_removable(binding: Binding, analysis: Analysis) -> bool:
@@ -113,11 +121,8 @@ def _item(statement: Node, name: str, analysis: Analysis) -> Node | None:
 
 def _delete_names(statement: Node, items: list[Node], analysis: Analysis) -> list[Splice]:
     text = analysis.syntax.text
-    names = statement.children_by_field_name("name")
-    if len(items) == len(names):
-        return delete_statements(text, [statement])
     splices = []
-    remaining = list(names)
+    remaining = list(statement.children_by_field_name("name"))
     for item in items:
         splices.append(delete_item(text, remaining, item))
         remaining = [other for other in remaining if other.id != item.id]

@@ -146,10 +146,18 @@ def _climb(statement: Node) -> Node | None:
             break
         is_around = parent.type in STATEMENT_PARENTS and current is not statement
         is_compound = current.type.endswith("_statement") and current.type not in _RUNS_ONCE
-        if is_around and is_compound and not _is_main_guard(current):
+        if is_around and is_compound and not _is_main_guard(current) and not _stays(current):
             found = current
         current = parent
     return found if found.parent is not None and found.parent.type in STATEMENT_PARENTS else None
+
+
+def _stays(statement: Node) -> bool:
+    """Whether a statement holds what the node does until it ends, so that nothing comes after."""
+    text = statement.text or b""
+    return statement.type != "while_statement" and any(
+        word in text for word in (b"is_shutdown(", b"rclpy.ok(", b".spin(")
+    )
 
 
 def _is_main_guard(statement: Node) -> bool:

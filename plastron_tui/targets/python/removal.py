@@ -49,7 +49,11 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
     callbacks = _stub_callbacks(analysis, removal.sites, gone)
     removal.statements += callbacks
     gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
-    removal.splices = gone + unused_imports(analysis, gone)
+    imports, names = unused_imports(analysis, gone)
+    # A block that all of these empty together needs one `pass`.
+    removal.statements += imports
+    gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
+    removal.splices = gone + names
     removal.statements = []
     return removal
 

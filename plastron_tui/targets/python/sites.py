@@ -295,7 +295,9 @@ class _Finder:
         """Whether a call gives all that an endpoint needs, in a file that imports the library."""
         wanted = (shape.name, shape.type, shape.callback)
         is_given = all(each is None or arguments.get(each) is not None for each in wanted)
-        return (is_given or arguments.is_open) and self._a.library.module.encode() in self._a.syntax.text
+        return (
+            is_given or arguments.is_open
+        ) and self._a.library.module.encode() in self._a.syntax.text
 
     def _is_typed(self, shape: CallShape, arguments: Arguments, scope: Scope) -> bool:
         """Whether the call names an interface type where the shape wants one."""

@@ -66,6 +66,32 @@ if __name__ == '__main__':
     rospy.spin()
 """
 LIBRARY = RETURNED[: RETURNED.index("\n\nif __name__")]
+BRANCHES = """\
+import rospy
+from std_msgs.msg import Bool
+
+
+def main(is_dry):
+    rospy.init_node('n')
+    if is_dry:
+        print('dry')
+    else:
+        pub = rospy.Publisher('on', Bool, queue_size=1)
+        while not rospy.is_shutdown():
+            pub.publish(True)
+            rospy.sleep(1)
+"""
+LOCAL_BLOCK = """\
+class Mixin:
+    def start(self):
+        from std_msgs.msg import Bool
+        self.low = self.create_publisher(Bool, 'low', 1)
+
+    def check(self, level):
+        if level < 3:
+            from std_msgs.msg import Bool
+            self.low.publish(Bool(data=True))
+"""
 LOCAL = """\
 import rclpy
 
@@ -149,9 +175,9 @@ CASES = {
         LIBRARY,
         LISTEN,
         [
-            ("String\n\n", "String\n\n\ndef in_callback(message):\n"
-                           "    rospy.loginfo('in: %s', message)\n\n"),
-            ("    return", "    rospy.Subscriber('in', String, in_callback)\n    return"),
+            ("String\n\n\n", "String\n\n\ndef in_callback(message):\n"
+                             '    rospy.loginfo("in: %s", message)\n\n\n'),
+            ("    return", '    rospy.Subscriber("in", String, in_callback)\n    return'),
         ],
     ),
     "a method that does not see the node prints": (
@@ -215,6 +241,27 @@ CASES = {
         [
             ("        from std_msgs.msg import String\n", ""),
             ("        self.sub = node.create_subscription(String, 'a', self.on_a, 10)\n", ""),
+        ],
+    ),
+    "a block that loses its import too": (
+        LOCAL_BLOCK,
+        Remove(EndpointKind.PUBLISHER, "low", AT),
+        [
+            ("        from std_msgs.msg import Bool\n        self.low = self.create_publisher"
+             "(Bool, 'low', 1)\n", "        pass\n"),
+            ("            from std_msgs.msg import Bool\n            self.low.publish"
+             "(Bool(data=True))\n", "            pass\n"),
+        ],
+    ),
+    "in the branch where the node runs": (
+        BRANCHES,
+        SEND,
+        [
+            ("import Bool\n", "import Bool, String\n"),
+            ("queue_size=1)\n", "queue_size=1)\n        out_pub = "
+                                "rospy.Publisher('out', String, queue_size=1)\n"),
+            ("publish(True)\n", "publish(True)\n            "
+                                "out_pub.publish(String(data='hi'))\n"),
         ],
     ),
     "one of a tuple in brackets": (
