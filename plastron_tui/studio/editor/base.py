@@ -19,6 +19,7 @@ from plastron_tui.session import Session
 from . import line_commands
 from .bars import FindBar, PromptBar
 from .completion import Vocabulary
+from .highlights import LONGEST
 from .history import Selection
 from .marks import Mark, Marks, worst
 from .state import TextState
@@ -215,9 +216,15 @@ class EditorBase(Vertical):
     def _tell_cursor(self) -> None:
         if self.state.cursor != self._told_cursor:
             self._told_cursor = self.state.cursor
-            self.expected = expected_at(self.session.document, self.state.cursor)
+            self.expected = self._expected()
             self.statement_help = help_of(self.expected)
             self.post_message(CursorMoved(self.state.cursor))
+
+    def _expected(self) -> Expectation:
+        buffer, row, cursor = self.state.buffer, self.state.row, self.state.cursor
+        if buffer.end(row) - buffer.start(row) > LONGEST:
+            return Expectation(Span(cursor, cursor))
+        return expected_at(self.session.document, cursor)
 
     def _settle_later(self) -> None:
         if self._settle is None:

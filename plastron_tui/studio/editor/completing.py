@@ -12,7 +12,6 @@ from plastron_tui.language.lowering import lower
 from .base import EditorBase
 from .completion import Candidate, Vocabulary, candidates, detail_of
 from .history import Selection
-from .view import EditorView
 
 _SMALL = 64 * 1024
 """A text of so many bytes is understood at once; a longer one waits for its diagnostics."""
@@ -91,11 +90,6 @@ class CompletingActions(EditorBase):
         written = self.text[span.start : span.end]
         is_open = prefix[:1] == "'" and not (len(written) > 1 and written.endswith(b"'"))
         return Span(span.start, self.state.cursor if is_open else span.end)
-
-    def on_editor_view_picked(self, message: EditorView.Picked) -> None:
-        """Take what the mouse picked."""
-        message.stop()
-        self.accept()
 
     def accept(self) -> None:
         """Write what is marked in the list, and what follows it if the line ends there."""

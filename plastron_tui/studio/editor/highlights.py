@@ -21,10 +21,17 @@ class Painted(NamedTuple):
 
 RowPaint = tuple[Painted, ...]
 
+LONGEST = 32 * 1024
+"""Rows of more bytes than this, all in all, are shown plain: to colour them takes too long."""
+
 
 def highlight(buffer: Buffer, first: int, last: int) -> dict[int, RowPaint]:
     """Return what the rows from `first` to `last`, inclusive, are painted with."""
     start, end = buffer.start(first), buffer.end(last)
+    if end - start > LONGEST and any(
+        buffer.end(row) - buffer.start(row) > LONGEST // 4 for row in range(first, last + 1)
+    ):
+        return dict.fromkeys(range(first, last + 1), ())
     excerpt = buffer.session.document.excerpt(start, end)
     top = buffer.row(excerpt.start)
     cursor = QueryCursor(highlights_query())

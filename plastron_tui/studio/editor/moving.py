@@ -10,7 +10,6 @@ from textual.binding import Binding, BindingType
 from . import motions
 from .base import EditorBase
 from .buffer import Buffer
-from .view import EditorView
 
 
 def _both(key: str, shifted: str, action: str, description: str) -> list[BindingType]:
@@ -146,9 +145,3 @@ class MovingActions(EditorBase):
         mark = self.marks.previous_before(self.state.cursor)
         if mark is not None:
             self.go_to(mark.start)
-
-    def on_editor_view_selected(self, message: EditorView.Selected) -> None:
-        """Select what the mouse selected."""
-        message.stop()
-        self.state.select(*message.selection)
-        self.done()

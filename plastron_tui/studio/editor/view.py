@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import Protocol
 
 from textual import events
 from textual.geometry import Offset, Region, Size
-from textual.message import Message
 
 from . import motions
 from .completion import Candidate
@@ -20,30 +20,31 @@ from .state import Edited, TextState
 _WIDTH_STEP = 32
 
 
+class Owner(Protocol):
+    """Who edits what a view shows, and is told of keys and of the mouse as they come."""
+
+    def typed(self, text: str) -> None:
+        """Take a character that was typed."""
+
+    def pasted(self, text: str) -> None:
+        """Take a text that was pasted."""
+
+    def selected(self, anchor: int, head: int) -> None:
+        """Select what the mouse selected."""
+
+    def picked(self) -> None:
+        """Take the entry of the popup that is marked, which the mouse picked."""
+
+
 class EditorView(DrawnText, can_focus=True, inherit_bindings=False):
     """Draws a `TextState`, and tells of keys and of the mouse."""
+
+    owner: Owner
+    """Set by the owner itself, before the view is mounted."""
 
     DEFAULT_CSS = """
     EditorView { width: 1fr; height: 1fr; scrollbar-gutter: stable; overflow-x: auto; }
     """
-
-    class Typed(Message):
-        """A character was typed, or text was pasted."""
-
-        def __init__(self, text: str, *, is_paste: bool = False) -> None:
-            super().__init__()
-            self.text = text
-            self.is_paste = is_paste
-
-    class Selected(Message):
-        """The mouse selected a range."""
-
-        def __init__(self, anchor: int, head: int) -> None:
-            super().__init__()
-            self.selection = Selection(anchor, head)
-
-    class Picked(Message):
-        """The mouse picked the entry of the popup that is marked now."""
 
     def __init__(self, state: TextState) -> None:
         super().__init__(state)
@@ -249,18 +250,28 @@ class EditorView(DrawnText, can_focus=True, inherit_bindings=False):
         if self.has_focus and self.is_mounted:
             self.app.cursor_position = self.cursor_on_screen
 
-    def on_key(self, event: events.Key) -> None:
-        """Take the characters; what other keys do is bound."""
+    async def on_key(self, event: events.Key) -> None:
+        """Take the characters, and the keys that are bound to the editor's own actions.
+
+        Both at once and here: a key that is bound goes up to the app before its action runs, and
+        what is typed after it would come first.
+        """
         if event.is_printable and event.character is not None:
             event.stop()
             event.prevent_default()
-            self.post_message(self.Typed(event.character))
+            self.owner.typed(event.character)
+            return
+        bound = self.screen.active_bindings.get(event.key)
+        if bound is not None and bound.enabled and bound.node is self.parent:
+            event.stop()
+            event.prevent_default()
+            await self.app.run_action(bound.binding.action, bound.node)
 
     def on_paste(self, event: events.Paste) -> None:
         """Take what the terminal pastes."""
         event.stop()
         event.prevent_default()
-        self.post_message(self.Typed(event.text, is_paste=True))
+        self.owner.pasted(event.text)
 
     def _offset_of(self, event: events.MouseEvent) -> int:
         place = event.get_content_offset_capture(self)
@@ -274,19 +285,19 @@ class EditorView(DrawnText, can_focus=True, inherit_bindings=False):
         event.stop()
         if self.popup.is_open and self.popup.region.contains(event.x, event.y):
             if self.popup.choose_at(event.y):
-                self.post_message(self.Picked())
+                self.owner.picked()
             return
         offset = self._offset_of(event)
         anchor = self.state.selection.anchor if event.shift else offset
         self._drag_from = anchor
         self.capture_mouse()
-        self.post_message(self.Selected(anchor, offset))
+        self.owner.selected(anchor, offset)
 
     def on_mouse_move(self, event: events.MouseMove) -> None:
         """Select from where the button went down."""
         if self._drag_from is not None:
             event.stop()
-            self.post_message(self.Selected(self._drag_from, self._offset_of(event)))
+            self.owner.selected(self._drag_from, self._offset_of(event))
 
     def on_mouse_up(self, event: events.MouseUp) -> None:
         """End the selection."""
@@ -305,4 +316,4 @@ class EditorView(DrawnText, can_focus=True, inherit_bindings=False):
         else:
             row = buffer.row(offset)
             start, end = buffer.start(row), buffer.next_start(row)
-        self.post_message(self.Selected(start, end))
+        self.owner.selected(start, end)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
+from textual.app import ComposeResult
 from textual.widget import Widget
 
 from . import base
@@ -11,7 +12,6 @@ from .coding import CodingActions
 from .editing import EditingActions
 from .finding import FindingActions
 from .moving import MovingActions
-from .view import EditorView
 
 
 class ProgramEditor(MovingActions, EditingActions, FindingActions, CodingActions):
@@ -25,13 +25,27 @@ class ProgramEditor(MovingActions, EditingActions, FindingActions, CodingActions
     Changed: TypeAlias = base.Changed
     CursorMoved: TypeAlias = base.CursorMoved
 
-    def on_editor_view_typed(self, message: EditorView.Typed) -> None:
-        """Write what was typed or pasted."""
-        message.stop()
-        if message.is_paste:
-            self.insert_text(message.text)
-        else:
-            self.type_text(message.text)
+    def compose(self) -> ComposeResult:
+        """Make the parts, and be told of keys and of the mouse."""
+        self.view.owner = self
+        yield from super().compose()
+
+    def typed(self, text: str) -> None:
+        """Write what was typed."""
+        self.type_text(text)
+
+    def pasted(self, text: str) -> None:
+        """Write what was pasted."""
+        self.insert_text(text)
+
+    def selected(self, anchor: int, head: int) -> None:
+        """Select what the mouse selected."""
+        self.state.select(anchor, head)
+        self.done()
+
+    def picked(self) -> None:
+        """Take the entry that the mouse picked."""
+        self.accept()
 
     def focus(self, scroll_visible: bool = True) -> Widget:  # type: ignore[override]
         """Give the text the focus."""

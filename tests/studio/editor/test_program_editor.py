@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from editor_host import editing
+from textual.events import Key, Paste
 from textual.geometry import Offset
 
 from plastron_tui.diagnostics import Edit, Span
@@ -95,8 +96,6 @@ async def test_line_endings_and_a_missing_last_newline_are_kept() -> None:
 
 async def test_a_paste_is_one_step_to_undo() -> None:
     async with editing("a\r\nb\r\n", cursor=1) as at:
-        from textual.events import Paste
-
         at.editor.view.post_message(Paste("x\ny"))
         await at.pilot.pause()
         assert at.editor.text == b"ax\r\ny\r\nb\r\n"
@@ -345,3 +344,12 @@ async def test_sixteen_colours_are_the_terminals_own() -> None:
         color = at.editor.view.palette.captures["keyword"].color
         assert color is not None
         assert color.name == "blue"
+
+
+async def test_keys_that_come_all_at_once_keep_their_order() -> None:
+    async with editing("") as at:
+        for key, character in (("a", "a"), ("enter", "\r"), ("b", "b"), ("home", None), ("c", "c")):
+            at.app.post_message(Key(key, character))
+        await at.pilot.pause()
+        await at.pilot.pause()
+        assert at.marked == "a\nc[]b"
