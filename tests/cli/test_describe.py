@@ -1,0 +1,54 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from ros import PROGRAM, Ros, make_ros, wait_until
+
+
+@pytest.fixture(params=["rospy", "rclpy"])
+def ros(request: pytest.FixtureRequest, tmp_path: Path) -> Ros:
+    return make_ros(request.param, tmp_path)
+
+
+def described(ros: Ros) -> str:
+    """Return the graph as a program, once all of it is there."""
+    found = ""
+    parts = ("talker", "listener", "switcher", "asker", "provides_service", "generate_node asker")
+
+    def is_whole() -> bool:
+        nonlocal found
+        done = ros.plastron("describe", "--ros", ros.version)
+        found = done.stdout
+        return all(part in found for part in parts) and found.count("subscribe ") == 2
+
+    wait_until(is_whole, "the graph is there", 60)
+    return found
+
+
+@pytest.mark.live
+def test_a_description_generated_and_run_shows_the_same_graph(ros: Ros) -> None:
+    ros.write("first.plastron", PROGRAM)
+    with ros.running("first.plastron"):
+        before = described(ros)
+    ros.write("second.plastron", before)
+    checked = ros.plastron("check", "second.plastron")
+    assert checked.returncode == 0, checked.stderr
+    with ros.running("second.plastron"):
+        assert described(ros) == before
+
+
+@pytest.mark.live
+def test_a_graph_that_is_not_there(tmp_path: Path) -> None:
+    done = make_ros("rospy", tmp_path).plastron("describe", "--ros", "1")
+    assert done.returncode == 1
+    assert done.stdout == ""
+    assert "error[no-graph]: no ROS 1 master answers at" in done.stderr
+    assert "plastron run FILE" in done.stderr
+
+
+@pytest.mark.live
+def test_a_graph_without_nodes(tmp_path: Path) -> None:
+    done = make_ros("rclpy", tmp_path).plastron("describe", "--ros", "2")
+    assert done.returncode == 0, done.stderr
+    assert "create_node" not in done.stdout

@@ -1,0 +1,215 @@
+from __future__ import annotations
+
+import os
+import pty
+import signal
+import subprocess
+import sys
+import sysconfig
+import venv
+from pathlib import Path
+
+import pytest
+from command_line import BROKEN, LISTENER, PLASTRON, TALKER, Run
+from ros import PROGRAM, Ros, make_ros, said_by, wait_until
+
+from plastron_tui.runtime.master import master_pid
+
+# Plastron, where the Python that it runs with and the system's one are others.
+ELSEWHERE = """\
+import functools, sys
+from pathlib import Path
+from plastron_tui.runtime import environment
+python, debian = map(Path, sys.argv[1:3])
+environment.find_environments = functools.partial(
+    environment.find_environments, interpreter=python, debian_python=debian
+)
+sys.argv[1:3] = []
+from plastron_tui.cli import main
+main()
+"""
+
+
+@pytest.fixture(params=["rospy", "rclpy"])
+def ros(request: pytest.FixtureRequest, tmp_path: Path) -> Ros:
+    return make_ros(request.param, tmp_path)
+
+
+@pytest.fixture
+def ros2(tmp_path: Path) -> Ros:
+    return make_ros("rclpy", tmp_path)
+
+
+@pytest.mark.live
+def test_a_program_is_generated_and_run(ros: Ros) -> None:
+    ros.write("p.plastron", TALKER + LISTENER)
+    done = ros.run("p.plastron", "--for", "5")
+    assert done.returncode == 0, done.stderr
+    assert (ros.folder / "output" / "talker_pub.py").exists()
+    heard = [line for line in said_by(done.stdout, "listener") if "hello" in line]
+    assert len(heard) > 10
+    assert not ros.processes()
+    assert master_pid(ros.environ["ROS_MASTER_URI"]) is None
+
+
+@pytest.mark.live
+def test_only_the_named_nodes_run(ros2: Ros) -> None:
+    ros2.write("p.plastron", PROGRAM)
+    done = ros2.run("p.plastron", "listener", "talker", "--for", "3")
+    assert done.returncode == 0, done.stderr
+    assert said_by(done.stdout, "listener")
+    assert not said_by(done.stdout, "asker")
+    written = {path.name for path in (ros2.folder / "output").glob("*.py")}
+    assert written == {"listener_sub1.py", "talker_pub.py"}
+
+
+def test_a_node_that_is_not_there(run: Run, here: Path) -> None:
+    (here / "p.plastron").write_text(TALKER)
+    done = run("run", "p.plastron", "talkr")
+    assert done.returncode == 1
+    assert b"error[unknown-node]: the program generates no node `talkr`" in done.stderr
+    assert b"did you mean `talker`?" in done.stderr
+    assert not (here / "output").exists()
+
+
+def test_a_program_with_a_mistake_starts_nothing(run: Run, here: Path) -> None:
+    (here / "p.plastron").write_text(BROKEN)
+    done = run("run", "p.plastron")
+    assert done.returncode == 1
+    assert b"error[unknown-node]" in done.stderr
+    assert not (here / "output").exists()
+
+
+def test_a_program_that_generates_nothing(run: Run, here: Path) -> None:
+    (here / "p.plastron").write_text("create_node 'a' as a\n")
+    done = run("run", "p.plastron")
+    assert done.returncode == 1
+    assert b"error[nothing-to-generate]" in done.stderr
+
+
+@pytest.mark.parametrize("seconds", ["0", "-1", "soon"])
+def test_a_time_that_is_none(run: Run, here: Path, seconds: str) -> None:
+    (here / "p.plastron").write_text(TALKER)
+    assert run("run", "p.plastron", "--for", seconds).returncode == 2
+
+
+def elsewhere(
+    here: Path, python: Path, debian: Path, *arguments: str
+) -> subprocess.CompletedProcess[str]:
+    (here / "p.plastron").write_text(TALKER)
+    return subprocess.run(
+        [sys.executable, "-c", ELSEWHERE, python, debian, "run", "p.plastron", *arguments],
+        cwd=here,
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+
+
+@pytest.mark.parametrize(
+    ("target", "command"),
+    [
+        (None, "pip install 'plastron-tui[ros2]'"),
+        ("rclpy", "pip install 'plastron-tui[ros2]'"),
+        ("rospy", "sudo apt install python3-rospy python3-rosmaster python3-std-msgs"),
+    ],
+)
+def test_no_ros_at_all(here: Path, target: str | None, command: str) -> None:
+    arguments = () if target is None else ("--target", target)
+    done = elsewhere(here, Path("/no/python"), Path("/no/python"), *arguments)
+    assert done.returncode == 1
+    assert "error[no-ros]: no ROS" in done.stderr
+    # Without a target the program is for rospy, as without a sourced ROS.
+    if target is not None:
+        assert f"install it with `{command}`" in done.stderr
+    assert not (here / "output").exists()
+
+
+def test_half_a_ros(here: Path) -> None:
+    root = here / "env"
+    venv.create(root, symlinks=True)
+    package = next(root.glob("lib/python3*/site-packages")) / "rclpy"
+    package.mkdir()
+    (package / "__init__.py").touch()
+    (package / f"_rclpy_pybind11{sysconfig.get_config_var('EXT_SUFFIX')}").touch()
+    done = elsewhere(here, root / "bin" / "python3", Path("/no/python"), "--target", "rclpy")
+    assert done.returncode == 1
+    assert "error[half-a-ros]: rclpy is installed, but no middleware" in done.stderr
+    assert "pip install ros-rmw-fastrtps-cpp" in done.stderr
+    assert not (here / "output").exists()
+
+
+@pytest.mark.live
+def test_a_node_that_crashes_at_its_start(ros: Ros) -> None:
+    ros.write("p.plastron", TALKER + LISTENER)
+    assert ros.plastron("generate", "p.plastron", "--target", ros.library).returncode == 0
+    listener = ros.folder / "output" / "listener_sub1.py"
+    text = listener.read_text()
+    listener.write_text(text.replace("\nclass ", '\nraise ValueError("no such motor")\n\n\nclass '))
+    done = ros.run("p.plastron", "--for", "4")
+    assert done.returncode == 1
+    assert "listener died with exit status 1" in done.stderr
+    assert "ValueError: no such motor" in done.stderr
+    assert not ros.processes()
+
+
+@pytest.mark.live
+def test_a_node_that_never_starts(ros: Ros) -> None:
+    ros.write("p.plastron", TALKER + LISTENER)
+    assert ros.plastron("generate", "p.plastron", "--target", ros.library).returncode == 0
+    listener = ros.folder / "output" / "listener_sub1.py"
+    stuck = (
+        "import signal\nimport time\n\nsignal.signal(signal.SIGINT, signal.SIG_IGN)\n"
+        "signal.signal(signal.SIGTERM, signal.SIG_IGN)\ntime.sleep(600)\n\n\nclass "
+    )
+    listener.write_text(listener.read_text().replace("\nclass ", f"\n{stuck}", 1))
+    done = ros.run("p.plastron", "--for", "3")
+    assert not said_by(done.stdout, "listener")
+    assert "listener" in done.stderr
+    assert not ros.processes()
+
+
+@pytest.mark.live
+def test_a_second_run_beside_the_first(ros: Ros) -> None:
+    ros.write("p.plastron", TALKER + LISTENER)
+    log = ros.folder / "p.plastron.log"
+    with ros.running("p.plastron") as first:
+        wait_until(lambda: "hello" in log.read_text(), "the first run talks")
+        other = Ros(ros.library, ros.folder / "other", ros.environ)
+        other.folder.mkdir()
+        other.write("q.plastron", LISTENER.replace("'listener'", "'second'"))
+        second = other.run("q.plastron", "--for", "4")
+        assert first.poll() is None
+    assert second.returncode == 0, second.stderr
+    assert [line for line in said_by(second.stdout, "second") if "hello" in line]
+    assert "died" not in log.read_text()
+
+
+@pytest.mark.live
+def test_a_terminal_that_is_closed(ros: Ros) -> None:
+    ros.write("p.plastron", TALKER + LISTENER)
+    command = [*PLASTRON, "run", "p.plastron", "--target", ros.library]
+    pid, terminal = pty.fork()
+    if pid == 0:
+        os.chdir(ros.folder)
+        os.execve(command[0], command, ros.environ)
+    shown = b""
+    while b"hello" not in shown:
+        shown += os.read(terminal, 4096)
+    assert len(ros.processes()) >= 2
+    os.close(terminal)
+    _, status = os.waitpid(pid, 0)
+    assert os.waitstatus_to_exitcode(status) in (-signal.SIGHUP, 128 + signal.SIGHUP)
+    wait_until(lambda: not ros.processes(), "the nodes are gone", 15)
+    assert master_pid(ros.environ["ROS_MASTER_URI"]) is None
+
+
+@pytest.mark.live
+def test_the_watch(ros: Ros) -> None:
+    ros.write("p.plastron", PROGRAM)
+    done = ros.run("p.plastron", "--watch", "--for", "8")
+    assert done.returncode == 0, done.stderr
+    told = said_by(done.stdout, "watch")
+    rates = [float(line.split()[2]) for line in told if line.startswith("/chatter std_msgs/String")]
+    assert 15 < max(rates) < 25
+    assert any(line.startswith("/switch (data: True) → (success: ") for line in told)
