@@ -66,7 +66,7 @@ def command(
         finish(report)
         return
     found = find_environments()
-    session.options = _options(session, found)
+    session.options = run_options(session, found)
     files = _prepare(session, nodes, found, report)
     if not report.status and files:
         result = run_nodes(files, RunOptions(seconds, network, watch))
@@ -75,7 +75,7 @@ def command(
     finish(report)
 
 
-def _options(session: Session, found: Found) -> Options:
+def run_options(session: Session, found: Found) -> Options:
     """Return the options of a program that runs with the ROS that is there.
 
     What the command line or the project file leaves open follows from it: the client library,
