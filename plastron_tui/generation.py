@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceFile
 from plastron_tui.model.workspace import Client, Generation, Node, Publisher
-from plastron_tui.output.manifest import Manifest
+from plastron_tui.output.manifest import Base, Manifest
 from plastron_tui.output.plan import OutputFile
+from plastron_tui.output.remembered import recall, remember
 from plastron_tui.ros.catalog import Catalog
 
 if TYPE_CHECKING:
+    from plastron_tui.merging import Merged
     from plastron_tui.targets.base import Rendered, Target
+
+# What a target puts behind a node's name tells what the node does, and changes with it.
+_PARTS = ("_pub", "_sub1", "_sub2", "_client", "_server", "_node")
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,25 +39,14 @@ def changes_of(node: Node) -> tuple[Change, ...]:
     return tuple(_changes(node, _names_in(node.source)))
 
 
-def changes_between(source: SourceFile, node: Node) -> tuple[Change, ...]:
-    """Return what would make the endpoints of a file those of a node."""
-    return tuple(_changes(node, _names_in(source), is_program_whole=True))
-
-
-def _changes(
-    node: Node, present: Mapping[EndpointKind, set[str]], *, is_program_whole: bool = False
-) -> Iterator[Change]:
+def _changes(node: Node, present: Mapping[EndpointKind, set[str]]) -> Iterator[Change]:
     for kind, endpoints in _by_kind(node).items():
         for name in sorted(present[kind] - endpoints.keys()):
             yield Remove(kind, name, node.removed.get(name))
         for name, endpoint in endpoints.items():
-            is_present = name in present[kind]
-            if is_program_whole:
-                if not is_present:
-                    yield Add(endpoint)
-            elif endpoint.span is not None:
+            if endpoint.span is not None:
                 # Removed and asked for again, with another type perhaps.
-                if is_present:
+                if name in present[kind]:
                     yield Remove(kind, name, node.removed.get(name))
                 yield Add(endpoint)
             elif _is_extended(endpoint):
@@ -96,17 +90,19 @@ def generate(
     in_place: bool = False,
     force: bool = False,
     origin: tuple[Target, Catalog] | None = None,
+    program: str = "",
 ) -> Generated:
     """Make the text of one `generate_node`.
 
-    A created node is written anew; where its file was changed by hand, the endpoints are merged
-    into what is there, unless `force` asks for the new text. A loaded node is its file, changed
-    by splices; `in_place` writes it over the file that it came from. Where it is for another
-    client library, the changes are made in the file's own (`origin`), and the result is ported.
+    A created node is written anew; where its file was changed by hand, what the program changed
+    since is merged into it, unless `force` asks for the new text. A loaded node is its file,
+    changed by splices; `in_place` writes it over the file that it came from. Where it is for
+    another client library, the changes are made in the file's own (`origin`), and the result is
+    ported. `program` is the name of the program's file: nodes of one name in two programs are two.
     """
     node = generation.node
     if node.source is None:
-        return _created(generation, target, catalog, output, manifest, force=force)
+        return _created(generation, target, catalog, output, manifest, force=force, program=program)
     if node.source.library != target.name:
         return _ported(generation, node.source, target, catalog, origin)
     rendered = target.edit(node.source, changes_of(node), catalog)
@@ -134,65 +130,130 @@ def _created(
     manifest: Manifest,
     *,
     force: bool,
+    program: str,
 ) -> Generated:
     node = generation.node
     rendered = target.render(node, catalog)
     if rendered.text is None:
         return _refused(generation, rendered)
     name = target.file_name(node)
-    path = output / name
-    present = _on_disk(path)
-    if present is None or present == rendered.text or manifest.has(name, present):
-        file = OutputFile(name, rendered.text, target.is_executable)
-        return Generated(generation, file, rendered.diagnostics)
-    can_merge = name in manifest.digests and not force
-    merged = _merged(node, path, present, target, catalog) if can_merge else None
-    if merged is None:
-        file = OutputFile(name, rendered.text, target.is_executable)
-        return Generated(generation, file, rendered.diagnostics)
-    file = OutputFile(name, merged, target.is_executable, merged_from=present)
-    return Generated(generation, file, (*rendered.diagnostics, _kept_handwork(name, path)))
+    base = remember(node, target.name, program)
+    file = OutputFile(name, rendered.text, target.is_executable, base=base)
+    others = _other_files(name, base, target, output, manifest)
+    notes = (*rendered.diagnostics, *(_left_behind(output / other, name) for other in others))
+    earlier = _earlier(name, others, output, manifest)
+    if earlier is not None:
+        file = replace(file, supersedes=earlier)
+    origin = output / (earlier or name)
+    present = _on_disk(origin)
+    is_own = present is None or present == rendered.text or manifest.has(origin.name, present)
+    if earlier is not None and not force and not _may_replace(output / name, manifest):
+        return Generated(generation, replace(file, problem=_stale(output / name, earlier)), notes)
+    if force or is_own or present is None or origin.name not in manifest:
+        return Generated(generation, file, notes)
+    merged = _merged(node, origin, present, target, catalog, manifest)
+    if merged.text is None:
+        problem = _unmergeable(origin, merged.reason)
+        return Generated(generation, replace(file, problem=problem), notes)
+    file = replace(
+        file,
+        text=merged.text,
+        merged_from=present if earlier is None else None,
+        has_handwork=True,
+    )
+    return Generated(generation, file, (*notes, _kept_handwork(origin, name), *merged.notes))
 
 
 def _merged(
-    node: Node, path: Path, present: bytes, target: Target, catalog: Catalog
-) -> bytes | None:
-    """Add to a file that was changed by hand what it lacks of a node; None where refused.
+    node: Node,
+    path: Path,
+    present: bytes,
+    target: Target,
+    catalog: Catalog,
+    manifest: Manifest,
+) -> Merged:
+    """Merge what the program changed in a node into a file that was changed by hand."""
+    from plastron_tui.merging import Merged, merge
 
-    What the file has and the node has not may be the user's own, and a type that differs may be
-    too: neither is undone without being asked.
-    """
     read = target.read(path, present)
-    if read.source is None or read.source.library != target.name:
-        return None
-    changes = changes_between(read.source, node)
-    if any(isinstance(change, Remove) for change in changes) or not _agrees(read.source, node):
-        return None
-    return target.edit(read.source, changes, catalog).text
+    if read.source is None:
+        return Merged(None, "no node can be read in it")
+    if read.source.library != target.name:
+        return Merged(None, f"it is a node of `{read.source.library}`")
+    known = manifest.bases.get(path.name)
+    base = None if known is None else recall(known)
+    return merge(read.source, base, node, target, catalog)
 
 
-def _agrees(source: SourceFile, node: Node) -> bool:
-    """Tell whether a file has the type of the node wherever both have an endpoint."""
-    wanted = _by_kind(node)
-    return all(
-        endpoint.type == wanted[endpoint.kind][endpoint.name].type
-        for source_node in source.nodes
-        for endpoint in source_node.endpoints
-        if endpoint.kind in wanted
-        and endpoint.name is not None
-        and endpoint.name in wanted[endpoint.kind]
-        and endpoint.type is not None
+def _other_files(
+    name: str, base: Base, target: Target, output: Path, manifest: Manifest
+) -> list[str]:
+    """Return the files of other names that a program made of the same node before."""
+    names = (f"{base['node']}{part}{target.suffix}" for part in _PARTS)
+    same = ("node", "library", "program")
+    return [
+        other
+        for other in names
+        if other != name
+        and (known := manifest.bases.get(other)) is not None
+        and all(known.get(key) == base[key] for key in same)
+        and (output / other).is_file()
+    ]
+
+
+def _earlier(name: str, others: list[str], output: Path, manifest: Manifest) -> str | None:
+    """Return the file that held a node until its file's name became another."""
+    is_current = name in manifest and manifest.successor(name) is None
+    if not others or (is_current and (output / name).is_file()):
+        return None
+    return next((other for other in others if manifest.successor(other) is None), None)
+
+
+def _may_replace(path: Path, manifest: Manifest) -> bool:
+    """Tell whether a file of an earlier generate holds nothing but what Plastron wrote."""
+    present = _on_disk(path)
+    return present is None or path.name not in manifest or manifest.has(path.name, present)
+
+
+def _kept_handwork(path: Path, name: str) -> Diagnostic:
+    where = "" if path.name == name else f" in `{name}`"
+    return Diagnostic(
+        "merged-by-hand",
+        f"`{path.name}` was changed by hand and is kept{where}, with the program's changes",
+        file=path,
+        help="`--force` writes it anew and keeps a backup" if not where else
+        "`--force` writes it anew",
+        severity=Severity.WARNING,
+    )  # fmt: skip
+
+
+def _left_behind(path: Path, name: str) -> Diagnostic:
+    return Diagnostic(
+        "left-behind",
+        f"the node of `{path.name}` is in `{name}` now, but can still be started from the old file",
+        file=path,
+        help=f"compare it with `{name}`, and remove it",
+        severity=Severity.WARNING,
     )
 
 
-def _kept_handwork(name: str, path: Path) -> Diagnostic:
+def _stale(path: Path, current: str) -> Diagnostic:
     return Diagnostic(
-        "merged-by-hand",
-        f"`{name}` was changed by hand and is kept; only what it lacks is added",
+        "file-conflict",
+        f"`{path.name}` was changed by hand, and later the node went on in `{current}`",
         file=path,
-        help="messages, rates and callbacks stay as the file has them; `--force` writes it anew "
-        "and keeps a backup",
-        severity=Severity.WARNING,
+        help=f"remove `{path.name}`, and what `{current}` holds goes there; or use `--force` to "
+        "overwrite it and keep a backup",
+    )
+
+
+def _unmergeable(path: Path, reason: str) -> Diagnostic:
+    return Diagnostic(
+        "file-conflict",
+        f"`{path.name}` was changed by hand, and {reason}",
+        file=path,
+        help="change the file or the program so that they agree, or use `--force` to write it "
+        "anew and keep a backup",
     )
 
 

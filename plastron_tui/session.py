@@ -303,6 +303,7 @@ class Session:
             in_place=self.options.in_place,
             force=self.options.force,
             origin=None if own is None else (own, self.catalog(own.ros_version)),
+            program="" if self.path is None else self.path.name,
         )
 
     def _rendered(self, generation: Generation) -> tuple[Path, bytes] | None:

@@ -135,9 +135,15 @@ CODES: dict[str, Code] = {
         ),
         Code(
             "merged-by-hand",
-            "A created node's file was changed by hand. It is kept, and what the program has and "
-            "the file lacks is added; messages, rates and callbacks stay as the file has them. "
-            "`--force` writes it anew and keeps a backup.",
+            "A created node's file was changed by hand. It is kept, and what changed in the program "
+            "since the file was written is changed in it. A warning of its own names each place "
+            "where file and program now differ. `--force` writes it anew and keeps a backup.",
+        ),
+        Code(
+            "left-behind",
+            "A node does other things than before, so that its file has another name; the old file "
+            "is still there and can still be started. What was written in it by hand went into the "
+            "new file. Compare the two, and remove the old one.",
         ),
     )
 }

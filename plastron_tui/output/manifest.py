@@ -1,7 +1,9 @@
 """The memory of an output folder: which files Plastron wrote, and what it wrote.
 
-A file whose text differs from what the manifest remembers was changed by hand. The manifest
-is a small JSON file in the folder itself, so that it moves with the files that it speaks of.
+A file whose text differs from what the manifest remembers was changed by hand. What a program
+had when a file was written is remembered too: a later program is merged into the handwork from
+there. The manifest is a small JSON file in the folder itself, so that it moves with the files
+that it speaks of.
 """
 
 from __future__ import annotations
@@ -12,41 +14,91 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from hashlib import sha256
 from pathlib import Path
+from typing import Any
 
 from plastron_tui.diagnostics import Diagnostic, Severity
 
 NAME = ".plastron.json"
 """The manifest's file name, in the output folder."""
 
-VERSION = 1
+VERSION = 2
+"""The version that is written. Version 1 had digests only, and is read too."""
+
+Base = Mapping[str, Any]
+"""What a program had when a file was written, as JSON; see `remembered`."""
+
+_SUPERSEDED = "superseded_by"
 _GENERATOR = "plastron"
 _DIGEST = re.compile(r"sha256:[0-9a-f]{64}")
 
 
 @dataclass(frozen=True, slots=True)
 class Manifest:
-    """The digest of each file that Plastron wrote into a folder, by file name.
+    """What Plastron remembers of the files of a folder, by file name.
 
-    `is_foreign` says that the folder has a file of the manifest's name that is none: it counts
-    as empty, and whoever replaces it keeps a backup.
+    Attributes:
+        digests: the digest of the last text that was all Plastron's own. A text that keeps
+            handwork is none, so that a file that never was without has no digest.
+        bases: what the program had when the file was written, handwork or not. Files of an older
+            version, and files that no created node became, have none.
+        is_foreign: the folder has a file of the manifest's name that is none: it counts as
+            empty, and whoever replaces it keeps a backup.
     """
 
     digests: Mapping[str, str] = field(default_factory=dict)
+    bases: Mapping[str, Base] = field(default_factory=dict)
     is_foreign: bool = False
+
+    def __contains__(self, name: str) -> bool:
+        """Tell whether Plastron wrote a file of this name, whatever is in it now."""
+        return name in self.digests or name in self.bases
 
     def has(self, name: str, text: bytes) -> bool:
         """Tell whether Plastron wrote exactly this text under this name."""
         return self.digests.get(name) == digest(text)
 
-    def updated(self, entries: Mapping[str, str], present: Collection[str]) -> Manifest:
+    def successor(self, name: str) -> str | None:
+        """Return the file that a node went to when its file's name became another."""
+        found = self.bases.get(name, {}).get(_SUPERSEDED)
+        return found if isinstance(found, str) else None
+
+    def updated(
+        self,
+        entries: Mapping[str, str],
+        present: Collection[str],
+        bases: Mapping[str, Base] | None = None,
+        superseded: Mapping[str, str] | None = None,
+    ) -> Manifest:
         """Return the manifest with new entries, without those of files that are gone.
 
         Args:
             entries: digests by file name.
             present: the names of the files that are in the folder now.
+            bases: what the program has now, by file name.
+            superseded: the files that others take the place of, and these others.
         """
-        kept = {name: value for name, value in self.digests.items() if name in present}
-        return Manifest({**kept, **entries})
+        digests = {**self.digests, **entries}
+        known = {**self.bases, **(bases or {})}
+        for old, new in (superseded or {}).items():
+            known[old] = {**known.get(old, {}), _SUPERSEDED: new}
+        return Manifest(
+            {name: value for name, value in digests.items() if name in present},
+            {name: base for name, base in known.items() if name in present},
+        )
+
+    def is_up_to_date(
+        self,
+        entries: Mapping[str, str],
+        bases: Mapping[str, Base],
+        superseded: Mapping[str, str],
+    ) -> bool:
+        """Tell whether `updated` would remember nothing new."""
+        return (
+            not self.is_foreign
+            and entries.items() <= self.digests.items()
+            and all(self.bases.get(name) == base for name, base in bases.items())
+            and all(self.successor(old) == new for old, new in superseded.items())
+        )
 
 
 def digest(text: bytes) -> str:
@@ -73,24 +125,48 @@ def load_manifest(folder: Path) -> tuple[Manifest, tuple[Diagnostic, ...]]:
         return _foreign(path, "not JSON")
     if not isinstance(data, dict) or data.get("generator") != _GENERATOR:
         return _foreign(path, "not written by plastron")
-    if data.get("version") != VERSION:
+    if data.get("version") not in (1, VERSION):
         return _foreign(path, f"its version is not {VERSION}")
-    files = data.get("files")
-    if not isinstance(files, dict) or not all(
-        isinstance(value, str) and _DIGEST.fullmatch(value) for value in files.values()
-    ):
-        return _foreign(path, "its list of files is broken")
-    return Manifest(files), ()
+    manifest = _entries(data.get("files"), data["version"])
+    return _foreign(path, "its list of files is broken") if manifest is None else (manifest, ())
+
+
+def _entries(files: object, version: int) -> Manifest | None:
+    """Return the entries of a manifest, None when one is broken."""
+    if not isinstance(files, dict):
+        return None
+    if version == 1:
+        files = {name: {"digest": value} for name, value in files.items()}
+    digests: dict[str, str] = {}
+    bases: dict[str, Base] = {}
+    for name, entry in files.items():
+        if not isinstance(entry, dict):
+            return None
+        value, base = entry.get("digest"), entry.get("base")
+        if isinstance(value, str) and _DIGEST.fullmatch(value):
+            digests[name] = value
+        elif value is not None or base is None:
+            return None
+        if isinstance(base, dict):
+            bases[name] = base
+        elif base is not None:
+            return None
+    return Manifest(digests, bases)
 
 
 def manifest_text(manifest: Manifest) -> bytes:
     """Return the manifest as its file's text: sorted, a file a line, kind to version control."""
-    data = {
-        "generator": _GENERATOR,
-        "version": VERSION,
-        "files": dict(sorted(manifest.digests.items())),
-    }
-    return (json.dumps(data, indent=2) + "\n").encode()
+    entries = []
+    for name in sorted({*manifest.digests, *manifest.bases}):
+        entry: dict[str, Any] = {}
+        if name in manifest.digests:
+            entry["digest"] = manifest.digests[name]
+        if name in manifest.bases:
+            entry["base"] = manifest.bases[name]
+        entries.append(f"    {json.dumps(name)}: {json.dumps(entry)}")
+    files = "{\n" + ",\n".join(entries) + "\n  }" if entries else "{}"
+    text = f'{{\n  "generator": "{_GENERATOR}",\n  "version": {VERSION},\n  "files": {files}\n}}\n'
+    return text.encode()
 
 
 def _foreign(path: Path, why: str) -> tuple[Manifest, tuple[Diagnostic, ...]]:

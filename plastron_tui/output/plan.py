@@ -17,7 +17,7 @@ from pathlib import Path
 from plastron_tui.diagnostics import Diagnostic
 
 from .manifest import NAME as MANIFEST_NAME
-from .manifest import Manifest
+from .manifest import Base, Manifest
 
 TEMPORARY_PREFIX = ".plastron-"
 """How the names of the writer's temporary files start."""
@@ -45,6 +45,11 @@ class OutputFile:
             bytes. None for a text that was made anew.
         path: where to write instead of the output folder (`--in-place`); the caller vouches
             for it, and a symbolic link there is followed.
+        has_handwork: whether the text keeps what was written by hand, in another file perhaps.
+        base: what the program has, for the manifest to remember.
+        supersedes: the file that this one takes the place of, where a node's file gets another
+            name.
+        problem: why the handwork that is there cannot be merged: the file is then in conflict.
     """
 
     name: str
@@ -52,6 +57,10 @@ class OutputFile:
     is_executable: bool = True
     merged_from: bytes | None = None
     path: Path | None = None
+    has_handwork: bool = False
+    base: Base | None = None
+    supersedes: str | None = None
+    problem: Diagnostic | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,6 +77,8 @@ class PlannedFile:
         status: the file's status when `before` was read: the writer looks again.
         entry: the name under which the manifest remembers `text` once it is written; None for a
             text that holds handwork, and for a file outside the folder.
+        base: what the manifest remembers of the program once it is written.
+        supersedes: the file that the manifest then notes as replaced by this one.
         problem: why a conflict is one, as the diagnostic to give where it is not forced.
     """
 
@@ -79,6 +90,8 @@ class PlannedFile:
     before: bytes | None = None
     status: os.stat_result | None = None
     entry: str | None = None
+    base: Base | None = None
+    supersedes: str | None = None
     problem: Diagnostic | None = None
 
     @property
@@ -160,7 +173,9 @@ def _plan_file(folder: Path, real_folder: str, file: OutputFile, manifest: Manif
     before = None if status is None else _read(path, shown)
     state, problem = _state(file, before, status, manifest, shown)
     is_inside = file.path is None or os.path.dirname(path) == real_folder
-    is_own = file.merged_from is None or manifest.has(file.name, file.merged_from)
+    is_own = not file.has_handwork and (
+        file.merged_from is None or manifest.has(file.name, file.merged_from)
+    )
     return PlannedFile(
         file.name,
         Path(path),
@@ -170,6 +185,8 @@ def _plan_file(folder: Path, real_folder: str, file: OutputFile, manifest: Manif
         before,
         status,
         entry=file.name if is_inside and is_own else None,
+        base=file.base if is_inside else None,
+        supersedes=file.supersedes if is_inside else None,
         problem=problem,
     )
 
@@ -185,6 +202,8 @@ def _state(
         message = f"`{file.name}` changed on the disk since it was read"
         remedy = "run it again to start from what the file holds now"
         return FileState.CONFLICT, _diagnostic("changed-on-disk", message, shown, remedy)
+    if file.problem is not None:
+        return FileState.CONFLICT, file.problem
     if before is None or status is None:
         return FileState.CREATE, None
     if before == file.text:
@@ -192,7 +211,7 @@ def _state(
         return FileState.CHANGED if lacks_bit else FileState.IDENTICAL, None
     if file.merged_from is not None or manifest.has(file.name, before):
         return FileState.CHANGED, None
-    if file.name in manifest.digests:
+    if file.name in manifest:
         message = f"`{file.name}` was changed by hand"
     else:
         message = f"`{file.name}` exists and was not written by plastron"

@@ -21,7 +21,7 @@ from typing import NamedTuple
 from plastron_tui.diagnostics import Diagnostic
 
 from .interrupts import Interrupts
-from .manifest import NAME, digest, load_manifest, manifest_text
+from .manifest import NAME, Base, digest, load_manifest, manifest_text
 from .plan import FilePlan, FileState, PlannedFile, cannot_write
 from .transaction import BusyError, ChangedError, Step, Transaction, is_unchanged
 
@@ -81,18 +81,15 @@ def write(plan: FilePlan, *, force: bool = False) -> WriteResult:
 def _has_work(folder: Path, files: list[PlannedFile]) -> bool:
     if any(file.state is not FileState.IDENTICAL for file in files):
         return True
-    entries = [file for file in files if file.entry is not None]
-    if not entries:
-        return False
-    manifest, _ = load_manifest(folder)
-    return not all(manifest.has(file.name, file.text) for file in entries)
+    news = _news(files)
+    return bool(news) and not load_manifest(folder)[0].is_up_to_date(*news)
 
 
 def _write(
     folder: Path, files: list[PlannedFile], transaction: Transaction
 ) -> tuple[WrittenFile, ...]:
     home = os.path.realpath(folder)
-    has_entries = any(file.entry is not None for file in files)
+    has_entries = any(file.entry is not None or file.base is not None for file in files)
     folders = {os.path.dirname(file.path) for file in files if _is_written(file)}
     transaction.open_folders({*folders, home} if has_entries else folders)
     steps = []
@@ -152,17 +149,36 @@ def _manifest_step(home: str, files: list[PlannedFile]) -> Step | None:
     """
     path = os.path.join(home, NAME)
     manifest, _ = load_manifest(Path(home))
-    entries = {file.entry: digest(file.text) for file in files if file.entry is not None}
-    if not manifest.is_foreign and entries.items() <= manifest.digests.items():
+    entries, bases, superseded = _news(files)
+    if manifest.is_up_to_date(entries, bases, superseded):
         return None
-    present = {*os.listdir(home), *entries} if manifest.digests else set(entries)
-    text = manifest_text(manifest.updated(entries, present))
+    present = {*os.listdir(home), *entries, *bases}
+    text = manifest_text(manifest.updated(entries, present, bases, superseded))
     if not os.path.lexists(path):
         return Step(path, text, is_executable=False)
     status = os.lstat(path)
     if not stat.S_ISREG(status.st_mode):
         raise ValueError("it is not a plain file")
     return Step(path, text, False, status, Path(path).read_bytes(), manifest.is_foreign)
+
+
+class _News(NamedTuple):
+    """What the manifest is to remember of files, as `Manifest.updated` takes it."""
+
+    entries: dict[str, str]
+    bases: dict[str, Base]
+    superseded: dict[str, str]
+
+    def __bool__(self) -> bool:
+        return any(self)
+
+
+def _news(files: list[PlannedFile]) -> _News:
+    return _News(
+        {file.entry: digest(file.text) for file in files if file.entry is not None},
+        {file.name: file.base for file in files if file.base is not None},
+        {file.supersedes: file.name for file in files if file.supersedes is not None},
+    )
 
 
 def _changed(path: str) -> Diagnostic:

@@ -147,11 +147,15 @@ def test_regenerating_keeps_handwork_and_adds_what_is_new(run: Run, here: Path) 
     assert (same.returncode, b"warning[merged-by-hand]" in same.stderr) == (0, True)
     assert file.read_text() == text
     service = "listener provides_service 'reset' of service_type Empty\n"
-    # The name of the file follows what the node does; it is the old file that has the handwork.
+    # The name of the file follows what the node does, and the handwork goes along.
     write(here, LISTENER.replace("generate", service + "generate"))
-    assert run("generate", "a.plastron").returncode == 0
+    moved = run("generate", "a.plastron")
+    assert (moved.returncode, moved.stdout) == (0, b"   create  output/listener_node.py\n")
+    assert b"warning[left-behind]" in moved.stderr
     assert file.read_text() == text
-    assert (here / "output" / "listener_node.py").exists()
+    new = here / "output" / "listener_node.py"
+    assert endpoints(run, new) == {"subscriptions": ["chatter"], "services": ["reset"]}
+    assert "self.heard = message.data  # mine" in new.read_text()
 
 
 def test_regenerating_merges_into_the_same_file(run: Run, here: Path) -> None:
@@ -172,21 +176,47 @@ def test_what_was_added_by_hand_is_never_taken_out(run: Run, here: Path) -> None
     write(here, THRICE)
     assert run("generate", "a.plastron").returncode == 0
     file = here / "output" / "listener_sub2.py"
-    file.write_text(file.read_text() + "\n# mine\n")
-    before = snapshot(here / "output")
+    mine = "        rospy.Subscriber('mine', Int32, self.on_b)  # mine\n"
+    at = "\n    def on_chatter("
+    file.write_text(file.read_text().replace(at, mine + at, 1))
     write(here, TWICE)
     result = run("generate", "a.plastron")
-    assert (result.returncode, b"error[file-conflict]" in result.stderr) == (1, True)
-    assert snapshot(here / "output") == before
+    assert result.returncode == 0, result.stderr.decode()
+    assert endpoints(run, file) == {"subscriptions": ["chatter", "b", "mine"]}
+    assert mine in file.read_text()
 
 
-def test_type_that_differs_from_a_changed_file_is_a_conflict(run: Run, here: Path) -> None:
+def test_type_that_changes_keeps_what_is_written_in_the_callback(run: Run, here: Path) -> None:
     write(here, LISTENER)
     assert run("generate", "a.plastron").returncode == 0
-    fill_in(here / "output" / "listener_sub1.py")
+    file = here / "output" / "listener_sub1.py"
+    fill_in(file)
     write(here, LISTENER.replace("String", "Int32"))
     result = run("generate", "a.plastron")
+    assert result.returncode == 0, result.stderr.decode()
+    assert b"`on_chatter` was written for `std_msgs/String`" in result.stderr
+    text = file.read_text()
+    assert "rospy.Subscriber('chatter', Int32, self.on_chatter)" in text.replace('"', "'")
+    assert "self.heard = message.data  # mine" in text
+
+
+def test_what_cannot_be_merged_is_a_conflict_that_says_why(run: Run, here: Path) -> None:
+    write(here, TALKER + LISTENER)
+    assert run("generate", "a.plastron").returncode == 0
+    file = here / "output" / "talker_pub.py"
+    text = file.read_text()
+    text += "\n\ndef own(node):\n    return node.chatter_publisher.get_num_connections()\n"
+    file.write_text(text)
+    line = text.count("\n")
+    write(here, TALKER.replace("chatter", "other") + LISTENER.replace("chatter", "other"))
+    before = snapshot(here)
+    result = run("generate", "a.plastron")
     assert (result.returncode, b"error[file-conflict]" in result.stderr) == (1, True)
+    assert f"the publisher `chatter` is used in line {line}" in result.stderr.decode()
+    assert snapshot(here) == before
+    assert run("generate", "--force", "a.plastron").returncode == 0
+    assert file.with_name("talker_pub.py.bak").read_text() == text
+    assert endpoints(run, file) == {"publishers": ["other"]}
 
 
 def test_force_writes_anew_and_keeps_a_backup(run: Run, here: Path) -> None:

@@ -18,7 +18,7 @@ BROKEN = {
     "deep": b"[" * 100_000,
     "a list": b"[]",
     "someone else's": b'{"version": 1, "files": {}}',
-    "a later version": b'{"generator": "plastron", "version": 2, "files": {}}',
+    "a later version": b'{"generator": "plastron", "version": 3, "files": {}}',
     "no files": b'{"generator": "plastron", "version": 1}',
     "odd files": b'{"generator": "plastron", "version": 1, "files": []}',
     "odd digest": b'{"generator": "plastron", "version": 1, "files": {"a": 5}}',

@@ -1,0 +1,375 @@
+"""Merging what a program has now into a node's file that was changed by hand.
+
+Three sides have a say in each endpoint: the base (what the program had when the file was last
+written), the program, and the file. What only the program changed is changed in the file; what
+only the user changed stays; what both changed is told, and where the two cannot stand together
+the merge is refused.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceEndpoint, SourceFile
+from plastron_tui.model.workspace import Client, Node, Publisher, Service, Subscription
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.targets.base import Target
+
+Endpoint = Publisher | Subscription | Service | Client
+Key = tuple[EndpointKind, str]
+
+_ANCHOR = "plastron_holds_this_place"
+_WORDS = {
+    EndpointKind.PUBLISHER: "publisher",
+    EndpointKind.SUBSCRIPTION: "subscription",
+    EndpointKind.SERVICE: "service",
+    EndpointKind.CLIENT: "client",
+}
+
+
+class Merged(NamedTuple):
+    """A merged text, or why there is none.
+
+    Attributes:
+        text: the file with the program's changes, None where the merge is refused.
+        reason: why it is refused, to follow "the file was changed by hand, and".
+        notes: warnings: where program and file now differ.
+    """
+
+    text: bytes | None
+    reason: str = ""
+    notes: tuple[Diagnostic, ...] = ()
+
+
+class _RefusedError(Exception):
+    """Why a merge is not possible; never leaves this module."""
+
+
+def merge(
+    source: SourceFile, base: Node | None, node: Node, target: Target, catalog: Catalog
+) -> Merged:
+    """Bring a program's changes since `base` into a file that was changed by hand.
+
+    Args:
+        source: the file as it is now.
+        base: the node that the file was last written for; None where nothing tells, and then
+            endpoints are only added, and nothing that the file has is taken for Plastron's.
+        node: the node as the program has it now.
+        target: the client library of all three.
+        catalog: the interface types.
+    """
+    merge = _Merge(source, base, node, target, catalog)
+    try:
+        return merge.result()
+    except _RefusedError as refused:
+        return Merged(None, str(refused))
+
+
+@dataclass(slots=True)
+class _Merge:
+    """One merge, and what was decided so far."""
+
+    source: SourceFile
+    base: Node | None
+    node: Node
+    target: Target
+    catalog: Catalog
+    adds: list[Change] = field(default_factory=list)
+    swaps: list[Change] = field(default_factory=list)
+    removes: list[Change] = field(default_factory=list)
+    resends: dict[Key, SourceEndpoint] = field(default_factory=dict)
+    notes: list[Diagnostic] = field(default_factory=list)
+    cut: list[SourceEndpoint] = field(default_factory=list)
+
+    def result(self) -> Merged:
+        """Decide about every endpoint, and edit the file."""
+        file = _in_file(self.source)
+        base = {} if self.base is None else endpoints(self.base)
+        wanted = endpoints(self.node)
+        for key in dict.fromkeys((*base, *wanted, *(file if self.base is None else ()))):
+            self._decide(key, base.get(key), wanted.get(key), file.get(key, []))
+        sending: list[Change] = []
+        for key, found in self.resends.items():
+            if self._is_untouched(key, base[key]):
+                sending += [Remove(*key), Add(wanted[key])]
+            else:
+                self._tell_resend(key, found)
+        swaps = self._anchored([*self.swaps, *sending], file)
+        text = self._edited([*self.adds, *swaps, *self.removes])
+        self._check_callbacks(text)
+        return Merged(text, notes=(*self.notes, *self._orphans(text)))
+
+    def _anchored(
+        self, swaps: list[Change], file: Mapping[Key, list[SourceEndpoint]]
+    ) -> list[Change]:
+        """Keep the place of a file's only endpoint while it is taken out and added again.
+
+        New endpoints go beside those that are there: another one holds the place meanwhile.
+        """
+        (key, *others) = file or [None]
+        if others or self.adds or key is None or len(swaps) != 2:
+            return swaps
+        added = swaps[1]
+        assert isinstance(added, Add)
+        anchor = _anchor(added.endpoint)
+        return [Add(anchor), *swaps, Remove(key[0], _ANCHOR)]
+
+    def _check_callbacks(self, text: bytes) -> None:
+        """Refuse a text in which a callback that holds handwork has got a twin."""
+        for change in self.swaps:
+            name = _calling(change.endpoint) if isinstance(change, Add) else None
+            if name is not None and _definitions(text, name) > max(
+                1, _definitions(self.source.text, name)
+            ):
+                raise _RefusedError(f"`{name}` cannot be called from where endpoints are added")
+
+    def _edited(self, changes: list[Change]) -> bytes:
+        edited = self.target.edit(self.source, changes, self.catalog)
+        if edited.text is not None:
+            return edited.text
+        # What is refused in the file as it is has the lines that the user sees.
+        alone = (
+            self.target.edit(self.source, [change], self.catalog)
+            for change in changes
+            if isinstance(change, Remove)
+        )
+        refused = next((each for each in alone if each.text is None), edited)
+        raise _RefusedError(", and ".join(found.message for found in refused.diagnostics))
+
+    def _decide(
+        self, key: Key, base: Endpoint | None, wanted: Endpoint | None, found: list[SourceEndpoint]
+    ) -> None:
+        if wanted is None:
+            self._remove(key, base, found)
+        elif base is None:
+            self._add(key, wanted, found)
+        elif not found:
+            self._tell(f"the {_name(key)} was taken out by hand, and stays out")
+        else:
+            self._update(key, base, wanted, found)
+
+    def _remove(self, key: Key, base: Endpoint | None, found: list[SourceEndpoint]) -> None:
+        """Take out what the program no longer has, if the file still has it as it was."""
+        if not found:
+            return
+        if base is None:
+            raise _RefusedError(f"it has the {_name(key)}, which the program does not have")
+        if len(found) > 1:
+            raise _RefusedError(f"the {_name(key)} is created in lines {_lines(found)}")
+        if not _has_type(found[0], base):
+            raise _RefusedError(
+                f"the {_name(key)}, which the program no longer has, is of type "
+                f"`{found[0].type}` in line {found[0].line}"
+            )
+        self.removes.append(Remove(*key))
+        self.cut += found
+
+    def _add(self, key: Key, wanted: Endpoint, found: list[SourceEndpoint]) -> None:
+        if not found:
+            self.adds.append(Add(wanted))
+        elif not all(_has_type(each, wanted) for each in found):
+            raise _RefusedError(self._differing(key, wanted, found))
+
+    def _update(
+        self, key: Key, base: Endpoint, wanted: Endpoint, found: list[SourceEndpoint]
+    ) -> None:
+        """Bring an endpoint that all three have up to date."""
+        if base.type != wanted.type:
+            self._change_type(key, base, wanted, found)
+        elif not all(_has_type(each, wanted) for each in found):
+            self._tell(
+                f"the {_name(key)} is of type `{found[0].type}` by hand, not `{wanted.type}`",
+                found[0],
+            )
+        elif _calling(wanted) not in {None, _calling(base), found[0].callback}:
+            self._change_callback(key, base, wanted, found)
+        elif _sends(wanted) != _sends(base):
+            self.resends[key] = found[0]
+
+    def _change_type(
+        self, key: Key, base: Endpoint, wanted: Endpoint, found: list[SourceEndpoint]
+    ) -> None:
+        if all(each.type == wanted.type for each in found):
+            return
+        if len(found) > 1:
+            raise _RefusedError(f"the {_name(key)} is created in lines {_lines(found)}")
+        if not _has_type(found[0], base):
+            raise _RefusedError(self._differing(key, wanted, found))
+        callback = found[0].callback
+        if callback is not None and callback.isidentifier() and _calling(wanted) is None:
+            # What was written in the callback goes on being called.
+            wanted = _with_callback(wanted, callback)
+            if self._stays(callback, Remove(*key)):
+                message = f"`{callback}` was written for `{base.type}`, and gets `{wanted.type}`"
+                self._tell(message, found[0])
+        self.swaps += [Remove(*key), Add(wanted)]
+        self.cut += found
+
+    def _change_callback(
+        self, key: Key, base: Endpoint, wanted: Endpoint, found: list[SourceEndpoint]
+    ) -> None:
+        is_own = _calling(base) in {None, found[0].callback}
+        if len(found) > 1 or not is_own:
+            message = f"the {_name(key)} calls another function by hand than `{_calling(wanted)}`"
+            self._tell(message, found[0])
+            return
+        self.swaps += [Remove(*key), Add(wanted)]
+        self.cut += found
+
+    def _differing(self, key: Key, wanted: Endpoint, found: list[SourceEndpoint]) -> str:
+        other = next(each for each in found if not _has_type(each, wanted))
+        return (
+            f"the {_name(key)} is of type `{other.type}` in line {other.line}, "
+            f"but of type `{wanted.type}` in the program"
+        )
+
+    def _is_untouched(self, key: Key, base: Endpoint) -> bool:
+        """Tell whether all that an endpoint does in the file is what Plastron wrote.
+
+        It is when taking it out deletes the very lines that it would delete from the file as it
+        was generated, or the lines that adding it to a file would write.
+        """
+        assert self.base is not None
+        without = self._without(self.source, key)
+        if without is None:
+            return False
+        there = _code(self.source.text) - _code(without.text)
+        rendered = self.target.render(self.base, self.catalog).text
+        fresh = self._read(rendered) if rendered is not None else None
+        if fresh is not None:
+            rest = self._without(fresh, key)
+            if rest is not None and _code(fresh.text) - _code(rest.text) == there:
+                return True
+        again = self.target.edit(without, [Add(base)], self.catalog).text
+        return again is not None and _code(again) - _code(without.text) == there
+
+    def _without(self, source: SourceFile, key: Key) -> SourceFile | None:
+        text = self.target.edit(source, [Remove(*key)], self.catalog).text
+        return None if text is None else self._read(text)
+
+    def _read(self, text: bytes) -> SourceFile | None:
+        return self.target.read(self.source.path, text).source
+
+    def _stays(self, callback: str, remove: Remove) -> bool:
+        """Tell whether a callback outlives its endpoint: then it is more than a stub."""
+        text = self.target.edit(self.source, [remove], self.catalog).text
+        return text is not None and _mentions(text, callback)
+
+    def _orphans(self, text: bytes) -> Iterator[Diagnostic]:
+        """Tell of callbacks that are kept for what is written in them, and called no more."""
+        callbacks = {each.callback for each in self.cut if each.callback is not None}
+        if not callbacks:
+            return
+        read = self._read(text)
+        used = {each.callback for node in read.nodes for each in node.endpoints} if read else set()
+        for each in self.cut:
+            if each.callback in callbacks - used and _mentions(text, each.callback or ""):
+                yield self._note(f"`{each.callback}` is kept, but no longer called", each)
+
+    def _tell_resend(self, key: Key, found: SourceEndpoint) -> None:
+        what = "calls" if key[0] is EndpointKind.CLIENT else "messages"
+        self._tell(f"the {what} of the {_name(key)} are changed in the program only", found)
+
+    def _tell(self, message: str, found: SourceEndpoint | None = None) -> None:
+        self.notes.append(self._note(message, found))
+
+    def _note(self, message: str, found: SourceEndpoint | None) -> Diagnostic:
+        return Diagnostic(
+            "merged-by-hand",
+            message,
+            None if found is None else found.span,
+            self.source.path,
+            help="change the file by hand; `--force --diff` shows what would be written anew",
+            severity=Severity.WARNING,
+        )
+
+
+def endpoints(node: Node) -> dict[Key, Endpoint]:
+    """Return the endpoints of a node, by kind and name."""
+    kinds: dict[EndpointKind, Mapping[str, Endpoint]] = {
+        EndpointKind.PUBLISHER: node.publishers,
+        EndpointKind.SUBSCRIPTION: node.subscriptions,
+        EndpointKind.SERVICE: node.services,
+        EndpointKind.CLIENT: node.clients,
+    }
+    return {(kind, name): each for kind, found in kinds.items() for name, each in found.items()}
+
+
+def _in_file(source: SourceFile) -> dict[Key, list[SourceEndpoint]]:
+    """Return the call sites of a file; a name from a parameter counts by its default."""
+    found: dict[Key, list[SourceEndpoint]] = {}
+    for node in source.nodes:
+        for endpoint in node.endpoints:
+            name = endpoint.name if endpoint.name is not None else endpoint.default
+            if name is not None and endpoint.kind in _WORDS:
+                found.setdefault((endpoint.kind, name), []).append(endpoint)
+    return found
+
+
+def _has_type(found: SourceEndpoint, endpoint: Endpoint) -> bool:
+    """Tell whether a call site may be of an endpoint's type: a type that is not known may be."""
+    return found.type is None or found.type == endpoint.type
+
+
+def _calling(endpoint: Endpoint) -> str | None:
+    match endpoint:
+        case Subscription(callback=name) | Service(handler=name):
+            return name
+        case _:
+            return None
+
+
+def _with_callback(endpoint: Endpoint, name: str) -> Endpoint:
+    match endpoint:
+        case Subscription():
+            return endpoint._replace(callback=name)
+        case Service():
+            return endpoint._replace(handler=name)
+        case _:
+            return endpoint
+
+
+def _anchor(endpoint: Endpoint) -> Endpoint:
+    """Return an endpoint of the same kind and type, which sends and calls nothing."""
+    return type(endpoint)(_ANCHOR, endpoint.type)
+
+
+def _definitions(text: bytes, name: str) -> int:
+    return len(re.findall(rb"\bdef %s\b" % re.escape(name.encode()), text))
+
+
+def _sends(endpoint: Endpoint) -> object:
+    """Return what is sent through an endpoint, and how often, to be compared."""
+    match endpoint:
+        case Publisher(publications=sent):
+            return [(each.rate, each.message.value) for each in sent]
+        case Client(requests=sent):
+            return list(sent)
+        case _:
+            return None
+
+
+def _code(text: bytes) -> Counter[bytes]:
+    """Return the lines of a text without their indent, blank lines and imports left out.
+
+    What a file imports depends on all that is in it, not on one endpoint.
+    """
+    lines = (line.strip() for line in text.splitlines())
+    return Counter(line for line in lines if line and not line.startswith((b"import ", b"from ")))
+
+
+def _mentions(text: bytes, name: str) -> bool:
+    return re.search(rb"\b%s\b" % re.escape(name.encode()), text) is not None
+
+
+def _name(key: Key) -> str:
+    return f"{_WORDS[key[0]]} `{key[1]}`"
+
+
+def _lines(found: list[SourceEndpoint]) -> str:
+    return " and ".join(str(each.line) for each in found)
