@@ -324,6 +324,11 @@ TO_RCLPY = [
         "p = rospy.ServiceProxy('s', Trigger)\nanswer = p()",
         f"p = node.create_client(Trigger, 's')\n{MARK}the call of p\nanswer = p()",
     ),
+    (
+        "p = rospy.ServiceProxy('s', Trigger)\n\n\ndef ask(client):\n    return client()",
+        "p = node.create_client(Trigger, 's')\n\n\ndef ask(client):\n"
+        f"    {MARK}the call of client\n    return client()",
+    ),
 ]
 
 

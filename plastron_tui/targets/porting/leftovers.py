@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
 from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
-from plastron_tui.targets.python.sites import Site
+from plastron_tui.targets.python.scopes import BindingKind
 
 from .work import Work, walk
 
@@ -18,6 +19,7 @@ _PLAIN_VALUES = frozenset(
     | {"unary_operator", "list", "dictionary", "comparison_operator", "boolean_operator"}
     | {"not_operator"}
 )
+_CLIENT = re.compile(r"client|proxy|service|srv", re.IGNORECASE)
 _BUILT_IN = frozenset({"str", "int", "float", "bool", "len", "abs", "round", "max", "min", "sum"})
 
 
@@ -110,7 +112,6 @@ def _has_parent(node: Node, types: frozenset[str]) -> bool:
 
 def mark_plain_publishing(work: Work) -> None:
     """Mark what rospy makes messages of by itself: `publish("text")`, `Point(1, 2, 3)`."""
-    clients = {_target(work, each) for each in work.analysis.sites if _is_client(each)} - {""}
     for call in work.analysis.captures.get("call", []):
         callee = call.child_by_field_name("function")
         arguments = call.child_by_field_name("arguments")
@@ -118,7 +119,7 @@ def mark_plain_publishing(work: Work) -> None:
             continue
         given = [each for each in arguments.named_children if each.type != "comment"]
         text = work.slice(callee)
-        if text in clients:
+        if _is_client(work, callee):
             work.mark(call, f"the call of {text}", "`call_async` a request, and take its future")
         elif text.endswith(".publish") and _is_plain(work, given):
             work.mark(call, "publish takes a message", "make the message first")
@@ -126,15 +127,16 @@ def mark_plain_publishing(work: Work) -> None:
             work.mark(call, f"{text} takes keywords only", "name the fields")
 
 
-def _is_client(site: Site) -> bool:
-    return site.endpoint.kind is EndpointKind.CLIENT
-
-
-def _target(work: Work, site: Site) -> str:
-    """Return what a client is assigned to."""
-    parent = site.call.parent
-    left = parent.child_by_field_name("left") if parent is not None else None
-    return work.slice(left) if left is not None else ""
+def _is_client(work: Work, callee: Node) -> bool:
+    """Tell whether a callee is a client, which rospy calls as a function."""
+    found = work.analysis.resolver.instance(callee, work.scope(callee))
+    if found is not None:
+        return found.qualified.endswith(".ServiceProxy")
+    # A function that is handed a client: nothing else tells what its parameter is.
+    name = work.slice(callee)
+    has_clients = any(s.endpoint.kind is EndpointKind.CLIENT for s in work.analysis.sites)
+    bound = work.scope(callee).lookup(name) if has_clients and _CLIENT.search(name) else None
+    return bound is not None and any(each.kind is BindingKind.PARAMETER for each in bound[1])
 
 
 def _is_plain(work: Work, given: list[Node]) -> bool:

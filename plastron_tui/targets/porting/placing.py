@@ -56,23 +56,39 @@ def add_header(work: Work) -> None:
     wanted = sorted(work.imports - present, key=lambda line: (line.startswith("from "), line))
     standard = [line for line in wanted if line in _STANDARD]
     others = [line for line in wanted if line not in _STANDARD]
-    groups = ["".join(f"{line}\n" for line in group) for group in (standard, others) if group]
     at = _first_import(work)
+    behind = _client_import(work, at)
+    if behind == at:
+        groups = ["".join(f"{line}\n" for line in group) for group in (standard, others) if group]
+        imports = "\n".join(groups)
+    else:
+        imports = "".join(f"{line}\n" for line in standard)
+        work.insert(behind, "".join(f"{line}\n" for line in others))
     constants = "".join(f"{line}\n" for line in work.constants)
     helpers = [f"\n{constants}"] if constants else []
     helpers += [f"\n\n{helper}" for helper in work.helpers]
     end = header_end(work)
     if end <= at:
         helpers = [*helpers, "\n\n"] if helpers else []
-        work.insert(at, "\n".join(groups) + "".join(helpers))
+        work.insert(at, imports + "".join(helpers))
         return
-    work.insert(at, "\n".join(groups))
+    work.insert(at, imports)
     if helpers:
         following = syntax.text[end:]
         lines = following[: len(following) - len(following.lstrip())].count(b"\n")
         wanted_lines = 2 if work.helpers else 1
         missing = wanted_lines - lines if following.strip() else 0
         work.insert(end, "".join(helpers) + "\n" * max(missing, 0))
+
+
+def _client_import(work: Work, otherwise: int) -> int:
+    """Return where the first import of the client library stands at the top of the file."""
+    text = work.analysis.syntax.text
+    for statement in work.analysis.syntax.root.named_children:
+        if statement.type in _IMPORTS and work.is_gone(statement):
+            start = line_start(text, statement.start_byte)
+            return start if start == statement.start_byte else otherwise
+    return otherwise
 
 
 def _first_import(work: Work) -> int:

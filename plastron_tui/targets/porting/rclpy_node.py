@@ -104,7 +104,9 @@ def _port_interrupts(work: Work) -> None:
         outer = parent.parent.type if parent.parent is not None else ""
         if parent.type == "except_clause" or outer == "except_clause":
             is_item = parent.type == "tuple"
-            work.replace(node, _INTERRUPTS if is_item else f"({_INTERRUPTS})")
+            has_first = is_item and "KeyboardInterrupt" in work.slice(parent)
+            names = _INTERRUPTS.partition(", ")[2] if has_first else _INTERRUPTS
+            work.replace(node, names if is_item else f"({names})")
             work.imports.add("from rclpy.executors import ExternalShutdownException")
             work.imports.add("from rclpy.exceptions import ROSInterruptException")
 

@@ -30,6 +30,8 @@ _ATTRIBUTES = {
     "to_sec": "a time of ROS 2 has `sec` and `nanosec`",
     "to_nsec": "a time of ROS 2 has `sec` and `nanosec`",
     "seq": "a header of ROS 2 has no `seq`",
+    "resolved_name": "`srv_name` of the client, `topic_name` of the others",
+    "wait_for_service": "it takes `timeout_sec`, and tells whether the service is there",
     "get_num_connections": "`get_subscription_count` of a publisher",
     "unregister": "`destroy` of the endpoint",
 }
