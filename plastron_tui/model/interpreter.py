@@ -65,19 +65,21 @@ class Interpreter(Checks):
         self._foreign: dict[str, int] = {}
         self._variants: dict[tuple[str, int], Message | None] = {}
         self._node_names: dict[str, Span] = {}
-        self._run: dict[type[Statement], Callable[[Any], None]] = {
-            st.CreateNode: self._create_node,
-            st.Load: self._load,
-            st.CreateMessage: self._create_message,
-            st.Subscribe: self._subscribe,
-            st.Unsubscribe: self._unsubscribe,
-            st.Publish: self._publish,
-            st.StopPublishing: self._stop_publishing,
-            st.ClientRequests: self._client_requests,
-            st.StopRequest: self._stop_request,
-            st.ProvidesService: self._provides_service,
-            st.StopService: self._stop_service,
-            st.GenerateNode: self._generate_node,
+        # Functions, not methods of this object: a cycle would keep each interpretation alive
+        # until the collector comes, which passes of this size keep away.
+        self._run: dict[type[Statement], Callable[[Interpreter, Any], None]] = {
+            st.CreateNode: Interpreter._create_node,
+            st.Load: Interpreter._load,
+            st.CreateMessage: Interpreter._create_message,
+            st.Subscribe: Interpreter._subscribe,
+            st.Unsubscribe: Interpreter._unsubscribe,
+            st.Publish: Interpreter._publish,
+            st.StopPublishing: Interpreter._stop_publishing,
+            st.ClientRequests: Interpreter._client_requests,
+            st.StopRequest: Interpreter._stop_request,
+            st.ProvidesService: Interpreter._provides_service,
+            st.StopService: Interpreter._stop_service,
+            st.GenerateNode: Interpreter._generate_node,
         }
 
     def run(self, program: Program) -> tuple[Diagnostic, ...]:
@@ -92,7 +94,7 @@ class Interpreter(Checks):
         run = self._run
         for statement in program.statements:
             try:
-                run[type(statement)](statement)
+                run[type(statement)](self, statement)
             except Mistake as mistake:  # noqa: PERF203 - each statement has its own
                 if mistake.diagnostic is not None:
                     self._report(statement, mistake.diagnostic)
