@@ -174,12 +174,14 @@ def _merged(
 ) -> Merged:
     """Merge what the program changed in a node into a file that was changed by hand."""
     from plastron_tui.merging import Merged, merge
+    from plastron_tui.targets import read_source
 
+    seen = read_source(path, present).source
+    if seen is not None and seen.library != target.name:
+        return Merged(None, f"it is a node of `{seen.library}`")
     read = target.read(path, present)
-    if read.source is None:
-        return Merged(None, "no node can be read in it")
-    if read.source.library != target.name:
-        return Merged(None, f"it is a node of `{read.source.library}`")
+    if read.source is None or not read.source.nodes:
+        return Merged(None, "it holds no node that can be read")
     known = manifest.bases.get(path.name)
     base = None if known is None else recall(known)
     return merge(read.source, base, node, target, catalog)
