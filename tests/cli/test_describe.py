@@ -3,7 +3,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from ros import PROGRAM, Ros, make_ros, wait_until
+from ros_runs import PROGRAM, Ros, make_ros, wait_until
 
 
 @pytest.fixture(params=["rospy", "rclpy"])

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from command_line import BROKEN, LISTENER, PLASTRON, TALKER, Run
-from ros import PROGRAM, Ros, make_ros, said_by, wait_until
+from ros_runs import PROGRAM, Ros, make_ros, said_by, wait_until
 
 from plastron_tui.cli.run import run_options
 from plastron_tui.runtime.environment import Environment, Found, Origin
