@@ -28,7 +28,7 @@ _LARGE = 100_000
 """From so many bytes on, a walk of Python's cycle collector takes longer than a key may."""
 
 
-@dataclass
+@dataclass(repr=False)
 class Analysis:
     """What follows from a text.
 

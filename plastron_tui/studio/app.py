@@ -50,6 +50,7 @@ class StudioApp(App[None], inherit_bindings=False):
         self.config, self._messages = settings.load_config(
             settings.config_file(), ids(), self.available_themes
         )
+        self.set_reactive(App.theme, self._first_theme())
         self._path = path
         self._options = options or Options()
         self._kept: list[Kept] = []
@@ -74,7 +75,7 @@ class StudioApp(App[None], inherit_bindings=False):
 
     def on_mount(self) -> None:
         """Take the theme and the keys; offer what was not saved; say what is wrong."""
-        self.theme = first = self._first_theme()
+        first = self.theme
         self.theme_changed_signal.subscribe(self, lambda theme: self._themed(theme.name, first))
         if self.config.keys:
             self.set_keymap(self.config.keys)

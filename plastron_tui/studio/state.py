@@ -12,7 +12,7 @@ from .files import OnDisk
 from .journal import Journal
 
 
-@dataclass
+@dataclass(repr=False)
 class Open:
     """The program that is open. Handlers of the main screen own it; nobody else writes here.
 

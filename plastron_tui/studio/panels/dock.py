@@ -15,7 +15,6 @@ from textual.containers import Vertical
 from textual.message import Message
 from textual.strip import Strip
 from textual.widget import Widget
-from textual.widgets import ContentSwitcher
 
 from .tones import Toned
 
@@ -179,16 +178,17 @@ class Dock(Vertical):
         self.active = self.titles[0][0]
 
     def compose(self) -> ComposeResult:
-        """Make the strip and the panels."""
+        """Make the strip, and the panel in sight; the others are made when they are shown."""
         yield self.strip
-        with ContentSwitcher(initial=self.active):
-            for _, _, widget in self._panels:
-                yield widget
+        yield self.panel
 
     def show(self, name: str) -> None:
         """Bring a panel in sight."""
         self.active = name
-        self.query_one(ContentSwitcher).current = name
+        for other, _, widget in self._panels:
+            widget.display = other == name
+        if self.is_mounted and not self.panel.is_attached:
+            self.mount(self.panel)
 
     @property
     def panel(self) -> Widget:
@@ -197,8 +197,7 @@ class Dock(Vertical):
 
     def focus_panel(self) -> None:
         """Give the panel in sight the focus."""
-        panel = self.panel
-        (panel if panel.can_focus else panel.query("*:can-focus").first()).focus()
+        self.panel.focus()
 
     def action_turn(self, by: int) -> None:
         """Go to the next tab, or the one before."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
@@ -14,6 +14,9 @@ from plastron_tui.output.plan import FileState
 from ..preview import Preview
 from .text_view import TextView
 from .tones import Line, Piece
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
 
 _STATES = {
     FileState.CREATE: ("will be created", "success"),
@@ -56,6 +59,11 @@ class PreviewPanel(Vertical):
     def text(self) -> str:
         """What is shown, without its colours."""
         return self._view.text
+
+    def focus(self, scroll_visible: bool = True) -> Self:
+        """Give the text the focus."""
+        self._view.focus(scroll_visible)
+        return self
 
     def show(self, previews: tuple[Preview, ...] | None) -> None:
         """Show the files of a node; None for no node."""

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, cast
 
 from textual import on
 from textual.screen import Screen
-from textual.widgets import Footer
 
 from ..editor import ProgramEditor
 from ..panels.dock import Dock, Edge, TabStrip
+from ..panels.key_bar import KeyBar
 
 if TYPE_CHECKING:
     from ..app import StudioApp
@@ -116,7 +116,7 @@ class Arranging(Screen[None]):
         self.editor.display = zoomed is None
         center = self.query_one("#center")
         center.display = zoomed is None or zoomed is self.bottom
-        self.query_one(Footer).display = self.app.size.height >= 8
+        self.query_one(KeyBar).display = self.app.size.height >= 8
         self.show_tabs()
 
     def _place(self, dock: Dock, place: str) -> None:

@@ -70,7 +70,8 @@ class Filing(Screen[None]):
         if self.open.is_changed:
             self.open.journal.write(self.open.text, self.editor.cursor_offset)
 
-    @work(thread=True, group="journal", exit_on_error=False)
+    # Without a description Textual would make one of the whole text.
+    @work(thread=True, group="journal", exit_on_error=False, description="journal")
     def _write_journal(self, open_: Open, text: bytes, cursor: int) -> None:
         error = open_.journal.write(text, cursor)
         if error is not None:
@@ -291,7 +292,7 @@ class Filing(Screen[None]):
             self.open.told = now
             self._ask_about_disk(self.open, now)
 
-    @work(exclusive=True, group="disk")
+    @work(exclusive=True, group="disk", description="disk")
     async def _ask_about_disk(self, open_: Open, now: OnDisk) -> None:
         from .question import Question
 
@@ -321,7 +322,7 @@ class Filing(Screen[None]):
         """Offer a text that was not saved before the studio ended."""
         self._offer(kept)
 
-    @work(exclusive=True, group="kept")
+    @work(exclusive=True, group="kept", description="kept")
     async def _offer(self, kept: Kept) -> None:
         from datetime import datetime
 

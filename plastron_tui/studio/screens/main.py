@@ -15,7 +15,6 @@ from textual.binding import BindingType
 from textual.containers import Horizontal, Vertical
 from textual.screen import Screen
 from textual.timer import Timer
-from textual.widgets import Footer, HelpPanel
 
 from ..actions import ACTIONS, bindings
 from ..analyst import Analysed, AnalysisFailed, Analyst, Wanted
@@ -24,6 +23,7 @@ from ..panels.bars import Bar, help_pieces
 from ..panels.dock import Dock, Edge
 from ..panels.entry import Entries
 from ..panels.entry_list import EntryList
+from ..panels.key_bar import KeyBar
 from ..panels.preview_panel import PreviewPanel
 from ..panels.program_panel import ProgramPanel
 from ..panels.text_view import TextView
@@ -87,7 +87,7 @@ class MainScreen(Arranging, Filing, Doing, Screen[None]):
             yield Edge(id="result-edge")
             yield self.result
         yield Bar(id="status")
-        yield Footer(show_command_palette=False, compact=True)
+        yield KeyBar()
 
     def on_mount(self) -> None:
         """Start the worker, and look at the file from time to time."""
@@ -98,7 +98,7 @@ class MainScreen(Arranging, Filing, Doing, Screen[None]):
         self.editor.view.line_numbers = self.studio.config.numbers
         self.show_title()
         self.show_status()
-        self.ask_anew()
+        self.call_after_refresh(self.ask_anew)
         self.set_interval(2, self.look_at_disk)
 
     def on_unmount(self) -> None:
@@ -294,7 +294,7 @@ class MainScreen(Arranging, Filing, Doing, Screen[None]):
 
     def action_keys(self) -> None:
         """Show the keys of what has the focus, at the side."""
-        if self.query(HelpPanel):
+        if self.query("HelpPanel"):
             self.app.action_hide_help_panel()
         else:
             self.app.action_show_help_panel()
