@@ -600,3 +600,16 @@ def test_random_programs_and_handwork(
         assert mine - Counter(text.split("\n")) == Counter(), text
         assert folder.generate(*program.statements.values()).states == {name: "identical"}
         base = program
+
+
+def test_callback_is_not_made_a_second_time_elsewhere(tmp_path: Path) -> None:
+    """The file's other subscription is in `main`, from where the method cannot be called."""
+    folder = Folder(tmp_path, "rospy")
+    folder.generate(SUBSCRIBE)
+    folder.fill("robot_sub1.py")
+    mine = '    rospy.Subscriber("mine", rospy.AnyMsg, print)\n    rospy.spin()'
+    folder.edit("    rospy.spin()", mine, "robot_sub1.py")
+    before = folder.file("robot_sub1.py").read_bytes()
+    (conflict,) = folder.generate(SUBSCRIBE_INT).conflicts
+    assert conflict.endswith("`on_a` cannot be called from where endpoints are added")
+    assert folder.file("robot_sub1.py").read_bytes() == before

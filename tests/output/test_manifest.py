@@ -2,11 +2,13 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.output.manifest import NAME, Manifest, digest, load_manifest, manifest_text
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.output.writer import write
@@ -19,6 +21,10 @@ BROKEN = {
     "a list": b"[]",
     "someone else's": b'{"version": 1, "files": {}}',
     "a later version": b'{"generator": "plastron", "version": 3, "files": {}}',
+    "a version before all": b'{"generator": "plastron", "version": 0, "files": {}}',
+    "an entry without anything": b'{"generator": "plastron", "version": 2, "files": {"a": {}}}',
+    "an odd entry": b'{"generator": "plastron", "version": 2, "files": {"a": "sha256:0"}}',
+    "an odd base": b'{"generator": "plastron", "version": 2, "files": {"a": {"base": []}}}',
     "no files": b'{"generator": "plastron", "version": 1}',
     "odd files": b'{"generator": "plastron", "version": 1, "files": []}',
     "odd digest": b'{"generator": "plastron", "version": 1, "files": {"a": 5}}',
@@ -53,12 +59,83 @@ def test_a_folder_in_its_place(tmp_path: Path, plan, snapshot) -> None:
     assert snapshot(tmp_path) == before
 
 
-@given(st.dictionaries(st.text(), st.binary()))
-def test_text_and_back(tmp_path_factory, texts: dict[str, bytes]) -> None:
+JSON = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False) | st.text(),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(), inner, max_size=3),
+    max_leaves=8,
+)
+
+
+@given(
+    st.dictionaries(st.text(), st.binary()),
+    st.dictionaries(st.text(), st.dictionaries(st.text(), JSON, max_size=3)),
+)
+def test_text_and_back(
+    tmp_path_factory, texts: dict[str, bytes], bases: dict[str, dict[str, Any]]
+) -> None:
     folder = tmp_path_factory.mktemp("manifest")
-    manifest = Manifest({name: digest(text) for name, text in texts.items()})
-    (folder / NAME).write_bytes(manifest_text(manifest))
+    manifest = Manifest({name: digest(text) for name, text in texts.items()}, bases)
+    text = manifest_text(manifest)
+    (folder / NAME).write_bytes(text)
     assert load_manifest(folder) == (manifest, ())
+    # A file a line, so that what two branches generate merges well.
+    names = {*texts, *bases}
+    assert text.count(b"\n") == (5 if not names else 5 + 1 + len(names))
+
+
+def test_version_1_is_read(tmp_path: Path, plan) -> None:
+    files = {"a.py": digest(b"a"), "b.py": digest(b"b")}
+    old = {"generator": "plastron", "version": 1, "files": files}
+    (tmp_path / NAME).write_text(json.dumps(old, indent=2))
+    assert load_manifest(tmp_path) == (Manifest(files), ())
+    for name in files:
+        (tmp_path / name).write_bytes(name[:1].encode())
+        (tmp_path / name).chmod(0o755)
+    assert write(plan(tmp_path, [OutputFile("a.py", b"a", base={"node": "a"})])) == ((), ())
+    assert load_manifest(tmp_path) == (Manifest(files, {"a.py": {"node": "a"}}), ())
+
+
+def test_base_of_a_merge_is_remembered_and_its_text_is_not(tmp_path: Path, plan) -> None:
+    write(plan(tmp_path, [OutputFile("a.py", b"made", base={"node": "1"})]))
+    (tmp_path / "a.py").write_bytes(b"made + mine")
+    text = b"made2 + mine"
+    merged = OutputFile("a.py", text, merged_from=b"made + mine", base={"node": "2"})
+    write(plan(tmp_path, [merged]))
+    assert load_manifest(tmp_path)[0] == Manifest(
+        {"a.py": digest(b"made")}, {"a.py": {"node": "2"}}
+    )
+    # Nothing is left to do to the file, but the program has changed.
+    merged = OutputFile("a.py", text, merged_from=text, base={"node": "3"})
+    assert write(plan(tmp_path, [merged])) == ((), ())
+    assert load_manifest(tmp_path)[0].bases == {"a.py": {"node": "3"}}
+
+
+def test_handwork_from_another_file_is_not_remembered_as_ours(tmp_path: Path, plan) -> None:
+    write(plan(tmp_path, [OutputFile("a.py", b"made", base={"node": "1"})]))
+    moved = OutputFile(
+        "b.py", b"made + mine", has_handwork=True, base={"node": "2"}, supersedes="a.py"
+    )
+    write(plan(tmp_path, [moved]))
+    manifest, _ = load_manifest(tmp_path)
+    assert manifest.digests == {"a.py": digest(b"made")}
+    assert (manifest.successor("a.py"), manifest.successor("b.py")) == ("b.py", None)
+    assert "b.py" in manifest
+    again = write(plan(tmp_path, [OutputFile("b.py", b"made2")]))
+    assert [found.code for found in again.diagnostics] == ["file-conflict"]
+    write(plan(tmp_path, [OutputFile("a.py", b"made2", base={"node": "3"}, supersedes="b.py")]))
+    manifest, _ = load_manifest(tmp_path)
+    assert (manifest.successor("a.py"), manifest.successor("b.py")) == (None, "a.py")
+
+
+def test_conflict_is_not_remembered(tmp_path: Path, plan) -> None:
+    (tmp_path / "a.py").write_bytes(b"mine")
+    problem = Diagnostic("file-conflict", "why")
+    file = OutputFile("a.py", b"made", base={"node": "1"}, problem=problem)
+    assert write(plan(tmp_path, [file])) == ((), (problem,))
+    assert not (tmp_path / NAME).exists()
+    assert write(plan(tmp_path, [file]), force=True).diagnostics == ()
+    assert (tmp_path / "a.py.bak").read_bytes() == b"mine"
+    assert load_manifest(tmp_path)[0].bases == {"a.py": {"node": "1"}}
 
 
 def test_entries_of_files_that_are_gone_are_dropped(tmp_path: Path, plan) -> None:
