@@ -269,7 +269,8 @@ class _Merge:
         used = {each.callback for node in read.nodes for each in node.endpoints} if read else set()
         for each in self.cut:
             if each.callback in callbacks - used and _mentions(text, each.callback or ""):
-                yield self._note(f"`{each.callback}` is kept, but no longer called", each)
+                message = f"`{each.callback}` is kept, but no longer called"
+                yield self._note(message, each, "call it from elsewhere, or remove it by hand")
 
     def _tell_resend(self, key: Key, found: SourceEndpoint) -> None:
         what = "calls" if key[0] is EndpointKind.CLIENT else "messages"
@@ -278,13 +279,16 @@ class _Merge:
     def _tell(self, message: str, found: SourceEndpoint | None = None) -> None:
         self.notes.append(self._note(message, found))
 
-    def _note(self, message: str, found: SourceEndpoint | None) -> Diagnostic:
+    def _note(
+        self, message: str, found: SourceEndpoint | None, remedy: str | None = None
+    ) -> Diagnostic:
         return Diagnostic(
             "merged-by-hand",
             message,
             None if found is None else found.span,
             self.source.path,
-            help="change the file by hand; `--force --diff` shows what would be written anew",
+            help=remedy
+            or "change the file by hand; `--force --diff` shows what would be written anew",
             severity=Severity.WARNING,
         )
 
