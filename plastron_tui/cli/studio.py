@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import sys
 from pathlib import Path
 
@@ -27,6 +28,8 @@ def command(file: Path | None, output: Path | None, target: str | None) -> None:
             f"error: the studio needs a terminal; without one: plastron check {name}", err=True
         )
         click.get_current_context().exit(2)
+    # There is nothing to collect until the screen is there, which then says so.
+    gc.disable()
     from plastron_tui.studio.app import run
 
     status = run(file, Options(target, output))

@@ -176,18 +176,27 @@ class Dock(Vertical):
         self.titles = tuple((panel, title) for panel, title, _ in self._panels)
         self.strip = TabStrip()
         self.active = self.titles[0][0]
+        self.is_filled = False
 
     def compose(self) -> ComposeResult:
-        """Make the strip, and the panel in sight; the others are made when they are shown."""
-        yield self.strip
-        yield self.panel
+        """Make the strip, and the panel in sight; all others are made when they are shown."""
+        if self.is_filled:
+            yield self.strip
+            yield self.panel
+
+    def fill(self) -> None:
+        """Make what a dock needs that comes in sight."""
+        if not self.is_filled:
+            self.is_filled = True
+            if self.is_mounted:
+                self.mount(self.strip, self.panel)
 
     def show(self, name: str) -> None:
         """Bring a panel in sight."""
         self.active = name
         for other, _, widget in self._panels:
             widget.display = other == name
-        if self.is_mounted and not self.panel.is_attached:
+        if self.is_mounted and self.is_filled and not self.panel.is_attached:
             self.mount(self.panel)
 
     @property

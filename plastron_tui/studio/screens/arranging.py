@@ -65,6 +65,12 @@ class Arranging(Screen[None]):
         if remembered.tabs.get("front") in {dock.id for dock in self.docks}:
             self.front = remembered.tabs["front"]
 
+    def fill_docks(self) -> None:
+        """Prepare the docks that are in sight at first."""
+        self.restore_layout()
+        for name in self._beside():
+            self.dock_of_id(name).fill()
+
     def remember_layout(self) -> None:
         """Remember how it is laid out."""
         remembered = cast("StudioApp", self.app).remembered
@@ -110,6 +116,7 @@ class Arranging(Screen[None]):
             place = places.get(dock.id or "")
             dock.display = place is not None
             if place is not None:
+                dock.fill()
                 self._place(dock, place)
         self.query_one("#outline-edge", Edge).display = places.get("outline") == "left"
         self.query_one("#result-edge", Edge).display = places.get("result") == "right"
@@ -162,6 +169,11 @@ class Arranging(Screen[None]):
     def dock_of(self, name: str) -> Dock:
         """Return the dock that holds a panel."""
         return next(dock for dock in self.docks if name in dict(dock.titles))
+
+    def is_in_sight(self, name: str) -> bool:
+        """Tell whether a panel is shown."""
+        dock = self.dock_of(name)
+        return bool(dock.display) and dock.active == name
 
     def bring(self, name: str, *, focus: bool = False) -> None:
         """Bring a panel in sight."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import subprocess
 from collections.abc import Callable
@@ -77,6 +78,7 @@ class MainScreen(Arranging, Filing, Doing, Screen[None]):
 
     def compose(self) -> ComposeResult:
         """Make the parts."""
+        self.fill_docks()
         yield Bar(id="title")
         with Horizontal(id="body"):
             yield self.outline
@@ -92,14 +94,20 @@ class MainScreen(Arranging, Filing, Doing, Screen[None]):
     def on_mount(self) -> None:
         """Start the worker, and look at the file from time to time."""
         self.analyst.start()
-        self.restore_layout()
         self.lay_docks()
         self.editor.view.soft_wrap = self.studio.config.wrap
         self.editor.view.line_numbers = self.studio.config.numbers
         self.show_title()
         self.show_status()
-        self.call_after_refresh(self.ask_anew)
+        self.call_after_refresh(self._settle)
         self.set_interval(2, self.look_at_disk)
+
+    def _settle(self) -> None:
+        """Begin to work, now that there is something to see."""
+        # What is there now stays: the collector need not walk it, and may work from here on.
+        gc.freeze()
+        gc.enable()
+        self.ask_anew()
 
     def on_unmount(self) -> None:
         """Stop the worker and what runs."""
@@ -189,12 +197,12 @@ class MainScreen(Arranging, Filing, Doing, Screen[None]):
         if analysis is None or analysis.text != self.open.text:
             return
         offset = self.editor.cursor_offset
-        for panel in self.lists.values():
-            if panel.is_on_screen:
+        for name, panel in self.lists.items():
+            if self.is_in_sight(name):
                 panel.follow(offset)
         self.ask_more()
         node = self._asked.preview if self._asked is not None else None
-        if self.preview.is_on_screen and (node is None or node in analysis.previews):
+        if self.is_in_sight("preview") and (node is None or node in analysis.previews):
             self.preview.show(analysis.previews.get(node or ""))
 
     @on(EntryList.Chosen)

@@ -1,0 +1,345 @@
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+from studio_driver import PROGRAM, SIZES, Driver, studio
+from textual.widgets import Button, Label
+
+from plastron_tui.studio.actions import ACTIONS, BY_ID
+from plastron_tui.studio.config import config_file
+from plastron_tui.studio.editor import ProgramEditor
+from plastron_tui.studio.screens.main import MainScreen
+
+
+def test_every_action_is_one_of_the_screen_the_app_or_the_editor() -> None:
+    for action in ACTIONS:
+        if action.own:
+            name = action.call.partition("'")[2].partition("(")[0].rstrip("')")
+            assert hasattr(ProgramEditor, f"action_{name}"), action
+        elif action.call.startswith("screen."):
+            name = action.call.removeprefix("screen.").partition("(")[0]
+            assert hasattr(MainScreen, f"action_{name}"), action
+
+
+def test_no_key_has_two_actions() -> None:
+    keys = [key for action in ACTIONS for key in action.keys.split(",") if key]
+    assert len(keys) == len(set(keys))
+
+
+async def test_the_registry_names_the_keys_that_the_editor_binds(program: Path) -> None:
+    async with studio(program) as driver:
+        bound = {
+            binding.id: {one.key for one in driver.main.editor._bindings if one.id == binding.id}
+            for binding in driver.main.editor._bindings
+        }
+        for action in ACTIONS:
+            if action.own:
+                wanted = set(action.keys.replace("ctrl+space", "ctrl+@").split(","))
+                assert wanted & bound[action.id], action.id
+
+
+async def test_every_action_is_in_the_palette(program: Path) -> None:
+    async with studio(program) as driver:
+        titles = [command.title for command in driver.app.get_system_commands(driver.main)]
+        for action in ACTIONS:
+            assert action.id == "menu" or any(title.startswith(action.title) for title in titles)
+        await driver.pilot.press("f10")
+        await driver.dialog("CommandPalette")
+        await driver.pilot.press("escape")
+        await driver.back()
+
+
+DIALOGS = {
+    "help": "Help",
+    "generate": "GenerateDialog",
+    "open": "ChooseFile",
+    "save_as": "ChooseFile",
+    "welcome": "Welcome",
+    "tour": "Tour",
+    "menu": "CommandPalette",
+    "theme": "CommandPalette",
+}
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("name", [action.id for action in ACTIONS if action.id != "suspend"])
+async def test_every_action_can_be_done(
+    program: Path, size: tuple[int, int], name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each leads to its dialog or stays on the main screen, and nothing fails."""
+    monkeypatch.setattr(MainScreen, "_start", lambda *_: None)
+    async with studio(program, size) as driver:
+        await driver.app.run_call(BY_ID[name].call)
+        if name == "quit":
+            await driver.until(lambda: driver.app._exit)
+            return
+        if name in DIALOGS:
+            await driver.dialog(DIALOGS[name])
+            await driver.pilot.press("escape")
+        await driver.back()
+        assert driver.app._exception is None
+
+
+async def test_keys_are_remapped_and_a_bad_configuration_is_said(program: Path, home: Path) -> None:
+    config_file().parent.mkdir(parents=True)
+    config_file().write_text(
+        "theme: nord\nkeys:\n  generate: f11\n  generat: f12\nwidth: 3\nmouse: perhaps\n"
+    )
+    async with studio(program) as driver:
+        assert driver.app.theme == "nord"
+        for said in ("no action `generat`; did you mean `generate`?", "no setting `width`",
+                     "`mouse` has a value that it cannot have"):  # fmt: skip
+            assert said in driver.notes()
+        await driver.pilot.press("f11")
+        await driver.dialog("GenerateDialog")
+
+
+@pytest.mark.parametrize("text", ["[", "- 1\n", "\0", "keys: [a]\n", "theme: 3\n"])
+async def test_a_broken_configuration_is_said_and_defaults_count(program: Path, text: str) -> None:
+    config_file().parent.mkdir(parents=True)
+    config_file().write_text(text)
+    async with studio(program, (80, 24)) as driver:
+        assert "studio.yaml" in driver.notes()
+        assert driver.text == PROGRAM
+
+
+async def test_the_theme_and_the_layout_are_remembered(program: Path) -> None:
+    async with studio(program) as driver:
+        driver.app.theme = "gruvbox"
+        driver.main.action_show("topics")
+        await driver.press("alt+plus")
+        await driver.pilot.press("ctrl+q")
+        await driver.until(lambda: driver.app._exit)
+        width = driver.main.sizes["outline"]
+    async with studio(program) as driver:
+        assert driver.app.theme == "gruvbox"
+        assert driver.main.outline.active == "topics"
+        assert driver.main.sizes["outline"] == width
+        assert driver.main.outline.size.width == width
+
+
+@pytest.mark.parametrize(
+    ("size", "docks"),
+    [
+        ((200, 60), {"outline", "result", "bottom"}),
+        ((120, 40), {"outline", "bottom"}),
+        ((80, 24), {"outline"}),
+        ((60, 20), {"outline"}),
+        ((40, 10), set()),
+        ((20, 5), set()),
+    ],
+)
+async def test_the_panels_follow_the_size_of_the_window(
+    program: Path, size: tuple[int, int], docks: set[str]
+) -> None:
+    async with studio(program, (120, 40)) as driver:
+        await driver.pilot.resize_terminal(*size)
+        await driver.pilot.pause(0.1)
+        assert {dock.id for dock in driver.main.docks if dock.display} == docks
+        assert driver.main.editor.view.size.height >= 1
+        await driver.type("// x\n")
+        for name in ("graph", "problems", "preview", "nodes"):
+            driver.main.action_show(name)
+            await driver.settle()
+            assert driver.main.is_in_sight(name)
+
+
+async def test_panels_are_hidden_enlarged_and_left(program: Path) -> None:
+    async with studio(program) as driver:
+        main = driver.main
+        await driver.press("f9")
+        assert not any(dock.display for dock in main.docks)
+        await driver.press("f9")
+        assert main.outline.display
+        driver.main.action_show("graph")
+        await driver.press("ctrl+t")
+        assert main.result.size.width == 120
+        assert not main.editor.display
+        await driver.press("escape")
+        assert main.editor.view.has_focus
+        assert main.result.size.height < 30
+
+
+@pytest.mark.parametrize("size", [*SIZES, (200, 60)])
+async def test_f7_goes_through_all_panels(program: Path, size: tuple[int, int]) -> None:
+    async with studio(program, size) as driver:
+        seen = set()
+        for _ in range(10):
+            await driver.press("f7")
+            focused = driver.main.focused
+            assert focused is not None
+            if focused is driver.main.editor.view:
+                break
+            seen.add(driver.main._focused_dock().id)
+        assert seen == {"outline", "result", "bottom"}
+
+
+async def test_help_is_about_what_has_the_focus(program: Path) -> None:
+    async with studio(program) as driver:
+        await driver.pilot.press("f1")
+        dialog = await driver.dialog("Help")
+        assert "create_node 'NODE_NAME' as VARIABLE" in dialog.query_one("TextView").text
+        await driver.pilot.press("escape")
+        await driver.back()
+        driver.main.action_show("nodes")
+        await driver.press("f1")
+        dialog = await driver.dialog("Help")
+        assert "Delete writes" in str(dialog.query_one("#dialog-text", Label).content)
+
+
+async def test_the_tour_goes_around(tmp_path: Path) -> None:
+    async with studio(None, welcome=True) as driver:
+        await driver.dialog("Welcome")
+        await driver.pilot.press("down", "down", "enter")
+        dialog = await driver.dialog("Tour")
+        titles = []
+        while driver.app.screen is dialog:
+            titles.append(str(dialog.query_one("#dialog-title", Label).content))
+            await driver.pilot.press("enter")
+            await driver.pilot.pause()
+        assert len(titles) == len(set(titles)) == 6
+        await driver.back()
+        assert "listener" in driver.text
+        assert driver.app.remembered.toured
+
+
+async def test_an_example_is_a_new_program(tmp_path: Path) -> None:
+    async with studio(None, welcome=True) as driver:
+        await driver.dialog("Welcome")
+        await driver.pilot.press("end", "enter")
+        await driver.back()
+        assert driver.main.open.path is None
+        assert "create_node" in driver.text
+
+
+async def test_the_status_line_helps_with_the_statement(program: Path) -> None:
+    async with studio(program) as driver:
+        status = driver.main.query_one("#status")
+        assert "create_node" in status.text
+        assert status.text.endswith("1:1")
+        driver.main.editor.go_to(PROGRAM.index("'chatter'") + 3)
+        await driver.settle()
+        assert "'TOPIC_NAME'" in status.text
+        assert any(tone == "here" and text == "'TOPIC_NAME'" for text, tone in status.left)
+
+
+async def test_an_error_of_plastrons_own_is_shown_and_the_text_is_kept(
+    program: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from plastron_tui.studio import analyst
+
+    def fail(*_: object) -> None:
+        raise RuntimeError("a deliberate error")
+
+    async with studio(program) as driver:
+        monkeypatch.setattr(analyst, "analyse", fail)
+        await driver.pilot.press("x")
+        dialog = await driver.dialog("Failure")
+        assert "a deliberate error" in dialog.report
+        said = str(dialog.query_one("#dialog-text", Label).content)
+        assert str(driver.main.open.journal.file) in said
+        assert driver.main.open.journal.file.read_bytes().endswith(b"x" + PROGRAM.encode())
+        await driver.pilot.press("c")
+        assert driver.app.clipboard == dialog.report
+        await driver.pilot.press("escape")
+        await driver.until(lambda: driver.app.screen is driver.main)
+        await driver.pilot.press("y")
+        assert driver.text == "xy" + PROGRAM
+
+
+async def write(driver: Driver) -> None:
+    await driver.pilot.press("f6")
+    dialog = await driver.dialog("GenerateDialog")
+    await driver.pilot.press("enter")
+    await driver.until(lambda: dialog.is_written)
+
+
+@pytest.mark.parametrize("size", SIZES)
+async def test_generate_shows_then_writes_then_says_how_to_run(
+    program: Path, size: tuple[int, int]
+) -> None:
+    output = program.parent / "output"
+    async with studio(program, size) as driver:
+        await driver.pilot.press("f6")
+        dialog = await driver.dialog("GenerateDialog")
+        assert [file.state.value for file in dialog.plan.files] == ["create", "create"]
+        assert not output.exists()
+        await driver.pilot.press("enter")
+        await driver.until(lambda: dialog.is_written)
+        assert sorted(file.name for file in output.glob("*.py")) == [
+            "listener_sub1.py",
+            "talker_pub.py",
+        ]
+        assert "plastron run" in str(dialog.query_one("#dialog-text", Label).content)
+        assert [file.state.value for file in dialog.plan.files] == ["identical", "identical"]
+        await driver.pilot.press("escape")
+        await driver.back()
+
+
+async def test_generate_leaves_what_was_changed_by_hand(program: Path) -> None:
+    async with studio(program) as driver:
+        await write(driver)
+        await driver.pilot.press("escape")
+        await driver.back()
+        file = program.parent / "output" / "talker_pub.py"
+        file.write_text("print('mine')\n")
+        await driver.pilot.press("f6")
+        dialog = await driver.dialog("GenerateDialog")
+        assert dialog.plan.files[0].state.value == "conflict"
+        assert "-print('mine')" in dialog.query_one("TextView").text
+        await driver.pilot.press("enter")
+        assert file.read_text() == "print('mine')\n"
+        assert dialog.query_one("#force", Button).display
+        await driver.pilot.click("#force")
+        await driver.until(lambda: dialog.is_written)
+        assert file.with_name("talker_pub.py.bak").read_text() == "print('mine')\n"
+        assert "rospy" in file.read_text()
+
+
+async def test_generate_with_a_mistake_shows_the_problems(program: Path) -> None:
+    program.write_text(PROGRAM + "generate_node nobody\n")
+    async with studio(program) as driver:
+        await driver.press("f6")
+        await driver.until(lambda: driver.main.lists["problems"].has_focus)
+        assert "1 mistake has to be mended first" in driver.notes()
+
+
+async def test_the_preview_of_a_changed_file_is_its_diff(program: Path) -> None:
+    async with studio(program) as driver:
+        await write(driver)
+        await driver.pilot.press("escape")
+        await driver.back()
+        driver.main.action_show("preview")
+        at = PROGRAM.index("hello")
+        driver.main.editor.go_to(at)
+        driver.main.editor.type_text("well, ")
+        await driver.settle()
+        await driver.until(lambda: "+" in driver.main.preview.text)
+        assert '"well, hello"' in driver.main.preview.text
+        driver.main.preview.action_toggle_diff()
+        assert driver.main.preview.text.startswith("#!/usr/bin/env python3")
+
+
+async def test_run_shows_what_the_nodes_print_and_stops(
+    program: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    script = program.parent / "stand_in.py"
+    script.write_text(
+        "import sys, time\n"
+        "print('talker | hello', flush=True)\n"
+        "try:\n    time.sleep(60)\nexcept KeyboardInterrupt:\n    print('bye')\n"
+    )
+    wrapper = program.parent / "python"
+    wrapper.write_text(f'#!/bin/sh\nexec "{sys.executable}" "{script}"\n')
+    wrapper.chmod(0o755)
+    monkeypatch.setattr(sys, "executable", str(wrapper))
+    async with studio(program) as driver:
+        await driver.pilot.press("f5")
+        await driver.until(lambda: "talker | hello" in driver.main.output.text)
+        assert driver.main.is_in_sight("output")
+        assert "running" in driver.main.query_one("#title").text
+        await driver.app.run_call(BY_ID["stop"].call)
+        await driver.until(lambda: not driver.main.runs_nodes)
+        assert "bye" in driver.main.output.text

@@ -1,0 +1,218 @@
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+from studio_driver import PROGRAM, SIZES, studio
+
+from plastron_tui.studio.config import state_folder
+from plastron_tui.studio.journal import Journal, kept_texts
+
+
+@pytest.mark.parametrize("size", SIZES)
+async def test_a_program_is_saved_and_what_is_typed_is_marked(
+    program: Path, size: tuple[int, int]
+) -> None:
+    program.chmod(0o640)
+    async with studio(program, size) as driver:
+        title = driver.main.query_one("#title")
+        assert "●" not in title.text
+        await driver.type("// hi\n")
+        assert "●" in title.text
+        await driver.press("ctrl+s")
+        await driver.until(lambda: not driver.main.open.is_changed)
+        assert "●" not in title.text
+    assert program.read_text() == "// hi\n" + PROGRAM
+    assert program.stat().st_mode & 0o777 == 0o640
+
+
+async def test_line_endings_are_kept(program: Path) -> None:
+    program.write_bytes(PROGRAM.replace("\n", "\r\n").encode())
+    async with studio(program) as driver:
+        await driver.type("// hi\n")
+        await driver.press("ctrl+s")
+        await driver.until(lambda: not driver.main.open.is_changed)
+    assert program.read_bytes() == ("// hi\n" + PROGRAM).replace("\n", "\r\n").encode()
+
+
+async def test_a_new_program_asks_where_to(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    async with studio(None) as driver:
+        await driver.type("create_node 'arm' as arm\n")
+        await driver.pilot.press("ctrl+s")
+        dialog = await driver.dialog("ChooseFile")
+        assert dialog.query_one("Input").value == "arm.plastron"
+        dialog.query_one("Input").value = "mine"
+        await driver.pilot.press("enter")
+        await driver.back()
+        assert driver.main.open.path == tmp_path / "mine.plastron"
+        assert "create_node 'arm' as arm" in (tmp_path / "mine.plastron").read_text()
+        await driver.type("// more\n")
+        await driver.press("ctrl+s")
+        await driver.until(lambda: not driver.main.open.is_changed)
+
+
+@pytest.mark.parametrize(
+    ("key", "is_open", "is_saved"), [("c", True, False), ("d", False, False), ("s", False, True)]
+)
+async def test_leaving_asks_about_what_is_not_saved(
+    program: Path, key: str, is_open: bool, is_saved: bool
+) -> None:
+    async with studio(program, (80, 24)) as driver:
+        await driver.type("// hi")
+        await driver.pilot.press("ctrl+q")
+        await driver.dialog("Question")
+        await driver.pilot.press(key)
+        if is_open:
+            await driver.back()
+            assert driver.app._exit is False
+        else:
+            await driver.until(lambda: driver.app._exit)
+    assert ("// hi" in program.read_text()) == is_saved
+
+
+@pytest.mark.parametrize("call", ["screen.new", "screen.open", "screen.welcome"])
+async def test_nothing_replaces_a_text_that_is_not_saved(program: Path, call: str) -> None:
+    async with studio(program) as driver:
+        await driver.type("// hi")
+        driver.app.call_later(driver.app.run_action, call)
+        if call == "screen.welcome":
+            await driver.dialog("Welcome")
+            await driver.pilot.press("enter")
+        await driver.dialog("Question")
+        await driver.pilot.press("escape")
+        await driver.back()
+        assert driver.text.startswith("// hi")
+
+
+async def test_a_program_is_opened(program: Path) -> None:
+    other = program.with_name("other.plastron")
+    other.write_text("create_node 'arm' as arm\n")
+    async with studio(program) as driver:
+        await driver.pilot.press("ctrl+o")
+        await driver.dialog("ChooseFile")
+        await driver.pilot.press(*"oth", "enter")
+        await driver.back()
+        assert driver.main.open.path == other
+        assert driver.shown("nodes") == ["● arm rospy does nothing"]
+        assert driver.app.remembered.recent[0] == str(other)
+
+
+@pytest.mark.parametrize(
+    ("contents", "said"),
+    [
+        (b"\xff\xfe", "the file is not UTF-8 (line 1)"),
+        (b"a\0b", "NUL"),
+        (b"// x\n" * (4 * 1024 * 1024), "larger than 16 MB"),
+    ],
+    ids=["latin", "binary", "20 MB"],
+)
+async def test_a_file_that_is_no_program_is_said_and_the_text_stays(
+    program: Path, contents: bytes, said: str
+) -> None:
+    bad = program.with_name("bad.plastron")
+    bad.write_bytes(contents)
+    async with studio(program) as driver:
+        driver.main.open_path(bad)
+        await driver.until(lambda: said in driver.notes())
+        assert driver.text == PROGRAM
+    async with studio(bad) as driver:
+        assert said in driver.notes()
+        assert driver.text == ""
+    assert bad.read_bytes() == contents
+
+
+async def test_a_file_that_cannot_be_written_is_said_and_the_text_stays(
+    program: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with studio(program) as driver:
+        await driver.type("// hi")
+
+        def full(*_: object, **__: object) -> None:
+            raise OSError(28, "No space left on device")
+
+        with monkeypatch.context() as patch:
+            patch.setattr(os, "fsync", full)
+            await driver.press("ctrl+s")
+            await driver.until(lambda: "no space left" in driver.notes())
+        assert driver.text.startswith("// hi")
+        assert driver.main.open.is_changed
+        assert program.read_text() == PROGRAM
+        for file in program.parent.iterdir():
+            file.unlink()
+        program.parent.rmdir()
+        await driver.press("ctrl+s")
+        await driver.until(lambda: "is not there" in driver.notes())
+        assert driver.text.startswith("// hi")
+
+
+@pytest.mark.parametrize(("key", "text"), [("k", "// mine"), ("l", "// theirs")])
+async def test_a_file_that_others_change_is_asked_about(program: Path, key: str, text: str) -> None:
+    async with studio(program) as driver:
+        await driver.type("// mine")
+        program.write_text("// theirs\n" + PROGRAM)
+        driver.main.look_at_disk()
+        dialog = await driver.dialog("Question")
+        shown = dialog.query_one("TextView").text
+        assert "-// mine" in shown
+        assert "+// theirs" in shown
+        await driver.pilot.press(key)
+        await driver.back()
+        assert driver.text.startswith(text)
+        driver.main.look_at_disk()
+        await driver.settle()
+        assert driver.app.screen is driver.main
+
+
+async def test_saving_does_not_overwrite_what_others_wrote(program: Path) -> None:
+    async with studio(program) as driver:
+        await driver.type("// mine")
+        program.write_text("// theirs\n")
+        await driver.pilot.press("ctrl+s")
+        await driver.dialog("Question")
+        await driver.pilot.press("c")
+        await driver.back()
+        assert program.read_text() == "// theirs\n"
+        await driver.pilot.press("ctrl+s")
+        await driver.dialog("Question")
+        await driver.pilot.press("o")
+        await driver.until(lambda: not driver.main.open.is_changed)
+    assert program.read_text().startswith("// mine")
+
+
+async def test_what_was_typed_is_in_the_journal_within_a_second(program: Path) -> None:
+    folder = state_folder() / "journal"
+    async with studio(program) as driver:
+        await driver.type("// hi")
+        await driver.until(lambda: any(folder.glob("*.journal")))
+        await driver.press("ctrl+s")
+        await driver.until(lambda: not any(folder.glob("*.journal")))
+
+
+@pytest.mark.parametrize(("key", "text"), [("r", "// kept\n"), ("f", ""), ("l", "")])
+async def test_what_a_crash_left_is_offered(
+    program: Path, monkeypatch: pytest.MonkeyPatch, key: str, text: str
+) -> None:
+    journal = Journal(state_folder() / "journal", program)
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "getpid", lambda: 2**22 + 7)
+        assert journal.write(("// kept\n" + PROGRAM).encode(), 3) is None
+    async with studio(program, welcome=True) as driver:
+        dialog = await driver.dialog("Question")
+        assert "+// kept" in dialog.query_one("TextView").text
+        await driver.pilot.press(key)
+        await driver.back()
+        assert driver.text == text + PROGRAM
+        if key == "r":
+            assert driver.main.editor.cursor_offset == 3
+            assert driver.main.open.is_changed
+        folder = state_folder() / "journal"
+        await driver.until(lambda: bool(kept_texts(folder)) == (key == "l"))
+
+
+def test_a_journal_that_is_no_journal_is_left_out(tmp_path: Path) -> None:
+    (tmp_path / "a.journal").write_bytes(b"{}\nx")
+    (tmp_path / "b.journal").write_bytes(b"\xff")
+    (tmp_path / "c.journal").mkdir()
+    assert kept_texts(tmp_path) == []
