@@ -122,9 +122,11 @@ def show_diff(plan: FilePlan) -> None:
     sys.stdout.buffer.flush()
 
 
-def show_plan(plan: FilePlan) -> None:
+def show_plan(plan: FilePlan, *, only_changes: bool = False) -> None:
     """Write a line for each file: what happens to it, and where it is."""
     for file in plan.files:
+        if only_changes and file.state is FileState.IDENTICAL:
+            continue
         state = f"{file.state.value:>9}"
         is_inside = file.path.parent == plan.folder.resolve()
         path = plan.folder / file.name if is_inside else file.path

@@ -96,7 +96,7 @@ def _prepare(
     session: Session, names: Sequence[str], found: Found, report: Report
 ) -> list[NodeFile]:
     """Generate the nodes and find a ROS for each; what fails is reported."""
-    from .generate import write_plan
+    from .generate import show_plan, write_plan
 
     report.add(session.diagnostics, session.lines, session.path)
     if report.status:
@@ -109,7 +109,12 @@ def _prepare(
     if has_errors(diagnostics) or unknown:
         return []
     environments = _environments(session, chosen, found, report)
-    if report.status or not write_plan(plan, session, report):
+    if report.status:
+        return []
+    for library, environment in environments.items():
+        click.echo(f"running {library} nodes on {environment.words}", err=True)
+    show_plan(plan, only_changes=True)
+    if not write_plan(plan, session, report):
         return []
     return _node_files(chosen, environments, session.output)
 
