@@ -80,9 +80,9 @@ def load_config(
     if not isinstance(data, dict):
         return Config(), (f"{file.name} is not a mapping of settings",)
     problems: list[str] = []
-    config = Config()
+    config, known = Config(), (set(actions), set(themes))
     for key, value in data.items():
-        config = _with(config, str(key), value, (set(actions), set(themes)), problems)
+        config = _with(config, str(key), value, known, problems)
     return config, tuple(f"{file.name}: {problem}" for problem in problems)
 
 

@@ -30,10 +30,10 @@ def test_no_key_has_two_actions() -> None:
 
 async def test_the_registry_names_the_keys_that_the_editor_binds(program: Path) -> None:
     async with studio(program) as driver:
-        bound = {
-            binding.id: {one.key for one in driver.main.editor._bindings if one.id == binding.id}
-            for binding in driver.main.editor._bindings
-        }
+        bound: dict[str, set[str]] = {}
+        for key, bindings in driver.main.editor._bindings.key_to_bindings.items():
+            for binding in bindings:
+                bound.setdefault(binding.id, set()).add(key)
         for action in ACTIONS:
             if action.own:
                 wanted = set(action.keys.replace("ctrl+space", "ctrl+@").split(","))

@@ -37,6 +37,8 @@ class Arranging(Screen[None]):
     editor: ProgramEditor
     front = "outline"
     """The dock that is in sight where not all are."""
+    entering: Dock | None = None
+    """The dock that is about to get the focus."""
     hides_panels = False
     is_zoomed = False
     counts: dict[str, str]
@@ -101,6 +103,8 @@ class Arranging(Screen[None]):
         return {lower: "below"}
 
     def _focused_dock(self) -> Dock | None:
+        if self.entering is not None:
+            return self.entering
         focused = self.focused
         if focused is None:
             return None
@@ -183,10 +187,18 @@ class Arranging(Screen[None]):
             self.front = dock.id or ""
         if focus:
             self.hides_panels = False
+            self.entering = dock
         self.lay_docks()
         if focus:
             dock.focus_panel()
+            self.call_after_refresh(self._entered)
         self.ask_more()
+
+    def _entered(self) -> None:
+        """Give the panel the focus again, if it went away with the panel that had it."""
+        dock, self.entering = self.entering, None
+        if dock is not None and self._focused_dock() is not dock:
+            dock.focus_panel()
 
     def ask_more(self) -> None:
         """Ask for what came in sight."""
@@ -205,8 +217,10 @@ class Arranging(Screen[None]):
     def dock_left(self) -> None:
         """Go back to the editor."""
         self.is_zoomed = False
-        self.lay_docks()
+        self.entering = None
+        self.editor.display = True
         self.editor.focus()
+        self.call_after_refresh(self.lay_docks)
 
     # Actions.
 

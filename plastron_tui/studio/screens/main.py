@@ -20,6 +20,7 @@ from textual.timer import Timer
 from ..actions import ACTIONS, bindings
 from ..analyst import Analysed, AnalysisFailed, Analyst, Wanted
 from ..editor import ProgramEditor
+from ..editor.statement_help import help_of
 from ..panels.bars import Bar, help_pieces
 from ..panels.dock import Dock, Edge
 from ..panels.entry import Entries
@@ -108,6 +109,8 @@ class MainScreen(Arranging, Filing, Doing, Screen[None]):
         gc.freeze()
         gc.enable()
         self.ask_anew()
+        self.editor.statement_help = help_of(self.editor.expected)
+        self.show_status()
 
     def on_unmount(self) -> None:
         """Stop the worker and what runs."""
