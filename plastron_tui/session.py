@@ -7,7 +7,7 @@ diagnostics, files. Each is made when it is first asked for, and again after an 
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from copy import copy
 from functools import cached_property
 from pathlib import Path
@@ -22,7 +22,7 @@ from plastron_tui.model.setting import Setting
 from plastron_tui.model.workspace import Generation, Workspace
 from plastron_tui.project import DEFAULT_OUTPUT, Project, find_project
 from plastron_tui.ros.catalog import DISTRIBUTIONS, Catalog, default_distribution, installed_folders
-from plastron_tui.targets import LIBRARIES
+from plastron_tui.targets import LIBRARIES, has_target
 
 if TYPE_CHECKING:
     from plastron_tui.generation import Generated
@@ -97,6 +97,15 @@ def check_text(path: Path | None, text: bytes) -> ProgramText:
 
 def _unreadable(path: Path | None, message: str, remedy: str | None = None) -> ProgramText:
     return ProgramText(None, (Diagnostic("unreadable-file", message, file=path, help=remedy),))
+
+
+def _unsupported(generation: Generation) -> Diagnostic:
+    return Diagnostic(
+        "unsupported-target",
+        f"plastron cannot generate `{generation.library}` yet",
+        generation.span,
+        help="use rospy or rclpy",
+    )
 
 
 class Session:
@@ -221,7 +230,16 @@ class Session:
         """All that is wrong with the program, its project file, and the types that it uses."""
         # The types are read when the program is interpreted.
         meaning = self._meaning.diagnostics
-        return (*self._project[1], *meaning, *self.type_problems)
+        return (*self._project[1], *meaning, *self._unwritten(), *self.type_problems)
+
+    def _unwritten(self) -> Iterator[Diagnostic]:
+        """Yield a diagnostic for each node whose client library nothing here can write."""
+        generations = self.workspace.generations
+        libraries = {generation.library for generation in generations}
+        missing = {library for library in libraries if not has_target(library)}
+        for generation in generations if missing else ():
+            if generation.library in missing:
+                yield _unsupported(generation)
 
     @property
     def project_problems(self) -> tuple[Diagnostic, ...]:
@@ -287,11 +305,7 @@ class Session:
 
         target = self._target(generation.library)
         if target is None:
-            message = f"plastron cannot generate `{generation.library}` yet"
-            problem = Diagnostic(
-                "unsupported-target", message, generation.span, help="use rospy or rclpy"
-            )
-            return Generated(generation, None, (problem,))
+            return Generated(generation, None, (_unsupported(generation),))
         source = generation.node.source
         own = self._target(source.library) if source is not None else None
         return generate(

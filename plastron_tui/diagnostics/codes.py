@@ -129,15 +129,16 @@ CODES: dict[str, Code] = {
         ),
         Code(
             "port-by-hand",
-            "A node goes from one ROS to the other (`generate_node` of a loaded node, `using` another "
-            "client library), and this line means nothing there, or something else. It is carried "
-            "over as it is, under a comment `# port by hand: …`; change it in the new file.",
+            "A node goes from one ROS to the other (`generate_node` of a loaded node, `using` "
+            "another client library), and this line means nothing there, or something else. It is "
+            "carried over as it is, under a comment `# port by hand: …`; change it in the new "
+            "file.",
         ),
         Code(
             "merged-by-hand",
-            "A created node's file was changed by hand. It is kept, and what changed in the program "
-            "since the file was written is changed in it. A warning of its own names each place "
-            "where file and program now differ. `--force` writes it anew and keeps a backup.",
+            "A created node's file was changed by hand. It is kept, and what changed in the "
+            "program since the file was written is changed in it. A warning of its own names each "
+            "place where file and program now differ. `--force` writes it anew and keeps a backup.",
         ),
         Code(
             "left-behind",

@@ -209,6 +209,15 @@ MEANING_CODES = (
         good=f"{_LISTENER}generate_node listener\n",
     ),
     Code(
+        "changed-after-generating",
+        "A statement changes a node after `generate_node` has written it, so that the change is in "
+        "no file. `generate_node` writes a node as it is at that point: put it last.",
+        bad=f"{_LISTENER}generate_node listener\n"
+        "subscribe listener to 'alarm' of message_type String\n",
+        good=f"{_LISTENER}subscribe listener to 'alarm' of message_type String\n"
+        "generate_node listener\n",
+    ),
+    Code(
         "message-type-mismatch",
         "A message is published with another type than it was created with.",
         bad=f"{_TALKER}talker publish greeting to 'chatter' of message_type Int32\n",

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import Any, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Label, Severity, Span
+from plastron_tui.diagnostics import Diagnostic, Label, Severity, Span, has_errors
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.lowering import Program
@@ -19,6 +19,7 @@ from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 
 from .agreement import Agreement
 from .checks import Checks, Mistake
+from .late import late_changes
 from .setting import LoadRequest, Setting
 from .workspace import (
     DEFAULT_RATE,
@@ -47,6 +48,9 @@ def interpret(program: Program, setting: Setting) -> Interpretation:
     interpreter = Interpreter(setting)
     with collection_paused():
         diagnostics = interpreter.run(program)
+        # In a program with a mistake, the statement that generates may be the mistake.
+        if not has_errors(diagnostics):
+            diagnostics += tuple(late_changes(program, interpreter.workspace))
     return Interpretation(interpreter.workspace, diagnostics)
 
 

@@ -48,6 +48,15 @@ def find_target(name: str, template_folder: Path | None = None) -> Target | None
     return target
 
 
+def has_target(name: str) -> bool:
+    """Tell whether there is a target of a client library, without loading it."""
+    if name in _OWN:
+        return True
+    from importlib.metadata import entry_points
+
+    return bool(entry_points(group=GROUP, name=name))
+
+
 def target_names() -> tuple[str, ...]:
     """Return the names of all targets, Plastron's own first."""
     from importlib.metadata import entry_points

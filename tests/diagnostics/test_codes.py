@@ -11,7 +11,7 @@ from plastron_tui.session import Session
 SHOWN = [pytest.param(code, id=name) for name, code in CODES.items() if code.bad]
 
 # A warning mends nothing by itself; every other code is of an error.
-WARNINGS = {"service-provided-twice"}
+WARNINGS = {"changed-after-generating", "service-provided-twice"}
 
 
 def codes_of(program: str, folder: Path) -> list[tuple[str, Severity]]:
