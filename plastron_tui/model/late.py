@@ -1,0 +1,48 @@
+"""Statements that come too late to reach a file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from plastron_tui.diagnostics import Diagnostic, Label, Severity
+from plastron_tui.language import statements as st
+from plastron_tui.language.lowering import Program
+
+from .workspace import Generation, Workspace
+
+_CHANGES = frozenset(
+    {
+        st.Subscribe,
+        st.Unsubscribe,
+        st.Publish,
+        st.StopPublishing,
+        st.ClientRequests,
+        st.StopRequest,
+        st.ProvidesService,
+        st.StopService,
+    }
+)
+
+
+def late_changes(program: Program, workspace: Workspace) -> Iterator[Diagnostic]:
+    """Yield a warning for each statement that changes a node after it was last generated."""
+    last: dict[str, Generation] = {
+        generation.node.variable: generation for generation in workspace.generations
+    }
+    if not last:
+        return
+    for statement in program.statements:
+        if type(statement) not in _CHANGES:
+            continue
+        variable: str = statement.node  # type: ignore[attr-defined]
+        generation = last.get(variable)
+        if generation is None or statement.syntax.start_byte < generation.span.start:
+            continue
+        yield Diagnostic(
+            "changed-after-generating",
+            f"this comes after `{variable}` was generated, and is not in its file",
+            statement.span,
+            help=f"write it before `generate_node {variable}`",
+            labels=(Label(generation.span, "generated here"),),
+            severity=Severity.WARNING,
+        )
