@@ -1,0 +1,1 @@
+"""The terminal studio: an editor that understands the program."""
