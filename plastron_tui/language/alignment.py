@@ -9,17 +9,15 @@ from plastron_tui.diagnostics.suggest import nearest
 
 from .declaration import Clause, Declaration, Element, Slot, SlotKind
 from .keywords import KEYWORDS
-from .tokens import UNCLOSED_STRING, UNKNOWN, Token
+from .tokens import QUOTED_KINDS, UNCLOSED_STRING, UNKNOWN, WORD_KINDS, Token
 
-WORD_KINDS = frozenset(
-    {"identifier", "variable", "module", "function", "client_library", "field_name", "boolean"}
-    | {"none"}
-    | KEYWORDS
-)
-QUOTED_KINDS = frozenset({"ros_name", "path"})
 _CLOSING = {"(": ")", "[": "]"}
 _LITERAL_KINDS = frozenset({"number", "string"})
 _MOST_TYPE_PARTS = 3
+_BOOLEANS = {
+    **dict.fromkeys(("true", "on", "yes"), "True"),
+    **dict.fromkeys(("false", "off", "no"), "False"),
+}
 _ESCAPES = 'the escapes are \\", \\\\, \\n, \\t and \\uXXXX'
 
 
@@ -50,12 +48,16 @@ def _shown(text: str) -> str:
 
 
 class Alignment:
-    """Goes through a sentence and a line side by side, up to the first token that does not fit."""
+    """Goes through a sentence and a line side by side, up to the first token that does not fit.
+
+    `slots` has the slots that were looked for, by the first token of each.
+    """
 
     def __init__(self, declaration: Declaration, tokens: Sequence[Token]) -> None:
         self._declaration = declaration
         self._tokens = tokens
         self._at = 0
+        self.slots: dict[int, SlotKind] = {}
 
     @property
     def _token(self) -> Token | None:
@@ -118,6 +120,7 @@ class Alignment:
 
     def _fill(self, kind: SlotKind) -> Diagnostic | None:
         token = self._token
+        self.slots[self._at] = kind
         if token is None:
             return self._expected(kind.words)
         if self._fits(token, kind):
@@ -159,11 +162,17 @@ class Alignment:
         """See whether what looked like a bare file name goes on, as a path does."""
         if first.kind in QUOTED_KINDS or not self._is_glued:
             return None
+        text = first.text
         while self._is_glued:
+            text += self._tokens[self._at].text
             self._at += 1
         span = Span(first.start, self._tokens[self._at - 1].end)
-        return self._syntax_error(
-            "a bare file name is one word; a path, or a name with its ending, is quoted", span
+        return Diagnostic(
+            "syntax-error",
+            "a bare file name is one word; a path, or a name with its ending, is quoted",
+            span,
+            help=f"write '{_shown(text)}'",
+            fix=Fix("put it in single quotes", (Edit(span, f"'{text}'"),)),
         )
 
     def _rest_of_type(self, kind: SlotKind) -> Diagnostic | None:
@@ -185,6 +194,7 @@ class Alignment:
     def _fill_input(self) -> Diagnostic | None:
         """Look for what is wrong in the values, which go on to the end of the line."""
         token = self._token
+        self.slots[self._at] = SlotKind.INPUT
         if token is None:
             return self._expected(SlotKind.INPUT.words)
         opened: list[Token] = []
@@ -244,6 +254,10 @@ class Alignment:
         if token.text in ("true", "false"):
             right = token.text.capitalize()
             return self._instead(token, f"`{token.text}` is no value", right)
+        if token.text.lower() in _BOOLEANS:
+            right = _BOOLEANS[token.text.lower()]
+            found = self._instead(token, f"`{token.text}` is no value", right)
+            return found._replace(help=f'write `{right}`; or, for a text, "{token.text}"')
         if token.kind in QUOTED_KINDS:
             return self._no_value(token, token.text[1:-1])
         if token.text == "none":

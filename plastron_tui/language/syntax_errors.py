@@ -10,11 +10,12 @@ from tree_sitter import Node
 from plastron_tui.diagnostics import Diagnostic, Edit, Fix
 from plastron_tui.diagnostics.suggest import nearest
 
-from .alignment import QUOTED_KINDS, WORD_KINDS, Alignment, unexpected
+from .alignment import Alignment, unexpected
 from .broken import Broken
 from .declaration import Declaration, SlotKind
 from .keywords import BY_KEYWORD, FIRST_WORDS, KEYWORDS, VERBS
-from .tokens import MOST_WORDS, UNKNOWN, Token, tokens_of
+from .slips import Place, recognised
+from .tokens import MOST_WORDS, QUOTED_KINDS, UNKNOWN, WORD_KINDS, Token, tokens_of
 
 __all__ = ["FIRST_WORDS", "KEYWORDS", "MOST_BROKEN_LINES", "VERBS", "explain"]
 
@@ -41,7 +42,7 @@ def explain(source: bytes, broken: Sequence[Node]) -> tuple[tuple[Diagnostic, ..
             declared |= names
             lost += declaration is not None and not _has_variable(declaration, tokens)
         if is_explained:
-            diagnostics.append(_explain_line(tokens, declaration))
+            diagnostics.append(_explain_line(source, tokens, declaration))
     found = Broken(frozenset(words), frozenset(declared), frozenset(unfinished), lost)
     return tuple(diagnostics), found
 
@@ -54,13 +55,24 @@ def _names(tokens: Sequence[Token]) -> Iterator[str]:
             yield token.text[1:-1]
 
 
-def _explain_line(tokens: Sequence[Token], declaration: Declaration | None) -> Diagnostic:
+def _explain_line(
+    source: bytes, tokens: Sequence[Token], declaration: Declaration | None
+) -> Diagnostic:
     for token in tokens:
         if token.kind == UNKNOWN and token.text.startswith("/*"):
             return unexpected(token)
+    slots: dict[int, SlotKind] = {}
     if declaration is None:
-        return _unknown_statement(tokens)
-    return Alignment(declaration, tokens).first_mistake()
+        found = _unknown_statement(tokens)
+    else:
+        alignment = Alignment(declaration, tokens)
+        found = alignment.first_mistake()
+        slots = alignment.slots
+    start = None if found.span is None else found.span.start
+    at = next((index for index, token in enumerate(tokens) if token.start == start), None)
+    if at is None:
+        return found
+    return recognised(Place(source, tokens, at, slots, declaration), found)
 
 
 def _intended(tokens: Sequence[Token]) -> Declaration | None:

@@ -9,6 +9,8 @@ from tree_sitter import Node
 
 from plastron_tui.diagnostics import Span
 
+from .keywords import KEYWORDS
+
 COMMENT_KINDS = frozenset({"line_comment", "block_comment"})
 
 UNKNOWN = "unknown"
@@ -19,6 +21,13 @@ UNCLOSED_STRING = "unclosed_string"
 
 MOST_WORDS = 10_000
 """How many words of a line count; what a machine wrote can have millions, and nobody reads them."""
+
+WORD_KINDS = frozenset(
+    {"identifier", "variable", "module", "function", "client_library", "field_name", "boolean"}
+    | {"none"}
+    | KEYWORDS
+)
+QUOTED_KINDS = frozenset({"ros_name", "path"})
 
 # A reader sees these as one word, however many nodes they have.
 _WHOLE_KINDS = frozenset({"string", "ros_name", "path", "number", "boolean", "none"})

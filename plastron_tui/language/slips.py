@@ -1,0 +1,321 @@
+"""Common slips of the pen: what a line's first mistake looks like, and what was meant.
+
+Each slip is a function in `_SLIPS`: it looks at the place of a mistake, and either recognises it
+and says what to write, or returns None. What none recognises keeps the diagnostic that it has.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span
+
+from .declaration import Declaration, Slot, SlotKind
+from .keywords import BY_KEYWORD, FIRST_WORDS, KEYWORDS, VERBS
+from .tokens import QUOTED_KINDS, UNKNOWN, WORD_KINDS, Token
+
+_TYPES = (SlotKind.MESSAGE_TYPE, SlotKind.SERVICE_TYPE)
+_WORD = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
+_TYPE = re.compile(r"[A-Za-z]\w*(/(msg/|srv/)?[A-Za-z]\w*)?", re.ASCII)
+
+# Opening quotes of word processors, with those that close them, and the straight ones.
+_QUOTES = {"‘": ("’", "'"), "’": ("’", "'"), "“": ("”", '"'), "”": ("”", '"'), "„": ("“”", '"')}
+
+_SECONDS = {"ms": 0.001, "s": 1, "sec": 1, "second": 1, "seconds": 1, "min": 60, "minutes": 60}
+
+# What a word is made of where only one of these numbers begins it.
+_PREFIXES = {SlotKind.NEW_MESSAGE: "message", SlotKind.MESSAGE: "message", SlotKind.FUNCTION: "on"}
+
+
+class Place(NamedTuple):
+    """Where a line's first mistake is.
+
+    Attributes:
+        source: the program.
+        tokens: those of the line.
+        at: the token that the mistake starts at.
+        slots: the slots that were looked for, by the first token of each.
+        declaration: the statement that the line was to be, if that is known.
+    """
+
+    source: bytes
+    tokens: Sequence[Token]
+    at: int
+    slots: Mapping[int, SlotKind]
+    declaration: Declaration | None
+
+    @property
+    def token(self) -> Token:
+        """The token that the mistake starts at."""
+        return self.tokens[self.at]
+
+    @property
+    def wanted(self) -> SlotKind | None:
+        """The slot that the token was to fill."""
+        return self.slots.get(self.at)
+
+    def text(self, index: int) -> str:
+        """Return the text of a token of the line, or nothing beyond its end."""
+        return self.tokens[index].text if 0 <= index < len(self.tokens) else ""
+
+    def is_glued(self, index: int) -> bool:
+        """Tell whether a token follows the one before it without a space."""
+        tokens = self.tokens
+        return 0 < index < len(tokens) and tokens[index].start == tokens[index - 1].end
+
+    def is_name(self, index: int) -> bool:
+        """Tell whether a token can be a variable."""
+        if not 0 <= index < len(self.tokens):
+            return False
+        token = self.tokens[index]
+        return token.kind in WORD_KINDS and token.text not in KEYWORDS
+
+    def run(self, marks: str) -> tuple[int, int]:
+        """Return the half-open range of tokens, joined by marks, that look like one word."""
+        first, last = self.at, self.at + 1
+        while self.is_glued(first) and self._joins(first - 1, marks):
+            first -= 1
+        while self.is_glued(last) and self._joins(last, marks):
+            last += 1
+        return first, last
+
+    def _joins(self, index: int, marks: str) -> bool:
+        token = self.tokens[index]
+        return token.kind in WORD_KINDS or token.kind == "number" or not set(token.text) - {*marks}
+
+
+def recognised(place: Place, found: Diagnostic) -> Diagnostic:
+    """Return what a mistake is, where it is a common slip; else the diagnostic as it was."""
+    for slip in _SLIPS:
+        better = slip(place, found)
+        if better is not None:
+            return better
+    return found
+
+
+def _mended(found: Diagnostic, message: str, span: Span, text: str) -> Diagnostic:
+    """Say what to write in the place of a span."""
+    edit = Fix(f"write `{text}`" if text else "take it away", (Edit(span, text),))
+    shown = f"write `{text}`" if text else "take it away"
+    return found._replace(code="syntax-error", message=message, span=span, help=shown, fix=edit)
+
+
+def _comment(place: Place, found: Diagnostic) -> Diagnostic | None:
+    start = place.token.start
+    mark = "#" if place.token.text[0] == "#" else "--"
+    following = place.source[start : start + 3].decode("utf-8", "replace")
+    if place.token.kind != UNKNOWN or not following.startswith(mark) or following[2:].isdigit():
+        return None
+    return _mended(found, "a comment starts with `//`", Span(start, start + len(mark)), "//")
+
+
+def _quotes(place: Place, found: Diagnostic) -> Diagnostic | None:
+    token = place.token
+    if token.kind != UNKNOWN or token.text[0] not in _QUOTES:
+        return None
+    closing, straight = _QUOTES[token.text[0]]
+    wanted = place.wanted
+    if wanted is not None and (wanted.is_quoted or wanted is SlotKind.FILE):
+        straight = "'"
+    start = token.start + len(token.text[0].encode())
+    line = place.source[start : place.tokens[-1].end].decode("utf-8", "replace")
+    text = re.match(f"[^{closing}{straight}\\\\]*(?=[{closing}{straight}])", line)
+    what = "quotes are straight"
+    if text is None:
+        return found._replace(message=what, help=f"write {straight}")
+    span = Span(token.start, start + len(text[0].encode()))
+    end = span.end + len(line[text.end()].encode())
+    right = f"{straight}{text[0]}{straight}"
+    return found._replace(
+        code="syntax-error",
+        message=what,
+        span=Span(token.start, end),
+        help=f"write {right}",
+        fix=Fix("write straight quotes", (Edit(Span(token.start, end), right),)),
+    )
+
+
+def _mark(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise marks that other languages want, and this one does not."""
+    token, before = place.token, place.tokens[place.at - 1]
+    if token.text == ";":
+        if place.at + 1 < len(place.tokens):
+            help_ = "write each statement on a line of its own"
+            return found._replace(message="a statement ends with its line", help=help_, fix=None)
+        return _mended(found, "a statement ends with its line, without a `;`", token.span, "")
+    if token.text == "%" and place.at and before.kind == "number":
+        span = Span(before.start, token.end)
+        return _mended(found, "a number has no unit", span, before.text)
+    if token.text == "(" and place.text(place.at + 1) == ")" and place.is_glued(place.at):
+        span = Span(token.start, place.tokens[place.at + 1].end)
+        return _mended(found, "a function is given by its name alone", span, "")
+    if token.text == "\N{NO-BREAK SPACE}":
+        return found._replace(
+            message="this is a no-break space, not a plain one",
+            help="write a plain space",
+            fix=Fix("write a plain space", (Edit(token.span, " "),)),
+        )
+    return None
+
+
+def _hyphen(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `my-node`."""
+    first, last = place.run("-")
+    word = "".join(token.text for token in place.tokens[first:last])
+    right = word.replace("-", "_")
+    if "-" not in word or not _WORD.fullmatch(right) or right.endswith("_"):
+        return None
+    span = Span(place.tokens[first].start, place.tokens[last - 1].end)
+    return _mended(found, "a word has letters, digits and `_`, and no `-`", span, right)
+
+
+def _number_first(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `1a` where a variable is wanted."""
+    wanted = place.wanted
+    if wanted is None or not (wanted.is_variable or wanted is SlotKind.FUNCTION):
+        return None
+    first, last = place.run("")
+    word = "".join(token.text for token in place.tokens[first:last])
+    right = f"{_PREFIXES.get(wanted, 'node')}_{word}"
+    if not word[0].isdigit() or not _WORD.fullmatch(right):
+        return None
+    span = Span(place.token.start, place.tokens[last - 1].end)
+    what = "function" if wanted is SlotKind.FUNCTION else "variable"
+    return _mended(found, f"a {what} starts with a letter", span, right)
+
+
+def _type_of_python(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `geometry_msgs.msg.Twist`, and the same with `::`."""
+    first, last = place.run(".:/")
+    if place.slots.get(first) not in _TYPES:
+        return None
+    word = "".join(token.text for token in place.tokens[first:last])
+    parts = [part for part in re.split(r"[.:/]+", word) if part not in ("msg", "srv")]
+    if len(parts) != 2 or not all(map(_WORD.fullmatch, parts)) or not set(word) & {".", ":"}:
+        return None
+    span = Span(place.tokens[first].start, place.tokens[last - 1].end)
+    return _mended(found, "a type is written with `/`", span, "/".join(parts))
+
+
+def _quoted(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise quotes around what has none."""
+    token, wanted = place.token, place.wanted
+    if wanted is None or (token.kind not in QUOTED_KINDS and token.kind != "string"):
+        return None
+    text = token.text[1:-1]
+    if wanted is SlotKind.FILE:
+        right = f"'{text}'"
+        return found._replace(
+            message="a path is in single quotes",
+            help=f"write {right}",
+            fix=Fix("put it in single quotes", (Edit(token.span, right),)),
+        )
+    if wanted.is_quoted or wanted is SlotKind.INPUT:
+        return None
+    pattern = _TYPE if wanted in _TYPES else _WORD
+    if pattern.fullmatch(text) and text not in KEYWORDS:
+        return _mended(found, f"{wanted.words} has no quotes", token.span, text)
+    if wanted is SlotKind.MESSAGE:
+        return found._replace(help="make a message first, with `create_message`, and name it here")
+    return None
+
+
+def _swapped(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise a keyword that comes second where it comes first, or first where second."""
+    tokens = place.tokens
+    first, second = place.text(0), place.text(1)
+    if place.at != 0 or not place.is_name(1 if first in VERBS else 0):
+        return None
+    is_late = second in FIRST_WORDS and _takes_node(BY_KEYWORD[second]) and not place.is_name(2)
+    if not is_late and (first not in VERBS or not _has_node(place, BY_KEYWORD[first])):
+        return None
+    keyword = second if is_late else first
+    message = (
+        f"`{keyword}` comes first, before the variable of the node"
+        if is_late
+        else f"`{keyword}` comes second, after the variable of the node"
+    )
+    span = Span(tokens[0].start, tokens[1].end)
+    return _mended(found, message, span, f"{second} {first}")
+
+
+def _takes_node(declaration: Declaration) -> bool:
+    """Tell whether the variable of a node follows the keyword."""
+    match declaration.elements[1]:
+        case Slot(kind=SlotKind.NODE):
+            return True
+        case _:
+            return False
+
+
+def _has_node(place: Place, declaration: Declaration) -> bool:
+    """Tell whether a variable of a node follows a keyword that it was to stand before."""
+    match declaration.elements[2]:
+        case Slot(kind=SlotKind.MESSAGE):
+            return place.is_name(2)
+        case _:
+            return True
+
+
+def _left_out(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise a sentence that lacks its variable: `subscribe to 'chatter'`."""
+    declaration = place.declaration
+    if declaration is None:
+        return None
+    if place.at == 0 and declaration.keyword == place.token.text and place.token.text in VERBS:
+        words = SlotKind.NODE.words
+    else:
+        wanted = place.wanted
+        following = None if wanted is None else _word_after(declaration, wanted)
+        # `of of` is a keyword that somebody wants for a variable.
+        if wanted is None or following != place.token.text or place.text(place.at + 1) == following:
+            return None
+        words = wanted.words
+    return found._replace(
+        code="syntax-error",
+        message=f"expected {words} before `{place.token.text}`",
+        help=f"the sentence is: {declaration.usage}",
+        fix=None,
+    )
+
+
+def _word_after(declaration: Declaration, wanted: SlotKind) -> str | None:
+    """Return the word that follows the slot of a variable in a sentence."""
+    elements = declaration.elements
+    for element, following in pairwise(elements):
+        if isinstance(element, Slot) and element.kind is wanted and isinstance(following, str):
+            return following if wanted.is_variable else None
+    return None
+
+
+def _period(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `every 5 s`, where a rate is wanted."""
+    declaration = place.declaration
+    if declaration is None or place.token.text not in ("every", "each"):
+        return None
+    if all(slot.kind is not SlotKind.RATE for slot in declaration.slots):
+        return None
+    words = [token.text for token in place.tokens[place.at + 1 :]]
+    number, unit = ([*words, "", ""] if words[:1] != ["second"] else ["1", *words])[:2]
+    if unit not in _SECONDS or not re.fullmatch(r"\d*\.?\d+", number) or not float(number):
+        return None
+    rate = f"at {1 / (float(number) * _SECONDS[unit]):.6g} hz"
+    span = Span(place.token.start, place.tokens[-1].end)
+    return _mended(found, "how often is said in hertz", span, rate)
+
+
+_SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
+    _comment,
+    _quotes,
+    _mark,
+    _hyphen,
+    _number_first,
+    _type_of_python,
+    _quoted,
+    _swapped,
+    _left_out,
+    _period,
+)
