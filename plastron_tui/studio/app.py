@@ -135,6 +135,11 @@ class StudioApp(App[None], inherit_bindings=False):
         self.main.keep_now()
         self.push_screen(Failure(error, self.main.open.journal.file))
 
+    def on_app_focus(self) -> None:
+        """Let the editor have the keys, when the window gets the focus before anything else."""
+        if self.screen is self.main and self.main.focused is None:
+            self.main.editor.focus()
+
     def on_unmount(self) -> None:
         """Remember what lasts."""
         settings.save_remembered(self._memory, self.remembered)

@@ -106,9 +106,9 @@ async def test_a_problem_is_shown_and_mended(program: Path) -> None:
     async with studio(program, (80, 24)) as driver:
         driver.main.action_show("problems")
         await driver.settle()
-        (line,) = driver.shown("problems")
-        assert "did you mean `subscribe`?" in line
-        assert "line 7" in line
+        problem, remedy = driver.shown("problems")
+        assert remedy == "= did you mean `subscribe`?"
+        assert "line 7" in problem
         await driver.press("f")
         assert driver.text == PROGRAM
         assert driver.shown("problems") == []

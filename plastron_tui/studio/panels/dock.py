@@ -88,7 +88,7 @@ class TabStrip(Toned):
                 is_counted = has_counts or name in (self.active, "problems")
                 count = self.counts.get(name, "") if is_counted else ""
                 text = f" {title} " if count else f" {title}{room}"
-                tabs.append((name, text, count + room if count else ""))
+                tabs.append((name, text, f"{count} " if count else ""))
             if sum(cell_len(text) + cell_len(count) for _, text, count in tabs) <= width:
                 break
         return tabs

@@ -175,29 +175,35 @@ def problem_entries(
 ) -> Entries:
     """Return what is wrong, in the order of the program."""
     in_order = sorted(diagnostics, key=lambda found: (found.file is not None, found.span or (0, 0)))
-    return Entries((_problem(found, lines) for found in in_order), "no problems")
+    return Entries((entry for found in in_order for entry in _problem(found, lines)), "no problems")
 
 
-def _problem(found: Diagnostic, lines: Callable[[Path | None], LineIndex | None]) -> Entry:
+def _problem(
+    found: Diagnostic, lines: Callable[[Path | None], LineIndex | None]
+) -> Iterator[Entry]:
     is_error = found.severity is Severity.ERROR
     index = None if found.span is None else lines(found.file)
     where = found.file.name if found.file is not None else ""
     if index is not None and found.span is not None:
         where += f":{index.position(found.span.start).line}" if where else ""
         where = where or f"line {index.position(found.span.start).line}"
-    help_ = f" — {found.help}" if found.help else ""
     own = found.file is None
-    return Entry(
-        f"problem {found.code} {found.message}",
-        found.message + help_,
+    key = f"problem {found.code} {found.message}"
+    yield Entry(
+        key,
+        found.message,
         " · ".join(part for part in (where, found.code) if part),
         "✖" if is_error else "▲",
         "error" if is_error else "warning",
         span=found.span if own else None,
         subject=Subject.PROBLEM,
         edits=found.fix.edits if found.fix is not None and own else (),
-        warning=f"fix: {found.fix.title}" if found.fix is not None and own else "",
+        warning=found.fix.title if found.fix is not None and own else "",
+        is_branch=found.help is not None,
     )
+    if found.help is not None:
+        span = found.span if own else None
+        yield Entry(f"help {key}", found.help, sign="=", depth=1, span=span)
 
 
 def _type(type_: InterfaceName | None) -> str:
