@@ -33,6 +33,9 @@ if TYPE_CHECKING:
 LONGEST_LINE = 256 * 1024
 """The longest line of a program, in bytes; a statement has some eighty."""
 
+DEFAULT_LIBRARY = "rospy"
+"""The client library where nobody chose one."""
+
 LARGEST_PROGRAM = 16 * 1024 * 1024
 """The largest program that is read, in bytes: some 300,000 statements."""
 
@@ -152,12 +155,17 @@ class Session:
     @cached_property
     def library(self) -> str:
         """The client library of a node that names none."""
-        sourced = self._environ.get("ROS_VERSION")
-        return (
-            self.options.target
-            or self.project.target
-            or {"1": "rospy", "2": "rclpy"}.get(sourced or "", "rospy")
-        )
+        return self._chosen_library or DEFAULT_LIBRARY
+
+    @property
+    def is_library_chosen(self) -> bool:
+        """Whether somebody chose the client library; otherwise it is the default."""
+        return self._chosen_library is not None
+
+    @property
+    def _chosen_library(self) -> str | None:
+        sourced = {"1": "rospy", "2": "rclpy"}.get(self._environ.get("ROS_VERSION", ""))
+        return self.options.target or self.project.target or sourced
 
     @property
     def output(self) -> Path:
@@ -218,7 +226,7 @@ class Session:
     def setting(self) -> Setting:
         """What the program is interpreted in."""
         loader = NodeLoader(self.folder, self.output, self._rendered)
-        return Setting(self.library, LIBRARIES, self.catalog, loader)
+        return Setting(self.library, LIBRARIES, self.catalog, loader, self.is_library_chosen)
 
     @property
     def workspace(self) -> Workspace:

@@ -10,6 +10,7 @@ from plastron_tui.diagnostics import Diagnostic, Label, Span, did_you_mean
 from plastron_tui.language import statements as st
 from plastron_tui.language.broken import Broken
 from plastron_tui.language.declaration import Statement
+from plastron_tui.ros.catalog import DISTRIBUTIONS
 from plastron_tui.ros.interfaces import Interface, InterfaceKind
 from plastron_tui.ros.names import (
     NameProblem,
@@ -26,6 +27,11 @@ from .workspace import Message, Node, Workspace
 
 _HIGHEST_RATE = 1e6
 """More than any node sends, in hertz; a typing error."""
+
+_LIBRARY_OF_ROS = {"ros1": "rospy", "ros2": "rclpy"} | {
+    name: "rospy" if version == 1 else "rclpy" for name, version in DISTRIBUTIONS.items()
+}
+"""What is meant by a generation of ROS, or a distribution, where a client library belongs."""
 
 
 class Mistake(Exception):  # noqa: N818 - control flow, from a check to `interpret`
@@ -147,12 +153,15 @@ class Checks:
         if library is None or library in self._setting.libraries:
             return library
         names = ", ".join(self._setting.libraries)
+        known = _LIBRARY_OF_ROS.get(library.lower())
         raise Mistake(
             Diagnostic(
                 "unknown-library",
                 f"no client library `{library}`",
                 statement.span_of("library"),
-                help=did_you_mean(library, self._setting.libraries) or f"there are {names}",
+                help=f"did you mean `{known}`?"
+                if known is not None
+                else did_you_mean(library, self._setting.libraries) or f"there are {names}",
             )
         )
 
@@ -183,8 +192,19 @@ class Checks:
         found = self._resolver(version).resolve(text, kind)
         if not isinstance(found, TypeProblem):
             return found
-        raise Mistake(
-            Diagnostic(found.code, found.message, statement.span_of("type"), help=found.help)
+        remedy = self._elsewhere(text, kind, version) or found.help
+        raise Mistake(Diagnostic(found.code, found.message, statement.span_of("type"), help=remedy))
+
+    def _elsewhere(self, text: str, kind: InterfaceKind, version: int) -> str | None:
+        """Say how to get the other ROS, which has a type, where nobody chose this one."""
+        if self._setting.is_chosen or version != self._version:
+            return None
+        library, other = ("rclpy", 2) if version == 1 else ("rospy", 1)
+        if isinstance(self._resolver(other).resolve(text, kind), TypeProblem):
+            return None
+        return (
+            f"ROS {other} has it, and ROS {version} is only the default: use `--target {library}`, "
+            f"or write `target: {library}` in plastron.yaml"
         )
 
     def _resolver(self, version: int) -> TypeResolver:
@@ -211,6 +231,7 @@ class Checks:
                 "invalid-rate",
                 f"a rate is more than 0 and at most {_HIGHEST_RATE:g} hz",
                 statement.span_of("rate"),
+                help=f"write `at {-rate:g} hz`" if -_HIGHEST_RATE <= rate < 0 else None,
             )
         )
 

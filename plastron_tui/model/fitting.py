@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from math import isinf
 
 from tree_sitter import Node as SyntaxNode
@@ -136,7 +137,8 @@ class Fitter:
             field = by_name.get(head)
             if field is None:
                 where = path_span(syntax, len(path))
-                raise Misfit(unknown_field(name, head, tuple(by_name), where))
+                leaves = partial(self._leaves_of, name, fields)
+                raise Misfit(unknown_field(name, head, tuple(by_name), where, leaves))
             if head in direct or (not rest and head in deeper):
                 raise Misfit(
                     Diagnostic(

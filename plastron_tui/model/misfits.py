@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Callable, Sequence
 
 from tree_sitter import Node as SyntaxNode
 
@@ -11,6 +12,12 @@ from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.language.inputs import COMMENTS, InputValue, Literal
 from plastron_tui.ros.interfaces import Field, FieldType, InterfaceName
 from plastron_tui.ros.primitives import Primitive
+
+_BOOLEANS = {
+    **dict.fromkeys(("true", "on", "yes", "1"), "`True`"),
+    **dict.fromkeys(("false", "off", "no", "0"), "`False`"),
+}
+_NUMBER = re.compile(r"[+-]?\d+(\.\d+)?")
 
 
 class Misfit(Exception):  # noqa: N818 - it carries diagnostics to `fit`, and goes no further
@@ -60,11 +67,25 @@ def path_span(syntax: SyntaxNode, length: int) -> Span:
     return span(names[-length])
 
 
-def wrong_kind(problem: str, value: InputValue, type_: FieldType, field: str) -> Diagnostic:
-    """Say that a value is of another kind than its field."""
-    return Diagnostic(
-        "wrong-kind-of-value", problem, span(value.syntax), help=f"`{field}` is of type `{type_}`"
-    )
+def wrong_kind(
+    problem: str, value: InputValue, type_: FieldType, field: str, remedy: str | None = None
+) -> Diagnostic:
+    """Say that a value is of another kind than its field, and perhaps what to write."""
+    text = f"`{field}` is of type `{type_}`" + (f"; write {remedy}" if remedy else "")
+    return Diagnostic("wrong-kind-of-value", problem, span(value.syntax), help=text)
+
+
+def _remedy(given: bool | int | float | str, kind: type | None) -> str | None:
+    """Return how a value is written that is of another kind than its field."""
+    if kind is bool:
+        if isinstance(given, str):
+            return _BOOLEANS.get(given.lower(), "`True` or `False`")
+        return "`True` or `False`" if given not in (0, 1) else f"`{bool(given)}`"
+    if kind is str:
+        return None if isinstance(given, str) else f'"{given}"'
+    if isinstance(given, str) and _NUMBER.fullmatch(given.strip()):
+        return f"{given.strip()} without quotes"
+    return None
 
 
 def wrong_length(problem: str, count: int, value: InputValue) -> Diagnostic:
@@ -92,16 +113,25 @@ def does_not_fit(
         return Diagnostic("invalid-text", problem, span(value.syntax))
     is_number = isinstance(given, (int, float)) and not isinstance(given, bool)
     if not is_number or (kind is not float and (kind is not int or isinstance(given, float))):
-        return wrong_kind(problem, value, type_, field)
+        return wrong_kind(problem, value, type_, field, _remedy(given, kind))
     text = f"`{field}` is of type `{type_}`"
     return Diagnostic("value-out-of-range", problem, span(value.syntax), help=text)
 
 
 def unknown_field(
-    name: InterfaceName, field: str, fields: tuple[str, ...], where: Span
+    name: InterfaceName,
+    field: str,
+    fields: tuple[str, ...],
+    where: Span,
+    deeper: Callable[[], Sequence[tuple[str, ...]] | None] = lambda: None,
 ) -> Diagnostic:
-    """Say that a type has no such field, and which one may be meant."""
-    guess = nearest(field, fields)
+    """Say that a type has no such field, and which one may be meant.
+
+    `deeper` gives the paths of the fields within its fields, to recognise `linear_x`.
+    """
+    paths = deeper() if "_" in field else None
+    joined = {"_".join(path): ".".join(path) for path in paths or () if len(path) > 1}
+    guess = joined.get(field) or nearest(field, fields)
     if guess is not None:
         text = f"did you mean `{guess}`?"
     else:

@@ -43,9 +43,11 @@ class Setting(NamedTuple):
         libraries: the client libraries that there are, each with its generation of ROS.
         catalog: gives the interface types for a generation of ROS.
         read: reads the files that the program loads.
+        is_chosen: whether somebody chose `library`; otherwise it is the default.
     """
 
     library: str
     libraries: Mapping[str, int]
     catalog: Callable[[int], Catalog]
     read: Reader
+    is_chosen: bool = True

@@ -29,6 +29,7 @@ class TypeResolver:
 
     def __init__(self, catalog: Catalog) -> None:
         self.catalog = catalog
+        self._ros = f"ROS {catalog.ros_version} {catalog.distribution}"
         self._known: dict[tuple[str, InterfaceKind], Interface | TypeProblem] = {}
 
     def resolve(self, text: str, kind: InterfaceKind) -> Interface | TypeProblem:
@@ -74,8 +75,7 @@ class TypeResolver:
         guess = nearest(full.package, self.catalog.packages(kind))
         return TypeProblem(
             "unknown-type",
-            f"no package `{full.package}` with {_WORDS[kind]}s is known in "
-            f"{self.catalog.distribution}",
+            f"no package `{full.package}` with {_WORDS[kind]}s is known in {self._ros}",
             f"did you mean `{guess}/{full.name}`?"
             if guess is not None
             else "source the workspace that has it, or name its folder under `types` in "
@@ -85,7 +85,7 @@ class TypeResolver:
     def _no_such(
         self, shown: str, name: str, kind: InterfaceKind, package: str | None = None
     ) -> TypeProblem:
-        message = f"no {_WORDS[kind]} `{shown}` is known in {self.catalog.distribution}"
+        message = f"no {_WORDS[kind]} `{shown}` is known in {self._ros}"
         other = InterfaceKind.SERVICE if kind is InterfaceKind.MESSAGE else InterfaceKind.MESSAGE
         if package is None and self.catalog.candidates(name, other):
             return TypeProblem(
