@@ -16,7 +16,6 @@ from .calls import Argument, CallShape
 from .conventions import (
     callback_naming,
     conventions_of,
-    leading_space,
     target_name,
     variable_naming,
 )
@@ -34,9 +33,8 @@ from .place import (
 from .references import identifiers
 from .removal import callback_scope
 from .scopes import BindingKind, Scope
-from .sending import add_calls, add_publishing
+from .sending import add_calls, add_publishing, keep_running
 from .sites import Analysis, Site
-from .splices import line_end
 from .typeimports import FileImports
 from .writing import Writer
 
@@ -188,29 +186,13 @@ def plan_addition(
     elif isinstance(endpoint, Client):
         lines += add_calls(added, endpoint)
     if not isinstance(endpoint, Client):
-        _keep_running(added)
+        keep_running(added)
     functions, writer.splices = writer.splices, []
     if lines:
         writer.lines(added.place.offset, added.place.indent, lines)
     # A method may go right behind the statements: these come first then.
     writer.splices = [*imports.splices(), *writer.splices, *functions]
     return writer
-
-
-def _keep_running(added: Addition) -> None:
-    """Let a node that Plastron wrote to call services, and then to end, go on instead."""
-    text = added.analysis.syntax.text
-    if any(word in text for word in (b"spin(", b"is_shutdown", b"rclpy.ok")):
-        return
-    for call in added.analysis.captures.get("call", []):
-        statement = call.parent
-        if added.analysis.syntax.slice(call) == "node.call_services()" and statement is not None:
-            scope = added.analysis.scopes.at(call.start_byte)
-            spin = added.imports.library(added.dialect.library, "spin", scope)
-            line = f"{spin}({'node' if added.is_rclpy else ''})"
-            indent = leading_space(added.analysis, statement)
-            added.writer.lines(line_end(text, statement.end_byte), indent, [line])
-            return
 
 
 def _use_present(added: Addition, present: list[Site]) -> None:

@@ -18,6 +18,8 @@ from .syntax import Syntax
 
 _WRAPPED_TYPES = frozenset({"rospy.numpy_msg.numpy_msg", "numpy_msg.numpy_msg"})
 _CLASS_LOADERS = frozenset({"roslib.message.get_message_class", "roslib.message.get_service_class"})
+# What `from our_tools import *` brings along, where no import of the file binds these names.
+_LIBRARIES = frozenset({"rospy", "rclpy", "message_filters", "actionlib"})
 _ANYTHING = frozenset({"typing.Any", "typing.TypeVar", "typing.Protocol"})
 _KINDS = ("msg", "srv", "action")
 
@@ -61,7 +63,9 @@ class Resolver:
         suffix = "".join(f".{part}" for part in reversed(tail))
         found = scope.lookup(name)
         if found is None:
-            return tuple(f"{module}.{name}{suffix}" for module in self._star_modules(scope))
+            stars = self._star_modules(scope)
+            own = (name + suffix,) if name in _LIBRARIES and stars else ()
+            return own + tuple(f"{module}.{name}{suffix}" for module in stars)
         targets: dict[str, None] = {}
         for binding in found[1]:
             for target in self._targets(binding, name, depth):

@@ -56,6 +56,13 @@ def _imported(text: bytes) -> list[ClientLibrary]:
         for name, library in LIBRARIES.items()
         if re.search(rb"^[^#\n]*\b(import|from)\b[^#\n]*\b" + name.encode() + rb"\b", text, re.M)
     ]
+    if not found and re.search(rb"^\s*from\s+[\w.]+\s+import\s+\*", text, re.M):
+        # A module of one's own may bring the library along.
+        found = [
+            library
+            for name, library in LIBRARIES.items()
+            if re.search(rb"^[^#\n]*\b" + name.encode() + rb"\.\w", text, re.M)
+        ]
     if not found and re.search(rb"^\s*(import|from)\s+(message_filters|actionlib)\b", text, re.M):
         found = [LIBRARIES["rospy"]]
     return found

@@ -270,3 +270,19 @@ def _call_in_own_method(added: Addition, requests: list[str]) -> bool:
         [f"{self_name}.call({variable}, {request})" for request in requests],
     )
     return True
+
+
+def keep_running(added: Addition) -> None:
+    """Let a node that Plastron wrote to call services, and then to end, go on instead."""
+    text = added.analysis.syntax.text
+    if any(word in text for word in (b"spin(", b"is_shutdown", b"rclpy.ok")):
+        return
+    for call in added.analysis.captures.get("call", []):
+        statement = call.parent
+        if added.analysis.syntax.slice(call) == "node.call_services()" and statement is not None:
+            scope = added.analysis.scopes.at(call.start_byte)
+            spin = added.imports.library(added.dialect.library, "spin", scope)
+            line = f"{spin}({'node' if added.is_rclpy else ''})"
+            indent = leading_space(added.analysis, statement)
+            added.writer.lines(line_end(text, statement.end_byte), indent, [line])
+            return

@@ -12,6 +12,7 @@ from plastron_tui.model.source import EndpointKind, SourceEndpoint
 from plastron_tui.ros.interfaces import InterfaceName
 
 from .arguments import Arguments
+from .callbacks import callback_target as callback_target
 from .calls import Argument, CallShape, ClientLibrary
 from .constants import Defaulted, Known
 from .names import NODE, Resolver
@@ -26,7 +27,6 @@ _NO_NODES = frozenset(
     {"threading", "multiprocessing", "unittest", "enum", "abc", "typing", "collections", "logging"}
     | {"PyQt5", "PyQt6", "PySide2", "PySide6", "python_qt_binding", "tkinter", "dataclasses"}
 )
-_PARTIALS = frozenset({"functools.partial"})
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -395,13 +395,3 @@ class _Finder:
         if node is None or node.type not in ("identifier", "attribute"):
             return None
         return self._a.syntax.slice(node).rpartition(".")[2].strip()
-
-
-def callback_target(node: Node | None, scope: Scope, analysis: Analysis) -> Node | None:
-    """Unwrap `functools.partial(callback, …)`."""
-    while node is not None and node.type == "call":
-        callee = node.child_by_field_name("function")
-        if not any(name in _PARTIALS for name in analysis.resolver.qualified(callee, scope)):
-            return None
-        node = Arguments.of(node, analysis.syntax).get(Argument(0, ""))
-    return node

@@ -28,7 +28,7 @@ FOUND = {
 
 @pytest.mark.parametrize("title", FOUND)
 def test_what_the_page_says_of_its_examples_is_so(title: str) -> None:
-    example = re.search(rf"\*\*{title}\*\*.*?```python\n(.*?)```", PAGE, re.DOTALL)
+    example = re.search(rf"\*\*{title}\.?\*\*.*?```python\n(.*?)```", PAGE, re.DOTALL)
     assert example is not None
     library = None if title == "Both libraries in one file" else "rospy"
     text = (IMPORTS + example[1]).encode()
