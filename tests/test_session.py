@@ -37,6 +37,29 @@ def test_everything_follows_from_the_text(tmp_path: Path) -> None:
     assert not (tmp_path / "output").exists()
 
 
+@pytest.mark.parametrize(
+    ("target", "project", "environ", "library", "is_chosen"),
+    [
+        (None, "", {}, "rospy", False),
+        (None, "", {"ROS_VERSION": "2"}, "rclpy", True),
+        (None, "", {"ROS_VERSION": "1"}, "rospy", True),
+        (None, "target: rclpy\n", {"ROS_VERSION": "1"}, "rclpy", True),
+        ("rospy", "target: rclpy\n", {}, "rospy", True),
+    ],
+)
+def test_who_chose_the_client_library(
+    tmp_path: Path,
+    target: str | None,
+    project: str,
+    environ: dict[str, str],
+    library: str,
+    is_chosen: bool,
+) -> None:
+    (tmp_path / "plastron.yaml").write_text(project)
+    made = Session(b"", tmp_path / "a.plastron", Options(target), environ=environ)
+    assert (made.library, made.is_library_chosen) == (library, is_chosen)
+
+
 def test_an_edit_changes_what_follows(tmp_path: Path) -> None:
     made = session(tmp_path)
     at = TALKER.index("talker publish")

@@ -150,6 +150,6 @@ def deep() -> Iterator[tuple[str, bytes]]:
     yield "unknown nodes", b"generate_node n1\n" * 5_000
 
 
-@pytest.mark.parametrize(("name", "text"), deep(), ids=[name for name, _ in deep()])
+@pytest.mark.parametrize(("name", "text"), list(deep()), ids=[name for name, _ in deep()])
 def test_much_of_one_thing(name: str, text: bytes) -> None:
     swallow(text)

@@ -1,8 +1,11 @@
 from __future__ import annotations
 
 import pytest
-from workspaces import catalog, codes
+from workspaces import LIBRARIES, FakeReader, catalog, codes
 
+from plastron_tui.language import Document, lower
+from plastron_tui.model.interpreter import interpret
+from plastron_tui.model.setting import Setting
 from plastron_tui.model.types import TypeProblem, TypeResolver
 from plastron_tui.ros.interfaces import InterfaceKind
 
@@ -75,6 +78,22 @@ def test_an_ambiguous_type_lists_the_packages() -> None:
     assert found.help is not None
     assert "action_msgs/GoalStatus" in found.help
     assert "actionlib_msgs/GoalStatus" in found.help
+
+
+def test_a_message_names_the_ros() -> None:
+    for version, ros in ((1, "ROS 1 noetic"), (2, "ROS 2")):
+        found = TypeResolver(catalog(version)).resolve("Xyzzy", MESSAGE)
+        assert isinstance(found, TypeProblem)
+        assert f"no message type `Xyzzy` is known in {ros}" in found.message
+
+
+def test_the_other_ros_is_offered_where_nobody_chose_this_one() -> None:
+    text = b"create_message m of message_type builtin_interfaces/Time and input none\n"
+    for is_chosen in (True, False):
+        setting = Setting("rospy", LIBRARIES, catalog, FakeReader(), is_chosen)
+        (found,) = interpret(lower(Document(text)), setting).diagnostics
+        assert found.code == "unknown-type"
+        assert ("use `--target rclpy`" in (found.help or "")) is not is_chosen
 
 
 def test_the_library_decides_where_a_type_is_looked_up() -> None:
