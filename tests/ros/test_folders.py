@@ -43,6 +43,11 @@ LAYOUTS = [
     ({"old/COLCON_IGNORE": "", "old/pkg/msg/A.msg": "", "b/msg/B.msg": ""}, ".", ["b/B"]),
     ({".git/pkg/msg/A.msg": ""}, ".", []),
     ({"pkg/package.xml": "<name>pkg</name>", "pkg/test/inner/msg/A.msg": ""}, ".", []),
+    ({"My Robot-2/A.msg": "", "My Robot-2/deeper/B.msg": ""}, "My Robot-2", ["my_robot_2/A"]),
+    ({"7/A.msg": ""}, "7", ["package_7/A"]),
+    ({"dir/A.msg": "", "dir/package.xml": "<name>pkg</name>"}, "dir", ["pkg/A"]),
+    ({"dir/A.msg": "", "dir/msg/B.msg": ""}, "dir", ["dir/A", "dir/B"]),
+    ({"share/A.msg": ""}, "share", []),
     ({"README": ""}, ".", []),
     ({"README": ""}, "missing", []),
     ({"README": ""}, "README", []),
@@ -53,6 +58,17 @@ LAYOUTS = [
 def test_a_layout(tmp_path: Path, files: dict[str, str], folder: str, found: list[str]) -> None:
     write(tmp_path, files)
     assert own(Catalog("noetic", [tmp_path / folder])) == found
+
+
+def test_definitions_beside_the_program(tmp_path: Path) -> None:
+    root = write(
+        tmp_path / "rover", {"Wheel.msg": "int8 x", "Park.srv": "---", "Dig.action": "---\n---"}
+    )
+    catalog = Catalog("noetic", [root])
+    assert catalog.candidates("Wheel", MESSAGE) == (InterfaceName("rover", "Wheel"),)
+    assert catalog.find(InterfaceName("rover", "Park"), SERVICE) is not None
+    assert catalog.find(InterfaceName("rover", "Dig"), InterfaceKind.ACTION) is not None
+    assert catalog.problems == []
 
 
 def test_a_circle_of_symbolic_links_ends(tmp_path: Path) -> None:

@@ -57,8 +57,9 @@ class Catalog:
 
         Args:
             distribution: one of `DISTRIBUTIONS`.
-            type_folders: folders that hold packages (at any depth), package folders, or `msg`,
-                `srv` and `action` folders; the first that has a type wins.
+            type_folders: folders that hold packages (at any depth), package folders, `msg`,
+                `srv` and `action` folders, or definitions themselves; the first that has a type
+                wins.
 
         Raises:
             ValueError: the distribution is not one of `DISTRIBUTIONS`.

@@ -102,6 +102,11 @@ def _interface_folders(root: Path) -> Iterator[tuple[str, InterfaceKind, Path]]:
         if kinds and (depth or names & _MANIFESTS or root.name != "share"):
             package = folder.name if root.name == "share" else _package_name(folder.absolute())
             yield from ((package, _KINDS[name], folder / name) for name in kinds)
+        if depth == 0 and root.name != "share":
+            suffixes = {os.path.splitext(name)[1] for name in names}  # noqa: PTH122 - a Path is slow
+            loose = [kind for name, kind in _KINDS.items() if f".{name}" in suffixes]
+            package = _valid_package(_package_name(folder.absolute()))
+            yield from ((package, kind, folder) for kind in loose)
         if names & _MANIFESTS or depth == deepest:
             continue
         below = [entry.name for entry in children if _is_walkable(entry)]
@@ -137,6 +142,12 @@ def _children(folder: Path) -> list[os.DirEntry[str]]:
             return sorted(entries, key=lambda entry: entry.name)
     except (OSError, ValueError):
         return []
+
+
+def _valid_package(name: str) -> str:
+    """Make a name that a ROS package can have: lower case, a letter first (REP 144)."""
+    valid = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_")
+    return valid if valid[:1].isalpha() else f"package_{valid}".rstrip("_")
 
 
 def _package_name(folder: Path) -> str:
