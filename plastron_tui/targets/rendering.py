@@ -38,19 +38,19 @@ def render_python(
     plan = planner.plan()
     if plan is None:
         return Rendered(None, tuple(planner.diagnostics))
-    from jinja2 import TemplateError  # slow to import, and needed to generate only
-
     try:
         template = _environment(dialect.library, template_folder).get_template(_TEMPLATE)
         text = template.render(node=plan)
-    except (TemplateError, OSError, UnicodeDecodeError) as error:
+    # What a template of a user's does wrong may be anything: a division by zero, say.
+    except Exception as error:
         return Rendered(None, (_template_error(dialect.library, template_folder, error),))
     return Rendered(fit(text).encode())
 
 
 @cache
 def _environment(library: str, folder: Path | None) -> Environment:
-    from jinja2 import ChoiceLoader, Environment, FileSystemLoader, FunctionLoader, StrictUndefined
+    from jinja2 import ChoiceLoader, FileSystemLoader, FunctionLoader, StrictUndefined
+    from jinja2.sandbox import ImmutableSandboxedEnvironment
 
     own = resources.files("plastron_tui") / "templates" / library
 
@@ -60,7 +60,8 @@ def _environment(library: str, folder: Path | None) -> Environment:
 
     loaders = [FunctionLoader(load_own)]
     users = [FileSystemLoader(folder / library)] if folder is not None else []
-    return Environment(
+    # A project's own templates come with a repository of somebody else's: they are no programs.
+    return ImmutableSandboxedEnvironment(
         loader=ChoiceLoader([*users, *loaders]),
         undefined=StrictUndefined,
         autoescape=False,

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+import keyword
+import re
 from pathlib import Path
 
 import pytest
@@ -181,3 +183,14 @@ def test_installed_folders(tmp_path: Path) -> None:
     assert installed_folders(environ, 2) == ros2
     assert installed_folders(environ) == ros1 + ros2
     assert installed_folders({}) == ()
+
+
+@pytest.mark.parametrize("folder", ["my ws-1", "x\nprint('no')\nfrom y", "class", "größe", "1st"])
+def test_a_package_is_named_as_a_package_can_be(tmp_path: Path, folder: str) -> None:
+    root = tmp_path / folder / "msg"
+    root.mkdir(parents=True)
+    (root / "Own.msg").write_text("int8 x\n")
+    catalog = Catalog("noetic", [tmp_path / folder])
+    (name,) = catalog.candidates("Own", InterfaceKind.MESSAGE)
+    assert re.fullmatch("[a-z][a-z0-9_]*", name.package)
+    assert not keyword.iskeyword(name.package)

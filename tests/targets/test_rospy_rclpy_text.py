@@ -215,7 +215,19 @@ def test_a_users_template_comes_first(tmp_path: Path) -> None:
     assert render(node, "rclpy", tmp_path).text == text(node, "rclpy").encode()
 
 
-@pytest.mark.parametrize("template", ["{{ node.nothing }}", "{% for %}", "{% include 'x.j2' %}"])
+@pytest.mark.parametrize(
+    "template",
+    [
+        "{{ node.nothing }}",
+        "{% for %}",
+        "{% include 'x.j2' %}",
+        "{{ 1 / 0 }}",
+        "{{ node.name + 1 }}",
+        "{% macro again() %}{{ again() }}{% endmacro %}{{ again() }}",
+        "{{ cycler.__init__.__globals__.os.getcwd() }}",
+        "{{ ''.__class__.__mro__ }}",
+    ],
+)
 def test_a_broken_template_is_a_diagnostic(tmp_path: Path, template: str) -> None:
     folder = tmp_path / "rospy"
     folder.mkdir()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from keyword import iskeyword
 from pathlib import Path
 
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
@@ -147,15 +148,21 @@ def _children(folder: Path) -> list[os.DirEntry[str]]:
 def _valid_package(name: str) -> str:
     """Make a name that a ROS package can have: lower case, a letter first (REP 144)."""
     valid = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_")
-    return valid if valid[:1].isalpha() else f"package_{valid}".rstrip("_")
+    is_good = valid[:1].isalpha() and not iskeyword(valid)
+    return valid if is_good else f"package_{valid}".rstrip("_")
 
 
 def _package_name(folder: Path) -> str:
-    """Return a package's name: what its manifest says, else the name of its folder."""
+    """Return a package's name: what its manifest says, else the name of its folder.
+
+    The name stands in import lines: one that no package can have is made into one that it can.
+    """
     try:
         with (folder / "package.xml").open("rb") as stream:
             manifest = stream.read(100_000).decode("utf-8", "replace")
     except (OSError, ValueError):
-        return folder.name
+        manifest = ""
     match = _XML_NAME.search(_XML_COMMENT.sub("", manifest))
-    return match[1] if match else folder.name
+    name = match[1] if match else folder.name
+    is_valid = name.isascii() and name.isidentifier() and not iskeyword(name)
+    return name if is_valid else _valid_package(name)
