@@ -63,7 +63,10 @@ def command(
         plans = _plan(sessions, report)
         if not report.status:
             for plan in plans:
-                (show_diff if diff else show_plan)(plan)
+                if diff:
+                    show_diff(plan)
+                else:
+                    show_plan(plan, force=force)
             if not dry_run and not diff:
                 _carry_out(sessions, plans, report, force=force)
             elif not force:
@@ -122,12 +125,16 @@ def show_diff(plan: FilePlan) -> None:
     sys.stdout.buffer.flush()
 
 
-def show_plan(plan: FilePlan, *, only_changes: bool = False) -> None:
-    """Write a line for each file: what happens to it, and where it is."""
+def show_plan(plan: FilePlan, *, only_changes: bool = False, force: bool = False) -> None:
+    """Write a line for each file: what happens to it, and where it is.
+
+    With `force` a file in conflict is replaced.
+    """
     for file in plan.files:
         if only_changes and file.state is FileState.IDENTICAL:
             continue
-        state = f"{file.state.value:>9}"
+        is_replaced = force and file.state is FileState.CONFLICT
+        state = f"{'replaced' if is_replaced else file.state.value:>9}"
         is_inside = file.path.parent == plan.folder.resolve()
         path = plan.folder / file.name if is_inside else file.path
         if use_color(sys.stdout):

@@ -8,7 +8,8 @@ from pathlib import Path
 
 import click
 
-from plastron_tui.diagnostics import Diagnostic, LineIndex, Span, has_errors
+from plastron_tui.diagnostics import Diagnostic, LineIndex, Span, did_you_mean, has_errors
+from plastron_tui.diagnostics.render import printable
 from plastron_tui.language import DECLARATIONS, Document, lower
 from plastron_tui.model.interpreter import Interpreter
 from plastron_tui.model.workspace import Generation
@@ -20,6 +21,7 @@ from .generate import show_plan
 
 _PROMPT = ">> "
 _LEAVE = ("exit", "quit")
+_HELP = ("help", "?")
 
 
 @click.command(epilog="Example: echo \"create_node 'a' as a\" | plastron shell")
@@ -29,21 +31,24 @@ def command(output: Path | None, target: str | None) -> None:
     """Take one statement at a time, at a prompt or from a pipe.
 
     A statement with a mistake has no effect. `generate_node` writes its file at once. At the
-    prompt `help` lists the statements, Ctrl-C drops a line, and `exit` or Ctrl-D leaves.
+    prompt `help` lists the statements, `help WORD` explains one, Ctrl-C drops a line, and `exit`
+    or Ctrl-D leaves.
     """
     report = Report()
     shell = Shell(Session(options=Options(target, output)), report)
     is_terminal = sys.stdin.isatty()
     if is_terminal:
-        click.echo("Plastron. `help` lists the statements; `exit` leaves.")
+        click.echo(
+            "Plastron. `help` lists the statements, `help subscribe` explains one; `exit` leaves."
+        )
         _prepare_line_editing()
     lines: Iterable[bytes] = _typed() if is_terminal else sys.stdin.buffer
     for line in lines:
-        word = line.strip()
-        if is_terminal and word.decode(errors="replace") in _LEAVE:
+        words = line.decode(errors="replace").split() if is_terminal else []
+        if len(words) == 1 and words[0] in _LEAVE:
             break
-        if is_terminal and word == b"help":
-            _show_help()
+        if words and words[0] in _HELP:
+            _show_help(words[1:])
             continue
         shell.take(line)
     if not is_terminal:
@@ -148,6 +153,20 @@ def _prepare_line_editing() -> None:
     readline.parse_and_bind("tab: complete")
 
 
-def _show_help() -> None:
-    for declaration in DECLARATIONS.values():
+def _show_help(words: list[str]) -> None:
+    """Show all statements, or those that a word is about: a keyword, or a part of one."""
+    chosen = [
+        declaration
+        for declaration in DECLARATIONS.values()
+        if not words or words[0] in (declaration.keyword, *declaration.keyword.split("_"))
+    ]
+    for declaration in chosen:
         click.echo(f"{declaration.usage}\n    {declaration.summary}")
+        if words:
+            for slot in declaration.slots:
+                click.echo(f"    {slot.kind.placeholder}: {slot.help}")
+            click.echo(f"    Example: {declaration.example}")
+    if not chosen:
+        known = [declaration.keyword for declaration in DECLARATIONS.values()]
+        hint = did_you_mean(words[0], known) or f"there are {', '.join(known)}"
+        click.echo(printable(f"no statement `{words[0]}`; {hint}"))

@@ -39,8 +39,10 @@ def command(pattern: str | None, target: str | None, distribution: str | None) -
     shown = [] if pattern is None else _exact(catalog, pattern)
     listed = [] if shown else _matching(catalog, pattern)
     if shown:
+        click.echo(_notice(session, catalog, distribution), err=True)
         print_text("\n\n".join(_definition(found, catalog.ros_version) for found in shown))
     elif listed:
+        click.echo(_notice(session, catalog, distribution), err=True)
         print_text("\n".join(listed))
     else:
         report.status = max(report.status, 1)
@@ -60,7 +62,7 @@ def _matching(catalog: Catalog, pattern: str | None) -> list[str]:
         f"{name.package}/{kind.value}/{name.name}"
         for kind in InterfaceKind
         for name in catalog.names(kind)
-        if pattern is None or _matches(str(name), pattern)
+        if pattern is None or _matches(str(name), pattern) or _matches(name.name, pattern)
     ]
 
 
@@ -73,6 +75,15 @@ def _definition(interface: Interface, ros_version: int) -> str:
     name = interface.name
     head = f"{name.package}/{interface.kind.value}/{name.name}"
     return f"{head}\n{format_definition(interface, ros_version).rstrip()}"
+
+
+def _notice(session: Session, catalog: Catalog, named: str | None) -> str:
+    """Say which distribution's types are shown and, where nobody chose it, how to choose."""
+    ros = f"ROS {catalog.ros_version} {catalog.distribution}"
+    in_project = DISTRIBUTIONS.get(session.project.distribution or "") == catalog.ros_version
+    if named is not None or session.is_library_chosen or in_project:
+        return f"types of {ros}"
+    return f"types of {ros}, the default; `--target rclpy` shows those of ROS 2"
 
 
 def _nothing(catalog: Catalog, pattern: str) -> str:

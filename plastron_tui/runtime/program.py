@@ -8,6 +8,11 @@ from plastron_tui.model.program_text import Variables
 
 from .describe import DescribedNode, Endpoint
 
+_HEAD = """\
+// The graph does not show what messages and requests hold, nor how often they are sent:
+// `input none` and the rate of 10 hz stand for what is not known.
+"""
+
 
 def to_program(nodes: Iterable[DescribedNode], library: str | None = None) -> str:
     """Return a program whose nodes make the same graph.
@@ -29,7 +34,11 @@ def to_program(nodes: Iterable[DescribedNode], library: str | None = None) -> st
     ]
     if not blocks:
         return "// no node is running\n"
-    return "\n".join(blocks)
+    return "\n".join([_HEAD, *blocks] if any(map(_sends, listed)) else blocks)
+
+
+def _sends(node: DescribedNode) -> bool:
+    return any(type_ is not None for _, type_ in (*node.publishers, *node.clients))
 
 
 def _node(node: DescribedNode, name: str, variables: Variables, library: str | None) -> str:

@@ -233,6 +233,31 @@ def test_types_without_a_match_is_1(run: Run, arguments: list[str], said: str) -
     assert said in result.stderr.decode()
 
 
+def test_types_by_a_pattern_of_the_bare_name(run: Run) -> None:
+    found = run("types", "Laser*").stdout.decode().split()
+    assert "sensor_msgs/msg/LaserScan" in found
+    assert all(name.split("/")[-1].startswith("Laser") for name in found)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "project", "said"),
+    [
+        ((), "", "types of ROS 1 noetic, the default; `--target rclpy` shows those of ROS 2\n"),
+        ((), "distribution: noetic\n", "types of ROS 1 noetic\n"),
+        ((), "distribution: humble\n", "types of ROS 1 noetic, the default; "),
+        ((), "target: rclpy\ndistribution: humble\n", "types of ROS 2 humble\n"),
+        (("-t", "rospy"), "", "types of ROS 1 noetic\n"),
+        (("-d", "kilted"), "", "types of ROS 2 kilted\n"),
+    ],
+)
+def test_types_say_which_ros_they_are_of(
+    run: Run, here: Path, arguments: tuple[str, ...], project: str, said: str
+) -> None:
+    (here / "plastron.yaml").write_text(project)
+    for what in ("Twist", "twist"):
+        assert run("types", what, *arguments).stderr.decode().startswith(said)
+
+
 def test_types_of_a_distribution(run: Run) -> None:
     assert run("types", "-d", "jazzy", "builtin_interfaces/Time").returncode == 0
     assert run("types", "-d", "noetic", "builtin_interfaces/Time").returncode == 1

@@ -122,6 +122,7 @@ def test_file_of_somebody_else_is_a_conflict(run: Run, here: Path) -> None:
     assert snapshot(here) == before
     forced = run("generate", "--force", "a.plastron")
     assert forced.returncode == 0
+    assert b" replaced  output/talker_pub.py\n" in forced.stdout
     assert b"   backup  output/talker_pub.py.bak\n" in forced.stdout
     assert (here / "output" / "talker_pub.py.bak").read_text() == "mine\n"
     assert b"rospy" in mine.read_bytes()

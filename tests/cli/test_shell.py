@@ -172,6 +172,23 @@ def test_terminal_helps_and_survives_mistakes(terminal: Terminal) -> None:
     assert terminal.process.wait(30) == 0
 
 
+@pytest.mark.parametrize(
+    ("typed", "said"),
+    [
+        (b"?\n", "generate_node VARIABLE"),
+        (b"help load\n", "Example: load 'scripts/driver.py' as driver"),
+        (b"help service\n", "Example: adder stop_service 'add'"),
+        (b"help subscrib\n", "no statement `subscrib`; did you mean `subscribe`?"),
+        (b"help xyzzy\n", "no statement `xyzzy`; there are create_node, load"),
+    ],
+)
+def test_terminal_explains_a_statement(terminal: Terminal, typed: bytes, said: str) -> None:
+    terminal.type(typed)
+    terminal.expect(said)
+    terminal.type(b"exit\n")
+    assert terminal.process.wait(30) == 0
+
+
 def test_terminal_completes_keywords(terminal: Terminal) -> None:
     terminal.type(b"create_n\t'a' as a\n")
     terminal.expect("create_node 'a' as a")

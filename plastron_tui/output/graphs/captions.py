@@ -48,11 +48,13 @@ def type_text(types: tuple[InterfaceName, ...]) -> str:
 def node_text(node: GraphNode) -> str:
     """Return the caption of a node: its library, or the file that it came from.
 
-    The variable comes first where it is another than the name.
+    The variable comes first where it is another than the name; alone it says what it is.
     """
     origin = node.file.name if node.file is not None else node.library
+    if origin is None:
+        return "" if node.variable == node.name else f"variable {node.variable}"
     parts = [] if node.variable == node.name else [node.variable]
-    return " · ".join(parts if origin is None else [*parts, shown(origin)])
+    return " · ".join([*parts, shown(origin)])
 
 
 def topic_text(topic: GraphTopic) -> str:
