@@ -225,7 +225,8 @@ def test_a_terminal_that_is_closed(ros: Ros) -> None:
     assert len(ros.processes()) >= 2
     os.close(terminal)
     _, status = os.waitpid(pid, 0)
-    assert os.waitstatus_to_exitcode(status) in (-signal.SIGHUP, 128 + signal.SIGHUP)
+    # The signal, or an output that nobody reads any more: whichever is seen first ends the run.
+    assert os.waitstatus_to_exitcode(status) in (0, -signal.SIGHUP, 128 + signal.SIGHUP)
     wait_until(lambda: not ros.processes(), "the nodes are gone", 15)
     assert master_pid(ros.environ["ROS_MASTER_URI"]) is None
 
