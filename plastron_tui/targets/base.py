@@ -43,7 +43,7 @@ class Target:
     is_executable: ClassVar[bool] = True
 
     def file_name(self, node: Node) -> str:
-        """Return the name of the file that a created node becomes (LANGUAGE: "Files").
+        """Return the name of the file that a created node becomes (docs/language.md, "Files").
 
         The suffix tells the next reader what the node does: `_pub`, `_sub1`, `_sub2`,
         `_client`, `_server`, or `_node` for a mixture.
