@@ -94,6 +94,9 @@ class Planner:
                 continue
             if not literals.is_name(name):
                 self._refuse("invalid-function", f"`{name}` cannot be a name in Python", span)
+            if name.startswith("__") and name.endswith("__"):
+                message = f"`{name}` has a meaning of its own in Python"
+                self._refuse("invalid-function", message, span, "write a name without `__`")
             if name in dialect.method_names or name in dialect.attribute_names:
                 message = f"`{name}` is a method that every {dialect.library} node has"
                 self._refuse("invalid-function", message, span, f"write `on_{name}`, say")

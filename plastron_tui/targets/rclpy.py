@@ -43,6 +43,22 @@ _NODE_METHODS = """
     set_parameters_atomically subscriptions timers undeclare_parameter wait_for_node waitables
 """
 
+# The private parts of `rclpy.node.Node` (its source, Humble to Kilted; `__x` is mangled, and its
+# own): methods, and attributes that `__init__` sets, which would shadow the callback.
+_NODE_PRIVATE = """
+    _allow_undeclared_parameters _apply_descriptor _apply_descriptor_and_set _apply_descriptors
+    _apply_floating_point_range _apply_integer_range _call_post_set_parameters_callback
+    _call_pre_set_parameters_callback _check_undeclared_parameters _clients _clock _context
+    _count_clients_or_servers _count_publishers_or_subscribers _declare_parameter_common
+    _default_callback_group _descriptors _get_info_by_topic _guards _handle _logger
+    _logger_service _on_set_parameters_callbacks _parameter_event_publisher _parameter_overrides
+    _parameter_service _parameters _parameters_callback _post_set_parameters_callbacks
+    _pre_set_parameters_callbacks _publishers _rate_group _services _set_parameters
+    _set_parameters_atomically _set_parameters_atomically_common _subscriptions _time_source
+    _timers _type_description_service _validate_qos_or_depth_parameter
+    _validate_topic_or_service_name _waitables _wake_executor
+"""
+
 
 class RclpyTarget(Target):
     """Writes, reads and edits rclpy nodes."""
@@ -109,6 +125,6 @@ DIALECT = _Rclpy(
     modules=("rclpy",),
     symbols=(("rclpy.executors", "ExternalShutdownException"), ("rclpy.node", "Node")),
     module_names=frozenset({"SERVICE_TIMEOUT", "main", "node"}),
-    method_names=frozenset(_NODE_METHODS.split()),
+    method_names=frozenset((_NODE_METHODS + _NODE_PRIVATE).split()),
     attribute_names=frozenset({"call", "call_services"}),
 )

@@ -188,6 +188,9 @@ REFUSED = [
     ("rospy", with_subscription(STRING, "class"), "invalid-function"),
     ("rospy", with_subscription(STRING, "call_services"), "invalid-function"),
     ("rclpy", with_subscription(STRING, "get_logger"), "invalid-function"),
+    ("rclpy", with_subscription(STRING, "_clients"), "invalid-function"),
+    ("rospy", with_subscription(STRING, "__init__"), "invalid-function"),
+    ("rclpy", with_subscription(STRING, "__del__"), "invalid-function"),
     ("rclpy", with_shared_handler(), "invalid-function"),
     ("rclpy", publishing("std_msgs/Header", (SEQ.fields, 10.0)), "unknown-field"),
 ]

@@ -338,6 +338,9 @@ def _callback(added: Addition, interface: Interface) -> str:
         found = added.place.scope.lookup(wanted)
         if found is not None and any(b.kind is BindingKind.FUNCTION for b in found[1]):
             return wanted
+        if owner is not None and wanted.startswith("__") and wanted.endswith("__"):
+            message = f"`{wanted}` has a meaning of its own in Python"
+            raise CannotAddError("invalid-function", message, endpoint.span)
         if owner is not None and wanted in added.dialect.method_names:
             message = f"`{wanted}` is a method that every {added.dialect.library} node has"
             raise CannotAddError("invalid-function", message, endpoint.span)
