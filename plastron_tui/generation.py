@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import stat
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -111,11 +112,14 @@ def generate(
     path, text = node.source.path, node.source.text
     # What lies in the output folder may be what this program generates, and on no disk yet.
     is_elsewhere = in_place and path.parent != output
-    is_kept = is_elsewhere or _on_disk(output / path.name) == text
+    present = _on_disk(output / path.name)
+    is_kept = is_elsewhere or present == text
+    # A file that is written over where it came from keeps its mode: it is the user's.
+    is_over = is_elsewhere or (path.parent == output and present is not None)
     file = OutputFile(
         path.name,
         rendered.text,
-        target.is_executable,
+        target.is_executable and not is_over,
         merged_from=text if is_kept else None,
         path=path if is_elsewhere else None,
     )
@@ -306,7 +310,8 @@ def _refused(generation: Generation, rendered: Rendered) -> Generated:
 
 
 def _on_disk(path: Path) -> bytes | None:
+    """Return what a file holds, None for what is no file: reading a pipe would wait for ever."""
     try:
-        return path.read_bytes()
-    except OSError:
+        return path.read_bytes() if stat.S_ISREG(path.stat().st_mode) else None
+    except (OSError, ValueError):
         return None

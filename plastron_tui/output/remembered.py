@@ -76,7 +76,7 @@ def recall(base: Base) -> Node | None:
         for name, data in base.get("clients", {}).items():
             requests = tuple(_message(sent) for sent in data["requests"])
             node.clients[name] = Client(name, _type(data["type"]), requests)
-    except (KeyError, TypeError, ValueError, AttributeError, RecursionError):
+    except (KeyError, TypeError, ValueError, AttributeError, RecursionError, OverflowError):
         return None
     return node
 

@@ -1,0 +1,66 @@
+"""Generating into a folder: what lies there is not always what Plastron would put there."""
+
+from __future__ import annotations
+
+import os
+import stat
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from plastron_tui.model.workspace import Node
+from plastron_tui.output.remembered import recall
+from plastron_tui.output.writer import write
+from plastron_tui.session import Options, Session
+
+PROGRAM = """\
+create_node 'talker' as n
+subscribe n to 'a' of message_type String
+generate_node n
+"""
+
+
+def session(folder: Path, text: str, *, in_place: bool = False, **options: bool) -> Session:
+    chosen = Options("rospy", folder / "output", in_place=in_place, **options)
+    return Session(text.encode(), folder / "a.plastron", chosen, environ={})
+
+
+@pytest.fixture
+def generated(tmp_path: Path) -> Path:
+    plan, _ = session(tmp_path, PROGRAM).plan()
+    assert write(plan).diagnostics == ()
+    return tmp_path / "output" / "talker_sub1.py"
+
+
+def test_pipe_in_the_output_folder_is_told_and_not_read(tmp_path: Path) -> None:
+    (tmp_path / "output").mkdir()
+    os.mkfifo(tmp_path / "output" / "talker_sub1.py")
+    _, diagnostics = session(tmp_path, PROGRAM).plan()
+    assert [found.code for found in diagnostics] == ["cannot-write"]
+
+
+@pytest.mark.parametrize("mode", [0o640, 0o750])
+@pytest.mark.parametrize("in_place", [True, False])
+@pytest.mark.parametrize("folder", ["mine", "output"])
+def test_file_that_is_written_over_where_it_came_from_keeps_its_mode(
+    tmp_path: Path, generated: Path, mode: int, in_place: bool, folder: str
+) -> None:
+    (tmp_path / folder).mkdir(exist_ok=True)
+    file = generated.rename(tmp_path / folder / "talker_sub1.py")
+    file.chmod(mode)
+    text = f"load '{folder}/talker_sub1.py' as n\nsubscribe n to 'b' of message_type Int32\n"
+    plan, _ = session(tmp_path, f"{text}generate_node n\n", in_place=in_place).plan()
+    assert write(plan).diagnostics == ()
+    written = file if in_place else generated
+    assert b"Int32" in written.read_bytes()
+    if written == file:
+        assert stat.S_IMODE(file.stat().st_mode) == mode
+
+
+def test_rate_that_no_float_holds_is_a_broken_entry() -> None:
+    base: dict[str, Any] = {"node": "n", "library": "rospy", "publishers": {}}
+    assert isinstance(recall(base), Node)
+    sends = [[10**400, {"std_msgs/String": {}}]]
+    base["publishers"] = {"a": {"type": "std_msgs/String", "sends": sends}}
+    assert recall(base) is None
