@@ -11,7 +11,7 @@ from plastron_tui.targets.python.calls import Argument
 from plastron_tui.targets.python.constants import Known
 from plastron_tui.targets.python.scopes import Scope
 from plastron_tui.targets.python.sites import NodeSite, Site
-from plastron_tui.targets.python.splices import delete_item, line_start
+from plastron_tui.targets.python.splices import Splice, delete_item, line_start
 
 from .leftovers import mark_leftovers
 from .placing import add_header
@@ -253,7 +253,7 @@ def _port_running(work: Work) -> None:
         if names & {"rclpy.init"} and is_alone:
             work.delete(statement)
         elif names & {"rclpy.spin"}:
-            work.replace(call, "rospy.spin()")
+            _port_spin(work, call, statement if is_alone else None)
         elif names & {"rclpy.shutdown", "rclpy.try_shutdown"}:
             work.replace(call, 'rospy.signal_shutdown("the node is done")')
         elif names & {"rclpy.ok"}:
@@ -267,6 +267,32 @@ def _port_running(work: Work) -> None:
         is_caught = parent.type in ("except_clause", "as_pattern", "tuple")
         if is_caught and set(work.qualified(node)) & set(_INTERRUPTS):
             work.replace(node, "rospy.ROSInterruptException")
+
+
+def _port_spin(work: Work, call: Node, alone: Node | None) -> None:
+    """Spin without the node; an argument that makes the node is evaluated before."""
+    arguments = call.child_by_field_name("arguments")
+    children = arguments.named_children if arguments is not None else []
+    given = [each for each in children if each.type != "comment"]
+    first = given[0] if given else None
+    if first is not None and first.type == "keyword_argument":
+        first = first.child_by_field_name("value")
+    if first is None or first.type == "attribute" or first.type == "identifier":
+        work.replace(call, "rospy.spin()")
+        return
+    text = work.analysis.syntax.text
+    opening, closing = ("", "") if first.type == "call" else ("(", ")")
+    if alone is None:
+        opening, closing = "(" + opening, closing + ", rospy.spin())[1]"
+    else:
+        indent = text[line_start(text, alone.start_byte) : alone.start_byte]
+        gap = "; " if indent.strip() else "\n" + indent.decode("ascii", "replace")
+        closing += f"{gap}rospy.spin()"
+    # What is in the argument may be rewritten itself, so only the text around it goes.
+    work.done.add(call.id)
+    encode = work.analysis.syntax.encode
+    work.cut(Splice(call.start_byte, first.start_byte, encode(opening)))
+    work.cut(Splice(first.end_byte, call.end_byte, encode(closing)))
 
 
 def _port_method(work: Work, call: Node, callee: Node, alone: Node | None) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
+from itertools import chain, count
 
 from tree_sitter import Node
 
@@ -157,9 +158,9 @@ class Work:
     def free_name(self, wanted: str) -> str:
         """Return a name that the file does not use."""
         used = {name for scope in self.analysis.scopes.all for name in scope.bindings}
-        return next(
-            name for name in (wanted, f"ros_{wanted}", f"_ros_{wanted}") if name not in used
-        )
+        counted = (f"_ros_{wanted}_{number}" for number in count(2))
+        wishes = (wanted, f"ros_{wanted}", f"_ros_{wanted}")
+        return next(name for name in chain(wishes, counted) if name not in used)
 
     def result(self) -> bytes:
         """Return the file with all that was noted."""
