@@ -44,7 +44,8 @@ gets one response.
 
 | what | how it is written | notes |
 |---|---|---|
-| statement | one line | the end of the line ends it, whatever is missing |
+| statement | one line | ends where the line ends; a statement \
+cannot go on in the next line |
 | comment | `// to the end of the line` or `/* from here to there */` | anywhere between words |
 | variable | `talker`, `joint_1` | a letter, then letters, digits and `_`; no keyword; nodes and \
 messages share one namespace |
@@ -85,16 +86,34 @@ within, if there are no lists |
 
 A value has to fit its field: a text, a boolean, a number or a list where one belongs, a whole
 number within the range of its type, a list of the array's length. A whole number is fine where a
-fraction belongs. A time or a duration is written in seconds, `1.5`, or in seconds and
-nanoseconds, `(1, 500000000)`.
+fraction belongs. A field that is a time or a duration (`time` and `duration` in ROS 1,
+`builtin_interfaces/Time` and `Duration` in ROS 2) takes seconds, `stamp=1.5`, or whole seconds and
+nanoseconds, `stamp=(1, 500000000)`.
 
 `plastron types Twist` shows the fields of a type, `plastron types '*Scan*'` finds types.
 
 ## Types
 
 A type is looked up among those of the ROS distribution that the node is for, those of the ROS
-packages that are sourced, and the `.msg` and `.srv` files beside the program. These bare names
-always mean the same, whatever else is installed:
+packages that are sourced, and the `.msg`, `.srv` and `.action` files in the program's folder, in any
+of these places:
+
+```text
+rover/                      the program's folder
+├── drive.plastron
+├── Wheel.msg               rover/Wheel: the package is called as the folder is,
+│                           or as a package.xml in it says
+├── srv/
+│   └── Park.srv            rover/Park
+└── arm_msgs/               a package of its own, at any depth
+    ├── package.xml
+    └── msg/
+        └── Joint.msg       arm_msgs/Joint
+```
+
+`types` in `plastron.yaml` names other folders to look in instead. To run a node, ROS needs the package
+built and sourced: Plastron only reads the definitions. These bare names always mean the same, whatever
+else is installed:
 
 | name | ROS 1 | ROS 2 |
 |---|---|---|
@@ -107,14 +126,17 @@ always mean the same, whatever else is installed:
 
 ## Client libraries
 
-A node is written for a client library: `rospy` or `roscpp` in ROS 1, `rclpy` or `rclcpp` in ROS 2.
+A node is written for a client library: `rospy` in ROS 1, `rclpy` in ROS 2. (`roscpp`, `rclcpp` and
+`nodelet` are words of the language, but Plastron does not write them yet: `unsupported-target`.)
 The word `using` names it. Without it counts, in this order: the option `--target`, the `target` in
 `plastron.yaml`, the ROS that is sourced, `rospy`.
 
 ## Files
 
-`generate_node` writes a created node into the output folder, by default `output` beside the
-program. The file is called as the node is, with an ending that says what it does:
+`generate_node` writes a node as it is at that point of the program: a statement further down changes
+nothing in the file (`changed-after-generating` warns of it), so it comes last. A created node goes
+into the output folder, by default `output` beside the program. The file is called as the node is,
+with an ending that says what it does:
 
 | ending | the node |
 |---|---|
@@ -124,6 +146,10 @@ program. The file is called as the node is, with an ending that says what it doe
 | `_client.py` | only calls services |
 | `_server.py` | only provides services |
 | `_node.py` | does several of these |
+
+So the file's name changes with what the node does: a second subscription turns `ears_sub1.py`
+into `ears_sub2.py`. What was written by hand goes along, and a warning names the old file, which
+stays.
 
 `load NAME` looks for `NAME.py`, then `NAME.cpp`, in the output folder, the program's folder and the
 working folder; `load 'path/to/file.py'` starts at the program's folder. A loaded node is changed in

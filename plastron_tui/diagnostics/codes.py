@@ -20,7 +20,7 @@ CODES: dict[str, Code] = {
         Code(
             "template-error",
             "A template in the project's template folder has a mistake, or asks for something that "
-            "a node does not have. Mend it, or take it away to use Plastron's own.",
+            "a node does not have. Correct it, or take it away to use Plastron's own.",
         ),
         Code(
             "cannot-write",
@@ -44,7 +44,7 @@ CODES: dict[str, Code] = {
         Code(
             "bad-definition",
             "A `.msg`, `.srv` or `.action` file has a mistake, or cannot be read; its type counts "
-            "as not there. Mend the line, or the file.",
+            "as not there. Correct the line, or the file.",
         ),
         Code(
             "same-file",

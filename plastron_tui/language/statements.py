@@ -8,7 +8,10 @@ from .inputs import Input
 NAME_HELP = "what the node is called in the ROS graph"
 TOPIC_HELP = "the topic, a name that nodes share"
 SERVICE_HELP = "the service, a name that nodes share"
-LIBRARY_HELP = "rospy, rclpy, roscpp, rclcpp or nodelet; without it, the one that is in use"
+LIBRARY_HELP = (
+    "rospy or rclpy (roscpp, rclcpp and nodelet are not yet written by plastron); "
+    "without it, the one that is in use"
+)
 CALLBACK_HELP = "the function that is called; made if the file has none of that name"
 
 
