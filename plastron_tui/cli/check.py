@@ -7,7 +7,17 @@ from typing import Any
 
 import click
 
-from .common import Report, finish, format_option, open_sessions, programs_argument, target_option
+from plastron_tui.diagnostics import has_errors
+
+from .common import (
+    Report,
+    finish,
+    format_option,
+    nothing_to_generate,
+    open_sessions,
+    programs_argument,
+    target_option,
+)
 
 
 @click.command(epilog="Example: plastron check talker.plastron")
@@ -15,7 +25,7 @@ from .common import Report, finish, format_option, open_sessions, programs_argum
 @target_option
 @format_option("text", "json")
 def command(files: tuple[Path, ...], target: str | None, format_: str) -> None:
-    """Say what is wrong with programs.
+    """Say what is wrong with programs: all that `generate` would refuse.
 
     Exits with 1 when a program has errors, and with 2 when a file cannot be read. As JSON, the
     diagnostics of all programs are one list on standard output.
@@ -25,12 +35,15 @@ def command(files: tuple[Path, ...], target: str | None, format_: str) -> None:
     report = Report()
     found: list[dict[str, Any]] = []
     for session in open_sessions(files, report, Options(target=target)):
+        diagnostics = session.diagnostics
+        if not session.workspace.generations and not has_errors(diagnostics):
+            diagnostics = (*diagnostics, nothing_to_generate())
         if format_ == "json":
             from plastron_tui.diagnostics.render import as_json
 
-            found += as_json(report.count(session.diagnostics), session.lines, session.path)
+            found += as_json(report.count(diagnostics), session.lines, session.path)
         else:
-            report.add(session.diagnostics, session.lines, session.path)
+            report.add(diagnostics, session.lines, session.path)
     if format_ == "json":
         import json
 

@@ -177,6 +177,16 @@ def open_sessions(
     return [session for session in sessions if session is not None]
 
 
+def nothing_to_generate() -> Diagnostic:
+    """Return the warning for a program that makes no file."""
+    return Diagnostic(
+        "nothing-to-generate",
+        "the program generates no node",
+        help="end it with `generate_node` and the variable of a node",
+        severity=Severity.WARNING,
+    )
+
+
 def finish(report: Report) -> None:
     """Leave the command with its exit status."""
     status = report.finish()

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-from plastron_tui.diagnostics import Diagnostic, Severity, has_errors
+from plastron_tui.diagnostics import Diagnostic, has_errors
 from plastron_tui.output.diff import file_diff, printable
 from plastron_tui.output.plan import FilePlan, FileState
 from plastron_tui.output.writer import write
@@ -17,6 +17,7 @@ from plastron_tui.session import Options, Session
 from .common import (
     Report,
     finish,
+    nothing_to_generate,
     open_sessions,
     output_option,
     programs_argument,
@@ -82,7 +83,7 @@ def _plan(sessions: Sequence[Session], report: Report) -> list[FilePlan]:
         plan, diagnostics = session.plan()
         report.add(diagnostics, session.lines, session.path)
         if not plan.files and not has_errors(diagnostics):
-            report.add((_nothing_to_generate(),), session.lines, session.path)
+            report.add((nothing_to_generate(),), session.lines, session.path)
         for file in plan.files:
             if texts.setdefault(file.path, file.text) != file.text:
                 report.add((_same_file(file.name),), session.lines, session.path)
@@ -140,15 +141,6 @@ def show_plan(plan: FilePlan, *, only_changes: bool = False, force: bool = False
         if use_color(sys.stdout):
             state = click.style(state, fg=_COLORS[file.state])
         click.echo(f"{state}  {shown_path(path)}", color=True)
-
-
-def _nothing_to_generate() -> Diagnostic:
-    return Diagnostic(
-        "nothing-to-generate",
-        "the program generates no node",
-        help="end it with `generate_node` and the variable of a node",
-        severity=Severity.WARNING,
-    )
 
 
 def _same_file(name: str) -> Diagnostic:

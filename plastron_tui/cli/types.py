@@ -39,10 +39,10 @@ def command(pattern: str | None, target: str | None, distribution: str | None) -
     shown = [] if pattern is None else _exact(catalog, pattern)
     listed = [] if shown else _matching(catalog, pattern)
     if shown:
-        click.echo(_notice(session, catalog, distribution), err=True)
+        _say_ros(session, catalog, distribution)
         print_text("\n\n".join(_definition(found, catalog.ros_version) for found in shown))
     elif listed:
-        click.echo(_notice(session, catalog, distribution), err=True)
+        _say_ros(session, catalog, distribution)
         print_text("\n".join(listed))
     else:
         report.status = max(report.status, 1)
@@ -77,13 +77,15 @@ def _definition(interface: Interface, ros_version: int) -> str:
     return f"{head}\n{format_definition(interface, ros_version).rstrip()}"
 
 
-def _notice(session: Session, catalog: Catalog, named: str | None) -> str:
-    """Say which distribution's types are shown and, where nobody chose it, how to choose."""
+def _say_ros(session: Session, catalog: Catalog, named: str | None) -> None:
+    """Say which distribution's types are shown, unless it was named, and how to choose."""
+    if named is not None:
+        return
     ros = f"ROS {catalog.ros_version} {catalog.distribution}"
     in_project = DISTRIBUTIONS.get(session.project.distribution or "") == catalog.ros_version
-    if named is not None or session.is_library_chosen or in_project:
-        return f"types of {ros}"
-    return f"types of {ros}, the default; `--target rclpy` shows those of ROS 2"
+    is_chosen = session.is_library_chosen or in_project
+    why = "" if is_chosen else ", the default; `--target rclpy` shows those of ROS 2"
+    click.echo(f"types of {ros}{why}", err=True)
 
 
 def _nothing(catalog: Catalog, pattern: str) -> str:

@@ -203,6 +203,19 @@ def test_inspect_shows_no_control_characters(run: Run, here: Path) -> None:
         assert "\u202e" not in shown
 
 
+def test_check_says_what_generate_would(run: Run, here: Path) -> None:
+    write(here, "create_node 'a' as a\n", "idle.plastron")
+    write(here, TALKER.replace("as talker\n", "as talker using roscpp\n"), "cpp.plastron")
+    for command in ("check", "generate"):
+        idle, cpp = run(command, "idle.plastron"), run(command, "cpp.plastron")
+        assert (idle.returncode, cpp.returncode) == (0, 1)
+        assert b"warning[nothing-to-generate]" in idle.stderr
+        assert b"error[unsupported-target]: plastron cannot generate `roscpp` yet" in cpp.stderr
+    assert (
+        json.loads(run("check", "-f", "json", "idle.plastron").stdout)[0]["severity"] == "warning"
+    )
+
+
 def test_types_lists_and_shows(run: Run) -> None:
     listed = run("types").stdout.decode().split()
     assert "geometry_msgs/msg/Twist" in listed
@@ -247,7 +260,7 @@ def test_types_by_a_pattern_of_the_bare_name(run: Run) -> None:
         ((), "distribution: humble\n", "types of ROS 1 noetic, the default; "),
         ((), "target: rclpy\ndistribution: humble\n", "types of ROS 2 humble\n"),
         (("-t", "rospy"), "", "types of ROS 1 noetic\n"),
-        (("-d", "kilted"), "", "types of ROS 2 kilted\n"),
+        (("-d", "kilted"), "", ""),
     ],
 )
 def test_types_say_which_ros_they_are_of(
@@ -255,7 +268,8 @@ def test_types_say_which_ros_they_are_of(
 ) -> None:
     (here / "plastron.yaml").write_text(project)
     for what in ("Twist", "twist"):
-        assert run("types", what, *arguments).stderr.decode().startswith(said)
+        told = run("types", what, *arguments).stderr.decode()
+        assert told.startswith(said) if said else not told
 
 
 def test_types_of_a_distribution(run: Run) -> None:

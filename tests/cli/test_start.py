@@ -160,14 +160,16 @@ def test_a_result_goes_to_any_encoding(run: Run, here: Path) -> None:
 
 def test_full_standard_output_is_2(here: Path) -> None:
     with Path("/dev/full").open("wb") as full:
-        result = subprocess.run([*PLASTRON, "types"], stdout=full, stderr=subprocess.PIPE)
+        result = subprocess.run(
+            [*PLASTRON, "types", "-d", "noetic"], stdout=full, stderr=subprocess.PIPE
+        )
     assert result.returncode == 2
     assert result.stderr == b"error: no space left on device\n"
 
 
 def test_reader_that_leaves_is_no_error(here: Path) -> None:
     with subprocess.Popen(
-        [*PLASTRON, "types"], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+        [*PLASTRON, "types", "-d", "noetic"], stdout=subprocess.PIPE, stderr=subprocess.PIPE
     ) as process:
         assert process.stdout is not None
         process.stdout.close()
