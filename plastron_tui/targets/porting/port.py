@@ -12,6 +12,7 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.targets.base import Rendered
 from plastron_tui.targets.python.calls import LIBRARIES
+from plastron_tui.targets.python.editor import not_encodable
 from plastron_tui.targets.python.sites import Analysis, Site, analyze
 
 from .to_rclpy import port_to_rclpy
@@ -45,7 +46,19 @@ def port_python(source: SourceFile, catalog: Catalog, library: str) -> Rendered:
     if before.syntax.errors:
         message = f"`{source.path.name}` does not parse, and cannot be brought to {library}"
         return Rendered(None, (Diagnostic("edit-refused", message, help="mend the file first"),))
-    work = Work(before, catalog)
+    try:
+        return _ported(source, Work(before, catalog), library)
+    except UnicodeEncodeError as error:
+        return Rendered(None, (not_encodable(source, error),))
+
+
+def _ported(source: SourceFile, work: Work, library: str) -> Rendered:
+    """Rewrite the file, and read the result.
+
+    Raises:
+        UnicodeEncodeError: the file is in an encoding that lacks a character of the result.
+    """
+    before = work.analysis
     _PORTS[library](work)
     for site in before.sites:
         if site.endpoint.name is None and site.endpoint.kind in _KINDS and site.endpoint.expression:

@@ -57,12 +57,21 @@ def edit_python(
             return Rendered(None, (refusal.diagnostic,))
         except _RefusedError as refusal:
             return Rendered(None, (refusal.diagnostic,))
+        except UnicodeEncodeError as error:
+            return Rendered(None, (not_encodable(source, error),))
         analysis = analyze(text, library)
     problem = _problem(before, analysis, expected)
     if problem is not None:
         message = f"the change of `{source.path.name}` would {problem}"
         return Rendered(None, (Diagnostic("edit-refused", message),))
     return Rendered(analysis.syntax.text)
+
+
+def not_encodable(source: SourceFile, error: UnicodeEncodeError) -> Diagnostic:
+    """Return what is said of a character that the encoding of a file has not."""
+    character = error.object[error.start]
+    message = f"`{source.path.name}` is in {error.encoding}, which has no `{character}`"
+    return Diagnostic("edit-refused", message, help="save the file in UTF-8 first")
 
 
 class _RefusedError(Exception):

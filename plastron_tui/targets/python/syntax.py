@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import re
 from dataclasses import dataclass
 from functools import cache
@@ -15,6 +16,9 @@ from .repair import mask_errors
 BOM = b"\xef\xbb\xbf"
 # PEP 263: a coding line is one of the first two lines.
 _CODING = re.compile(rb"^[ \t\f]*#.*?coding[:=][ \t]*([-\w.]+)")
+
+# What an encoding has to leave as it is, so that the grammar can be parsed from the bytes.
+_ASCII = bytes([9, 10, *range(32, 127)])
 
 # A byte that is not UTF-8 ends a string or a comment for tree-sitter. In a file of another
 # encoding every such byte is parsed as a letter, so that no offset moves.
@@ -91,25 +95,38 @@ def parse(text: bytes) -> Syntax:
 
 
 def _encoding(text: bytes) -> str:
+    """Return the encoding that the file names, or else the one that its bytes are in."""
+    # A coding line that the bytes contradict is no better than none.
+    wishes = [name for name in (_declared(text), "utf-8", "latin-1") if name is not None]
+    return next(name for name in wishes if _is_in(text, name))
+
+
+def _is_in(text: bytes, encoding: str) -> bool:
     try:
-        text.decode("utf-8")
-    except UnicodeDecodeError:
-        return _declared(text)
-    return "utf-8"
+        text.decode(encoding)
+    except UnicodeError:
+        return False
+    return True
 
 
-def _declared(text: bytes) -> str:
-    for line in text.split(b"\n", 2)[:2]:
+def _declared(text: bytes) -> str | None:
+    """Return what the coding line names, where Python could read a file in it."""
+    if text.startswith(BOM):
+        return None
+    for line in text.splitlines()[:2]:
         if found := _CODING.match(line):
             name = found[1].decode("ascii", "replace")
             try:
-                "\x00".encode(name)
-                b"a".decode(name)
+                is_text = _ASCII.decode(name) == _ASCII.decode("ascii")
+                codec = codecs.lookup(name).name
             except (LookupError, UnicodeError):
-                break
-            # A coding line that the bytes contradict is no better than none.
-            return name if name.lower().replace("_", "-") not in {"utf-8", "utf8"} else "latin-1"
-    return "latin-1"
+                return None
+            if not is_text:
+                return None
+            return "utf-8" if codec in ("utf-8", "utf-8-sig") else name
+        if line.split(b"#")[0].strip():
+            break
+    return None
 
 
 def count_errors(root: Node) -> int:
