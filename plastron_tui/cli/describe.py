@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from .common import Report, finish
+from .common import Report, finish, print_text
 
 
 @click.command(epilog="Example: plastron describe > robot.plastron")
@@ -30,5 +30,5 @@ def command(ros: str | None, network: bool) -> None:
         described = describe(environment, network=network)
         report.add(described.diagnostics, lambda _: None)
         if described.nodes is not None:
-            click.echo(to_program(described.nodes, environment.library).rstrip("\n"))
+            print_text(to_program(described.nodes, environment.library, environment.ros_version))
     finish(report)

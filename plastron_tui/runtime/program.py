@@ -2,9 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+import re
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
 
 from plastron_tui.model.program_text import Variables
+from plastron_tui.ros.names import (
+    NameProblem,
+    check_node_name,
+    check_service_name,
+    check_topic_name,
+)
 
 from .describe import DescribedNode, Endpoint
 
@@ -12,25 +20,33 @@ _HEAD = """\
 // The graph does not show what messages and requests hold, nor how often they are sent:
 // `input none` and the rate of 10 hz stand for what is not known.
 """
+_TYPE = re.compile(r"[A-Za-z]\w*/[A-Za-z]\w*", re.ASCII)
 
 
-def to_program(nodes: Iterable[DescribedNode], library: str | None = None) -> str:
+def to_program(
+    nodes: Iterable[DescribedNode], library: str | None = None, ros_version: int = 1
+) -> str:
     """Return a program whose nodes make the same graph.
 
     What no statement can say is a comment: a node without endpoints, an endpoint without a
-    known type. A node's name has no namespace in Plastron, so that `/arm/talker` becomes a node
-    `talker`, or `arm_talker` where that name is taken; its topics and services have their full
+    known type, a name that is none (a ROS 1 master takes any text). A node's name has no
+    namespace in Plastron, so that `/arm/talker` becomes a node `talker`, or `arm_talker` where that name is taken; its topics and services have their full
     names, so that they stay where they are.
 
     Args:
         nodes: the graph.
         library: the client library for `using`; None leaves it to the one who generates.
+        ros_version: the generation of ROS, which tells what a name is.
     """
-    listed = list(nodes)
-    names = _names(listed)
+    found = list(nodes)
+    listed = [_named(node, ros_version) for node in found]
+    odd = [_odd(node, kept) for node, kept in zip(found, listed, strict=True)]
     variables = Variables()
     blocks = [
-        _node(node, name, variables, library) for node, name in zip(listed, names, strict=True)
+        _unnamed(node)
+        if check_node_name(name, ros_version) is not None
+        else _node(node, name, variables, library, comments)
+        for node, name, comments in zip(listed, _names(listed), odd, strict=True)
     ]
     if not blocks:
         return "// no node is running\n"
@@ -41,11 +57,52 @@ def _sends(node: DescribedNode) -> bool:
     return any(type_ is not None for _, type_ in (*node.publishers, *node.clients))
 
 
-def _node(node: DescribedNode, name: str, variables: Variables, library: str | None) -> str:
-    lines = [] if node.name == f"/{name}" else [f"// {node.name}"]
+def _named(node: DescribedNode, ros_version: int) -> DescribedNode:
+    """Return a node without the endpoints whose names no program can say."""
+
+    def kept(
+        endpoints: Iterable[Endpoint], check: Callable[[str, int], NameProblem | None]
+    ) -> tuple[Endpoint, ...]:
+        return tuple(
+            (name, type_ if type_ is not None and _TYPE.fullmatch(str(type_)) else None)
+            for name, type_ in endpoints
+            if check(name, ros_version) is None
+        )
+
+    return replace(
+        node,
+        publishers=kept(node.publishers, check_topic_name),
+        subscriptions=kept(node.subscriptions, check_topic_name),
+        services=kept(node.services, check_service_name),
+        clients=kept(node.clients, check_service_name),
+    )
+
+
+def _odd(node: DescribedNode, kept: DescribedNode) -> list[str]:
+    names = {name for name, _ in _endpoints(kept)}
+    odd = dict.fromkeys(name for name, _ in _endpoints(node) if name not in names)
+    return [f"// {_visible(name)}: no program can name it" for name in odd]
+
+
+def _unnamed(node: DescribedNode) -> str:
+    return f"// {_visible(node.name)}: no program can name this node\n"
+
+
+def _visible(name: str) -> str:
+    """Return a name with what would end a line or move a cursor written as an escape."""
+    return "".join(
+        each if each.isprintable() else each.encode("unicode_escape").decode() for each in name
+    )
+
+
+def _node(
+    node: DescribedNode, name: str, variables: Variables, library: str | None, odd: list[str]
+) -> str:
+    shown = _visible(node.name)
+    lines = [] if node.name == f"/{name}" else [f"// {shown}"]
     if not any(type_ is not None for _, type_ in _endpoints(node)):
-        lines.append(f"// {node.name} has no topic or service that a program can name")
-        return "\n".join([*lines[-1:], *_unknown(node)]) + "\n"
+        lines.append(f"// {shown} has no topic or service that a program can name")
+        return "\n".join([*lines[-1:], *_unknown(node), *odd]) + "\n"
     variable = variables.new(name)
     using = f" using {library}" if library else ""
     lines.append(f"create_node '{name}' as {variable}{using}")
@@ -61,7 +118,7 @@ def _node(node: DescribedNode, name: str, variables: Variables, library: str | N
         lines.append(
             f"{variable} client_requests '{service}' of service_type {type_} with input none"
         )
-    lines += [*_unknown(node), f"generate_node {variable}"]
+    lines += [*_unknown(node), *odd, f"generate_node {variable}"]
     return "\n".join(lines) + "\n"
 
 

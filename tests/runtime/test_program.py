@@ -78,3 +78,26 @@ def test_an_empty_graph_is_an_empty_program() -> None:
     program = to_program([])
     assert program == "// no node is running\n"
     assert Session(program.encode()).diagnostics == ()
+
+
+def test_names_that_are_none_are_comments_that_do_nothing() -> None:
+    bad = "/a'\ngenerate_node x\x1b[2J"
+    nodes = [
+        DescribedNode(
+            "/talker",
+            publishers=(("/ok", STRING), (bad, STRING), ("/t", InterfaceName("a", "b\nc"))),
+            services=((bad, SET_BOOL),),
+        ),
+        DescribedNode(bad, subscriptions=(("/ok", STRING),)),
+        DescribedNode("/quiet", clients=((bad, SET_BOOL),)),
+    ]
+    program = to_program(nodes, "rospy")
+    assert program.replace("\n", "").isprintable()
+    session = Session(program.encode())
+    assert session.diagnostics == ()
+    assert [(node.name, *node.publishers, *node.services) for node in _nodes(session)] == [
+        ("talker", "/ok")
+    ]
+    shown = "/a'\\ngenerate_node x\\x1b[2J"
+    assert program.count(f"// {shown}: no program can name it\n") == 2
+    assert f"// {shown}: no program can name this node\n" in program
