@@ -54,3 +54,42 @@ def test_a_name_is_free_however_many_are_taken() -> None:
     taken = "node = ros_node = _ros_node = _ros_node_2 = 1\n"
     text = ported(f"import rospy\n{taken}rospy.init_node('n')\n", "rospy", "rclpy")
     assert "\n_ros_node_3 = rclpy.create_node(" in text
+
+
+HEAD_1 = (
+    "import rospy\nfrom std_msgs.msg import String\n\n\ndef tick(event):\n    {inside}\n\n\n"
+    "rospy.init_node('n')\ntimer = rospy.Timer(rospy.Duration(1), tick)\n"
+    "sub = rospy.Subscriber('s', String, print)\n"
+)
+HEAD_2 = (
+    "import rclpy\nfrom std_msgs.msg import String\n\n\ndef tick():\n    {inside}\n\n\n"
+    "rclpy.init()\nnode = rclpy.create_node('n')\nbeat = node.create_timer(1, tick)\n"
+    "sub = node.create_subscription(String, 's', print, 10)\n"
+)
+ENDINGS = [
+    ("rospy", "timer.shutdown()", "\ntimer.cancel()\n"),
+    ("rospy", "sub.shutdown()", f"\n{MARK}.shutdown\nsub.shutdown()\n"),
+    ("rospy", "pool.shutdown()", "\npool.shutdown()\n"),
+    ("rclpy", "beat.cancel()", "\nbeat.shutdown()\n"),
+    ("rclpy", "beat.reset()", f"\n{MARK}.reset\nbeat.reset()\n"),
+    ("rclpy", "game.reset()", "\ngame.reset()\n"),
+    ("rclpy", "sub.destroy()", f"\n{MARK}.destroy\nsub.destroy()\n"),
+]
+
+
+@pytest.mark.parametrize(("library", "before", "after"), ENDINGS)
+def test_ending_an_endpoint(library: str, before: str, after: str) -> None:
+    head, other = {"rospy": (HEAD_1, "rclpy"), "rclpy": (HEAD_2, "rospy")}[library]
+    text = ported(head.format(inside="pass") + before + "\n", library, other)
+    assert after in text
+    assert (MARK in after) == (f"{MARK}." in text)
+
+
+@pytest.mark.parametrize(
+    ("library", "line"), [("rospy", "timer.shutdown()"), ("rclpy", "beat.cancel()")]
+)
+def test_a_callback_that_ends_its_timer_is_marked(library: str, line: str) -> None:
+    head, other = {"rospy": (HEAD_1, "rclpy"), "rclpy": (HEAD_2, "rospy")}[library]
+    text = ported(head.format(inside=line), library, other)
+    method = line.partition(".")[2][:-2]
+    assert f"    {MARK}.{method}\n    {line}\n" in text

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
+from plastron_tui.targets.python.conventions import target_name
 from plastron_tui.targets.python.scopes import BindingKind
 
 from .work import Work, walk
@@ -20,6 +21,7 @@ _PLAIN_VALUES = frozenset(
     | {"not_operator"}
 )
 _CLIENT = re.compile(r"client|proxy|service|srv", re.IGNORECASE)
+_OF_TIMERS = frozenset({"cancel", "reset", "is_canceled", "time_until_next_call"})
 _BUILT_IN = frozenset({"str", "int", "float", "bool", "len", "abs", "round", "max", "min", "sum"})
 
 
@@ -50,6 +52,36 @@ def mark_leftovers(
             work.mark(node, ".".join(names[0].split(".")[:3]), _remedy(names[0], remedies))
         elif node.type == "attribute":
             _mark_attribute(work, node, attributes)
+
+
+def port_ending(work: Work, renamed: Mapping[str, str], remedies: Mapping[str, str]) -> None:
+    """Rewrite or mark what ends an endpoint: `cancel` of a timer, `shutdown` of a service.
+
+    A callback is carried over as it is, so that what is in it is marked.
+
+    Args:
+        work: the file.
+        renamed: the methods of a timer that the other library has by another name.
+        remedies: the methods that the other library lacks, and what to write instead.
+    """
+    held = {
+        name.rpartition(".")[2]: site.endpoint.kind
+        for site in work.analysis.sites
+        if (name := target_name(work.analysis, site)) is not None
+    }
+    for call in work.analysis.captures.get("call", []):
+        callee = call.child_by_field_name("function")
+        part = callee.child_by_field_name("attribute") if callee is not None else None
+        holder = callee.child_by_field_name("object") if callee is not None else None
+        if callee is None or part is None or holder is None or work.is_gone(call):
+            continue
+        method, name = work.slice(part), work.slice(holder).rpartition(".")[2]
+        kind = held.get(name, EndpointKind.TIMER if "timer" in name.lower() else None)
+        is_timer = kind is EndpointKind.TIMER
+        if is_timer and method in renamed and not work.is_in_callback(call):
+            work.replace(part, renamed[method])
+        elif kind is not None and (is_timer or method not in _OF_TIMERS) and method in remedies:
+            work.mark(callee, f".{method}", remedies[method])
 
 
 def _mark_import(work: Work, node: Node, roots: frozenset[str]) -> None:

@@ -11,7 +11,7 @@ from plastron_tui.targets.python.calls import Argument
 from plastron_tui.targets.python.scopes import Scope
 from plastron_tui.targets.python.sites import Site
 
-from .leftovers import mark_leftovers, mark_plain_publishing
+from .leftovers import mark_leftovers, mark_plain_publishing, port_ending
 from .placing import add_header
 from .rclpy_node import make_node, port_running
 from .types import port_imports
@@ -20,6 +20,8 @@ from .work import Work, walk
 _GONE = frozenset({"rospy", "roslib"})
 _LEFT = _GONE | {"actionlib", "rosgraph", "rosnode", "rosservice", "rostopic", "rosparam", "genpy"}
 _LEFT |= {"tf", "tf2_ros", "dynamic_reconfigure", "roslaunch", "rosbag"}
+
+_ENDING = {"shutdown": "`cancel` of a timer, `destroy` of the others"}
 
 # ROS 2 is of Python 3 only, which a plain `python` may not be.
 _OLD_PYTHON = re.compile(rb"#![^\r\n]*\bpython(?=[ \t]*[\r\n])()")
@@ -48,6 +50,7 @@ def port_to_rclpy(work: Work) -> None:
         _port_site(work, site, node)
     make_node(work, node, in_thread=runs_in_thread)
     mark_plain_publishing(work)
+    port_ending(work, {"shutdown": "cancel"}, _ENDING)
     mark_leftovers(work, _LEFT, _ATTRIBUTES, _remedies(node))
     work.imports.add("import rclpy")
     add_header(work)

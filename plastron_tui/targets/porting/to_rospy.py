@@ -13,7 +13,7 @@ from plastron_tui.targets.python.scopes import Scope
 from plastron_tui.targets.python.sites import NodeSite, Site
 from plastron_tui.targets.python.splices import Splice, delete_item, line_start
 
-from .leftovers import mark_leftovers
+from .leftovers import mark_leftovers, port_ending
 from .placing import add_header
 from .types import port_imports, target_type
 from .work import Work, statement_of, walk
@@ -54,6 +54,14 @@ _ATTRIBUTES = {
     "Response": "rospy has it beside the service's class: `AddTwoIntsResponse`",
 }
 
+_ENDING = {
+    "cancel": "`shutdown` of the timer",
+    "reset": "a timer of rospy starts anew as a new `rospy.Timer(...)`",
+    "is_canceled": "`is_alive` of the timer",
+    "time_until_next_call": "a timer of rospy does not tell",
+    "destroy": "`shutdown` of a timer or service, `unregister` of the others",
+}
+
 _REMEDIES = {
     "rclpy.time": "`rospy.Time`",
     "rclpy.duration": "`rospy.Duration`",
@@ -73,6 +81,7 @@ def port_to_rospy(work: Work) -> None:
     for site in reversed(work.analysis.sites):
         _port_site(work, site)
     _port_nodes(work)
+    port_ending(work, {"cancel": "shutdown"}, _ENDING)
     mark_leftovers(work, _LEFT, {k: v or "" for k, v in _ATTRIBUTES.items()}, _REMEDIES)
     work.imports.add("import rospy")
     add_header(work)
