@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import defaultdict
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -15,6 +16,7 @@ from plastron_tui.targets import literals, naming
 
 from .conventions import leading_space
 from .place import function_place, method_place
+from .rates import loop_rate, timer_rate
 from .removal import callback_scope
 from .scopes import Scope
 from .splices import line_end, line_start
@@ -22,6 +24,8 @@ from .splices import line_end, line_start
 if TYPE_CHECKING:
     from .addition import Addition
 
+# What a statement that names no rate has.
+_DEFAULT_RATE = 10.0
 _LEAVING = ("return_statement", "break_statement", "continue_statement", "raise_statement")
 
 
@@ -29,44 +33,58 @@ def add_publishing(added: Addition, publisher: Publisher) -> list[str]:
     """Publish a publisher's messages; return the lines that follow its creation."""
     if not publisher.publications:
         return []
-    block = _own_block(added)
-    if block is not None:
-        scope = added.analysis.scopes.at(block.start_byte)
-        added.stand(is_nested=scope.is_within(added.place.scope))
-        _publish_in(added, block, publisher.publications)
-        return []
-    added.stand(is_nested=added.is_nested)
+    block, own_rate = _own_block(added)
+    fitting: list[Publication] = []
     by_rate: dict[float, list[Publication]] = defaultdict(list)
     for publication in publisher.publications:
-        by_rate[publication.rate].append(publication)
+        is_fitting = block is not None and _fits(publication.rate, own_rate)
+        (fitting if is_fitting else by_rate[publication.rate]).append(publication)
+    if block is not None and fitting:
+        scope = added.analysis.scopes.at(block.start_byte)
+        added.stand(is_nested=scope.is_within(added.place.scope))
+        _publish_in(added, block, fitting)
+    if by_rate:
+        added.stand(is_nested=added.is_nested)
     lines: list[str] = []
     for rate, publications in by_rate.items():
         lines += _timer(added, rate, publications)
     return lines
 
 
-def _own_block(added: Addition) -> Node | None:
-    """Return the body of the file's single loop or timer, where it can see the publisher."""
+def _fits(rate: float, own_rate: float | None) -> bool:
+    """Whether a message of a rate goes into a loop: its rate is not written, or the loop's."""
+    return rate == _DEFAULT_RATE or (own_rate is not None and math.isclose(rate, own_rate))
+
+
+def _own_block(added: Addition) -> tuple[Node | None, float | None]:
+    """Return the body of the file's single loop or timer, where it can see the publisher.
+
+    Beside it is its rate in Hz, where the file says it literally.
+    """
     analysis = added.analysis
     loops = [node for node in analysis.captures.get("while", []) if _is_loop(added, node)]
     timers = [site for site in analysis.sites if site.endpoint.kind is EndpointKind.TIMER]
     if len(loops) + len(timers) != 1:
-        return None
+        return None, None
     if loops:
         block = loops[0].child_by_field_name("body")
         scope = analysis.scopes.at(loops[0].start_byte)
         function = scope.enclosing("function") or analysis.scopes.module
         is_later = function is not added.place.scope or loops[0].start_byte >= added.place.offset
         is_seen = is_later and _sees(added, function)
-        return block if block is not None and is_seen and _is_plain(loops[0], block) else None
+        if block is None or not is_seen or not _is_plain(loops[0], block):
+            return None, None
+        return block, loop_rate(analysis, loops[0])
     found = callback_scope(analysis, timers[0])
     is_once = "oneshot" in timers[0].arguments.keywords or len(timers[0].arguments.positional) > 2
     if found is None or is_once or found.name.startswith("publish_") or not _sees(added, found):
-        return None
+        return None, None
     if found.name.startswith("call_"):
-        return None
+        return None, None
     block = found.node.child_by_field_name("body")
-    return block if block is not None and _is_plain(found.node, block) else None
+    if block is None or not _is_plain(found.node, block):
+        return None, None
+    return block, timer_rate(analysis, timers[0])
 
 
 def _is_loop(added: Addition, node: Node) -> bool:
