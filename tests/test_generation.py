@@ -21,8 +21,8 @@ generate_node n
 """
 
 
-def session(folder: Path, text: str, *, in_place: bool = False, **options: bool) -> Session:
-    chosen = Options("rospy", folder / "output", in_place=in_place, **options)
+def session(folder: Path, text: str, *, in_place: bool = False) -> Session:
+    chosen = Options("rospy", folder / "output", in_place=in_place)
     return Session(text.encode(), folder / "a.plastron", chosen, environ={})
 
 
@@ -64,3 +64,28 @@ def test_rate_that_no_float_holds_is_a_broken_entry() -> None:
     sends = [[10**400, {"std_msgs/String": {}}]]
     base["publishers"] = {"a": {"type": "std_msgs/String", "sends": sends}}
     assert recall(base) is None
+
+
+@pytest.mark.parametrize("handwork", ["", "# mine\n"])
+def test_two_programs_with_a_node_of_one_name_keep_their_files_apart(
+    tmp_path: Path, generated: Path, handwork: str
+) -> None:
+    before = generated.read_text() + handwork
+    generated.write_text(before)
+    text = PROGRAM.replace("'a'", "'b'")
+
+    def other(*, force: bool) -> Session:
+        options = Options("rospy", tmp_path / "output", force=force)
+        return Session(text.encode(), tmp_path / "b.plastron", options, environ={})
+
+    plan, diagnostics = other(force=False).plan()
+    (conflict,) = plan.conflicts
+    assert (conflict.code, diagnostics) == ("file-conflict", ())
+    assert conflict.message.endswith("another program, `a.plastron`")
+    plan, _ = other(force=True).plan()
+    assert write(plan, force=True).diagnostics == ()
+    assert '"b"' in generated.read_text()
+    assert (generated.parent / "talker_sub1.py.bak").read_text() == before
+    plan, _ = other(force=False).plan()
+    assert [file.state.value for file in plan.files] == ["identical"]
+    assert "`b.plastron`" in session(tmp_path, PROGRAM).plan()[0].conflicts[0].message

@@ -30,8 +30,9 @@ def to_program(
 
     What no statement can say is a comment: a node without endpoints, an endpoint without a
     known type, a name that is none (a ROS 1 master takes any text). A node's name has no
-    namespace in Plastron, so that `/arm/talker` becomes a node `talker`, or `arm_talker` where that name is taken; its topics and services have their full
-    names, so that they stay where they are.
+    namespace in Plastron, so that `/arm/talker` becomes a node `talker`, or `arm_talker` where
+    that name is taken; its topics and services have their full names, so that they stay where
+    they are.
 
     Args:
         nodes: the graph.
