@@ -29,7 +29,7 @@ target_option = click.option(
     "--target",
     "-t",
     type=click.Choice(list(LIBRARIES)),
-    help="The client library of nodes that name none.",
+    help="The client library of nodes that name none; roscpp, rclcpp, nodelet: not written yet.",
 )
 
 

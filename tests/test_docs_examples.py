@@ -1,0 +1,135 @@
+"""What the README and the tutorial show: programs that are right, and output that is real."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+PLASTRON = [sys.executable, "-c", "from plastron_tui.cli import main; main()"]
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+TUTORIAL = (ROOT / "docs" / "tutorial.md").read_text(encoding="utf-8")
+
+
+def blocks(page: str, language: str = "") -> list[str]:
+    """Return the fenced blocks of a page, in a language."""
+    found = re.findall(r"^```(\w*)\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+    return [text for tag, text in found if tag == language]
+
+
+def only(page: str, start: str) -> str:
+    """Return the one block that starts with a text."""
+    (found,) = (text for text in blocks(page) if text.startswith(start))
+    return found
+
+
+@pytest.fixture
+def here(tmp_path: Path) -> Path:
+    """The tutorial's folder: its project file, and its first program."""
+    (tmp_path / "plastron.yaml").write_text(blocks(TUTORIAL, "yaml")[0])
+    (tmp_path / "robot.plastron").write_text(only(TUTORIAL, "create_node 'talker'"))
+    return tmp_path
+
+
+def plastron(here: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    environ = {name: value for name, value in os.environ.items() if not name.startswith("ROS_")}
+    return subprocess.run(
+        [*PLASTRON, *arguments],
+        cwd=here,
+        env={**environ, "NO_COLOR": "1"},
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+
+
+def change(here: Path, old: str, new: str, file: str = "robot.plastron") -> None:
+    path = here / file
+    text = path.read_text()
+    assert text.count(old) == 1
+    path.write_text(text.replace(old, new))
+
+
+def written(here: Path) -> set[str]:
+    return {path.name for path in (here / "output").glob("*.py")}
+
+
+def test_the_readme_begins_with_a_program_that_is_right(tmp_path: Path) -> None:
+    (tmp_path / "a.plastron").write_text(only(README, "create_node"))
+    done = plastron(tmp_path, "generate", "a.plastron")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert written(tmp_path) == {"talker_pub.py"}
+
+
+def test_the_first_program_makes_the_files_that_are_named(here: Path) -> None:
+    done = plastron(here, "generate", "robot.plastron")
+    assert (done.returncode, done.stderr) == (0, "")
+    named = set(re.findall(r"`output/(\w+\.py)`", TUTORIAL))
+    assert written(here) == named == {"talker_pub.py", "listener_sub1.py"}
+    assert "import rclpy" in (here / "output" / "talker_pub.py").read_text()
+
+
+def test_the_mistake_that_is_shown_is_what_is_printed(here: Path) -> None:
+    listener = "subscribe listener to 'chatter' of message_type "
+    change(here, f"{listener}String", f"{listener}Int32")
+    said = plastron(here, "check", "robot.plastron").stderr
+    command, shown = only(TUTORIAL, "$ plastron").split("\n", 1)
+    assert command == "$ plastron check robot.plastron"
+    assert shown == said
+    assert said.startswith(only(README, "error["))
+
+
+def test_the_values_are_right(here: Path) -> None:
+    with (here / "robot.plastron").open("a") as program:
+        program.write(only(TUTORIAL, "create_message"))
+    done = plastron(here, "check", "robot.plastron")
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_the_program_grows_and_the_code_that_was_written_by_hand_stays(here: Path) -> None:
+    with (here / "robot.plastron").open("a") as program:
+        program.write(only(TUTORIAL, "create_node 'motor'"))
+    assert plastron(here, "generate", "robot.plastron").stderr == ""
+    handler = (here / "output" / "motor_server.py").read_text()
+    assert "SetBool" in handler
+    change(here, "def on_chatter", "# useful\n    def on_chatter", "output/listener_sub1.py")
+    line = only(TUTORIAL, "subscribe listener")
+    change(here, "generate_node listener\n", f"{line}generate_node listener\n")
+    done = plastron(here, "generate", "robot.plastron")
+    assert done.returncode == 0
+    assert "warning[left-behind]" in done.stderr
+    made = (here / "output" / "listener_sub2.py").read_text()
+    assert "# useful" in made
+    assert "def on_alarm" in made
+
+
+def test_the_line_comes_before_the_node_is_generated(here: Path) -> None:
+    with (here / "robot.plastron").open("a") as program:
+        program.write(only(TUTORIAL, "subscribe listener"))
+    assert "warning[changed-after-generating]" in plastron(here, "check", "robot.plastron").stderr
+
+
+def test_the_node_of_somebody_else(tmp_path: Path) -> None:
+    shutil.copytree(ROOT / "examples", tmp_path / "examples", ignore=lambda *_: ["output"])
+    program = (tmp_path / "examples" / "change_node.plastron").read_text()
+    statements = [line for line in program.splitlines() if line and not line.startswith("//")]
+    assert statements == only(TUTORIAL, "load").splitlines()
+    shown = plastron(tmp_path, "inspect", "examples/nodes/sonar.py")
+    assert (shown.returncode, shown.stderr) == (0, "")
+    patch = plastron(tmp_path, "generate", "--diff", "examples/change_node.plastron")
+    assert (patch.returncode, patch.stderr) == (0, "")
+    assert "+++ " in patch.stdout
+
+
+@pytest.mark.parametrize("page", [README, TUTORIAL], ids=["README", "tutorial"])
+def test_every_command_that_is_shown_is_one(page: str) -> None:
+    lines = [line for text in blocks(page, "sh") for line in text.splitlines()]
+    commands = {line.split()[1] for line in lines if line.startswith("plastron ")}
+    done = plastron(ROOT, "--help")
+    assert commands <= set(re.findall(r"^  (\w+)", done.stdout, re.MULTILINE))
