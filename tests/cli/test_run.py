@@ -48,6 +48,8 @@ def test_a_program_is_generated_and_run(ros: Ros) -> None:
     ros.write("p.plastron", TALKER + LISTENER)
     done = ros.run("p.plastron", "--for", "5")
     assert done.returncode == 0, done.stderr
+    assert f"running {ros.library} nodes on ROS " in done.stderr
+    assert "   create  output/talker_pub.py\n" in done.stdout
     assert (ros.folder / "output" / "talker_pub.py").exists()
     heard = [line for line in said_by(done.stdout, "listener") if "hello" in line]
     assert len(heard) > 10

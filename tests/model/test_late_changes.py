@@ -1,0 +1,43 @@
+from __future__ import annotations
+
+import pytest
+from workspaces import marked, run
+
+EARS = "create_node 'ears' as n\nsubscribe n to 'a' of message_type String\n"
+HEAR = "subscribe n to 'b' of message_type String\n"
+GENERATE = "generate_node n\n"
+MESSAGE = "create_message m of message_type String and input none\n"
+
+# A program, and the statements that come too late.
+TABLE: list[tuple[str, list[str]]] = [
+    (EARS + HEAR, []),
+    (EARS + HEAR + GENERATE, []),
+    (EARS + GENERATE + HEAR, [HEAR]),
+    (EARS + GENERATE + HEAR + GENERATE, []),
+    (EARS + GENERATE + MESSAGE, []),
+    (EARS + GENERATE + "unsubscribe n from 'a'\n", ["unsubscribe n from 'a'\n"]),
+    (
+        EARS + MESSAGE + GENERATE + "n publish m to 'c' of message_type String\n" + HEAR,
+        ["n publish m to 'c' of message_type String\n", HEAR],
+    ),
+    (
+        EARS + GENERATE + "n provides_service 's' of service_type Trigger\n",
+        ["n provides_service 's' of service_type Trigger\n"],
+    ),
+    (EARS + GENERATE + EARS.replace("ears", "o").replace(" n", " o") + "generate_node o\n", []),
+]
+
+
+@pytest.mark.parametrize(("program", "late"), TABLE)
+def test_a_statement_after_the_last_generate_is_in_no_file(program: str, late: list[str]) -> None:
+    found = run(program).diagnostics
+    assert [each.code for each in found] == ["changed-after-generating"] * len(late)
+    assert [f"{marked(program, each)}\n" for each in found] == late
+    for each in found:
+        assert each.severity.value == "warning"
+        assert marked(program, each._replace(span=each.labels[0].span)) == GENERATE.strip()
+
+
+def test_a_late_statement_with_a_mistake_has_one_diagnostic() -> None:
+    program = EARS + GENERATE + HEAR.replace("String", "Strng")
+    assert [found.code for found in run(program).diagnostics] == ["unknown-type"]
