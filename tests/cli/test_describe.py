@@ -34,7 +34,7 @@ def test_a_description_generated_and_run_shows_the_same_graph(ros: Ros) -> None:
     ros.write("second.plastron", before)
     checked = ros.plastron("check", "second.plastron")
     assert checked.returncode == 0, checked.stderr
-    with ros.running("second.plastron"):
+    with ros.running("second.plastron", "-o", "second"):
         assert described(ros) == before
 
 
