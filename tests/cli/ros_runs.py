@@ -71,12 +71,12 @@ class Ros:
         return self.plastron("run", file, *arguments, "--target", self.library)
 
     @contextmanager
-    def running(self, file: str) -> Iterator[subprocess.Popen[bytes]]:
+    def running(self, file: str, *arguments: str) -> Iterator[subprocess.Popen[bytes]]:
         """Run a program beside the test, and interrupt it at the end."""
         log = self.folder / f"{file}.log"
         with log.open("wb") as stream:
             process = subprocess.Popen(
-                [*PLASTRON, "run", file, "--target", self.library],
+                [*PLASTRON, "run", file, "--target", self.library, *arguments],
                 cwd=self.folder,
                 env=self.environ,
                 stdin=subprocess.DEVNULL,
