@@ -13,6 +13,7 @@ from plastron_tui.targets.imports import Imports
 
 from .conventions import Conventions
 from .imports import is_interface_module
+from .references import identifiers, is_member
 from .scopes import Binding, BindingKind, Scope
 from .sites import Analysis
 from .splices import Splice, line_end, line_start
@@ -59,7 +60,8 @@ class FileImports(Imports):
             return existing
         if self._extendable(module) is not None:
             return self.use(module, name)
-        self._new_modules.append(module)
+        if not (self._module.star_imports and self._is_used_unbound(module)):
+            self._new_modules.append(module)
         return f"{module}.{name}"
 
     def _functions(self) -> Iterator[Scope]:
@@ -128,9 +130,18 @@ class FileImports(Imports):
         taken = {*self._module.bindings, *self._given.values()}
         taken = taken.union(*(scope.bindings for scope in self._functions()))
         package = naming.capitals(module.partition(".")[0])
+        if self._is_used_unbound(name):
+            taken.add(name)
         bound = name if name not in taken else naming.Scope(taken).new(package + name)
         self._new.setdefault(module, []).append((name, bound))
         return bound
+
+    def _is_used_unbound(self, name: str) -> bool:
+        """Whether the file uses a name that a star import may bring, which a new one would hide."""
+        return any(
+            not is_member(node) and self._analysis.scopes.at(node.start_byte).lookup(name) is None
+            for node in identifiers(name, self._analysis)
+        )
 
     def _prefers_modules(self, module: str) -> bool:
         """Whether the file imports the modules of interface types whole."""

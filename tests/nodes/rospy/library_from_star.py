@@ -8,7 +8,7 @@ class Picker:
         self.colour = message_filters.Subscriber('/camera/colour', Image)
         self.found = rospy.Publisher('/found', PoseArray, queue_size=1)
         rospy.Subscriber('/pick', Bool, self.pick)
-        self.pub = Publisher('/not_ros', String)
+        self.pub = Publisher('/not_ros', Text)
 
     def pick(self, message):
         self.found.publish(self.look())

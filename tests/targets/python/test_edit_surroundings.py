@@ -130,6 +130,11 @@ def main():
     pub = node.create_publisher(String, 'a', 10)
     rclpy.spin(node)
 """
+STAR = """\
+from robot_tools import *
+rospy.init_node('n')
+rospy.Subscriber('x', String, on_x)
+"""
 TYPES = """\
 import rospy
 from std_msgs.msg import Bool, String
@@ -228,6 +233,16 @@ CASES = {
                                "\n\ndef on_in(message):\n    print(f'in: {message}')\n"),
             ("'a', 10)\n", "'a', 10)\n    in_sub = "
                            "node.create_subscription(StdMsgsString, 'in', on_in, 10)\n"),
+        ],
+    ),
+    "a name that a star import may bring is not hidden": (
+        STAR,
+        LISTEN,
+        [
+            ("import *\n", "import *\nfrom std_msgs.msg import String as StdMsgsString\n"),
+            ("on_x)\n", "on_x)\nrospy.Subscriber('in', StdMsgsString, on_in)\n"),
+            ("rospy.init", "\n\ndef on_in(message):\n    rospy.loginfo('in: %s', message)\n\n\n"
+                           "rospy.init"),
         ],
     ),
     "a word in a dictionary keeps no import": (
