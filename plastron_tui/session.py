@@ -208,6 +208,10 @@ class Session:
         self._program = None
         self._interpretation = None
 
+    def files_changed(self) -> None:
+        """Run the program anew when it is asked next: files that it loads were written."""
+        self._interpretation = None
+
     @property
     def program(self) -> Program:
         """The program's statements."""

@@ -37,6 +37,16 @@ def test_everything_follows_from_the_text(tmp_path: Path) -> None:
     assert not (tmp_path / "output").exists()
 
 
+def test_files_that_were_written_are_loaded_when_that_is_told(tmp_path: Path) -> None:
+    made = session(tmp_path, "load 'talker_pub.py' as talker\n")
+    assert codes(made) == ["file-not-found"]
+    write(session(tmp_path, output=tmp_path).plan()[0])
+    assert codes(made) == ["file-not-found"]
+    made.files_changed()
+    assert codes(made) == []
+    assert list(made.workspace.nodes["talker"].publishers) == ["chatter"]
+
+
 @pytest.mark.parametrize(
     ("target", "project", "environ", "library", "is_chosen"),
     [

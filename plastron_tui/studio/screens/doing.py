@@ -152,7 +152,7 @@ class Doing(Screen[None]):
             self._say_errors()
             return
         await self.app.push_screen_wait(GenerateDialog(session))
-        session.__dict__.pop("setting", None)
+        session.files_changed()
         self.ask_anew()
 
     async def _has_place(self) -> bool:
