@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import signal
 import time
 from pathlib import Path
@@ -44,6 +45,20 @@ DELAYS = [0.01 * 1.35**step for step in range(14)]
 # of `init_node`, and nothing that a node's file could change.
 MOST_DEADLOCKS = {"rospy": 3, "rclpy": 0}
 
+# rospy closes its topics before `is_shutdown` says so: a timer whose turn it is in between
+# publishes to a closed topic, in a thread of rospy's own (`rospy.impl.registration`, `cleanup`).
+CLOSED_BY_ROSPY = re.compile(
+    r"Exception in thread (?:(?!Exception in thread).)*?"
+    r"rospy\.exceptions\.ROSException: publish\(\) to a closed topic\n",
+    re.DOTALL,
+)
+
+
+def own_tracebacks(output: str) -> list[str]:
+    """Return the lines that begin a traceback which is not rospy's own."""
+    left = CLOSED_BY_ROSPY.sub("", output)
+    return [line for line in left.splitlines() if "Traceback" in line]
+
 
 def test_ctrl_c_while_a_node_starts(graph: Graph, tmp_path: Path) -> None:
     program = tmp_path / "busy.plastron"
@@ -57,7 +72,7 @@ def test_ctrl_c_while_a_node_starts(graph: Graph, tmp_path: Path) -> None:
         node.wait_to_print("go")
         time.sleep(delay)
         statuses.append(node.interrupt_or_kill(5))
-        assert "Traceback" not in node.output, f"after {delay:.3f} s:\n{node.output}"
+        assert not own_tracebacks(node.output), f"after {delay:.3f} s:\n{node.output}"
     deadlocks = statuses.count(-signal.SIGKILL)
     assert deadlocks <= MOST_DEADLOCKS[graph.target]
     assert statuses.count(0) == len(DELAYS) - deadlocks
@@ -88,4 +103,4 @@ def test_ctrl_c_while_a_service_does_not_answer(graph: Graph, tmp_path: Path) ->
     node = graph.run(waiter)
     node.wait_to_print("no answer came in time", 30)
     assert node.interrupt(15) == 0
-    assert "Traceback" not in node.output
+    assert not own_tracebacks(node.output)
