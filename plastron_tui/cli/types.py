@@ -11,10 +11,13 @@ from plastron_tui.model.types import TypeProblem, TypeResolver
 from plastron_tui.ros.catalog import DISTRIBUTIONS, Catalog
 from plastron_tui.ros.definition_text import format_definition
 from plastron_tui.ros.interfaces import Interface, InterfaceKind
+from plastron_tui.ros.search import search_types
 from plastron_tui.session import Options, Session
 from plastron_tui.targets import LIBRARIES
 
 from .common import Report, finish, print_text, target_option
+
+_WILDCARDS = frozenset("*?[")
 
 
 @click.command(epilog="Example: plastron types Twist")
@@ -30,14 +33,15 @@ def command(pattern: str | None, target: str | None, distribution: str | None) -
     """List interface types, or show one.
 
     A TYPE such as Twist or geometry_msgs/Twist is shown with its fields. A PATTERN is a part of
-    a name, or has wildcards, as in 'sensor_msgs/*'. Without either all types are listed.
+    a name, or has wildcards, as in 'sensor_msgs/*'; or it says what a type is to be for, as in
+    distance or 'on/off'. Without either all types are listed.
     """
     report = Report()
     session = Session(options=Options(target=target))
     report.add(session.project_problems, session.lines)
     catalog = session.catalog(LIBRARIES[session.library], distribution)
     shown = [] if pattern is None else _exact(catalog, pattern)
-    listed = [] if shown else _matching(catalog, pattern)
+    listed = [] if shown else _matching(catalog, pattern) or _for_purpose(catalog, pattern or "")
     if shown:
         _say_ros(session, catalog, distribution)
         print_text("\n\n".join(_definition(found, catalog.ros_version) for found in shown))
@@ -66,9 +70,22 @@ def _matching(catalog: Catalog, pattern: str | None) -> list[str]:
     ]
 
 
+def _for_purpose(catalog: Catalog, words: str) -> list[str]:
+    """List what types are for, those that words of purpose lead to."""
+    if set(words) & _WILDCARDS:
+        return []
+    found = [
+        (f"{each.package}/{kind.value}/{each.name.name}", each.line)
+        for kind in (InterfaceKind.MESSAGE, InterfaceKind.SERVICE)
+        for each in search_types(catalog, kind, words, is_lenient=False)
+    ]
+    width = max((len(name) for name, _ in found), default=0)
+    return [f"{name:{width}}  {line}" for name, line in found]
+
+
 def _matches(name: str, pattern: str) -> bool:
     name, pattern = name.lower(), pattern.lower()
-    return fnmatchcase(name, pattern) if set(pattern) & set("*?[") else pattern in name
+    return fnmatchcase(name, pattern) if set(pattern) & _WILDCARDS else pattern in name
 
 
 def _definition(interface: Interface, ros_version: int) -> str:

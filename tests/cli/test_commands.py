@@ -246,6 +246,12 @@ def test_types_without_a_match_is_1(run: Run, arguments: list[str], said: str) -
     assert said in result.stderr.decode()
 
 
+def test_types_by_what_they_are_for(run: Run) -> None:
+    lines = run("types", "on/off").stdout.decode().splitlines()
+    assert lines[0].split("  ", 1)[0] == "std_msgs/msg/Bool"
+    assert any("std_srvs/srv/SetBool  " in line and "Switch something" in line for line in lines)
+
+
 def test_types_by_a_pattern_of_the_bare_name(run: Run) -> None:
     found = run("types", "Laser*").stdout.decode().split()
     assert "sensor_msgs/msg/LaserScan" in found

@@ -52,6 +52,16 @@ def definitions(distribution: str, package: str) -> Definitions:
     return data
 
 
+@cache
+def purposes() -> Mapping[str, Mapping[str, str]]:
+    """Return what types are for: by kind (`msg`, `srv`) and full name a line, ` | `, and words.
+
+    The types that people want most often come first.
+    """
+    data: Mapping[str, Mapping[str, str]] = _load(_DATA / "purposes.yaml")
+    return data
+
+
 def _load(file: Path) -> Any:
     import yaml  # a program whose types are all known needs none of it
 
