@@ -16,6 +16,8 @@ from plastron_tui.session import LARGEST_PROGRAM, Options, Session, check_text, 
 from plastron_tui.targets import LIBRARIES
 
 if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
+
     from plastron_tui.diagnostics.render import Lines
 
 STANDARD_INPUT = "-"
@@ -25,10 +27,37 @@ _PATH = click.Path(path_type=Path, allow_dash=True)
 
 programs_argument = click.argument("files", nargs=-1, required=True, metavar="FILE...", type=_PATH)
 program_argument = click.argument("file", metavar="FILE", type=_PATH)
+
+
+class _ClientLibrary(click.types.StringParamType):
+    """The name of a client library; those of other distributions are looked up when they matter."""
+
+    name = "client library"
+
+    def get_metavar(self, param: click.Parameter, ctx: click.Context | None = None) -> str:
+        """Return the names that there are."""
+        return f"[{'|'.join(LIBRARIES)}]"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Refuse a name that nobody registered."""
+        if value not in LIBRARIES:
+            listed = ", ".join(map(repr, LIBRARIES))
+            self.fail(f"{value!r} is not one of {listed}.", param, ctx)
+        return value
+
+    def shell_complete(
+        self, ctx: click.Context, param: click.Parameter, incomplete: str
+    ) -> list[CompletionItem]:
+        """Complete the names."""
+        from click.shell_completion import CompletionItem
+
+        return [CompletionItem(name) for name in LIBRARIES if name.startswith(incomplete)]
+
+
 target_option = click.option(
     "--target",
     "-t",
-    type=click.Choice(list(LIBRARIES)),
+    type=_ClientLibrary(),
     help="The client library of nodes that name none; roscpp, rclcpp, nodelet: not written yet.",
 )
 

@@ -106,7 +106,9 @@ def _prepare(
     unknown = _unknown_names(made, names)
     plan, diagnostics = session.plan_of(chosen)
     report.add((*unknown, *diagnostics), session.lines, session.path)
-    if has_errors(diagnostics) or unknown:
+    other = _other_languages(chosen)
+    report.add(other, session.lines, session.path)
+    if has_errors(diagnostics) or unknown or other:
         return []
     environments = _environments(session, chosen, found, report)
     if report.status:
@@ -141,6 +143,19 @@ def _unknown_names(made: Sequence[Generated], names: Sequence[str]) -> list[Diag
         )
         for name in names
         if name not in known
+    ]
+
+
+def _other_languages(chosen: Sequence[Generated]) -> list[Diagnostic]:
+    """Return a diagnostic for each file that Python cannot run."""
+    return [
+        Diagnostic(
+            "unsupported-target",
+            f"`run` starts Python nodes, and `{generated.file.name}` is none",
+            generated.generation.span,
+        )
+        for generated in chosen
+        if generated.file is not None and not generated.file.name.endswith(".py")
     ]
 
 

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import Any, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Label, Severity, Span, has_errors
+from plastron_tui.diagnostics import Diagnostic, Label, Severity, Span, has_errors, write
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.lowering import Program
@@ -62,9 +62,8 @@ class Interpreter(Checks):
         self._program = Program(())
         self._found: list[tuple[int, Diagnostic]] = []
         # ROS 1 and ROS 2 are two graphs: what one means by a topic is nothing to the other.
-        versions = {setting.libraries[setting.library], *setting.libraries.values()}
-        self._topics = {v: Agreement("topic", "topic-type-conflict") for v in versions}
-        self._services = {v: Agreement("service", "service-type-conflict") for v in versions}
+        self._topics = {v: Agreement("topic", "topic-type-conflict") for v in (1, 2)}
+        self._services = {v: Agreement("service", "service-type-conflict") for v in (1, 2)}
         self._messages: dict[str, st.CreateMessage] = {}
         self._foreign: dict[str, int] = {}
         self._variants: dict[tuple[str, int], Message | None] = {}
@@ -256,12 +255,14 @@ class Interpreter(Checks):
         if version != self._version or self._foreign:
             message = self._message_for(message, version)
         if message.value.type != type_:
+            where = statement.span_of("type")
             raise Mistake(
                 Diagnostic(
                     "message-type-mismatch",
                     f"`{message.variable}` is of type `{message.value.type}`, not `{type_}`",
-                    statement.span_of("type"),
+                    where,
                     help=f"write of message_type {message.value.type}",
+                    fix=write(str(message.value.type), where),
                     labels=(Label(message.span, "created here"),),
                 )
             )

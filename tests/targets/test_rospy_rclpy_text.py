@@ -18,7 +18,7 @@ from plastron_tui.model.workspace import (
     Subscription,
 )
 from plastron_tui.ros.interfaces import InterfaceName
-from plastron_tui.targets import find_target, target_names
+from plastron_tui.targets import find_target
 from plastron_tui.targets.base import Rendered
 from plastron_tui.targets.rclpy import RclpyTarget
 from plastron_tui.targets.rospy import RospyTarget
@@ -244,4 +244,3 @@ def test_targets_are_found_by_name() -> None:
     assert isinstance(find_target("rospy"), RospyTarget)
     assert isinstance(find_target("rclpy"), RclpyTarget)
     assert find_target("no_such_library") is None
-    assert target_names()[:2] == ("rospy", "rclpy")

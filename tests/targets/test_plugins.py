@@ -1,0 +1,151 @@
+"""Targets that other distributions register, installed here as pip leaves them on the disk."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+PROGRAM = """\
+create_node 'talker' as talker{using}
+create_message greeting of message_type String and input "hello"
+talker publish greeting to 'chatter' of message_type String
+generate_node talker
+"""
+MODULE = """\
+from pathlib import Path
+
+from plastron_tui.model.source import SourceFile, SourceNode
+from plastron_tui.targets.base import ReadResult, Rendered, Target
+
+
+class RoslispTarget(Target):
+    name = "roslisp"
+    ros_version = {ros_version}
+    suffix = ".lisp"
+
+    def __init__(self, template_folder=None):
+        self.templates = template_folder
+
+    def render(self, node, catalog):
+        text = f";; {{node.name}} for ROS {{catalog.ros_version}}\\n"
+        return Rendered(text.encode())
+
+    def read(self, path, text):
+        name = text.split()[1].decode()
+        return ReadResult(SourceFile(path, text, self.name, (SourceNode(name, name, ()),)))
+"""
+NAMES = "'rospy', 'rclpy', 'roscpp', 'rclcpp', 'nodelet', 'roslisp'"
+
+
+def install(site: Path, module: str, entry: str = "roslisp_target:RoslispTarget") -> None:
+    site.mkdir()
+    site.joinpath("roslisp_target.py").write_text(module)
+    metadata = site / "plastron_roslisp-1.0.dist-info"
+    metadata.mkdir()
+    metadata.joinpath("METADATA").write_text("Metadata-Version: 2.1\nName: plastron-roslisp\n")
+    metadata.joinpath("entry_points.txt").write_text(f"[plastron.targets]\nroslisp = {entry}\n")
+
+
+def plastron(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    code = "from plastron_tui.cli import main; main()"
+    environ = {name: value for name, value in os.environ.items() if not name.startswith("ROS_")}
+    result = subprocess.run(
+        [sys.executable, "-c", code, *arguments],
+        cwd=folder,
+        env={**environ, "PYTHONPATH": str(folder / "site")},
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    assert "Traceback" not in result.stderr, result.stderr
+    return result
+
+
+def program(folder: Path, using: str = "") -> None:
+    folder.joinpath("a.plastron").write_text(PROGRAM.format(using=using))
+
+
+@pytest.mark.parametrize("where", ["using", "--target", "project file"])
+@pytest.mark.parametrize("ros_version", [1, 2])
+def test_a_registered_target_is_named_like_plastrons_own(
+    tmp_path: Path, where: str, ros_version: int
+) -> None:
+    install(tmp_path / "site", MODULE.format(ros_version=ros_version))
+    program(tmp_path, " using roslisp" if where == "using" else "")
+    if where == "project file":
+        tmp_path.joinpath("plastron.yaml").write_text("target: roslisp\n")
+    options = ["--target", "roslisp"] if where == "--target" else []
+    result = plastron(tmp_path, "generate", "a.plastron", *options)
+    assert (result.stderr, result.returncode) == ("", 0)
+    written = tmp_path / "output" / "talker_pub.lisp"
+    assert written.read_text() == f";; talker for ROS {ros_version}\n"
+
+
+def test_a_file_that_is_no_python_is_not_run(tmp_path: Path) -> None:
+    install(tmp_path / "site", MODULE.format(ros_version=1))
+    program(tmp_path, " using roslisp")
+    result = plastron(tmp_path, "run", "a.plastron")
+    assert result.returncode == 1
+    assert "`run` starts Python nodes, and `talker_pub.lisp` is none" in result.stderr
+    assert not tmp_path.joinpath("output").exists()
+
+
+def test_a_registered_target_reads_the_files_that_plastron_cannot(tmp_path: Path) -> None:
+    install(tmp_path / "site", MODULE.format(ros_version=1))
+    tmp_path.joinpath("driver.lisp").write_text(";; driver\n")
+    result = plastron(tmp_path, "inspect", "driver.lisp")
+    assert (result.stderr, result.returncode) == ("", 0)
+    assert "driver" in result.stdout
+    assert "roslisp" in result.stdout
+
+
+def test_a_registered_target_is_listed_where_a_name_is_wrong(tmp_path: Path) -> None:
+    install(tmp_path / "site", MODULE.format(ros_version=1))
+    program(tmp_path, " using elisp")
+    result = plastron(tmp_path, "check", "a.plastron")
+    assert result.returncode == 1
+    assert "did you mean `roslisp`?" in result.stderr
+    result = plastron(tmp_path, "check", "a.plastron", "--target", "elisp")
+    assert (result.returncode, f"'elisp' is not one of {NAMES}" in result.stderr) == (2, True)
+    tmp_path.joinpath("plastron.yaml").write_text("target: elisp\n")
+    assert "did you mean `roslisp`?" in plastron(tmp_path, "check", "a.plastron").stderr
+
+
+@pytest.mark.parametrize(
+    ("module", "entry", "reason"),
+    [
+        ("import no_such_module", "roslisp_target:RoslispTarget", "ModuleNotFoundError"),
+        ("RoslispTarget = 5", "roslisp_target:RoslispTarget", "is no class of a target"),
+        (MODULE.format(ros_version=3), "roslisp_target:RoslispTarget", "neither 1 nor 2"),
+        (MODULE.format(ros_version=1), "roslisp_target:NoSuchTarget", "AttributeError"),
+        (
+            MODULE.format(ros_version=1).replace('"roslisp"', '"roseus"'),
+            "roslisp_target:RoslispTarget",
+            "is another",
+        ),
+    ],
+)
+def test_a_target_that_cannot_be_loaded_is_a_diagnostic(
+    tmp_path: Path, module: str, entry: str, reason: str
+) -> None:
+    install(tmp_path / "site", module, entry)
+    program(tmp_path, " using roslisp")
+    result = plastron(tmp_path, "generate", "a.plastron")
+    assert result.returncode == 1
+    assert "error[unsupported-target]: the target `roslisp` cannot be used" in result.stderr
+    assert reason in result.stderr
+
+
+def test_plastrons_own_names_look_up_no_entry_points(tmp_path: Path) -> None:
+    code = (
+        "import sys\n"
+        "from plastron_tui.targets import LIBRARIES, find_target, has_target\n"
+        "assert LIBRARIES['rclpy'] == 2 and 'roscpp' in LIBRARIES and has_target('rospy')\n"
+        "assert find_target('rospy') is not None\n"
+        "sys.exit('plastron_tui.targets.plugins' in sys.modules)\n"
+    )
+    assert subprocess.run([sys.executable, "-c", code], cwd=tmp_path).returncode == 0
