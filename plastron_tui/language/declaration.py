@@ -54,6 +54,11 @@ class SlotKind(Enum):
         return self in (SlotKind.NEW_NODE, SlotKind.NEW_MESSAGE, SlotKind.NODE, SlotKind.MESSAGE)
 
     @property
+    def makes(self) -> SlotKind | None:
+        """The kind of slot that may name, further down, what this one gives a name to."""
+        return {SlotKind.NEW_NODE: SlotKind.NODE, SlotKind.NEW_MESSAGE: SlotKind.MESSAGE}.get(self)
+
+    @property
     def is_quoted(self) -> bool:
         """Whether single quotes are around what fills the slot."""
         return self in (SlotKind.NODE_NAME, SlotKind.TOPIC, SlotKind.SERVICE)
@@ -80,13 +85,29 @@ Element = str | Slot | Clause
 
 @dataclass(frozen=True, slots=True)
 class Declaration:
-    """All that is known of a statement."""
+    """All that is known of a statement.
+
+    Attributes:
+        type: the class of its statements.
+        kind: the grammar's node.
+        elements: its sentence.
+        summary: a sentence about it.
+        example: a line of it.
+        purpose: what somebody wants who writes it, in words that need no ROS.
+        ros_term: what ROS calls it, "" where ROS has no word for it.
+        about: one sentence for somebody who does not know that word.
+        undoes: the statement that it takes back.
+    """
 
     type: type[Statement]
     kind: str
     elements: tuple[Element, ...]
     summary: str
     example: str
+    purpose: str = ""
+    ros_term: str = ""
+    about: str = ""
+    undoes: type[Statement] | None = None
 
     @property
     def keyword(self) -> str:
@@ -150,12 +171,20 @@ def slot(kind: SlotKind, help: str) -> Any:  # noqa: A002 - the word that users 
 
 @dataclass_transform(field_specifiers=(slot,))
 def statement(
-    kind: str, sentence: str, *, summary: str, example: str
+    kind: str,
+    sentence: str,
+    *,
+    summary: str,
+    example: str,
+    purpose: str = "",
+    ros_term: str = "",
+    about: str = "",
+    undoes: type[Statement] | None = None,
 ) -> Callable[[type[S]], type[S]]:
     """Declare a statement.
 
     `sentence` has words, `{slots}`, and optional clauses in brackets; `kind` is the grammar's
-    node.
+    node. Without a `purpose` the summary says what it is for.
     """
 
     def declare(cls: type[S]) -> type[S]:
@@ -166,7 +195,15 @@ def statement(
             if "slot" in field.metadata
         }
         DECLARATIONS[made] = Declaration(
-            made, kind, _parse_sentence(sentence, slots), summary, example
+            made,
+            kind,
+            _parse_sentence(sentence, slots),
+            summary,
+            example,
+            purpose or summary[:1].lower() + summary[1:].rstrip("."),
+            ros_term,
+            about or summary,
+            undoes,
         )
         return made
 

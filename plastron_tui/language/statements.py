@@ -20,6 +20,9 @@ CALLBACK_HELP = "the function that is called; made if the file has none of that 
     "create_node {name} as {variable} [using {library}]",
     summary="Make a new node.",
     example="create_node 'talker' as talker",
+    purpose="make a node",
+    ros_term="node",
+    about="A node is a program of its own that does one thing; a robot runs many.",
 )
 class CreateNode(Statement):
     """Make a new node."""
@@ -34,6 +37,9 @@ class CreateNode(Statement):
     "load {source} as {variable}",
     summary="Read a node from a source file, to change it.",
     example="load 'scripts/driver.py' as driver",
+    purpose="change a node file that exists",
+    ros_term="node file",
+    about="The file is read, and only what you ask for changes; every other character stays.",
 )
 class Load(Statement):
     """Read a node from a source file."""
@@ -56,6 +62,9 @@ class Load(Statement):
     "create_message {variable} of message_type {type} and input {input}",
     summary="Make a message with its values.",
     example="create_message origin of message_type Point and input 0, 0, 0",
+    purpose="make a message",
+    ros_term="message",
+    about="A message is what nodes send each other: a few named values.",
 )
 class CreateMessage(Statement):
     """Make a message with its values."""
@@ -70,6 +79,9 @@ class CreateMessage(Statement):
     "subscribe {node} to {topic} of message_type {type} [calling {function}]",
     summary="Let a node listen to a topic.",
     example="subscribe listener to 'chatter' of message_type String",
+    purpose="react to what others send",
+    ros_term="subscriber",
+    about="A function of the node is called with each message that arrives on a topic.",
 )
 class Subscribe(Statement):
     """Let a node listen to a topic."""
@@ -85,6 +97,10 @@ class Subscribe(Statement):
     "unsubscribe {node} from {topic}",
     summary="Let a node no longer listen to a topic.",
     example="unsubscribe listener from 'chatter'",
+    purpose="no longer react to what others send",
+    ros_term="subscriber",
+    about="Takes a subscriber away again.",
+    undoes=Subscribe,
 )
 class Unsubscribe(Statement):
     """Let a node no longer listen to a topic."""
@@ -98,6 +114,9 @@ class Unsubscribe(Statement):
     "{node} publish {message} to {topic} of message_type {type} [at {rate} hz]",
     summary="Let a node send a message to a topic, again and again.",
     example="talker publish greeting to 'chatter' of message_type String at 2 hz",
+    purpose="send something, again and again",
+    ros_term="publisher",
+    about="A message goes out on a topic, so many times a second; whoever listens gets it.",
 )
 class Publish(Statement):
     """Let a node send a message to a topic, again and again."""
@@ -114,6 +133,10 @@ class Publish(Statement):
     "{node} stop_publishing to {topic}",
     summary="Let a node no longer send to a topic.",
     example="talker stop_publishing to 'chatter'",
+    purpose="no longer send something",
+    ros_term="publisher",
+    about="Takes a publisher away again.",
+    undoes=Publish,
 )
 class StopPublishing(Statement):
     """Let a node no longer send to a topic."""
@@ -127,6 +150,9 @@ class StopPublishing(Statement):
     "{node} client_requests {service} of service_type {type} with input {input}",
     summary="Let a node call a service.",
     example="caller client_requests 'add' of service_type AddTwoInts with input 5, 6",
+    purpose="ask a question and wait for the answer",
+    ros_term="service client",
+    about="A request goes to the one node that provides the service, and its answer comes back.",
 )
 class ClientRequests(Statement):
     """Let a node call a service."""
@@ -142,6 +168,10 @@ class ClientRequests(Statement):
     "{node} stop_request {service}",
     summary="Let a node no longer call a service.",
     example="caller stop_request 'add'",
+    purpose="no longer ask a question",
+    ros_term="service client",
+    about="Takes a service client away again.",
+    undoes=ClientRequests,
 )
 class StopRequest(Statement):
     """Let a node no longer call a service."""
@@ -155,6 +185,9 @@ class StopRequest(Statement):
     "{node} provides_service {service} of service_type {type} [calling {function}]",
     summary="Let a node answer the calls of a service.",
     example="adder provides_service 'add' of service_type AddTwoInts",
+    purpose="answer questions",
+    ros_term="service",
+    about="Other nodes call, a function of this node works out the answer.",
 )
 class ProvidesService(Statement):
     """Let a node answer the calls of a service."""
@@ -170,6 +203,10 @@ class ProvidesService(Statement):
     "{node} stop_service {service}",
     summary="Let a node no longer answer the calls of a service.",
     example="adder stop_service 'add'",
+    purpose="no longer answer questions",
+    ros_term="service",
+    about="Takes a service away again.",
+    undoes=ProvidesService,
 )
 class StopService(Statement):
     """Let a node no longer answer the calls of a service."""
@@ -183,6 +220,9 @@ class StopService(Statement):
     "generate_node {node} [using {library}]",
     summary="Write a node to its source file.",
     example="generate_node talker",
+    purpose="write a node to its file",
+    ros_term="source file",
+    about="The file is Python that you can read, run and go on with by hand.",
 )
 class GenerateNode(Statement):
     """Write a node to its source file."""
