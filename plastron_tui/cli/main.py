@@ -30,6 +30,7 @@ _COMMANDS = {
     "serve": "Show the studio in a browser.",
     "shell": "Take one statement at a time.",
     "types": "List interface types, or show one.",
+    "wizard": "Build a program from menus, step by step.",
 }
 
 _STUDIO = "studio"

@@ -22,16 +22,28 @@ from .common import output_option, target_option
 @target_option
 def command(file: Path | None, output: Path | None, target: str | None) -> None:
     """Open the studio, with a program to write or to change."""
+    open_studio(file, Options(target, output))
+
+
+def open_studio(file: Path | None, options: Options, first: str | None = None) -> None:
+    """Open the studio in this terminal, and exit with its status where that is not 0.
+
+    Args:
+        file: the program; None for a new one.
+        options: what the command line sets.
+        first: what is done first, as the name of an action of the main screen.
+    """
+    context = click.get_current_context()
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
         name = "FILE" if file is None else str(file)
         click.echo(
             f"error: the studio needs a terminal; without one: plastron check {name}", err=True
         )
-        click.get_current_context().exit(2)
+        context.exit(2)
     # There is nothing to collect until the screen is there, which then says so.
     gc.disable()
     from plastron_tui.studio.app import run
 
-    status = run(file, Options(target, output))
+    status = run(file, options, first)
     if status:
-        click.get_current_context().exit(status)
+        context.exit(status)

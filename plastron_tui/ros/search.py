@@ -18,8 +18,10 @@ _WORD = re.compile(r"[a-z]+|[0-9]+")
 _PART = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|[0-9]+")
 # Words that say nothing about a type.
 _FILLERS = frozenset(
-    ("a", "an", "the", "of", "to", "in", "on", "for", "and", "or", "is", "it", "its", "my", "with")
-    + ("by", "from", "at", "as", "be", "this", "that", "some", "any")
+    (
+        *("a", "an", "the", "of", "to", "in", "on", "for", "and", "or", "is", "it", "its", "my"),
+        *("with", "by", "from", "at", "as", "be", "this", "that", "some", "any"),
+    )
 )
 _SUFFIXES = ("Action", "ActionFeedback", "ActionGoal", "ActionResult", "Feedback", "Goal", "Result")
 # What definitions say in the place of a description.

@@ -36,12 +36,15 @@ class StudioApp(App[None], inherit_bindings=False):
     COMMAND_PALETTE_BINDING = "ctrl+p"
     BINDINGS: ClassVar[list[BindingType]] = []
 
-    def __init__(self, path: Path | None = None, options: Options | None = None) -> None:
+    def __init__(
+        self, path: Path | None = None, options: Options | None = None, first: str | None = None
+    ) -> None:
         """Start the studio.
 
         Args:
             path: the program to open; it need not be there yet.
             options: what the command line sets.
+            first: the action of the main screen that is done first, instead of the welcome.
         """
         super().__init__()
         self.state_folder = settings.state_folder() / "journal"
@@ -53,6 +56,7 @@ class StudioApp(App[None], inherit_bindings=False):
         self.set_reactive(App.theme, self._first_theme())
         self._path = path
         self._options = options or Options()
+        self._first = None if first is None else f"screen.{first}"
         self._kept: list[Kept] = []
         self._has_failed = False
 
@@ -87,7 +91,9 @@ class StudioApp(App[None], inherit_bindings=False):
         if path is not None:
             self.opened(path)
         if own:
-            self.call_after_refresh(self.main.offer_kept, own[0])
+            self.call_after_refresh(self.main.offer_kept, own[0], self._first)
+        elif self._first is not None:
+            self.call_after_refresh(self.run_call, self._first)
         elif self._path is None:
             self.call_after_refresh(self.main.action_welcome)
 
@@ -145,9 +151,9 @@ class StudioApp(App[None], inherit_bindings=False):
         settings.save_remembered(self._memory, self.remembered)
 
 
-def run(path: Path | None, options: Options | None = None) -> int:
+def run(path: Path | None, options: Options | None = None, first: str | None = None) -> int:
     """Run the studio in this terminal, and return the exit status."""
-    app = StudioApp(path, options)
+    app = StudioApp(path, options, first)
     app.run(mouse=app.config.mouse)
     return app.return_code or 0
 

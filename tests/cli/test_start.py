@@ -13,7 +13,10 @@ from command_line import BROKEN, PLASTRON, TALKER, Run
 
 from plastron_tui.cli.main import cli
 
-COMMANDS = ("check", "completion", "fmt", "generate", "graph", "inspect", "shell", "types")
+COMMANDS = (
+    *("check", "completion", "describe", "fmt", "generate", "graph", "inspect", "run", "serve"),
+    *("shell", "types", "wizard"),
+)
 
 
 def imported_by(here: Path, *arguments: str) -> set[str]:
@@ -74,6 +77,7 @@ def test_help_lists_every_command_with_a_line() -> None:
         ([], "Usage: plastron"),
         (["chekc"], "did you mean 'check'?"),
         (["a.plastron"], "plastron check a.plastron"),
+        (["wizard", "a.plastron"], "the studio needs a terminal"),
         (["--nonsense"], "--nonsense"),
         (["check"], "Missing argument"),
         (["check", "--format", "xml", "a"], "'xml'"),
@@ -126,6 +130,7 @@ def test_bash_completes_commands_options_and_choices(here: Path) -> None:
     assert set(COMMANDS) <= set(complete(here, ""))
     assert "--dry-run" in complete(here, "generate", "--d")
     assert complete(here, "graph", "--format", "m") == ["mermaid"]
+    assert complete(here, "wizard", "--target", "rc") == ["rclpy"]
     assert complete(here, "generate", "--target", "rosp") == ["rospy"]
 
 

@@ -318,11 +318,13 @@ class Filing(Screen[None]):
 
     # What was kept.
 
-    def offer_kept(self, kept: Kept) -> None:
-        """Offer a text that was not saved before the studio ended."""
-        self._offer(kept)
-
     @work(exclusive=True, group="kept", description="kept")
+    async def offer_kept(self, kept: Kept, after: str | None = None) -> None:
+        """Offer a text that was not saved before the studio ended; then do an action."""
+        await self._offer(kept)
+        if after is not None:
+            await self.run_action(after)
+
     async def _offer(self, kept: Kept) -> None:
         from datetime import datetime
 
