@@ -130,7 +130,7 @@ def test_bash_completes_commands_options_and_choices(here: Path) -> None:
     assert set(COMMANDS) <= set(complete(here, ""))
     assert "--dry-run" in complete(here, "generate", "--d")
     assert complete(here, "graph", "--format", "m") == ["mermaid"]
-    assert complete(here, "wizard", "--target", "rc") == ["rclpy"]
+    assert complete(here, "wizard", "--target", "rclp") == ["rclpy"]
     assert complete(here, "generate", "--target", "rosp") == ["rospy"]
 
 
