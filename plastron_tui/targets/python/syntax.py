@@ -6,7 +6,7 @@ import codecs
 import re
 from dataclasses import dataclass
 from functools import cache
-from importlib import resources
+from pathlib import Path
 
 import tree_sitter_python
 from tree_sitter import Language, Node, Parser, Query, QueryCursor, Tree
@@ -34,7 +34,8 @@ def language() -> Language:
 @cache
 def query(name: str) -> Query:
     """Return a compiled query of this package; compiling is slow, so each is compiled once."""
-    file = resources.files(__package__) / "queries" / f"{name}.scm"
+    # `importlib.resources` would load `zipfile`, which takes as long as reading a node.
+    file = Path(__file__).with_name("queries") / f"{name}.scm"
     return Query(language(), file.read_text("utf-8"))
 
 
