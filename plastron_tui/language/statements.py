@@ -8,10 +8,7 @@ from .inputs import Input
 NAME_HELP = "what the node is called in the ROS graph"
 TOPIC_HELP = "the topic, a name that nodes share"
 SERVICE_HELP = "the service, a name that nodes share"
-LIBRARY_HELP = (
-    "rospy or rclpy (roscpp, rclcpp and nodelet are not yet written by plastron); "
-    "without it, the one that is in use"
-)
+LIBRARY_HELP = "rospy for ROS 1, rclpy for ROS 2; without it, the one that is in use"
 CALLBACK_HELP = "the function that is called; made if the file has none of that name"
 
 
@@ -125,7 +122,10 @@ class Publish(Statement):
     message: str = slot(SlotKind.MESSAGE, "the message that it sends")
     topic: str = slot(SlotKind.TOPIC, TOPIC_HELP)
     type: str = slot(SlotKind.MESSAGE_TYPE, "the type of the topic's messages")
-    rate: int | float | None = slot(SlotKind.RATE, "how often, in hertz; 10 without it")
+    rate: int | float | None = slot(
+        SlotKind.RATE,
+        "how often, in hertz; without it 10, or as often as the loop of a loaded file",
+    )
 
 
 @statement(

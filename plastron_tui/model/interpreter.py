@@ -267,6 +267,7 @@ class Interpreter(Checks):
                 )
             )
         rate = DEFAULT_RATE if statement.rate is None else self._rate(statement, statement.rate)
+        is_open = statement.rate is None
         publisher = node.publishers.get(topic)
         earlier = () if publisher is None else publisher.publications
         if any(publication.message is message for publication in earlier):
@@ -274,9 +275,8 @@ class Interpreter(Checks):
             raise self._exists_already(statement, "topic", node, "already-publishing", what)
         self._agree(statement, node, EndpointKind.PUBLISHER, topic, type_)
         span = statement.span if publisher is None else publisher.span
-        node.publishers[topic] = Publisher(
-            topic, type_, (*earlier, Publication(message, rate, statement.span)), span
-        )
+        sent = Publication(message, rate, statement.span, is_open)
+        node.publishers[topic] = Publisher(topic, type_, (*earlier, sent), span)
 
     def _stop_publishing(self, statement: st.StopPublishing) -> None:
         node = self._node(statement)

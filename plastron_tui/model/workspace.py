@@ -43,11 +43,16 @@ class Message(NamedTuple):
 
 
 class Publication(NamedTuple):
-    """One message on its way to a topic, and how often it is sent, in hertz."""
+    """One message on its way to a topic, and how often it is sent, in hertz.
+
+    `is_rate_open` tells that the program leaves the rate to Plastron, or to the loop of a file
+    that has one; `rate` is then the default.
+    """
 
     message: Message
     rate: float
     span: Span | None = None
+    is_rate_open: bool = False
 
 
 class Publisher(NamedTuple):

@@ -24,8 +24,6 @@ from .splices import line_end, line_start
 if TYPE_CHECKING:
     from .addition import Addition
 
-# What a statement that names no rate has.
-_DEFAULT_RATE = 10.0
 _LEAVING = ("return_statement", "break_statement", "continue_statement", "raise_statement")
 
 
@@ -37,7 +35,7 @@ def add_publishing(added: Addition, publisher: Publisher) -> list[str]:
     fitting: list[Publication] = []
     by_rate: dict[float, list[Publication]] = defaultdict(list)
     for publication in publisher.publications:
-        is_fitting = block is not None and _fits(publication.rate, own_rate)
+        is_fitting = block is not None and _fits(publication, own_rate)
         (fitting if is_fitting else by_rate[publication.rate]).append(publication)
     if block is not None and fitting:
         scope = added.analysis.scopes.at(block.start_byte)
@@ -51,9 +49,10 @@ def add_publishing(added: Addition, publisher: Publisher) -> list[str]:
     return lines
 
 
-def _fits(rate: float, own_rate: float | None) -> bool:
-    """Whether a message of a rate goes into a loop: its rate is not written, or the loop's."""
-    return rate == _DEFAULT_RATE or (own_rate is not None and math.isclose(rate, own_rate))
+def _fits(publication: Publication, own_rate: float | None) -> bool:
+    """Whether a message goes into a loop: its rate is not written, or the loop's."""
+    is_same = own_rate is not None and math.isclose(publication.rate, own_rate)
+    return publication.is_rate_open or is_same
 
 
 def _own_block(added: Addition) -> tuple[Node | None, float | None]:

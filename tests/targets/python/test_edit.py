@@ -53,10 +53,10 @@ def interface(text: str) -> InterfaceName:
     return InterfaceName(*text.split("/"))
 
 
-def publish(topic, type_="std_msgs/String", rate=10.0, **fields):
+def publish(topic, type_="std_msgs/String", rate=None, **fields):
     value = MessageValue(interface(type_), fields)
-    sent = [Publication(Message("m", value, AT), rate)] if fields else []
-    return Add(Publisher(topic, interface(type_), sent, AT))
+    sent = Publication(Message("m", value, AT), rate or 10.0, is_rate_open=rate is None)
+    return Add(Publisher(topic, interface(type_), [sent] if fields else [], AT))
 
 
 def subscribe(topic, type_="std_msgs/String", callback=None):

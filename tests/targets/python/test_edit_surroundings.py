@@ -33,7 +33,7 @@ SEND = Add(
     Publisher(
         "out",
         STRING,
-        (Publication(Message("m", MessageValue(STRING, {"data": "hi"}), AT), 10.0),),
+        (Publication(Message("m", MessageValue(STRING, {"data": "hi"}), AT), 10.0, AT, True),),
         AT,
     )
 )

@@ -45,7 +45,7 @@ def edited(text: bytes, data: str) -> Rendered:
     source = read_python(Path("node.py"), text).source
     assert source is not None
     type_, at = InterfaceName("std_msgs", "String"), Span(0, 1)
-    sent = Publication(Message("m", MessageValue(type_, {"data": data}), at), 10.0)
+    sent = Publication(Message("m", MessageValue(type_, {"data": data}), at), 10.0, at, True)
     change = Add(Publisher("t", type_, [sent], at))
     return edit_python(source, [change], Catalog("noetic"), DIALECT)
 

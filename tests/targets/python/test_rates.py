@@ -9,7 +9,7 @@ import pytest
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.source import Add
 from plastron_tui.model.values import MessageValue
-from plastron_tui.model.workspace import Message, Publication, Publisher
+from plastron_tui.model.workspace import DEFAULT_RATE, Message, Publication, Publisher
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.targets.python import edit_python, read_python
@@ -35,8 +35,11 @@ TIMER_2 = (
 @pytest.mark.parametrize(
     ("text", "own", "rate", "is_own"),
     [
+        (LOOP, "5", None, True),
         (LOOP, "5", 5.0, True),
-        (LOOP, "5", 10.0, True),
+        (LOOP, "5", 10.0, False),
+        (LOOP, "10", 10.0, True),
+        (LOOP, "rospy.get_param('~rate')", None, True),
         (LOOP, "5", 2.0, False),
         (LOOP, "rospy.get_param('~rate')", 2.0, False),
         (SLEEP, "0.5", 2.0, True),
@@ -44,18 +47,20 @@ TIMER_2 = (
         (TIMER_1, "0.5", 2.0, True),
         (TIMER_1, "0.5", 4.0, False),
         (TIMER_2, "1.0 / 30", 30.0, True),
-        (TIMER_2, "1", 10.0, True),
+        (TIMER_2, "1", 10.0, False),
+        (TIMER_2, "1", None, True),
         (TIMER_2, "1", 4.0, False),
     ],
 )
 def test_a_rate_that_the_file_does_not_have_gets_a_timer(
-    text: str, own: str, rate: float, is_own: bool
+    text: str, own: str, rate: float | None, is_own: bool
 ) -> None:
     source = read_python(Path("node.py"), text.replace("{}", own).encode()).source
     assert source is not None
     library = {"rospy": (Catalog("noetic"), ROSPY), "rclpy": (Catalog("jazzy"), RCLPY)}
     type_, at = InterfaceName("std_msgs", "String"), Span(0, 0)
-    sent = Publication(Message("m", MessageValue(type_, {"data": "hi"}), at), rate)
+    message = Message("m", MessageValue(type_, {"data": "hi"}), at)
+    sent = Publication(message, rate or DEFAULT_RATE, is_rate_open=rate is None)
     change = Add(Publisher("out", type_, [sent], at))
     result = edit_python(source, [change], *library[source.library])
     assert result.text is not None, result.diagnostics

@@ -1,0 +1,81 @@
+"""Nodes that a program loads from files."""
+
+from __future__ import annotations
+
+import pytest
+from workspaces import (
+    TALKER,
+    FakeReader,
+    codes,
+    endpoint,
+    source,
+    workspace,
+)
+
+from plastron_tui.model.source import EndpointKind
+
+LOADED = source(
+    endpoint(EndpointKind.PUBLISHER, "out", "std_msgs/String"),
+    endpoint(EndpointKind.SUBSCRIPTION, "in", "std_msgs/String", "on_in"),
+    endpoint(EndpointKind.SERVICE, "ask", "std_srvs/Trigger", "answer"),
+    endpoint(EndpointKind.CLIENT, "call", "std_srvs/SetBool"),
+    endpoint(EndpointKind.PUBLISHER, None, "std_msgs/String"),
+    endpoint(EndpointKind.SUBSCRIPTION, "untyped"),
+)
+
+
+def test_load() -> None:
+    reader = FakeReader({"driver": LOADED})
+    node = workspace("load driver as d\n", reader=reader).nodes["d"]
+    assert (node.name, node.variable, node.library) == ("driver", "d", "rospy")
+    assert node.source is LOADED
+    assert list(node.publishers) == ["out"]
+    assert node.publishers["out"].publications == ()
+    assert {key: each.callback for key, each in node.subscriptions.items()} == {
+        "in": "on_in",
+        "untyped": None,
+    }
+    assert node.services["ask"].handler == "answer"
+    assert node.clients["call"].requests == ()
+
+
+def test_load_asks_the_reader_for_what_is_written() -> None:
+    reader = FakeReader({"driver": LOADED, "a/b.py": LOADED})
+    text = TALKER + "generate_node n\nload driver as d\nload 'a/b.py' as e\n"
+    workspace(text, reader=reader)
+    assert [(each.source, each.is_path) for each in reader.requests] == [
+        ("driver", False),
+        ("a/b.py", True),
+    ]
+    assert [each.node.name for each in reader.requests[0].generated] == ["talker"]
+
+
+LOAD_CASES = {
+    "unsubscribe d from 'in'\nsubscribe d to 'new' of message_type String\n": [],
+    "unsubscribe d from 'in'\nsubscribe d to 'in' of message_type Int32\n": [],
+    "subscribe d to 'in' of message_type String\n": ["already-subscribed"],
+    "subscribe d to 'new' of message_type String calling answer\n": ["function-conflict"],
+    "subscribe d to 'untyped' of message_type Int32\n": ["already-subscribed"],
+    "d stop_request 'call'\nd stop_service 'ask'\nd stop_publishing to 'out'\n": [],
+    "unsubscribe d from 'out'\n": ["not-subscribed"],
+    "create_node 'x' as x\nsubscribe x to 'out' of message_type Int32\n": ["topic-type-conflict"],
+    "create_node 'x' as x\nx provides_service 'ask' of service_type Trigger\n": [
+        "service-provided-twice"
+    ],
+    "generate_node d\n": [],
+}
+
+
+@pytest.mark.parametrize(("text", "expected"), LOAD_CASES.items(), ids=range(len(LOAD_CASES)))
+def test_a_loaded_node_is_a_node(text: str, expected: list[str]) -> None:
+    assert codes("load driver as d\n" + text, reader=FakeReader({"driver": LOADED})) == expected
+
+
+def test_a_loaded_node_that_only_has_a_timer_is_not_idle() -> None:
+    timer = source(endpoint(EndpointKind.TIMER, None))
+    empty = source(name=None)
+    text = "load driver as d\ngenerate_node d\n"
+    assert codes(text, reader=FakeReader({"driver": timer})) == []
+    assert codes(text, reader=FakeReader({"driver": empty})) == ["idle-node"]
+    nodes = workspace("load driver as d\n", reader=FakeReader({"driver": empty})).nodes
+    assert nodes["d"].name == "driver"

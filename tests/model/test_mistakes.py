@@ -1,0 +1,102 @@
+"""Statements with a mistake: what is said, and that they have no effect."""
+
+from __future__ import annotations
+
+import pytest
+from workspaces import (
+    NODE,
+    TALKER,
+    codes,
+    marked,
+    run,
+    workspace,
+)
+
+FUNCTIONS = {
+    "subscribe n to 'a' of message_type String calling f\n"
+    "n provides_service 's' of service_type Trigger calling f\n": ["function-conflict"],
+    "n provides_service 's' of service_type Trigger calling f\n"
+    "subscribe n to 'a' of message_type String calling f\n": ["function-conflict"],
+    "n provides_service 's' of service_type Trigger calling f\n"
+    "n provides_service 't' of service_type SetBool calling f\n": ["function-conflict"],
+    "n provides_service 's' of service_type Trigger calling f\n"
+    "n provides_service 't' of service_type Trigger calling f\n": [],
+    "subscribe n to 'a' of message_type String calling f\n"
+    "subscribe n to 'b' of message_type String calling f\n": [],
+    "subscribe n to 'a' of message_type String calling f\n"
+    "unsubscribe n from 'a'\n"
+    "n provides_service 's' of service_type Trigger calling f\n": [],
+    "subscribe n to 'a' of message_type String calling class\n": ["invalid-function"],
+    "n provides_service 's' of service_type Trigger calling None\n": ["invalid-function"],
+}
+
+
+@pytest.mark.parametrize(("text", "expected"), FUNCTIONS.items(), ids=range(len(FUNCTIONS)))
+def test_functions(text: str, expected: list[str]) -> None:
+    assert codes(NODE + text) == expected
+
+
+MISTAKES: list[tuple[str, str, str, str | None]] = [
+    ("create_node 'other' as n", "variable-exists", "n", "another name"),
+    ("create_message n of message_type String and input none", "variable-exists", "n", None),
+    ("create_node 'x' as m", "variable-exists", "m", None),
+    ("load driver as n", "variable-exists", "n", None),
+    ("create_node 'talker' as t", "node-exists", "'talker'", None),
+    ("create_node 'x' as _x", "invalid-variable", "_x", "write `x`"),
+    ("create_node 'x' as x using rospi", "unknown-library", "rospi", "did you mean `rospy`?"),
+    ("create_node 'x' as x using ros2", "unknown-library", "ros2", "did you mean `rclpy`?"),
+    ("create_node 'x' as x using Noetic", "unknown-library", "Noetic", "did you mean `rospy`?"),
+    ("generate_node n using turtle", "unknown-library", "turtle", "rospy, rclpy"),
+    ("create_node '../../x' as x", "invalid-name", "/", None),
+    ("create_node '__import__(os)' as x", "invalid-name", "(", None),
+    ("create_node '' as x", "invalid-name", "", None),
+    ("subscribe n to 'a b' of message_type String", "invalid-name", " ", "write 'a_b'"),
+    ("subscribe n to 'é' of message_type String", "invalid-name", "é", None),
+    ("n provides_service 'a//b' of service_type Trigger", "invalid-name", "//", None),
+    ("subscribe nn to 'a' of message_type String", "unknown-node", "nn", "did you mean `n`?"),
+    ("subscribe m to 'a' of message_type String", "unknown-node", "m", "`m` is a message"),
+    ("generate_node zzz", "unknown-node", "zzz", None),
+    ("n publish mm to 'a' of message_type String", "unknown-message", "mm", "did you mean `m`?"),
+    ("n publish n to 'a' of message_type String", "unknown-message", "n", "`n` is a node"),
+    ("n publish m to 'a' of message_type Strin", "unknown-type", "Strin", "`String`"),
+    ("n publish m to 'a' of message_type Int32", "message-type-mismatch", "Int32", "String"),
+    ("n publish m to 'a' of message_type String at 0 hz", "invalid-rate", "0", None),
+    ("n publish m to 'a' of message_type String at -1 hz", "invalid-rate", "-1", "write `at 1 hz`"),
+    ("n publish m to 'a' of message_type String at 1e7 hz", "invalid-rate", "1e7", None),
+    ("n publish m to 'a' of message_type String at 1e999 hz", "invalid-rate", "1e999", None),
+    ("n publish m to 'a' of message_type String at 1e-999 hz", "invalid-rate", "1e-999", None),
+    ("n publish m to 'chatter' of message_type String", "already-publishing", "'chatter'", None),
+    ("n stop_publishing to 'chater'", "not-publishing", "'chater'", "did you mean `chatter`?"),
+    ("unsubscribe n from 'chatter'", "not-subscribed", "'chatter'", None),
+    ("n stop_service 's'", "not-providing", "'s'", None),
+    ("n stop_request 's'", "not-requesting", "'s'", None),
+    ("subscribe n to 'chatter' of message_type Int32", "topic-type-conflict", "Int32", "String"),
+    ("load nowhere as x", "file-not-found", "nowhere", None),
+]
+
+
+@pytest.mark.parametrize("case", MISTAKES, ids=[case[0] for case in MISTAKES])
+def test_a_statement_with_a_mistake_has_no_effect(case: tuple[str, str, str, str | None]) -> None:
+    line, code, where, remedy = case
+    text = TALKER + line + "\n"
+    found = run(text)
+    (diagnostic,) = found.diagnostics
+    assert diagnostic.code == code
+    assert marked(text, diagnostic).startswith(where)
+    assert remedy is None or remedy in (diagnostic.help or "")
+    before = workspace(TALKER)
+    after = found.workspace
+    assert list(after.nodes) == list(before.nodes)
+    assert list(after.messages) == list(before.messages)
+    assert after.generations == []
+    for kind in ("publishers", "subscriptions", "services", "clients"):
+        assert getattr(after.nodes["n"], kind).keys() == getattr(before.nodes["n"], kind).keys()
+    assert len(after.nodes["n"].publishers["chatter"].publications) == 1
+
+
+def test_an_idle_node_is_not_generated() -> None:
+    text = NODE + "generate_node n\n"
+    found = run(text)
+    (diagnostic,) = found.diagnostics
+    assert (diagnostic.code, marked(text, diagnostic)) == ("idle-node", "n")
+    assert found.workspace.generations == []
