@@ -129,6 +129,7 @@ class Arranging(Screen[None]):
         center.display = zoomed is None or zoomed is self.bottom
         self.query_one(KeyBar).display = self.app.size.height >= 8
         self.show_tabs()
+        self.ask_more()
 
     def _place(self, dock: Dock, place: str) -> None:
         width, height = self.app.size
