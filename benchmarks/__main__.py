@@ -3,7 +3,7 @@ from __future__ import annotations
 import sys
 from importlib import import_module
 
-_PARTS = ("language", "process", "output", "source", "editor")
+_PARTS = ("language", "process", "output", "source", "editor", "studio")
 
 
 def main() -> int:
