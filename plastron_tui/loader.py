@@ -6,7 +6,8 @@ import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from plastron_tui.diagnostics import Diagnostic, did_you_mean
+from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.model.setting import Loaded, LoadRequest
 from plastron_tui.model.workspace import Generation
 
@@ -84,18 +85,20 @@ class NodeLoader:
     def _not_found(self, request: LoadRequest) -> Loaded:
         if request.is_path:
             path = self._folder / request.source
-            siblings = _names(path.parent, full=True)
-            return _failed(
-                "file-not-found",
+            name = nearest(path.name, _names(path.parent, full=True))
+            folder = request.source[: len(request.source) - len(path.name)]
+            return _not_there(
                 f"no file `{request.source}` beside the program",
-                did_you_mean(path.name, siblings),
+                name,
+                None if name is None or "'" in name else f"'{folder}{name}'",
             )
         known = {name for folder in (self._output, self._folder) for name in _names(folder)}
-        return _failed(
-            "file-not-found",
+        name = nearest(request.source, sorted(known))
+        return _not_there(
             f"no file `{request.source}.py` or `{request.source}.cpp` in the output folder, the "
             "program's folder or the working folder",
-            did_you_mean(request.source, sorted(known)),
+            name,
+            name if name is not None and name.isidentifier() and name.isascii() else None,
         )
 
 
@@ -117,3 +120,9 @@ def _names(folder: Path, *, full: bool = False) -> list[str]:
 
 def _failed(code: str, message: str, remedy: str | None = None) -> Loaded:
     return Loaded(None, (Diagnostic(code, message, help=remedy),))
+
+
+def _not_there(message: str, name: str | None, right: str | None) -> Loaded:
+    """Say that no file has a name, and which one may be meant: its name, and how it is written."""
+    remedy = None if name is None else f"did you mean `{name}`?"
+    return Loaded(None, (Diagnostic("file-not-found", message, help=remedy),), right)

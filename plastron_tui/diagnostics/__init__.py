@@ -6,9 +6,9 @@ wrote. How they look (text, JSON, an underline in an editor) is for the renderer
 
 from typing import TYPE_CHECKING, Any
 
-from .data import Diagnostic, Edit, Fix, Label, Severity, Span, has_errors
+from .data import Diagnostic, Edit, Fix, Label, Severity, Span, has_errors, write
 from .lines import LineIndex, Position
-from .suggest import did_you_mean
+from .suggest import did_you_mean, guess
 
 if TYPE_CHECKING:
     from .codes import CODES, IO_CODES, Code
@@ -26,7 +26,9 @@ __all__ = [
     "Severity",
     "Span",
     "did_you_mean",
+    "guess",
     "has_errors",
+    "write",
 ]
 
 

@@ -36,6 +36,11 @@ class Fix(NamedTuple):
     edits: tuple[Edit, ...]
 
 
+def write(text: str, span: Span) -> Fix:
+    """Return the remedy that writes a text in the place of a span."""
+    return Fix(f"write `{text}`" if text else "take it away", (Edit(span, text),))
+
+
 class Label(NamedTuple):
     """A second place that explains the first, such as an earlier declaration."""
 

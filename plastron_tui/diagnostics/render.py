@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import accumulate
 from pathlib import Path
 from typing import Any, NamedTuple
-from unicodedata import category, east_asian_width
 
 from .data import Diagnostic, Severity, Span
 from .lines import LineIndex
+from .terminal import width as cell_width
 
 Lines = Callable[[Path | None], LineIndex | None]
 """Gives the lines of a file, for a diagnostic without a file those of the program at hand."""
@@ -110,7 +110,7 @@ class _Window:
         after = "…" if start + _WIDEST_LINE < len(line) else ""
         self.text = before + cut + after
         self._first = start + 1
-        self._ends = [len(before), *accumulate(map(_width, cut), initial=len(before))][1:]
+        self._ends = [len(before), *accumulate(map(cell_width, cut), initial=len(before))][1:]
 
     def cells(self, column: int, stop: int) -> tuple[int, int]:
         """Return where a part of the line starts, in terminal cells, and how wide it is."""
@@ -118,15 +118,6 @@ class _Window:
         start = self._ends[min(max(column - self._first, 0), last)]
         end = self._ends[min(max(stop - self._first, 0), last)]
         return start, max(1, end - start)
-
-
-def _width(character: str) -> int:
-    """Return how many cells of a terminal a character takes."""
-    if character.isascii():
-        return 1
-    if category(character) in {"Mn", "Me"}:
-        return 0
-    return 2 if east_asian_width(character) in {"W", "F"} else 1
 
 
 def printable(text: str) -> str:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import islice
 
+from .data import Fix, Span, write
+
 # Beyond this many names a suggestion costs more than it helps.
 _MOST_NAMES = 5_000
 
@@ -24,3 +26,22 @@ def did_you_mean(word: str, names: Iterable[str]) -> str | None:
     """Return a help line that offers the nearest name, or None when none is close."""
     name = nearest(word, names)
     return f"did you mean `{name}`?" if name is not None else None
+
+
+def guess(
+    word: str, names: Iterable[str], span: Span, *, is_quoted: bool = False
+) -> tuple[str | None, Fix | None]:
+    """Return the help line that offers the nearest name, and the fix that writes it.
+
+    Both are None when no name is close.
+
+    Args:
+        word: what is written.
+        names: what would have been right.
+        span: where the word stands, with its quotes if it has some.
+        is_quoted: whether the word stands in single quotes.
+    """
+    name = nearest(word, names)
+    if name is None:
+        return None, None
+    return f"did you mean `{name}`?", write(f"'{name}'" if is_quoted else name, span)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span
+from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, write
 from plastron_tui.diagnostics.suggest import nearest
 
 from .declaration import Clause, Declaration, Element, Slot, SlotKind
@@ -305,6 +305,7 @@ class Alignment:
                 f"`{_shown(escape)}` is no escape",
                 Span(after.start, end),
                 help=f"{_ESCAPES}; a backslash is written \\\\",
+                fix=write(f"\\{escape}", Span(after.start, end)),
             )
         return unexpected(token)
 

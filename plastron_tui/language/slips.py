@@ -138,6 +138,24 @@ def _quotes(place: Place, found: Diagnostic) -> Diagnostic | None:
     )
 
 
+def _unclosed(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Find where a quote is to be closed: a name is one word, a text goes on to the line's end."""
+    if found.code != "unclosed-quote" or found.span is None:
+        return None
+    quote, start = place.token.text[0], found.span.end
+    line = place.source[start:].partition(b"\n")[0].decode("utf-8", "replace").rstrip()
+    length = len(line)
+    if quote == "'":
+        word = re.match(r"[^\s']+" if place.wanted is SlotKind.FILE else r"[\w/~{}]+", line)
+        if word is None:
+            return None
+        length = word.end()
+    elif line.endswith("\\"):
+        return None
+    end = start + len(line[:length].encode())
+    return found._replace(fix=Fix(f"close it with {quote}", (Edit(Span(end, end), quote),)))
+
+
 def _mark(place: Place, found: Diagnostic) -> Diagnostic | None:
     """Recognise marks that other languages want, and this one does not."""
     token, before = place.token, place.tokens[place.at - 1]
@@ -310,6 +328,7 @@ def _period(place: Place, found: Diagnostic) -> Diagnostic | None:
 _SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
     _comment,
     _quotes,
+    _unclosed,
     _mark,
     _hyphen,
     _number_first,

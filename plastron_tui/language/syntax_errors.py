@@ -7,7 +7,7 @@ from itertools import groupby, islice
 
 from tree_sitter import Node
 
-from plastron_tui.diagnostics import Diagnostic, Edit, Fix
+from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span
 from plastron_tui.diagnostics.suggest import nearest
 
 from .alignment import Alignment, unexpected
@@ -60,7 +60,10 @@ def _explain_line(
 ) -> Diagnostic:
     for token in tokens:
         if token.kind == UNKNOWN and token.text.startswith("/*"):
-            return unexpected(token)
+            end = source.find(b"\n", token.start)
+            end = len(source[: end if end >= 0 else None].rstrip())
+            fix = Fix("close it", (Edit(Span(end, end), " */"),))
+            return unexpected(token)._replace(fix=fix)
     slots: dict[int, SlotKind] = {}
     if declaration is None:
         found = _unknown_statement(tokens)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from plastron_tui.diagnostics import Diagnostic, Label
+from plastron_tui.diagnostics import Diagnostic, Label, write
 from plastron_tui.language.declaration import Statement
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.names import resolved_name
@@ -13,6 +13,7 @@ from plastron_tui.ros.names import resolved_name
 from .workspace import EndpointKind, Node
 
 _User = tuple[str, EndpointKind]
+_WITH_VALUES = (EndpointKind.PUBLISHER, EndpointKind.CLIENT)
 
 
 @dataclass(slots=True)
@@ -38,11 +39,15 @@ class Agreement:
         if use is None:
             return None
         elsewhere = next(iter(use.users.values())).span
+        where = statement.span_of("type")
+        # A message or a request with values is of one type only: they would not fit another.
+        fix = None if role in _WITH_VALUES else write(str(use.type), where)
         return Diagnostic(
             self._code,
             f"{self._what} `{name}` is of type `{use.type}` elsewhere in this program",
-            statement.span_of("type"),
+            where,
             help=f"use `{use.type}` here too, or another {self._what}",
+            fix=fix,
             labels=(Label(elsewhere, f"`{use.type}` here"),),
         )
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 from keyword import iskeyword
 from typing import Any
 
-from plastron_tui.diagnostics import Diagnostic, Label, Span, did_you_mean
+from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Label, Span, guess, write
 from plastron_tui.language import statements as st
 from plastron_tui.language.broken import Broken
 from plastron_tui.language.declaration import Statement
@@ -65,12 +65,14 @@ class Checks:
 
     def _check_new_variable(self, statement: Statement, variable: str) -> None:
         if not variable[0].isalpha():
+            where, right = statement.span_of("variable"), variable.lstrip("_") or "node1"
             raise Mistake(
                 Diagnostic(
                     "invalid-variable",
                     f"a variable starts with a letter, and `{variable}` does not",
-                    statement.span_of("variable"),
-                    help=f"write `{variable.lstrip('_') or 'node1'}`",
+                    where,
+                    help=f"write `{right}`",
+                    fix=write(right, where),
                 )
             )
         workspace = self.workspace
@@ -95,16 +97,12 @@ class Checks:
         variable: str = statement.node
         if self._is_broken(variable):
             raise Mistake
-        is_other = variable in self.workspace.messages
+        where = statement.span_of("node")
+        remedy, fix = guess(variable, self.workspace.nodes, where)
+        if variable in self.workspace.messages:
+            remedy, fix = f"`{variable}` is a message", None
         raise Mistake(
-            Diagnostic(
-                "unknown-node",
-                f"no node `{variable}`",
-                statement.span_of("node"),
-                help=f"`{variable}` is a message"
-                if is_other
-                else did_you_mean(variable, self.workspace.nodes),
-            )
+            Diagnostic("unknown-node", f"no node `{variable}`", where, help=remedy, fix=fix)
         )
 
     def _message(self, statement: st.Publish) -> Message:
@@ -114,16 +112,12 @@ class Checks:
         variable = statement.message
         if self._is_broken(variable):
             raise Mistake
-        is_other = variable in self.workspace.nodes
+        where = statement.span_of("message")
+        remedy, fix = guess(variable, self.workspace.messages, where)
+        if variable in self.workspace.nodes:
+            remedy, fix = f"`{variable}` is a node", None
         raise Mistake(
-            Diagnostic(
-                "unknown-message",
-                f"no message `{variable}`",
-                statement.span_of("message"),
-                help=f"`{variable}` is a node"
-                if is_other
-                else did_you_mean(variable, self.workspace.messages),
-            )
+            Diagnostic("unknown-message", f"no message `{variable}`", where, help=remedy, fix=fix)
         )
 
     def _is_broken(self, variable: str) -> bool:
@@ -152,16 +146,17 @@ class Checks:
         library = statement.library
         if library is None or library in self._setting.libraries:
             return library
-        names = ", ".join(self._setting.libraries)
+        where = statement.span_of("library")
         known = _LIBRARY_OF_ROS.get(library.lower())
+        names = self._setting.libraries if known is None else (known,)
+        remedy, fix = guess(library if known is None else known, names, where)
         raise Mistake(
             Diagnostic(
                 "unknown-library",
                 f"no client library `{library}`",
-                statement.span_of("library"),
-                help=f"did you mean `{known}`?"
-                if known is not None
-                else did_you_mean(library, self._setting.libraries) or f"there are {names}",
+                where,
+                help=remedy or f"there are {', '.join(names)}",
+                fix=fix,
             )
         )
 
@@ -174,7 +169,8 @@ class Checks:
         problem = _CHECKS[slot](name, version)
         if problem is None:
             return
-        start = statement.span_of(slot).start + 1  # within the quotes
+        whole = statement.span_of(slot)
+        start = whole.start + 1  # within the quotes
         before = len(name[: problem.offset].encode())
         length = len(name[problem.offset : problem.offset + problem.length].encode())
         raise Mistake(
@@ -183,6 +179,7 @@ class Checks:
                 problem.message,
                 Span(start + before, start + before + length),
                 help=None if problem.suggestion is None else f"write '{problem.suggestion}'",
+                fix=None if problem.suggestion is None else write(f"'{problem.suggestion}'", whole),
             )
         )
 
@@ -192,8 +189,13 @@ class Checks:
         found = self._resolver(version).resolve(text, kind)
         if not isinstance(found, TypeProblem):
             return found
-        remedy = self._elsewhere(text, kind, version) or found.help
-        raise Mistake(Diagnostic(found.code, found.message, statement.span_of("type"), help=remedy))
+        where = statement.span_of("type")
+        remedy: str | None = self._elsewhere(text, kind, version)
+        fix: Fix | None = None
+        if remedy is None:
+            remedy = found.help
+            fix = None if found.right is None else write(found.right, where)
+        raise Mistake(Diagnostic(found.code, found.message, where, help=remedy, fix=fix))
 
     def _elsewhere(self, text: str, kind: InterfaceKind, version: int) -> str | None:
         """Say how to get the other ROS, which has a type, where nobody chose this one."""
@@ -226,12 +228,14 @@ class Checks:
     def _rate(self, statement: Statement, rate: int | float) -> float:
         if 0 < rate <= _HIGHEST_RATE:
             return float(rate)
+        where, is_negative = statement.span_of("rate"), -_HIGHEST_RATE <= rate < 0
         raise Mistake(
             Diagnostic(
                 "invalid-rate",
                 f"a rate is more than 0 and at most {_HIGHEST_RATE:g} hz",
-                statement.span_of("rate"),
-                help=f"write `at {-rate:g} hz`" if -_HIGHEST_RATE <= rate < 0 else None,
+                where,
+                help=f"write `at {-rate:g} hz`" if is_negative else None,
+                fix=write(f"{-rate:g}", where) if is_negative else None,
             )
         )
 
@@ -249,17 +253,19 @@ class Checks:
         if function is None:
             return
         if iskeyword(function):
+            where = statement.span_of("function")
             raise Mistake(
                 Diagnostic(
                     "invalid-function",
                     f"`{function}` is a keyword of Python and cannot be a function",
-                    statement.span_of("function"),
+                    where,
                     help=f"write `{function}_`",
+                    fix=write(f"{function}_", where),
                 )
             )
-        for called, where in others:
+        for called, elsewhere in others:
             if called == function:
-                labels = () if where is None else (Label(where, "called here"),)
+                labels = () if elsewhere is None else (Label(elsewhere, "called here"),)
                 raise Mistake(
                     Diagnostic(
                         "function-conflict",
@@ -284,14 +290,10 @@ class Checks:
         if endpoints.pop(name, None) is None:
             if self._follows(node, name):
                 raise Mistake
-            raise Mistake(
-                Diagnostic(
-                    code,
-                    f"`{node.variable}` does not {verb} `{name}`",
-                    statement.span_of(slot),
-                    help=did_you_mean(name, endpoints),
-                )
-            )
+            where = statement.span_of(slot)
+            remedy, fix = guess(name, endpoints, where, is_quoted=True)
+            message = f"`{node.variable}` does not {verb} `{name}`"
+            raise Mistake(Diagnostic(code, message, where, help=remedy, fix=fix))
         node.removed[name] = statement.span
 
     def _exists_already(
@@ -301,4 +303,7 @@ class Checks:
         name: str = getattr(statement, slot)
         if self._follows(node, name):
             return Mistake()
-        return Mistake(Diagnostic(code, f"{what} `{name}` already", statement.span_of(slot)))
+        fix = Fix("take the statement away", (Edit(statement.span, ""),))
+        return Mistake(
+            Diagnostic(code, f"{what} `{name}` already", statement.span_of(slot), fix=fix)
+        )

@@ -8,7 +8,7 @@ from math import isinf
 
 from tree_sitter import Node as SyntaxNode
 
-from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.diagnostics import Diagnostic, Span, write
 from plastron_tui.language.inputs import (
     Argument,
     InputValue,
@@ -58,7 +58,10 @@ class Fitter:
                 type_.name, type_.fields, values, lambda: statement.span_of("input")
             )
         except Misfit as misfit:
-            return misfit.diagnostic
+            found = misfit.diagnostic
+            if not type_.fields and found.code == "wrong-number-of-values":
+                return found._replace(fix=write("none", statement.span_of("input")))
+            return found
 
     def _message(
         self, name: InterfaceName, fields: Sequence[Field], values: Sequence[Argument], where: Where

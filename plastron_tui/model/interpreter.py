@@ -157,7 +157,8 @@ class Interpreter(Checks):
         loaded = self._setting.read(request)
         where = statement.span_of("source")
         for found in loaded.diagnostics:
-            placed = found if found.file is not None else found._replace(span=where)
+            fix = None if loaded.right is None else write(loaded.right, where)
+            placed = found if found.file is not None else found._replace(span=where, fix=fix)
             self._report(statement, placed)
         if loaded.source is None:
             raise Mistake
@@ -266,8 +267,8 @@ class Interpreter(Checks):
                     labels=(Label(message.span, "created here"),),
                 )
             )
-        rate = DEFAULT_RATE if statement.rate is None else self._rate(statement, statement.rate)
         is_open = statement.rate is None
+        rate = DEFAULT_RATE if statement.rate is None else self._rate(statement, statement.rate)
         publisher = node.publishers.get(topic)
         earlier = () if publisher is None else publisher.publications
         if any(publication.message is message for publication in earlier):

@@ -7,15 +7,15 @@ from collections.abc import Callable, Sequence
 
 from tree_sitter import Node as SyntaxNode
 
-from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.diagnostics import Diagnostic, Span, write
 from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.language.inputs import COMMENTS, InputValue, Literal
 from plastron_tui.ros.interfaces import Field, FieldType, InterfaceName
 from plastron_tui.ros.primitives import Primitive
 
 _BOOLEANS = {
-    **dict.fromkeys(("true", "on", "yes", "1"), "`True`"),
-    **dict.fromkeys(("false", "off", "no", "0"), "`False`"),
+    **dict.fromkeys(("true", "on", "yes", "1"), "True"),
+    **dict.fromkeys(("false", "off", "no", "0"), "False"),
 }
 _NUMBER = re.compile(r"[+-]?\d+(\.\d+)?")
 
@@ -68,23 +68,31 @@ def path_span(syntax: SyntaxNode, length: int) -> Span:
 
 
 def wrong_kind(
-    problem: str, value: InputValue, type_: FieldType, field: str, remedy: str | None = None
+    problem: str,
+    value: InputValue,
+    type_: FieldType,
+    field: str,
+    remedy: tuple[str, str | None] | None = None,
 ) -> Diagnostic:
     """Say that a value is of another kind than its field, and perhaps what to write."""
-    text = f"`{field}` is of type `{type_}`" + (f"; write {remedy}" if remedy else "")
-    return Diagnostic("wrong-kind-of-value", problem, span(value.syntax), help=text)
+    text, where, fix = f"`{field}` is of type `{type_}`", span(value.syntax), None
+    if remedy is not None:
+        text += f"; write {remedy[0]}"
+        fix = None if remedy[1] is None else write(remedy[1], where)
+    return Diagnostic("wrong-kind-of-value", problem, where, help=text, fix=fix)
 
 
-def _remedy(given: bool | int | float | str, kind: type | None) -> str | None:
-    """Return how a value is written that is of another kind than its field."""
+def _remedy(given: bool | int | float | str, kind: type | None) -> tuple[str, str | None] | None:
+    """Return how a value is written that is of another kind than its field: said, and exactly."""
     if kind is bool:
-        if isinstance(given, str):
-            return _BOOLEANS.get(given.lower(), "`True` or `False`")
-        return "`True` or `False`" if given not in (0, 1) else f"`{bool(given)}`"
+        right = _BOOLEANS.get(given.lower()) if isinstance(given, str) else None
+        if not isinstance(given, str) and given in (0, 1):
+            right = str(bool(given))
+        return ("`True` or `False`", None) if right is None else (f"`{right}`", right)
     if kind is str:
-        return None if isinstance(given, str) else f'"{given}"'
+        return None if isinstance(given, str) else (f'"{given}"', f'"{given}"')
     if isinstance(given, str) and _NUMBER.fullmatch(given.strip()):
-        return f"{given.strip()} without quotes"
+        return f"{given.strip()} without quotes", given.strip()
     return None
 
 
@@ -132,8 +140,9 @@ def unknown_field(
     paths = deeper() if "_" in field else None
     joined = {"_".join(path): ".".join(path) for path in paths or () if len(path) > 1}
     guess = joined.get(field) or nearest(field, fields)
+    message = f"`{name}` has no field `{field}`"
     if guess is not None:
-        text = f"did you mean `{guess}`?"
-    else:
-        text = f"its fields are: {', '.join(fields)}" if fields else "it has no fields"
-    return Diagnostic("unknown-field", f"`{name}` has no field `{field}`", where, help=text)
+        text, fix = f"did you mean `{guess}`?", write(guess, where)
+        return Diagnostic("unknown-field", message, where, help=text, fix=fix)
+    text = f"its fields are: {', '.join(fields)}" if fields else "it has no fields"
+    return Diagnostic("unknown-field", message, where, help=text)

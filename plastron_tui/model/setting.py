@@ -26,10 +26,15 @@ class LoadRequest(NamedTuple):
 
 
 class Loaded(NamedTuple):
-    """What a reader made of a request; `source` is None when it could not read the file."""
+    """What a reader made of a request.
+
+    `source` is None when it could not read the file; `right` is then what a program writes to
+    load the file that may be meant.
+    """
 
     source: SourceFile | None
     diagnostics: tuple[Diagnostic, ...] = ()
+    right: str | None = None
 
 
 Reader = Callable[[LoadRequest], Loaded]

@@ -17,11 +17,12 @@ _MOST_LISTED = 8
 
 
 class TypeProblem(NamedTuple):
-    """Why a type name means nothing, or too much."""
+    """Why a type name means nothing, or too much, and the one to write where that is known."""
 
     code: str
     message: str
     help: str | None
+    right: str | None = None
 
 
 class TypeResolver:
@@ -50,6 +51,7 @@ class TypeResolver:
                 "unknown-type",
                 f"`{text}` is no {_WORDS[kind]}",
                 f"a {_WORDS[kind]} is written {package}/{kind.value}/{name}",
+                f"{package}/{kind.value}/{name}",
             )
         full = InterfaceName(package, name)
         found = self.catalog.find(full, kind)
@@ -73,13 +75,14 @@ class TypeResolver:
         if full.package in self.catalog.packages(kind):
             return self._no_such(str(full), full.name, kind, full.package)
         guess = nearest(full.package, self.catalog.packages(kind))
+        message = f"no package `{full.package}` with {_WORDS[kind]}s is known in {self._ros}"
+        if guess is not None:
+            right = f"{guess}/{full.name}"
+            return TypeProblem("unknown-type", message, f"did you mean `{right}`?", right)
         return TypeProblem(
             "unknown-type",
-            f"no package `{full.package}` with {_WORDS[kind]}s is known in {self._ros}",
-            f"did you mean `{guess}/{full.name}`?"
-            if guess is not None
-            else "source the workspace that has it, or name its folder under `types` in "
-            "plastron.yaml",
+            message,
+            "source the workspace that has it, or name its folder under `types` in plastron.yaml",
         )
 
     def _no_such(
@@ -100,4 +103,4 @@ class TypeResolver:
         if guess is None:
             return TypeProblem("unknown-type", message, "`plastron types` lists what is known")
         text = guess if package is None else str(names[guess])
-        return TypeProblem("unknown-type", message, f"did you mean `{text}`?")
+        return TypeProblem("unknown-type", message, f"did you mean `{text}`?", text)
