@@ -128,6 +128,9 @@ else is installed:
 
 A node is written for a client library: `rospy` in ROS 1, `rclpy` in ROS 2. (`roscpp`, `rclcpp` and
 `nodelet` are words of the language, but Plastron does not write them yet: `unsupported-target`.)
+Another distribution adds a client library with an entry point in the group `plastron.targets`: its
+name, and a subclass of `plastron_tui.targets.base.Target` of that `name`, with the `ros_version`
+that it is for.
 The word `using` names it. Without it counts, in this order: the option `--target`, the `target` in
 `plastron.yaml`, the ROS that is sourced, `rospy`.
 
@@ -152,8 +155,9 @@ into `ears_sub2.py`. What was written by hand goes along, and a warning names th
 stays.
 
 `load NAME` looks for `NAME.py`, then `NAME.cpp`, in the output folder, the program's folder and the
-working folder; `load 'path/to/file.py'` starts at the program's folder. A loaded node is changed in
-place: what no statement asked to change stays as it is, byte for byte.
+working folder; `load 'path/to/file.py'` starts at the program's folder. A loaded node keeps its
+file's name, and goes into the output folder, with `--in-place` over the file it came from: what no
+statement asked to change stays as it is, byte for byte.
 
 ## Mistakes
 

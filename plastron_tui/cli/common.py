@@ -97,15 +97,6 @@ def format_option(*formats: str) -> _Decorator:
     )
 
 
-def use_color(stream: Any) -> bool:
-    """Tell whether a stream shows colours: a terminal, unless NO_COLOR says otherwise."""
-    if os.environ.get("NO_COLOR"):
-        return False
-    if os.environ.get("FORCE_COLOR"):
-        return True
-    return stream.isatty() and os.environ.get("TERM") != "dumb"
-
-
 def shown_path(path: Path) -> str:
     """Return a path as a person reads it: from the working folder where it lies within."""
     from plastron_tui.diagnostics.render import printable
@@ -141,8 +132,9 @@ class Report:
             return
         # A right program has nothing to render.
         from plastron_tui.diagnostics.render import TextRenderer
+        from plastron_tui.diagnostics.terminal import wants_colour
 
-        renderer = TextRenderer(lines, program, color=use_color(sys.stderr))
+        renderer = TextRenderer(lines, program, color=wants_colour(sys.stderr))
         for found in fresh:
             click.echo(renderer.render(found) + "\n", err=True, color=True)
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import click
 
 from plastron_tui.diagnostics import Diagnostic, has_errors
+from plastron_tui.diagnostics.terminal import wants_colour
 from plastron_tui.output.diff import file_diff, printable
 from plastron_tui.output.plan import FilePlan, FileState
 from plastron_tui.output.writer import write
@@ -23,7 +24,6 @@ from .common import (
     programs_argument,
     shown_path,
     target_option,
-    use_color,
 )
 
 _COLORS = {
@@ -138,7 +138,7 @@ def show_plan(plan: FilePlan, *, only_changes: bool = False, force: bool = False
         state = f"{'replaced' if is_replaced else file.state.value:>9}"
         is_inside = file.path.parent == plan.folder.resolve()
         path = plan.folder / file.name if is_inside else file.path
-        if use_color(sys.stdout):
+        if wants_colour(sys.stdout):
             state = click.style(state, fg=_COLORS[file.state])
         click.echo(f"{state}  {shown_path(path)}", color=True)
 

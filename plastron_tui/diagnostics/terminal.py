@@ -43,23 +43,23 @@ def _cells(character: str) -> int:
 
 
 def visible(text: str) -> str:
-    r"""Return a text with what a terminal would obey written as an escape: `\r`, `\x1b`, `\u202e`.
-
-    Spaces of all scripts stay.
-    """
-    return text if text.isprintable() else "".join(map(_visible, text))
+    r"""Return a text in one line, with what is invisible escaped: `\n`, `\x1b`, `\u202e`."""
+    if text.isprintable():
+        return text
+    return "".join(each if each.isprintable() else ascii(each)[1:-1] for each in text)
 
 
 def visible_line(text: str, *, in_colour: bool) -> str:
-    """Return a line of a program's output as a terminal may show it.
+    r"""Return a line of a program's output with what a terminal would obey escaped.
 
-    Tabs stay; colours stay where they are wanted, and end with the line.
+    Tabs and the spaces of all scripts stay; colours stay where they are wanted, and end with the
+    line.
     """
     if text.isprintable():
         return text
     parts = _COLOUR.split(text)
     plain, colours = parts[::2], parts[1::2]
-    shown = ["\t".join(map(visible, part.split("\t"))) for part in plain]
+    shown = ["".join(map(_visible, part)) for part in plain]
     if not in_colour or not colours:
         return "".join(shown)
     pairs = zip(shown, [*colours, _RESET], strict=True)
@@ -67,5 +67,5 @@ def visible_line(text: str, *, in_colour: bool) -> str:
 
 
 def _visible(character: str) -> str:
-    is_space = category(character) == "Zs"
-    return character if is_space or character.isprintable() else ascii(character)[1:-1]
+    is_space = character == "\t" or category(character) == "Zs"
+    return character if is_space else visible(character)

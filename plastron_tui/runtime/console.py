@@ -7,7 +7,9 @@ import os
 from collections.abc import Callable, Iterable, Mapping
 from typing import TextIO
 
-from .child import Exit, Process
+from plastron_tui.diagnostics.terminal import visible_line, wants_colour
+
+from .child import Exit, Process, Role
 from .table import Screen
 
 # Cyan, yellow, magenta, green, blue, then their bright kin: red is kept for what went wrong.
@@ -15,16 +17,6 @@ _COLOURS = (36, 33, 35, 32, 34, 96, 93, 95, 92, 94)
 _RED = 31
 _DIM = 2
 OWN_NAME = "plastron"
-
-
-def wants_colour(stream: TextIO, environ: Mapping[str, str] = os.environ) -> bool:
-    """Tell whether to write colours: to a terminal, unless `NO_COLOR` or a dumb one says no."""
-    if environ.get("NO_COLOR") or environ.get("TERM") == "dumb":
-        return False
-    try:
-        return stream.isatty()
-    except ValueError:
-        return False
 
 
 class Console:
@@ -63,12 +55,13 @@ class Console:
     def labelled(self, name: str, text: str) -> None:
         """Write a line under a name."""
         code = self._colour_of.get(name, _DIM)
-        self._write(self._out, self._label(name, code, self._out_colour) + text)
+        shown = visible_line(text, in_colour=self._out_colour)
+        self._write(self._out, self._label(name, code, self._out_colour) + shown)
 
     def notice(self, text: str, *, is_bad: bool = False) -> None:
         """Write a line of the run itself."""
         label = self._label(OWN_NAME, _RED if is_bad else _DIM, self._err_colour)
-        self._write(self._err, label + text)
+        self._write(self._err, label + visible_line(text, in_colour=False))
 
     def show(self, screen: Screen | None) -> None:
         """Keep a table below the lines from now on, or leave the one there where it is."""
@@ -82,14 +75,23 @@ class Console:
             self._put(self._out, self._screen.frame())
 
     def ended(self, end: Exit) -> None:
-        """Report how a process ended; a failure with the end of its output."""
+        """Report how a process ended, a failure with the end of its output.
+
+        A node's lines were all shown, so that the last one is enough, which of a traceback is
+        the error; of a helper's none was.
+        """
         if end.was_asked:
             return
-        lines = end.last_lines if end.is_failure else ()
-        after = "; its last lines were:" if lines else ""
-        self.notice(f"{end.process.name} {end.words}{after}", is_bad=end.is_failure)
-        for line in lines:
-            self.notice(f"  {line}", is_bad=True)
+        lines = [line for line in end.last_lines if line.strip()] if end.is_failure else []
+        told = f"{end.process.name} {end.words}"
+        if not lines:
+            self.notice(told, is_bad=end.is_failure)
+        elif end.process.role is Role.NODE:
+            self.notice(f"{told}: {lines[-1].strip()}", is_bad=True)
+        else:
+            self.notice(f"{told}; its last lines were:", is_bad=True)
+            for line in lines:
+                self.notice(f"  {line}", is_bad=True)
 
     def _label(self, name: str, code: int, in_colour: bool) -> str:
         label = f"{name:<{self._width}} |"

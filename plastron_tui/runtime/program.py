@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 
+from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.model.program_text import Variables
 from plastron_tui.ros.names import (
     NameProblem,
@@ -82,24 +83,17 @@ def _named(node: DescribedNode, ros_version: int) -> DescribedNode:
 def _odd(node: DescribedNode, kept: DescribedNode) -> list[str]:
     names = {name for name, _ in _endpoints(kept)}
     odd = dict.fromkeys(name for name, _ in _endpoints(node) if name not in names)
-    return [f"// {_visible(name)}: no program can name it" for name in odd]
+    return [f"// {visible(name)}: no program can name it" for name in odd]
 
 
 def _unnamed(node: DescribedNode) -> str:
-    return f"// {_visible(node.name)}: no program can name this node\n"
-
-
-def _visible(name: str) -> str:
-    """Return a name with what would end a line or move a cursor written as an escape."""
-    return "".join(
-        each if each.isprintable() else each.encode("unicode_escape").decode() for each in name
-    )
+    return f"// {visible(node.name)}: no program can name this node\n"
 
 
 def _node(
     node: DescribedNode, name: str, variables: Variables, library: str | None, odd: list[str]
 ) -> str:
-    shown = _visible(node.name)
+    shown = visible(node.name)
     lines = [] if node.name == f"/{name}" else [f"// {shown}"]
     if not any(type_ is not None for _, type_ in _endpoints(node)):
         lines.append(f"// {shown} has no topic or service that a program can name")

@@ -9,10 +9,11 @@ from __future__ import annotations
 import json
 import shutil
 import time
-import unicodedata
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
+
+from plastron_tui.diagnostics.terminal import visible, width
 
 _LONGEST_NAME = 40
 _REDRAW = 0.2
@@ -85,12 +86,12 @@ class Watch:
             row.called += 1
         row.failed += row.calls > before and bool(report["is_failure"])
         row.request, row.response = report["request"], report["response"]
-        return f"{row.name} {_shown(row.last)}" if row.calls > before else None
+        return f"{row.name} {visible(row.last)}" if row.calls > before else None
 
     def lines(self) -> list[str]:
         """Return one line a topic, for an output that is no terminal."""
         return [
-            f"{row.name} {row.type} {row.rate:.1f} Hz {_shown(row.text)}".rstrip()
+            f"{row.name} {row.type} {row.rate:.1f} Hz {visible(row.text)}".rstrip()
             for row in self.topics.values()
         ]
 
@@ -171,15 +172,15 @@ def _object(line: str) -> Mapping[str, Any]:
 
 def _columns(head: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> list[str]:
     """Align all columns but the last, which takes what is left of the line."""
-    cells = [head, *(tuple(_shown(cell) for cell in row) for row in rows)]
+    cells = [head, *(tuple(visible(cell) for cell in row) for row in rows)]
     cells = [tuple(_cut(cell, _LONGEST_NAME) for cell in row[:-1]) + row[-1:] for row in cells]
-    widths = [max(_width(row[index]) for row in cells) for index in range(len(head) - 1)]
+    widths = [max(width(row[index]) for row in cells) for index in range(len(head) - 1)]
     return [
         "  ".join(
             [
                 *(
-                    cell + " " * (width - _width(cell))
-                    for cell, width in zip(row[:-1], widths, strict=True)
+                    cell + " " * (columns - width(cell))
+                    for cell, columns in zip(row[:-1], widths, strict=True)
                 ),
                 row[-1],
             ]
@@ -188,30 +189,12 @@ def _columns(head: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> list[str
     ]
 
 
-def _shown(text: str) -> str:
-    """Return the text without what would move a terminal's cursor."""
-    return "".join(
-        character if character.isprintable() else character.encode("unicode_escape").decode()
-        for character in text
-    )
-
-
-def _width(text: str) -> int:
-    return sum(_character_width(character) for character in text)
-
-
-def _character_width(character: str) -> int:
-    if unicodedata.combining(character):
-        return 0
-    return 2 if unicodedata.east_asian_width(character) in "WF" else 1
-
-
 def _cut(text: str, columns: int) -> str:
-    if _width(text) <= columns:
+    if width(text) <= columns:
         return text
     used, kept = 0, []
     for character in text:
-        used += _character_width(character)
+        used += width(character)
         if used > columns - 1:
             break
         kept.append(character)

@@ -10,6 +10,8 @@ import ast
 import re
 from dataclasses import dataclass
 
+from plastron_tui.diagnostics.terminal import width
+
 from . import literals
 
 LINE_LENGTH = 88
@@ -28,7 +30,7 @@ def fit(source: str) -> str:
     """Break the lines of `source` that are too long; the others are left as they are."""
     lines: list[str] = []
     for line in source.split("\n"):
-        parts = _scan(line.lstrip()) if literals.width(line) > LINE_LENGTH else None
+        parts = _scan(line.lstrip()) if width(line) > LINE_LENGTH else None
         if parts is None:
             lines.append(line)
         else:
@@ -84,7 +86,7 @@ def _break(parts: list[_Part], indent: int, tail: str) -> list[str]:
     """Lay out parts from a column on; `tail` follows them on their last line."""
     margin = " " * indent
     flat = margin + _flat(parts) + tail
-    if literals.width(flat) <= LINE_LENGTH:
+    if width(flat) <= LINE_LENGTH:
         return [flat]
     at = next((i for i in reversed(range(len(parts))) if _is_breakable(parts[i])), None)
     if at is None:
@@ -101,7 +103,7 @@ def _break_items(group: _Group, indent: int) -> list[str]:
     if len(group.items) == 1:
         return _break(group.items[0], indent, "")
     together = " " * indent + ", ".join(map(_flat, group.items))
-    if group.opening == "(" and literals.width(together) <= LINE_LENGTH:
+    if group.opening == "(" and width(together) <= LINE_LENGTH:
         return [together]
     return [line for item in group.items for line in _break(item, indent, ",")]
 
@@ -115,7 +117,7 @@ def _break_string(text: str, indent: int, tail: str) -> list[str]:
     margin = " " * indent
     room = LINE_LENGTH - indent - _INDENT
     whole = literals.string(value)
-    pieces = [whole] if literals.width(whole) <= room else _pieces(value, room)
+    pieces = [whole] if width(whole) <= room else _pieces(value, room)
     body = [f"{margin}{' ' * _INDENT}{piece}" for piece in pieces]
     return [f"{margin}{found['name']}(", *body, f"{margin}){tail}"]
 
@@ -125,7 +127,7 @@ def _pieces(value: str, room: int) -> list[str]:
     pieces: list[str] = []
     while value:
         end = min(len(value), max(room - 2, 1))
-        while end > 1 and literals.width(literals.string(value[:end])) > room:
+        while end > 1 and width(literals.string(value[:end])) > room:
             end -= 1
         if end < len(value):
             end = value.rfind(" ", 0, end) + 1 or end

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import keyword
-from functools import lru_cache
-from unicodedata import category, east_asian_width
 
 _ESCAPES = {"\\": "\\\\", "\n": "\\n", "\r": "\\r", "\t": "\\t"}
 
@@ -39,11 +37,6 @@ def is_name(text: str) -> bool:
     return text.isascii() and text.isidentifier() and not keyword.iskeyword(text)
 
 
-def width(text: str) -> int:
-    """Return the columns that a text takes in a terminal, as line lengths are counted."""
-    return len(text) if text.isascii() else sum(map(_columns, text))
-
-
 def _character(character: str, quote: str) -> str:
     if character in _ESCAPES:
         return _ESCAPES[character]
@@ -55,10 +48,3 @@ def _character(character: str, quote: str) -> str:
     if code < 0x100:
         return f"\\x{code:02x}"
     return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
-
-
-@lru_cache(maxsize=4096)
-def _columns(character: str) -> int:
-    if category(character) in {"Mn", "Me"}:
-        return 0
-    return 2 if east_asian_width(character) in {"W", "F"} else 1

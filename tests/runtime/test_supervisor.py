@@ -36,9 +36,17 @@ def test_a_node_that_dies_is_reported_and_the_others_go_on(nodes: Nodes) -> None
     )
     assert done.returncode == 1
     assert "good     | went on" in done.stdout
-    assert "plastron | bad died with exit status 1; its last lines were:" in done.stderr
-    assert "plastron |   KeyError: 'here'" in done.stderr
+    assert "plastron | bad died with exit status 1: KeyError: 'here'\n" in done.stderr
+    assert "bad      | KeyError: 'here'" in done.stdout
+    assert "Traceback" not in done.stderr
     assert "plastron | good finished" in done.stderr
+
+
+def test_a_node_has_no_hold_of_the_terminal(nodes: Nodes) -> None:
+    code = r"print('\x1b]0;title\x07\x1b[2J\x1b[31mred\ttab\x1b[0m \x9b1A 10%\r20%')"
+    done = run([nodes.python("one", code)])
+    shown = r"one      | \x1b]0;title\x07\x1b[2Jred" + "\t" + r"tab \x9b1A 10%\r20%" + "\n"
+    assert done.stdout == shown
 
 
 @pytest.mark.parametrize(

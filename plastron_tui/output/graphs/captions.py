@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.model.graph import (
     GraphNode,
     GraphService,
@@ -25,16 +26,6 @@ _MISSING = {
 }
 
 
-def shown(text: str) -> str:
-    r"""Return a text in one line, with what is invisible escaped: `\n`, `\x1b`, `\u202e`.
-
-    A name from a loaded file can be any string.
-    """
-    if text.isprintable():
-        return text
-    return "".join(char if char.isprintable() else ascii(char)[1:-1] for char in text)
-
-
 def missing_text(missing: Missing | None) -> str:
     """Return `nobody listens` or the like, "" where nothing is missing."""
     return "" if missing is None else _MISSING[missing]
@@ -42,7 +33,7 @@ def missing_text(missing: Missing | None) -> str:
 
 def type_text(types: tuple[InterfaceName, ...]) -> str:
     """Return the type, several with `or` between them, `type unknown` for none."""
-    return " or ".join(shown(str(type_)) for type_ in types) or "type unknown"
+    return " or ".join(visible(str(type_)) for type_ in types) or "type unknown"
 
 
 def node_text(node: GraphNode) -> str:
@@ -54,7 +45,7 @@ def node_text(node: GraphNode) -> str:
     if origin is None:
         return "" if node.variable == node.name else f"variable {node.variable}"
     parts = [] if node.variable == node.name else [node.variable]
-    return " · ".join([*parts, shown(origin)])
+    return " · ".join([*parts, visible(origin)])
 
 
 def topic_text(topic: GraphTopic) -> str:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.model.graph import Graph, Missing
 
-from .captions import missing_text, node_text, shown, topic_text, type_text
+from .captions import missing_text, node_text, topic_text, type_text
 from .identifiers import Role, edges_of
 
 _NODE = 'shape=box, style="rounded,filled", fillcolor="#dbe7fb", color="#3b6fc4"'
@@ -33,7 +34,7 @@ def quoted(*lines: str) -> str:
     the language; so backslashes and ampersands are escaped as well.
     Source: graphviz.org, "The DOT Language" and "escString".
     """
-    return '"' + "\\n".join(_escaped(shown(line)) for line in lines if line) + '"'
+    return '"' + "\\n".join(_escaped(visible(line)) for line in lines if line) + '"'
 
 
 def _escaped(text: str) -> str:

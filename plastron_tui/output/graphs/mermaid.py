@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.model.graph import Graph
 
-from .captions import missing_text, node_text, shown, topic_text, type_text
+from .captions import missing_text, node_text, topic_text, type_text
 from .identifiers import Role, edges_of
 
 _PLAIN = frozenset(" /_-.,()")
@@ -29,7 +30,7 @@ def quoted(*lines: str) -> str:
     All but letters, digits and a few marks is written as Mermaid's `#number;`, so that no name
     can close the label, start markup, or be taken for a directive or a comment.
     """
-    return '"' + "<br/>".join(_escaped(shown(line)) for line in lines if line) + '"'
+    return '"' + "<br/>".join(_escaped(visible(line)) for line in lines if line) + '"'
 
 
 def _escaped(text: str) -> str:

@@ -6,10 +6,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from xml.sax.saxutils import escape
 
+from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.model.graph import Graph, GraphService, GraphTopic
 
 from .boxes import CUT, Box, Point, Shape, inset
-from .captions import ends_of, missing_text, node_text, shown, topic_text, type_text
+from .captions import ends_of, missing_text, node_text, topic_text, type_text
 from .identifiers import Edge, edges_of
 from .layers import Link
 from .layout import Layout, layout
@@ -233,4 +234,4 @@ def _direction(line: tuple[Point, ...]) -> float:
 
 
 def _escaped(text: str) -> str:
-    return escape(shown(text))
+    return escape(visible(text))

@@ -5,9 +5,10 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterable, Iterator
 
+from plastron_tui.diagnostics.terminal import visible, width
 from plastron_tui.model.graph import Graph, GraphService, GraphTopic
 
-from .captions import ends_of, missing_text, node_text, shown, type_text
+from .captions import ends_of, missing_text, node_text, type_text
 
 _WIDTH = 100
 _MOST_PADDED = 40
@@ -19,7 +20,7 @@ def render(graph: Graph) -> str:
     Lines have at most 100 characters where the names allow it; there are no colour codes.
     """
     sections = [
-        _section("nodes", _columns((shown(node.name), node_text(node)) for node in graph.nodes)),
+        _section("nodes", _columns((visible(node.name), node_text(node)) for node in graph.nodes)),
         _section("topics", _places(graph.topics)),
         _section("services", _places(graph.services)),
     ]
@@ -33,10 +34,10 @@ def _section(title: str, lines: Iterable[str]) -> str:
 
 def _places(places: Iterable[GraphTopic | GraphService]) -> Iterator[str]:
     for place in places:
-        head = f"{shown(place.name)}  {type_text(place.types)}"
+        head = f"{visible(place.name)}  {type_text(place.types)}"
         missing = missing_text(place.missing)
         yield f"{head}  ({missing})" if missing else head
-        rows = [(shown(node.name), verb, detail) for node, verb, detail in ends_of(place)]
+        rows = [(visible(node.name), verb, detail) for node, verb, detail in ends_of(place)]
         yield from (f"  {line}" for line in _columns(rows))
 
 
@@ -47,13 +48,14 @@ def _columns(rows: Iterable[tuple[str, ...]]) -> Iterator[str]:
         return
     widths = [
         # One very long name does not push everybody else's cells away.
-        max((len(row[at]) for row in table if len(row[at]) <= _MOST_PADDED), default=0)
+        max((width(row[at]) for row in table if width(row[at]) <= _MOST_PADDED), default=0)
         for at in range(len(table[0]) - 1)
     ]
     for row in table:
         *cells, last = row
-        head = "".join(f"{cell:<{width}}  " for cell, width in zip(cells, widths, strict=True))
-        room = max(_WIDTH - 4 - len(head), 24)
+        padded = zip(cells, widths, strict=True)
+        head = "".join(cell + " " * (most - width(cell) + 2) for cell, most in padded)
+        room = max(_WIDTH - 4 - width(head), 24)
         wrapped = textwrap.wrap(last, room, break_long_words=False, break_on_hyphens=False)
         yield (head + "".join(wrapped[:1])).rstrip()
-        yield from (" " * len(head) + more for more in wrapped[1:])
+        yield from (" " * width(head) + more for more in wrapped[1:])
