@@ -14,8 +14,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, LineIndex
-from plastron_tui.language import Document, Program, lower
+from plastron_tui.language import Document, Program
 from plastron_tui.language.pause import collection_paused
+from plastron_tui.language.relowering import Lowered, lower_edited
 from plastron_tui.loader import NodeLoader
 from plastron_tui.model.interpreter import Interpretation, interpret
 from plastron_tui.model.setting import Setting
@@ -136,6 +137,7 @@ class Session:
         self._catalogs: dict[int, Catalog] = {}
         self._targets: dict[str, Target | None] = {}
         self._program: Program | None = None
+        self._earlier: Lowered | None = None
         self._interpretation: Interpretation | None = None
 
     @cached_property
@@ -204,9 +206,15 @@ class Session:
 
     def edit(self, start: int, old_end: int, new: bytes) -> None:
         """Replace the bytes from `start` to `old_end` of the program."""
+        self.learn_from(self)
         self.document.edit(start, old_end, new)
         self._program = None
         self._interpretation = None
+
+    def learn_from(self, earlier: Session) -> None:
+        """Let what is known of an earlier text of the same program help with this one."""
+        if earlier._program is not None:
+            self._earlier = Lowered(earlier.document.text, earlier._program)
 
     def files_changed(self) -> None:
         """Run the program anew when it is asked next: files that it loads were written."""
@@ -216,7 +224,8 @@ class Session:
     def program(self) -> Program:
         """The program's statements."""
         if self._program is None:
-            self._program = lower(self.document)
+            self._program = lower_edited(self.document, self._earlier)
+            self._earlier = None
         return self._program
 
     @property

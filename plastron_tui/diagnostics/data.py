@@ -21,6 +21,10 @@ class Span(NamedTuple):
     start: int
     end: int
 
+    def moved(self, by: int) -> Span:
+        """Return the range so many bytes farther on."""
+        return Span(self.start + by, self.end + by)
+
 
 class Edit(NamedTuple):
     """Replace the bytes of `span` by `text`."""
@@ -70,6 +74,21 @@ class Diagnostic(NamedTuple):
     fix: Fix | None = None
     labels: tuple[Label, ...] = ()
     severity: Severity = Severity.ERROR
+
+    def moved(self, by: int) -> Diagnostic:
+        """Return the mistake in a text that has so many bytes more before it."""
+        if not by:
+            return self
+        return self._replace(
+            span=None if self.span is None else self.span.moved(by),
+            fix=None
+            if self.fix is None
+            else Fix(
+                self.fix.title,
+                tuple(Edit(edit.span.moved(by), edit.text) for edit in self.fix.edits),
+            ),
+            labels=tuple(Label(label.span.moved(by), label.message) for label in self.labels),
+        )
 
 
 def has_errors(diagnostics: Iterable[Diagnostic]) -> bool:

@@ -144,19 +144,28 @@ class Declaration:
 # to make. Nothing assigns to them.
 @dataclass(slots=True, eq=False)
 class Statement:
-    """A statement of a program, with the node of the tree that it was lowered from."""
+    """A statement of a program.
 
+    Attributes:
+        span: where the whole statement stands.
+        syntax: the node that it was lowered from, in a tree of its own time: since then the
+            statement may have moved. Where a part stands now, `span_of` and `shift` tell.
+    """
+
+    span: Span
     syntax: Node
 
     @property
-    def span(self) -> Span:
-        """Where the whole statement stands."""
-        return Span(self.syntax.start_byte, self.syntax.end_byte)
+    def shift(self) -> int:
+        """How many bytes farther it stands than when its `syntax` was parsed."""
+        return self.span.start - self.syntax.start_byte
 
     def span_of(self, slot: str) -> Span:
         """Return where a slot's text stands; the statement's span when the slot is empty."""
         child = self.syntax.child_by_field_name(slot)
-        return self.span if child is None else Span(child.start_byte, child.end_byte)
+        if child is None:
+            return self.span
+        return Span(child.start_byte, child.end_byte).moved(self.shift)
 
 
 DECLARATIONS: dict[type[Statement], Declaration] = {}

@@ -139,7 +139,7 @@ def _flattened(root: Node) -> Iterator[Node]:
 
 def _lower_statement(node: Node, plan: _Plan, source: bytes) -> Statement:
     make, slots = plan
-    values: list[Any] = [node]
+    values: list[Any] = [Span(node.start_byte, node.end_byte), node]
     for field, how in slots:
         child = node.child_by_field_id(field)
         if child is None:

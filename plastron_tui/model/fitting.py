@@ -39,6 +39,11 @@ Where = Callable[[], Span]
 """Tells a place when a mistake asks for it: most statements have none, and no place to tell."""
 
 
+def _parsed_at(syntax: SyntaxNode) -> Span:
+    """Return where the input of a statement stood when it was parsed."""
+    return span(syntax.child_by_field_name("input") or syntax)
+
+
 class Fitter:
     """Fits the values of a program to the types of one distribution."""
 

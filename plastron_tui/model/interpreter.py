@@ -111,7 +111,7 @@ class Interpreter(Checks):
         return tuple([found for _, found in self._found])
 
     def _report(self, statement: Statement, diagnostic: Diagnostic) -> None:
-        self._found.append((statement.syntax.start_byte, diagnostic))
+        self._found.append((statement.span.start, diagnostic))
 
     def _fail(self, statement: Statement) -> None:
         """Remember what a statement without effect was to make: it is broken, not missing."""

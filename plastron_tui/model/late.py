@@ -37,7 +37,7 @@ def late_changes(program: Program, workspace: Workspace) -> Iterator[Diagnostic]
             continue
         variable: str = statement.node  # type: ignore[attr-defined]
         generation = last.get(variable)
-        if generation is None or statement.syntax.start_byte < generation.span.start:
+        if generation is None or statement.span.start < generation.span.start:
             continue
         fix = None
         if not isinstance(statement, st.Publish) or (

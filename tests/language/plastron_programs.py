@@ -75,7 +75,7 @@ def shape(program: Program) -> list[object]:
             *(
                 _shape_of(getattr(statement, slot))
                 for slot in type(statement).__slots__
-                if slot != "syntax"
+                if slot not in ("span", "syntax")
             ),
         )
         for statement in program.statements
