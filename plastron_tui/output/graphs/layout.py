@@ -67,7 +67,6 @@ class _Part:
 
     def __init__(self, boxes: dict[int, Box], links: list[Link], hubs: frozenset[int]) -> None:
         self._boxes = boxes
-        self._links = links
         self._hubs = hubs
         self._columns: Columns = columns_of(list(boxes), links, hubs)
 

@@ -31,7 +31,6 @@ class CallShape:
         name: the argument that names the endpoint (a timer's: its period).
         type: the argument that is its interface type.
         callback: the argument that is called for each message, request or tick.
-        fallback: the argument that is a parameter's default value.
         node: the argument that is the node, where the callee is no method of it.
     """
 
@@ -40,7 +39,6 @@ class CallShape:
     name: Argument
     type: Argument | None = None
     callback: Argument | None = None
-    fallback: Argument | None = None
     node: Argument | None = None
 
 
@@ -152,7 +150,6 @@ ROSPY = ClientLibrary(
                 "rospy.client.get_param_cached",
             ),
             name=Argument(0, "param_name"),
-            fallback=Argument(1, "default"),
         ),
         CallShape(
             EndpointKind.PARAMETER,
@@ -235,7 +232,6 @@ RCLPY = ClientLibrary(
             EndpointKind.PARAMETER,
             ("declare_parameter",),
             name=Argument(0, "name"),
-            fallback=Argument(1, "value"),
         ),
         CallShape(
             EndpointKind.PARAMETER,

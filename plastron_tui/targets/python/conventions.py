@@ -138,8 +138,7 @@ def variable_naming(analysis: Analysis, kind: EndpointKind) -> Naming:
                 before, word, after, is_camel = found
                 if wanted is not kind:
                     word = _like(word, kind)
-                prefix, suffix = (before + word, after) if after else (before, word)
-                return _joined(before, word, after, is_camel) if prefix or suffix else _plain(kind)
+                return _joined(before, word, after, is_camel)
     return _plain(kind)
 
 

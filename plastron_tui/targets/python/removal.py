@@ -238,11 +238,11 @@ def _stub_callbacks(analysis: Analysis, sites: list[Site], gone: list[Splice]) -
         inside = all(
             any(splice.start <= node.start_byte < splice.end for splice in gone) for node in uses
         )
-        if inside and not _is_last_in_class(function):
+        if inside and not _is_decorated(function):
             found.append(definition(function))
     return found
 
 
-def _is_last_in_class(function: Scope) -> bool:
-    """Whether a decorator may give the function to others, or a class has nothing else."""
+def _is_decorated(function: Scope) -> bool:
+    """Whether a decorator may give the function to others."""
     return definition(function).type == "decorated_definition"

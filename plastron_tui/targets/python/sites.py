@@ -108,7 +108,6 @@ class _Finder:
         self._methods = analysis.library.methods()
         self._node_calls = analysis.library.node_calls
         self._node_classes = analysis.library.node_classes
-        self._receivers: dict[tuple[int, str], bool] = {}
 
     def visit(self, call: Node) -> None:
         callee = call.child_by_field_name("function")

@@ -13,7 +13,6 @@ from tree_sitter import Language, Node, Parser, Query, QueryCursor, Tree
 
 from .repair import mask_errors
 
-BOM = b"\xef\xbb\xbf"
 # PEP 263: a coding line is one of the first two lines.
 _CODING = re.compile(rb"^[ \t\f]*#.*?coding[:=][ \t]*([-\w.]+)")
 
@@ -112,7 +111,7 @@ def _is_in(text: bytes, encoding: str) -> bool:
 
 def _declared(text: bytes) -> str | None:
     """Return what the coding line names, where Python could read a file in it."""
-    if text.startswith(BOM):
+    if text.startswith(codecs.BOM_UTF8):
         return None
     for line in text.splitlines()[:2]:
         if found := _CODING.match(line):
