@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import os
+import signal
 
 import pytest
 from hypothesis import settings
@@ -8,6 +9,12 @@ from hypothesis import settings
 # On a developer's machine a test may lack what it needs, a ROS say, and says so by a skip. In CI
 # everything is installed, and a skip would hide a failure.
 IN_CI = os.environ.get("CI") == "true"
+
+
+# A shell starts what is in its background with SIGINT ignored, and every program that the tests
+# interrupt would inherit it.
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 # How long an example takes says more about the machine than about the code. CI tries the same
