@@ -11,9 +11,10 @@ from plastron_tui.model.source import EndpointKind, SourceFile
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.targets.base import Rendered
+from plastron_tui.targets.python.analysis import Analysis, Site
 from plastron_tui.targets.python.calls import LIBRARIES
 from plastron_tui.targets.python.editor import not_encodable
-from plastron_tui.targets.python.sites import Analysis, Site, analyze
+from plastron_tui.targets.python.sites import analyze
 
 from .to_rclpy import port_to_rclpy
 from .to_rospy import port_to_rospy

@@ -6,7 +6,7 @@ from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.targets import literals
-from plastron_tui.targets.python.sites import NodeSite
+from plastron_tui.targets.python.analysis import NodeSite
 from plastron_tui.targets.python.splices import line_start
 
 from .placing import first_call, top_level

@@ -7,9 +7,9 @@ import re
 from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
+from plastron_tui.targets.python.analysis import Site
 from plastron_tui.targets.python.calls import Argument
 from plastron_tui.targets.python.scopes import Scope
-from plastron_tui.targets.python.sites import Site
 
 from .leftovers import mark_leftovers, mark_plain_publishing, port_ending
 from .placing import add_header

@@ -7,10 +7,10 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.targets import literals
+from plastron_tui.targets.python.analysis import NodeSite, Site
 from plastron_tui.targets.python.calls import Argument
 from plastron_tui.targets.python.constants import Known
 from plastron_tui.targets.python.scopes import Scope
-from plastron_tui.targets.python.sites import NodeSite, Site
 from plastron_tui.targets.python.splices import Splice, delete_item, line_start
 
 from .leftovers import mark_leftovers, port_ending

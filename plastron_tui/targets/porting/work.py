@@ -9,9 +9,10 @@ from itertools import chain, count
 from tree_sitter import Node
 
 from plastron_tui.ros.catalog import Catalog
+from plastron_tui.targets.python.analysis import Analysis, Site
+from plastron_tui.targets.python.callbacks import callback_target
 from plastron_tui.targets.python.references import STATEMENT_PARENTS
 from plastron_tui.targets.python.scopes import BindingKind, Scope
-from plastron_tui.targets.python.sites import Analysis, Site, callback_target
 from plastron_tui.targets.python.splices import (
     Splice,
     apply,

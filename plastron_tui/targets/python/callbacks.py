@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from tree_sitter import Node
 
+from .analysis import Analysis
 from .arguments import Arguments
 from .calls import Argument
 from .scopes import Scope
-
-if TYPE_CHECKING:
-    from .sites import Analysis
 
 _PARTIALS = frozenset({"functools.partial"})
 

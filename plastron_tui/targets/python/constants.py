@@ -6,7 +6,7 @@ import ast
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from tree_sitter import Node
 
@@ -14,9 +14,6 @@ from .arguments import Arguments
 from .calls import Argument
 from .scopes import Binding, BindingKind, Scope, ScopeTree
 from .syntax import Syntax
-
-if TYPE_CHECKING:
-    from .names import Resolver
 
 # What a person writes is far flatter; a file that is deeper was made to break readers.
 MOST_DEEP = 24
@@ -46,10 +43,26 @@ class Defaulted:
 Folded = Known | Defaulted | None
 
 
+class Names(Protocol):
+    """What folding asks of names, which ask for constants in turn."""
+
+    def attribute_bindings(self, node: Node, scope: Scope, depth: int = 0) -> list[Binding]:
+        """Return what an attribute of an object of the file is bound to."""
+
+    def keeps_default(self, binding: Binding, name: str) -> bool:
+        """Tell whether a parameter has its default wherever the file calls the function."""
+
+    def qualified(self, node: Node | None, scope: Scope, depth: int = 0) -> tuple[str, ...]:
+        """Return the qualified names that an expression may stand for."""
+
+    def calls_of(self, name: str) -> list[Node]:
+        """Return the calls of a function or method of a name."""
+
+
 class Constants:
     """Folds the expressions of one file."""
 
-    def __init__(self, names: Resolver, syntax: Syntax, scopes: ScopeTree) -> None:
+    def __init__(self, names: Names, syntax: Syntax, scopes: ScopeTree) -> None:
         self._names = names
         self._syntax = syntax
         self._scopes = scopes

@@ -11,7 +11,7 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.targets import literals, naming
 
-from .sites import Analysis, Site
+from .analysis import Analysis, Site
 from .splices import line_start
 
 # What stands for a kind of endpoint in the names of variables, the usual one first.

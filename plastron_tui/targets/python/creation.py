@@ -8,8 +8,8 @@ from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
 
+from .analysis import Analysis, Site
 from .references import Reference, Use, Variable, references, statement_of, variable_of
-from .sites import Analysis, Site
 from .splices import Splice, delete_item
 
 _USED_AT_ONCE = {

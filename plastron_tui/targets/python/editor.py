@@ -13,11 +13,12 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets.base import Rendered
 from plastron_tui.targets.dialect import Dialect
 
-from .addition import plan_addition
+from .adding import plan_addition
+from .analysis import Analysis
 from .calls import LIBRARIES
 from .messages import CannotAddError
 from .removal import find_sites, plan_removal
-from .sites import Analysis, analyze
+from .sites import analyze
 from .splices import apply
 
 _KIND_NAMES = {

@@ -8,9 +8,9 @@ from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
 
+from .analysis import Analysis, Site
 from .references import Reference
 from .scopes import Scope
-from .sites import Analysis, Site
 
 _LOGGERS = frozenset({"loginfo", "info", "print"})
 # `chatter: %s`, `chatter: {message}`: what a stub logs.

@@ -7,9 +7,9 @@ from collections.abc import Iterable
 
 from tree_sitter import Node
 
+from .analysis import Analysis
 from .references import identifiers, is_member
 from .scopes import Binding, BindingKind, Scope
-from .sites import Analysis
 from .splices import Splice, delete_item
 
 _INTERFACES = ("msg", "srv", "action")

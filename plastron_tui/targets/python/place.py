@@ -9,11 +9,11 @@ from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
 
+from .analysis import Analysis, NodeSite, Site
 from .conventions import leading_space, target_name
 from .references import STATEMENT_PARENTS, statement_of
 from .removal import callback_scope, definition
 from .scopes import Scope
-from .sites import Analysis, NodeSite, Site
 from .splices import line_end, line_start
 
 _KINDS = (

@@ -6,9 +6,9 @@ from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
 
+from .analysis import Analysis, Site
 from .constants import Known
 from .scopes import Scope
-from .sites import Analysis, Site
 
 _MAKERS = ("Rate", "create_rate")
 _DURATIONS = ("Duration", "from_sec")

@@ -10,9 +10,10 @@ from plastron_tui.diagnostics import Diagnostic, Span
 from plastron_tui.model.source import SourceFile, SourceNode
 from plastron_tui.targets.base import ReadResult
 
+from .analysis import Analysis, NodeSite, Site
 from .calls import LIBRARIES, ClientLibrary
 from .scopes import Scope
-from .sites import Analysis, NodeSite, Site, analyze
+from .sites import analyze
 from .syntax import parse
 
 MOST_BYTES = 4_000_000

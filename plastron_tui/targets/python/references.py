@@ -9,8 +9,8 @@ from enum import Enum
 
 from tree_sitter import Node
 
+from .analysis import Analysis
 from .scopes import Scope
-from .sites import Analysis
 
 STATEMENT_PARENTS = frozenset({"module", "block"})
 

@@ -6,7 +6,9 @@ from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind, Remove
 
+from .analysis import Analysis, Site
 from .arguments import Arguments
+from .callbacks import callback_target
 from .calls import Argument
 from .constants import Known
 from .creation import Removal, line_of, remove_creation
@@ -22,7 +24,6 @@ from .references import (
     statement_of,
 )
 from .scopes import BindingKind, Scope
-from .sites import Analysis, Site, callback_target
 from .splices import Splice, delete_statements
 
 

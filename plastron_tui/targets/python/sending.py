@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from tree_sitter import Node
 
@@ -14,15 +13,13 @@ from plastron_tui.model.workspace import Client, Publication, Publisher
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.targets import literals, naming
 
+from .addition import Addition
 from .conventions import leading_space
 from .place import function_place, method_place
 from .rates import loop_rate, timer_rate
 from .removal import callback_scope
 from .scopes import Scope
 from .splices import line_end, line_start
-
-if TYPE_CHECKING:
-    from .addition import Addition
 
 _LEAVING = ("return_statement", "break_statement", "continue_statement", "raise_statement")
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
 
 from tree_sitter import Node
 
@@ -11,12 +10,13 @@ from plastron_tui.diagnostics import Span
 from plastron_tui.model.source import EndpointKind, SourceEndpoint
 from plastron_tui.ros.interfaces import InterfaceName
 
+from .analysis import Analysis, NodeSite, Site
 from .arguments import Arguments
-from .callbacks import callback_target as callback_target
+from .callbacks import callback_target
 from .calls import Argument, CallShape, ClientLibrary
 from .constants import Defaulted, Known
 from .names import NODE, Resolver
-from .scopes import Scope, ScopeTree, build_scopes
+from .scopes import Scope, build_scopes
 from .syntax import Syntax, parse
 
 # How people call a variable that holds a node, where nothing else says what it is.
@@ -27,61 +27,6 @@ _NO_NODES = frozenset(
     {"threading", "multiprocessing", "unittest", "enum", "abc", "typing", "collections", "logging"}
     | {"PyQt5", "PyQt6", "PySide2", "PySide6", "python_qt_binding", "tkinter", "dataclasses"}
 )
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Site:
-    """A call that creates an endpoint.
-
-    Attributes:
-        endpoint: what it creates, as data.
-        call: the call in the tree.
-        scope: the scope that the call is in.
-        receiver: the source of the object whose method is called, "" for a plain function.
-        owner: the class of the file whose instance the receiver is, None for any other.
-        arguments: the call's arguments.
-        shape: the shape that the call matched.
-    """
-
-    endpoint: SourceEndpoint
-    call: Node
-    scope: Scope
-    receiver: str
-    owner: Scope | None
-    arguments: Arguments
-    shape: CallShape
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class NodeSite:
-    """A place that makes a node, or names one.
-
-    Attributes:
-        name: the name where the source says it literally.
-        expression: the source text that decides the name.
-        call: the call, None for a node class whose name comes from elsewhere.
-        scope: the scope of the call, or that of the class.
-        owner: the node class of the file, None for a node that a function makes.
-    """
-
-    name: str | None
-    expression: str
-    call: Node | None
-    scope: Scope
-    owner: Scope | None = None
-
-
-@dataclass(slots=True)
-class Analysis:
-    """All that the reader and the editor know of a file."""
-
-    syntax: Syntax
-    library: ClientLibrary
-    scopes: ScopeTree
-    resolver: Resolver
-    captures: dict[str, list[Node]]
-    sites: list[Site] = field(default_factory=list)
-    nodes: list[NodeSite] = field(default_factory=list)
 
 
 def analyze(text: bytes | Syntax, library: ClientLibrary) -> Analysis:

@@ -11,11 +11,11 @@ from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.targets import naming
 from plastron_tui.targets.imports import Imports
 
+from .analysis import Analysis
 from .conventions import Conventions
 from .imports import is_interface_module
 from .references import identifiers, is_member
 from .scopes import Binding, BindingKind, Scope
-from .sites import Analysis
 from .splices import Splice, line_end, line_start
 from .stars import star_interface
 

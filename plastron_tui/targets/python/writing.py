@@ -6,9 +6,9 @@ from dataclasses import dataclass, field
 
 from plastron_tui.model.source import EndpointKind
 
+from .analysis import Analysis
 from .conventions import Conventions
 from .place import FunctionPlace
-from .sites import Analysis
 from .splices import Splice
 
 Key = tuple[EndpointKind, str | None, str, str]

@@ -1,0 +1,70 @@
+"""What is known of a file: the calls that create endpoints, and the nodes that they belong to."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from tree_sitter import Node
+
+from plastron_tui.model.source import SourceEndpoint
+
+from .arguments import Arguments
+from .calls import CallShape, ClientLibrary
+from .names import Resolver
+from .scopes import Scope, ScopeTree
+from .syntax import Syntax
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Site:
+    """A call that creates an endpoint.
+
+    Attributes:
+        endpoint: what it creates, as data.
+        call: the call in the tree.
+        scope: the scope that the call is in.
+        receiver: the source of the object whose method is called, "" for a plain function.
+        owner: the class of the file whose instance the receiver is, None for any other.
+        arguments: the call's arguments.
+        shape: the shape that the call matched.
+    """
+
+    endpoint: SourceEndpoint
+    call: Node
+    scope: Scope
+    receiver: str
+    owner: Scope | None
+    arguments: Arguments
+    shape: CallShape
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class NodeSite:
+    """A place that makes a node, or names one.
+
+    Attributes:
+        name: the name where the source says it literally.
+        expression: the source text that decides the name.
+        call: the call, None for a node class whose name comes from elsewhere.
+        scope: the scope of the call, or that of the class.
+        owner: the node class of the file, None for a node that a function makes.
+    """
+
+    name: str | None
+    expression: str
+    call: Node | None
+    scope: Scope
+    owner: Scope | None = None
+
+
+@dataclass(slots=True)
+class Analysis:
+    """All that the reader and the editor know of a file."""
+
+    syntax: Syntax
+    library: ClientLibrary
+    scopes: ScopeTree
+    resolver: Resolver
+    captures: dict[str, list[Node]]
+    sites: list[Site] = field(default_factory=list)
+    nodes: list[NodeSite] = field(default_factory=list)
