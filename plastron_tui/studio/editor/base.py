@@ -27,7 +27,7 @@ from .statement_help import help_of
 from .view import EditorView
 
 _SETTLE = 0.1
-"""Seconds after the last key at which comments that reach over lines are coloured anew."""
+"""Seconds after the last key at which all is measured, and coloured, anew."""
 
 
 class Changed(Message, namespace="program_editor"):
@@ -235,6 +235,7 @@ class EditorBase(Vertical):
     def _settled(self) -> None:
         self._settle = None
         if self.session.document.tree is not None:
+            self.view.measure()
             self.view.repaint()
 
 

@@ -22,9 +22,13 @@ class Buffer:
             at = find(b"\n", at + 1)
         self._starts = Offsets(starts)
         self.ending = b"\r\n" if text[: text.find(b"\n") + 1].endswith(b"\r\n") else b"\n"
-        pairs = zip(starts, [*starts[1:], len(text)], strict=True)
-        self.widest = max(end - start for start, end in pairs)
-        """The most bytes that a line has had since the text was opened."""
+        self.widest = 0
+        """The most bytes that a line has had since the text was measured."""
+        self.measure()
+
+    def measure(self) -> None:
+        """Find the longest line, where lines may have become shorter."""
+        self.widest = max(map(len, self.text.split(b"\n")))
 
     @property
     def text(self) -> bytes:

@@ -84,7 +84,8 @@ class Geometry:
 
     def place_edited(self, edits: Iterable[Edited]) -> bool:
         """Do so for rows that were edited; tell whether other rows have moved by it."""
-        if not self.is_wrapped and not self.lines.extra:
+        has_messages = 0 < len(self.marks) <= _MOST_BELOW
+        if not self.is_wrapped and not self.lines.extra and not has_messages:
             return False
         last = self.state.buffer.row_count - 1
         rows = {row for edit in edits for row in range(edit.row, edit.row + edit.new_rows)}

@@ -18,6 +18,8 @@ from .marks import Marks
 from .state import Edited, TextState
 
 _WIDTH_STEP = 32
+_MOST_MEASURED = 2 * 1024 * 1024
+"""A text of more bytes takes longer to measure than a key may."""
 
 
 class Owner(Protocol):
@@ -169,6 +171,12 @@ class EditorView(DrawnText, can_focus=True, inherit_bindings=False):
             if paint[row] != self.paint.get(row):
                 self._refresh_rows(range(row, row + 1))
         self.paint = paint
+
+    def measure(self) -> None:
+        """Take the scroll bar away that a line needed which is shorter by now."""
+        if self.state.buffer.size <= _MOST_MEASURED:
+            self.state.buffer.measure()
+            self._fit()
 
     def _place_lines(self) -> None:
         """Find the rows that take more than one line of the screen, now that widths changed."""
