@@ -102,5 +102,4 @@ class Agreement:
 
 
 def _key(node: Node, name: str) -> str:
-    # Most names are one word, for which resolving is to put a slash before it.
-    return f"/{name}" if name.isidentifier() else resolved_name(node.name, name)
+    return resolved_name(node.name, name)

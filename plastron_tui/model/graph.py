@@ -6,9 +6,9 @@ and each entry with the span of the statement that it comes from.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
+from typing import Any, NamedTuple
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.ros.interfaces import InterfaceName
@@ -27,8 +27,7 @@ class Missing(str, Enum):
     CLIENT = "client"
 
 
-@dataclass(frozen=True, slots=True)
-class GraphNode:
+class GraphNode(NamedTuple):
     """A node; its variable is what tells it from the others.
 
     Attributes:
@@ -54,8 +53,7 @@ class GraphNode:
         return self.file is not None
 
 
-@dataclass(frozen=True, slots=True)
-class Sending:
+class Sending(NamedTuple):
     """A message that goes to a topic: its variable, and how often, in hertz."""
 
     message: str
@@ -63,8 +61,7 @@ class Sending:
     span: Span | None
 
 
-@dataclass(frozen=True, slots=True)
-class TopicPublisher:
+class TopicPublisher(NamedTuple):
     """A node that publishes a topic; `sendings` is empty for one that was read from a file.
 
     `written` is the topic's name as the program or the file has it; `span` is None for what
@@ -78,8 +75,7 @@ class TopicPublisher:
     span: Span | None
 
 
-@dataclass(frozen=True, slots=True)
-class TopicSubscriber:
+class TopicSubscriber(NamedTuple):
     """A node that listens to a topic; `callback` is None where the target names it."""
 
     node: GraphNode
@@ -89,8 +85,7 @@ class TopicSubscriber:
     span: Span | None
 
 
-@dataclass(frozen=True, slots=True)
-class ServiceProvider:
+class ServiceProvider(NamedTuple):
     """A node that provides a service; `handler` is None where the target names it."""
 
     node: GraphNode
@@ -100,8 +95,7 @@ class ServiceProvider:
     span: Span | None
 
 
-@dataclass(frozen=True, slots=True)
-class ServiceClient:
+class ServiceClient(NamedTuple):
     """A node that calls a service, with the request of each call, in order."""
 
     node: GraphNode
@@ -111,8 +105,10 @@ class ServiceClient:
     span: Span | None
 
 
-@dataclass(frozen=True, slots=True)
-class GraphTopic:
+_End = TopicPublisher | TopicSubscriber | ServiceProvider | ServiceClient
+
+
+class GraphTopic(NamedTuple):
     """A topic by its full name, with all who publish it and all who listen.
 
     `types` are the types in use, each once: one, unless files that were loaded disagree; none
@@ -137,8 +133,7 @@ class GraphTopic:
         return None if self.subscribers else Missing.SUBSCRIBER
 
 
-@dataclass(frozen=True, slots=True)
-class GraphService:
+class GraphService(NamedTuple):
     """A service by its full name, with all who provide it and all who call it."""
 
     name: str
@@ -159,8 +154,7 @@ class GraphService:
         return None if self.clients else Missing.CLIENT
 
 
-@dataclass(frozen=True, slots=True)
-class Graph:
+class Graph(NamedTuple):
     """The nodes, topics and services of a program, each in the order of the program."""
 
     nodes: tuple[GraphNode, ...]
@@ -168,46 +162,41 @@ class Graph:
     services: tuple[GraphService, ...]
 
 
+_Ends = dict[str, tuple[list[Any], list[Any]]]
+"""By its full name, those that speak in a topic or service, and those that are spoken to."""
+
+
 def graph_of(workspace: Workspace) -> Graph:
     """Return the graph of a workspace as it is at the end of the program."""
-    publishers: dict[str, list[TopicPublisher]] = {}
-    subscribers: dict[str, list[TopicSubscriber]] = {}
-    providers: dict[str, list[ServiceProvider]] = {}
-    clients: dict[str, list[ServiceClient]] = {}
-    topics: dict[str, None] = {}
-    services: dict[str, None] = {}
+    topics: _Ends = {}
+    services: _Ends = {}
     generated = {made.node.variable: made.library for made in workspace.generations}
     nodes = []
     for node in workspace.nodes.values():
         shown = _node(node, generated)
         nodes.append(shown)
         for publisher in node.publishers.values():
-            name = resolved_name(node.name, publisher.topic)
-            topics[name] = None
-            publishers.setdefault(name, []).append(_publisher(shown, publisher))
+            _ends(topics, node, publisher.topic)[0].append(_publisher(shown, publisher))
         for listener in node.subscriptions.values():
-            name = resolved_name(node.name, listener.topic)
-            topics[name] = None
-            subscribers.setdefault(name, []).append(_subscriber(shown, listener))
+            _ends(topics, node, listener.topic)[1].append(_subscriber(shown, listener))
         for service in node.services.values():
-            name = resolved_name(node.name, service.name)
-            services[name] = None
-            providers.setdefault(name, []).append(_provider(shown, service))
+            _ends(services, node, service.name)[0].append(_provider(shown, service))
         for client in node.clients.values():
-            name = resolved_name(node.name, client.name)
-            services[name] = None
-            clients.setdefault(name, []).append(_client(shown, client))
+            _ends(services, node, client.name)[1].append(_client(shown, client))
     return Graph(
         tuple(nodes),
-        tuple(
-            _topic(name, tuple(publishers.get(name, ())), tuple(subscribers.get(name, ())))
-            for name in topics
-        ),
-        tuple(
-            _service(name, tuple(providers.get(name, ())), tuple(clients.get(name, ())))
-            for name in services
-        ),
+        tuple([_topic(name, *map(tuple, ends)) for name, ends in topics.items()]),
+        tuple([_service(name, *map(tuple, ends)) for name, ends in services.items()]),
     )
+
+
+def _ends(all_: _Ends, node: Node, written: str) -> tuple[list[Any], list[Any]]:
+    """Return the ends of a topic or service, by its name as a node has it."""
+    name = resolved_name(node.name, written)
+    ends = all_.get(name)
+    if ends is None:
+        ends = all_[name] = ([], [])
+    return ends
 
 
 def _node(node: Node, generated: dict[str, str]) -> GraphNode:
@@ -226,7 +215,7 @@ def _sending(publication: Publication) -> Sending:
 
 
 def _publisher(node: GraphNode, publisher: Publisher) -> TopicPublisher:
-    sendings = tuple(_sending(publication) for publication in publisher.publications)
+    sendings = tuple([_sending(publication) for publication in publisher.publications])
     return TopicPublisher(node, publisher.topic, publisher.type, sendings, publisher.span)
 
 
@@ -245,16 +234,16 @@ def _client(node: GraphNode, client: Client) -> ServiceClient:
 def _topic(
     name: str, publishers: tuple[TopicPublisher, ...], subscribers: tuple[TopicSubscriber, ...]
 ) -> GraphTopic:
-    types = _types([end.type for end in publishers], [end.type for end in subscribers])
-    return GraphTopic(name, types, publishers, subscribers)
+    return GraphTopic(name, _types(publishers, subscribers), publishers, subscribers)
 
 
 def _service(
     name: str, providers: tuple[ServiceProvider, ...], clients: tuple[ServiceClient, ...]
 ) -> GraphService:
-    types = _types([end.type for end in providers], [end.type for end in clients])
-    return GraphService(name, types, providers, clients)
+    return GraphService(name, _types(providers, clients), providers, clients)
 
 
-def _types(*sides: list[InterfaceName | None]) -> tuple[InterfaceName, ...]:
-    return tuple(dict.fromkeys(type_ for side in sides for type_ in side if type_ is not None))
+def _types(*sides: tuple[_End, ...]) -> tuple[InterfaceName, ...]:
+    types = {end.type: None for side in sides for end in side}
+    types.pop(None, None)
+    return tuple(types)  # type: ignore[arg-type]

@@ -76,6 +76,9 @@ def resolved_name(node: str, name: str) -> str:
     Source: the ROS wiki page "Names", section 1.2; a slash too many goes, as in `rosgraph.names`.
     The substitutions of ROS 2 are those of `rcl_expand_topic_name`.
     """
+    if name.isidentifier():
+        # Most names are one word, and there may be thousands of them.
+        return f"/{name}"
     if "{" in name:
         name = name.replace("{node}", node).replace("{ns}", "").replace("{namespace}", "")
     if name.startswith("~"):

@@ -7,6 +7,7 @@ read by everybody afterwards.
 from __future__ import annotations
 
 import gc
+from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -21,7 +22,7 @@ from .panels import outline
 from .panels.entry import Entries
 
 if TYPE_CHECKING:
-    from .panels.tones import Lines
+    from .panels.picture import Picture, Size
     from .preview import Preview
 
 _LARGE = 100_000
@@ -41,7 +42,7 @@ class Analysis:
         diagnostics: what is wrong with it.
         entries: the entries of the panels that are in sight, by the panel's name.
         previews: the files of the nodes that were looked at, by the node's variable.
-        drawing: the graph, drawn, by the width that it was drawn for.
+        drawing: the graph, laid out, and drawn in the sizes that were asked for.
     """
 
     session: Session
@@ -52,24 +53,19 @@ class Analysis:
     diagnostics: tuple[Diagnostic, ...]
     entries: dict[str, Entries] = field(default_factory=dict)
     previews: dict[str, tuple[Preview, ...]] = field(default_factory=dict)
-    drawing: Lines | None = None
+    drawing: Picture | None = None
 
     def node_at(self, offset: int) -> str | None:
-        """Return the variable of the node that the statement at an offset is about."""
-        return self.nodes_by_place().get(self.text.count(b"\n", 0, offset))
-
-    def nodes_by_place(self) -> dict[int, str]:
-        """Return, by row, the variable of the node that a row's statement names."""
-        if self._places is None:
-            known = self.workspace.nodes
-            self._places = {}
-            for statement in self.program.statements:
-                name = getattr(statement, "node", None) or getattr(statement, "variable", None)
-                if name in known:
-                    self._places[statement.syntax.start_point.row] = name
-        return self._places
-
-    _places: dict[int, str] | None = None
+        """Return the variable of the node that the statement on an offset's line is about."""
+        statements = self.program.statements
+        end = self.text.find(b"\n", offset)
+        end = len(self.text) if end < 0 else end
+        index = bisect_right(statements, end, key=lambda statement: statement.span.start) - 1
+        if index < 0 or self.text.find(b"\n", statements[index].span.start, offset) >= 0:
+            return None
+        statement = statements[index]
+        name = getattr(statement, "node", None) or getattr(statement, "variable", None)
+        return name if name in self.workspace.nodes else None
 
 
 class Stale(Exception):  # noqa: N818 - no error: the text has changed meanwhile
@@ -81,8 +77,6 @@ def analyse(session: Session, check: Callable[[], None]) -> Analysis:
 
     `check` is called between the steps, and raises `Stale` when there is a newer text.
     """
-    _ = session.document.tree
-    check()
     program = session.program
     check()
     workspace = session.workspace
@@ -131,9 +125,11 @@ def add_preview(analysis: Analysis, variable: str) -> None:
         analysis.previews[variable] = previews_of(analysis, variable)
 
 
-def add_drawing(analysis: Analysis) -> None:
-    """Draw the graph, once."""
+def add_drawing(analysis: Analysis, size: Size | None = None) -> None:
+    """Lay the graph out, once, and draw it so that it fits, once for each size."""
     if analysis.drawing is None:
-        from .panels.drawing import drawn
+        from .panels.picture import picture_of
 
-        analysis.drawing = drawn(analysis.graph)
+        analysis.drawing = picture_of(analysis.graph)
+    if size is not None:
+        analysis.drawing.fitted(size)

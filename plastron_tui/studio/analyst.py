@@ -9,12 +9,16 @@ import sys
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from textual.message import Message
 
 from plastron_tui.session import Session
 
 from .analysis import Analysis, Stale, add_drawing, add_entries, add_preview, analyse
+
+if TYPE_CHECKING:
+    from .panels.picture import Size
 
 _SWITCH = 0.001
 """Seconds after which a busy thread lets the event loop go on; Python's own are five times that."""
@@ -27,12 +31,12 @@ class Wanted:
     Attributes:
         panels: the panels with entries.
         preview: the variable of the node whose files are shown.
-        graph: whether the graph is.
+        graph: where the graph is shown, None where it is not.
     """
 
     panels: tuple[str, ...] = ()
     preview: str | None = None
-    graph: bool = False
+    graph: Size | None = None
 
 
 class Analysed(Message):
@@ -117,11 +121,10 @@ class Analyst:
 
         start = perf_counter()
         if session is not None:
-            try:
-                self._last = analyse(session, self._check)
-            except Stale:
-                # What else was asked for is asked again with the newer text.
-                raise
+            if self._last is not None:
+                session.learn_from(self._last.session)
+            # What else was asked for is asked again, if this gets stale.
+            self._last = analyse(session, self._check)
         analysis = self._last
         if analysis is None:
             return
@@ -129,10 +132,10 @@ class Analyst:
             add_entries(analysis, panel)
             self._check()
         self._post(Analysed(analysis, perf_counter() - start))
-        if wanted.graph:
-            add_drawing(analysis)
+        if wanted.graph is not None:
+            add_drawing(analysis, wanted.graph)
         if wanted.preview is not None:
             add_preview(analysis, wanted.preview)
-        if wanted.graph or wanted.preview is not None:
+        if wanted.graph is not None or wanted.preview is not None:
             self._check()
             self._post(Analysed(analysis, perf_counter() - start))
