@@ -92,7 +92,7 @@ ACTIONS: tuple[Action, ...] = (
            footer=True),
     Action("save_as", "Save as", "screen.save_as", "", "Write the program to another file.",
            "File"),
-    Action("welcome", "Welcome", "screen.welcome", "ctrl+w",
+    Action("welcome", "Welcome", "screen.welcome", "alt+0",
            "Recent programs, examples and the tour.", "File"),
     Action("tour", "Take the tour", "screen.tour", "", "Two minutes around the screen."),
     Action("theme", "Theme", "app.change_theme", "", "Choose other colours."),

@@ -10,11 +10,14 @@ from textual import work
 from textual.screen import Screen
 from textual.timer import Timer
 
+from plastron_tui.diagnostics import Diagnostic
+
 from ..analyst import Analyst
 from ..editor import ProgramEditor
 from ..files import OnDisk, Saved, open_file, read_again, save_file, with_suffix
 from ..journal import Kept
 from ..preview import difference
+from ..recipes import Recipe, place_files, recipes
 from ..state import Open, opened
 
 if TYPE_CHECKING:
@@ -105,8 +108,7 @@ class Filing(Screen[None]):
         """Open a file, or say why that cannot be; the text that is open is then left alone."""
         found = open_file(path)
         if found.problem is not None:
-            help_ = f"\n{found.problem.help}" if found.problem.help else ""
-            self.notify(found.problem.message + help_, severity="error", timeout=10, markup=False)
+            self._say_problem(found.problem)
             return False
         text = None if kept is None else kept.text
         options = self.open.session.options
@@ -166,15 +168,13 @@ class Filing(Screen[None]):
             saved = save_file(path, text, disk, force=True)
         return self._saved(path, saved)
 
-    async def _ask_path(self) -> Path | None:
+    async def _ask_path(self, title: str = "Save as", name: str = "") -> Path | None:
         from .choose_file import ChooseFile
 
         path = self.open.path
         start = self.open.session.folder
-        name = "" if path is None else path.name
-        chosen = await self.app.push_screen_wait(
-            ChooseFile("Save as", start, name=name or self._suggested(), must_be=False)
-        )
+        name = name or (self._suggested() if path is None else path.name)
+        chosen = await self.app.push_screen_wait(ChooseFile(title, start, name=name, must_be=False))
         return None if chosen is None else with_suffix(chosen)
 
     def _suggested(self) -> str:
@@ -197,10 +197,8 @@ class Filing(Screen[None]):
 
     def _saved(self, path: Path, saved: Saved) -> bool:
         if saved.disk is None:
-            problem = saved.problem
-            if problem is not None:
-                help_ = f"\n{problem.help}" if problem.help else ""
-                self.notify(problem.message + help_, severity="error", timeout=10, markup=False)
+            if saved.problem is not None:
+                self._say_problem(saved.problem)
             return False
         open_ = self.open
         open_.journal.drop()
@@ -214,6 +212,10 @@ class Filing(Screen[None]):
         self.show_title()
         self.notify(f"saved {path.name}", timeout=2, markup=False)
         return True
+
+    def _say_problem(self, problem: Diagnostic) -> None:
+        help_ = f"\n{problem.help}" if problem.help else ""
+        self.notify(problem.message + help_, severity="error", timeout=10, markup=False)
 
     # Leaving.
 
@@ -258,20 +260,42 @@ class Filing(Screen[None]):
             case ("open", str(path)):
                 if await self.may_leave():
                     self.take_file(Path(path))
-            case ("example", str(path)):
+            case ("recipe", str(path)):
                 if await self.may_leave():
-                    self.take_example(Path(path))
+                    for recipe in recipes():
+                        if recipe.path == Path(path):
+                            await self.take_recipe(recipe)
             case ("action", str(call)):
                 await self.run_action(call)
             case _:
                 self.editor.focus()
 
-    def take_example(self, path: Path) -> None:
-        """Open a copy of an example, which has no file yet."""
-        found = open_file(path)
-        if found.disk is not None:
-            folder, options = self._studio.state_folder, self.open.session.options
-            self.take(opened(None, folder, options, found.disk.text))
+    async def take_recipe(self, recipe: Recipe) -> bool:
+        """Open a recipe as a new program; one that brings files along gets its place first.
+
+        Tell whether it was opened.
+        """
+        studio, options = self._studio, self.open.session.options
+        if not recipe.files:
+            self.take(opened(None, studio.state_folder, options, recipe.text))
+            return True
+        names = ", ".join(map(str, recipe.files))
+        path = await self._ask_path(f"Save as, with {names} beside it", recipe.path.name)
+        if path is None:
+            return False
+        present = read_again(OnDisk(path, None, None)).text
+        if present not in (None, recipe.text):
+            assert present is not None
+            if not await self._may_overwrite(path, present, recipe.text):
+                return False
+        placed = place_files(recipe, path.absolute().parent)
+        problem = placed.problem or save_file(path, recipe.text, None, force=True).problem
+        if problem is not None:
+            self._say_problem(problem)
+            return False
+        for file in placed.kept:
+            self.notify(f"{file} was there already, and stays as it is", markup=False)
+        return self.take_file(path)
 
     # Others who write the file.
 

@@ -312,14 +312,13 @@ class MainScreen(Arranging, Filing, Doing, Screen[None]):
 
     @work(exclusive=True, group="tour")
     async def action_tour(self) -> None:
-        """Take the tour, with an example when there is no text."""
+        """Take the tour, with a recipe when there is no text."""
+        from ..recipes import recipes
         from .tour import Tour
-        from .welcome import examples
 
         if not self.open.text.strip():
-            found = {path.stem: path for path, _ in examples()}
-            if "talker_listener" in found:
-                self.take_example(found["talker_listener"])
+            for recipe in recipes()[:1]:
+                await self.take_recipe(recipe)
         await self.app.push_screen_wait(Tour())
         self.studio.remembered.toured = True
         self.editor.focus()

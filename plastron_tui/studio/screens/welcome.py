@@ -1,4 +1,4 @@
-"""What one sees first: recent programs, examples, the tour."""
+"""What one sees first: recent programs, recipes, the tour."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import ClassVar
 
-from textual import on
+from textual import events, on
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
@@ -14,6 +14,8 @@ from textual.content import Content
 from textual.screen import ModalScreen
 from textual.widgets import Label, OptionList, Static
 from textual.widgets.option_list import Option
+
+from ..recipes import recipes
 
 _LOGO = """\
        _           _
@@ -23,9 +25,14 @@ _LOGO = """\
 | .__/|_|\\__,_|___/\\__|_|  \\___/|_| |_|
 |_|     ROS nodes, described in sentences"""
 
+_LOGO_ROWS = 7
+_FRAME = 3
+"""Rows around the list: the border, and the line with the keys."""
+
 Answer = tuple[str, str]
 
 START = (
+    ("action", "screen.wizard", "Build nodes with the wizard", "^U"),
     ("action", "screen.new", "Write a new program", "^N"),
     ("action", "screen.open", "Open a program", "^O"),
     ("action", "screen.tour", "Take the two-minute tour", ""),
@@ -49,12 +56,13 @@ class Welcome(ModalScreen["Answer | None"]):
         super().__init__()
         self._recent = [name for name in recent if Path(name).is_file()][:6]
         self._answers: list[Answer] = []
+        self._rows = self._options()
 
     def compose(self) -> ComposeResult:
         """Make the name and the list."""
         with Vertical(id="welcome"):
             yield Static(_LOGO, id="welcome-logo", markup=False)
-            yield OptionList(*self._options(), id="welcome-list", compact=True)
+            yield OptionList(*self._rows, id="welcome-list", compact=True)
             yield Label("↑ ↓ choose   Enter begin   Esc write at once", id="welcome-keys")
 
     def _options(self) -> list[Option | None]:
@@ -72,12 +80,20 @@ class Welcome(ModalScreen["Answer | None"]):
             for name in self._recent:
                 path = Path(name)
                 add("open", name, path.name, _home(path.parent))
-        found = examples()
+        found = recipes()
         if found:
             options.append(None)
-            for path, words in found:
-                add("example", str(path), path.stem.replace("_", " "), words)
+            for recipe in found:
+                add("recipe", str(recipe.path), recipe.title, recipe.description)
         return options
+
+    def on_resize(self, event: events.Resize) -> None:
+        """Give the list the room that there is; the name goes where all of it does not fit."""
+        options = self.query_one(OptionList)
+        room = event.size.height - _FRAME
+        rows = len(self._rows)
+        self.query_one("#welcome-logo").display = rows + _LOGO_ROWS <= room
+        options.styles.max_height = max(room, 1)
 
     @on(OptionList.OptionSelected)
     def selected(self, event: OptionList.OptionSelected) -> None:
@@ -97,20 +113,3 @@ def _home(folder: Path) -> str:
     with suppress(ValueError, RuntimeError):
         return f"~/{folder.relative_to(Path.home())}"
     return str(folder)
-
-
-def examples() -> list[tuple[Path, str]]:
-    """Return the programs that come with Plastron, each with its first comment.
-
-    Those that load a file from beside them are left out: an example is opened as a new program.
-    """
-    package = Path(__file__).parents[1]
-    installed, source = package / "examples", package.parents[1] / "examples"
-    found = []
-    with suppress(OSError, UnicodeDecodeError):
-        for path in sorted((installed if installed.is_dir() else source).glob("*.plastron")):
-            text = path.read_text("utf-8")
-            if "\nload " not in text:
-                first = text.partition("\n")[0].lstrip("/ ").rstrip(".")
-                found.append((path, first.partition(": ")[2] or first))
-    return found
