@@ -2,23 +2,27 @@
 
 from __future__ import annotations
 
-import stat
-from collections.abc import Iterator, Mapping
+import os
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from plastron_tui.derivation import Derivation
 from plastron_tui.diagnostics import Diagnostic, Severity
-from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceFile
-from plastron_tui.model.workspace import Client, Generation, Node, Publisher
-from plastron_tui.output.manifest import Base, Manifest
+from plastron_tui.handwork import cover, kept_handwork, of_other_program, on_disk, unmergeable
+from plastron_tui.model.workspace import Generation
+from plastron_tui.output.layers import live_layers
+from plastron_tui.output.manifest import Base, Manifest, load_manifest
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.output.remembered import recall, remember
 from plastron_tui.ros.catalog import Catalog
 
 if TYPE_CHECKING:
     from plastron_tui.merging import Merged
-    from plastron_tui.targets.base import Rendered, Target
+    from plastron_tui.targets.base import Target
+
+Notes = tuple[Diagnostic, ...]
 
 # What a target puts behind a node's name tells what the node does, and changes with it.
 _PARTS = ("_pub", "_sub1", "_sub2", "_client", "_server", "_node")
@@ -33,52 +37,47 @@ class Generated:
     diagnostics: tuple[Diagnostic, ...] = ()
 
 
-def changes_of(node: Node) -> tuple[Change, ...]:
-    """Return what a program changed in a node that it loaded."""
-    if node.source is None:
-        return ()
-    return tuple(_changes(node, _names_in(node.source)))
+class Manifests:
+    """What is remembered of the files of folders, each read when it is first asked for.
+
+    Attributes:
+        problems: what is wrong with those that were read.
+    """
+
+    def __init__(self) -> None:
+        self.problems: list[Diagnostic] = []
+        self._read: dict[Path, Manifest] = {}
+
+    def __call__(self, folder: Path) -> Manifest:
+        """Return the manifest of a folder; one that is missing or broken is empty."""
+        # Paths of one folder may differ: links, and a relative one.
+        real = Path(os.path.realpath(folder))
+        if real not in self._read:
+            self._read[real], problems = load_manifest(folder)
+            self.problems += problems
+        return self._read[real]
 
 
-def _changes(node: Node, present: Mapping[EndpointKind, set[str]]) -> Iterator[Change]:
-    for kind, endpoints in _by_kind(node).items():
-        for name in sorted(present[kind] - endpoints.keys()):
-            yield Remove(kind, name, node.removed.get(name))
-        for name, endpoint in endpoints.items():
-            if endpoint.span is not None:
-                # Removed and asked for again, with another type perhaps.
-                if name in present[kind]:
-                    yield Remove(kind, name, node.removed.get(name))
-                yield Add(endpoint)
-            elif _is_extended(endpoint):
-                yield Add(endpoint)
+def last_of_each(made: Sequence[Generated], output: Path) -> list[Generated]:
+    """Leave out the files that the program loads after it generated them, and generates again."""
+    kept = []
+    for index, each in enumerate(made):
+        is_created = each.generation.node.source is None
+        sources = [
+            other.generation.node.source
+            for at, other in enumerate(made)
+            if is_created or (at > index and _is_chained(other))
+        ]
+        path = each.file and (each.file.path or output / each.file.name)
+        if path is None or all(source is None or source.path != path for source in sources):
+            kept.append(each)
+    return kept
 
 
-def _is_extended(endpoint: Any) -> bool:
-    """Tell whether the program sends more through an endpoint that it found in the file."""
-    match endpoint:
-        case Publisher(publications=more) | Client(requests=more):
-            return bool(more)
-        case _:
-            return False
-
-
-def _by_kind(node: Node) -> dict[EndpointKind, Mapping[str, Any]]:
-    return {
-        EndpointKind.PUBLISHER: node.publishers,
-        EndpointKind.SUBSCRIPTION: node.subscriptions,
-        EndpointKind.SERVICE: node.services,
-        EndpointKind.CLIENT: node.clients,
-    }
-
-
-def _names_in(source: SourceFile) -> dict[EndpointKind, set[str]]:
-    names: dict[EndpointKind, set[str]] = {kind: set() for kind in EndpointKind}
-    for node in source.nodes:
-        for endpoint in node.endpoints:
-            if endpoint.name is not None:
-                names[endpoint.kind].add(endpoint.name)
-    return names
+def _is_chained(made: Generated) -> bool:
+    """Tell whether a node was loaded from what the program itself generates from another file."""
+    source = made.generation.node.source
+    return source is not None and source.origin is not None and source.origin.start is not None
 
 
 def generate(
@@ -86,120 +85,157 @@ def generate(
     target: Target,
     catalog: Catalog,
     output: Path,
-    manifest: Manifest,
+    manifests: Callable[[Path], Manifest],
     *,
     in_place: bool = False,
     force: bool = False,
-    origin: tuple[Target, Catalog] | None = None,
+    own: tuple[Target, Catalog] | None = None,
     program: str = "",
 ) -> Generated:
     """Make the text of one `generate_node`.
 
     A created node is written anew; where its file was changed by hand, what the program changed
-    since is merged into it, unless `force` asks for the new text. A loaded node is its file,
-    changed by splices; `in_place` writes it over the file that it came from. Where it is for
-    another client library, the changes are made in the file's own (`origin`), and the result is
-    ported. `program` is the name of the program's file: nodes of one name in two programs are two.
+    since is merged into it, unless `force` asks for the new text. A loaded node is the file that
+    the program started from, changed by splices; `in_place` writes it over the file that it came
+    from. Where it is for another client library, the changes are made in the file's own (`own`),
+    and the result is ported.
+
+    Args:
+        generation: what is asked for.
+        target: the client library that the node is written for.
+        catalog: the interface types of its ROS.
+        output: the output folder.
+        manifests: gives what is remembered of the files of a folder.
+        in_place: whether a loaded node is written over the file that it came from.
+        force: whether handwork is written over.
+        own: the client library of a loaded node's file, and its types.
+        program: the name of the program's file: nodes of one name in two programs are two.
     """
     node = generation.node
     if node.source is None:
-        return _created(generation, target, catalog, output, manifest, force=force, program=program)
-    if node.source.library != target.name:
-        return _ported(generation, node.source, target, catalog, origin)
-    rendered = target.edit(node.source, changes_of(node), catalog)
-    if rendered.text is None:
-        return _refused(generation, rendered)
-    path, text = node.source.path, node.source.text
-    # What lies in the output folder may be what this program generates, and on no disk yet.
-    is_elsewhere = in_place and path.parent != output
-    present = _on_disk(output / path.name)
-    is_kept = is_elsewhere or present == text
-    # A file that is written over where it came from keeps its mode: it is the user's.
-    is_over = is_elsewhere or (path.parent == output and present is not None)
-    file = OutputFile(
-        path.name,
-        rendered.text,
-        target.is_executable and not is_over,
-        merged_from=text if is_kept else None,
-        path=path if is_elsewhere else None,
-    )
-    return Generated(generation, file, rendered.diagnostics)
+        creation = _Creation(generation, target, catalog, output, manifests(output), force, program)
+        return creation.result()
+    derived = Derivation(
+        node,
+        node.source,
+        target,
+        catalog,
+        own,
+        output,
+        manifests,
+        program,
+        in_place,
+        force,
+    ).result()
+    if derived.file is None:
+        return _refused(generation, derived.diagnostics)
+    return Generated(generation, derived.file, derived.diagnostics)
 
 
-def _created(
-    generation: Generation,
-    target: Target,
-    catalog: Catalog,
-    output: Path,
-    manifest: Manifest,
-    *,
-    force: bool,
-    program: str,
-) -> Generated:
-    node = generation.node
-    rendered = target.render(node, catalog)
-    if rendered.text is None:
-        return _refused(generation, rendered)
-    name = target.file_name(node)
-    base = remember(node, target.name, program)
-    file = OutputFile(name, rendered.text, target.is_executable, base=base)
-    owner = _other_program(name, program, manifest)
-    there = _on_disk(output / name) if owner is not None else None
-    if owner is not None and there not in (None, rendered.text):
-        # Forced too it is a conflict, so that a backup is kept.
-        file = replace(file, problem=_of_other_program(output / name, owner))
-        return Generated(generation, file, rendered.diagnostics)
-    others = _other_files(name, base, target, output, manifest)
-    notes = (*rendered.diagnostics, *(_left_behind(output / other, name) for other in others))
-    earlier = _earlier(name, others, output, manifest)
-    if earlier is not None:
-        file = replace(file, supersedes=earlier)
-    origin = output / (earlier or name)
-    present = _on_disk(origin)
-    is_own = present is None or present == rendered.text or manifest.has(origin.name, present)
-    if earlier is not None and not force and not _may_replace(output / name, manifest):
-        return Generated(generation, replace(file, problem=_stale(output / name, earlier)), notes)
-    if force or is_own or present is None or origin.name not in manifest:
-        return Generated(generation, file, notes)
-    merged = _merged(node, origin, present, target, catalog, manifest)
-    if merged.text is None:
-        problem = _unmergeable(origin, merged.reason)
-        return Generated(generation, replace(file, problem=problem), notes)
-    file = replace(
-        file,
-        text=merged.text,
-        merged_from=present if earlier is None else None,
-        has_handwork=True,
-    )
-    return Generated(generation, file, (*notes, _kept_handwork(origin, name), *merged.notes))
+@dataclass(frozen=True, slots=True)
+class _Creation:
+    """One `generate_node` of a created node."""
 
+    generation: Generation
+    target: Target
+    catalog: Catalog
+    output: Path
+    manifest: Manifest
+    force: bool
+    program: str
 
-def _merged(
-    node: Node,
-    path: Path,
-    present: bytes,
-    target: Target,
-    catalog: Catalog,
-    manifest: Manifest,
-) -> Merged:
-    """Merge what the program changed in a node into a file that was changed by hand."""
-    from plastron_tui.merging import Merged, merge
-    from plastron_tui.targets import read_source
+    def result(self) -> Generated:
+        node, target, output, manifest = (
+            self.generation.node, self.target, self.output, self.manifest,
+        )  # fmt: skip
+        rendered = target.render(node, self.catalog)
+        if rendered.text is None:
+            return _refused(self.generation, rendered.diagnostics)
+        name = target.file_name(node)
+        base = remember(node, target.name, self.program)
+        file = OutputFile(name, rendered.text, target.is_executable, base=base)
+        owner = _other_program(name, self.program, manifest)
+        there = on_disk(output / name) if owner is not None else None
+        if owner is not None and there not in (None, rendered.text):
+            # Forced too it is a conflict, so that a backup is kept.
+            file = replace(file, problem=of_other_program(output / name, owner))
+            return Generated(self.generation, file, rendered.diagnostics)
+        others = _other_files(name, base, target, output, manifest)
+        notes = (*rendered.diagnostics, *(_left_behind(output / other, name) for other in others))
+        earlier = _earlier(name, others, output, manifest)
+        if earlier is None:
+            return self._written(file, notes)
+        return self._moved(replace(file, supersedes=earlier), earlier, notes)
 
-    seen = read_source(path, present).source
-    if seen is not None and seen.library != target.name:
-        return Merged(None, f"it is a node of `{seen.library}`")
-    read = target.read(path, present)
-    if read.source is None or not read.source.nodes:
-        return Merged(None, "it holds no node that can be read")
-    known = manifest.bases.get(path.name)
-    base = None if known is None else recall(known)
-    return merge(read.source, base, node, target, catalog)
+    def _written(self, file: OutputFile, notes: Notes) -> Generated:
+        """Write a node where it was before, or where nothing is."""
+        path = self.output / file.name
+        present = on_disk(path)
+        layers = live_layers(self.manifest.layers.get(file.name, ()), present)
+        # What programs that loaded the file made of it lies over what is to be renewed.
+        before = layers[0].original if layers else present
+        is_clean = self.manifest.has(file.name, before or b"")
+        is_own = before in (None, file.text) or is_clean or any(x.is_clean for x in layers[:1])
+        if not (self.force or is_own or before is None or file.name not in self.manifest):
+            merged = self._merged(path, before)
+            if merged.text is None:
+                problem = unmergeable(path, merged.reason)
+                return Generated(self.generation, replace(file, problem=problem), notes)
+            file = replace(file, text=merged.text, merged_from=before, has_handwork=True)
+            notes = (*notes, kept_handwork(path, file.name), *merged.notes)
+        if layers and before is not None and present is not None:
+            covered = cover(path, layers, before, file.text, present, force=self.force)
+            is_renewed = self.force and layers[-1].written != present
+            file = replace(
+                file,
+                text=covered.text,
+                merged_from=None if is_renewed else present,
+                layers=covered.layers,
+                problem=covered.problem,
+            )
+            notes = (*notes, *covered.notes)
+        return Generated(self.generation, file, notes)
+
+    def _moved(self, file: OutputFile, earlier: str, notes: Notes) -> Generated:
+        """Write a node under another name than before; handwork goes along."""
+        path, origin = self.output / file.name, self.output / earlier
+        present = on_disk(origin)
+        if not self.force and not _may_replace(path, self.manifest):
+            file = replace(file, problem=_stale(path, earlier))
+            return Generated(self.generation, file, notes)
+        is_own = present in (None, file.text) or self.manifest.has(earlier, present or b"")
+        if self.force or is_own or present is None:
+            return Generated(self.generation, file, notes)
+        merged = self._merged(origin, present)
+        if merged.text is None:
+            problem = unmergeable(origin, merged.reason)
+            return Generated(self.generation, replace(file, problem=problem), notes)
+        file = replace(file, text=merged.text, has_handwork=True)
+        notes = (*notes, kept_handwork(origin, file.name), *merged.notes)
+        return Generated(self.generation, file, notes)
+
+    def _merged(self, path: Path, present: bytes) -> Merged:
+        """Merge what the program changed in a node into a file that was changed by hand."""
+        from plastron_tui.merging import Merged, merge
+        from plastron_tui.targets import read_source
+
+        seen = read_source(path, present).source
+        if seen is not None and seen.library != self.target.name:
+            return Merged(None, f"it is a node of `{seen.library}`")
+        read = self.target.read(path, present)
+        if read.source is None or not read.source.nodes:
+            return Merged(None, "it holds no node that can be read")
+        known = self.manifest.bases.get(path.name)
+        base = None if known is None else recall(known)
+        return merge(read.source, base, self.generation.node, self.target, self.catalog)
 
 
 def _other_program(name: str, program: str, manifest: Manifest) -> str | None:
     """Return the other program that a file was made by, None where nothing tells of one."""
+    layers = manifest.layers.get(name, ())
     known = manifest.bases.get(name, {}).get("program")
+    if layers and layers[0].origin is not None:
+        known = layers[0].program
     is_other = isinstance(known, str) and known and program and known != program
     return known if is_other else None
 
@@ -230,20 +266,8 @@ def _earlier(name: str, others: list[str], output: Path, manifest: Manifest) -> 
 
 def _may_replace(path: Path, manifest: Manifest) -> bool:
     """Tell whether a file of an earlier generate holds nothing but what Plastron wrote."""
-    present = _on_disk(path)
+    present = on_disk(path)
     return present is None or path.name not in manifest or manifest.has(path.name, present)
-
-
-def _kept_handwork(path: Path, name: str) -> Diagnostic:
-    where = "" if path.name == name else f" in `{name}`"
-    return Diagnostic(
-        "merged-by-hand",
-        f"`{path.name}` was changed by hand and is kept{where}, with the program's changes",
-        file=path,
-        help="`--force` writes it anew and keeps a backup" if not where else
-        "`--force` writes it anew",
-        severity=Severity.WARNING,
-    )  # fmt: skip
 
 
 def _left_behind(path: Path, name: str) -> Diagnostic:
@@ -266,59 +290,7 @@ def _stale(path: Path, current: str) -> Diagnostic:
     )
 
 
-def _of_other_program(path: Path, program: str) -> Diagnostic:
-    return Diagnostic(
-        "file-conflict",
-        f"`{path.name}` was generated by another program, `{program}`",
-        file=path,
-        help="give one of the nodes another name, choose another folder with `-o`, or use "
-        "`--force` to overwrite it and keep a backup",
-    )
-
-
-def _unmergeable(path: Path, reason: str) -> Diagnostic:
-    return Diagnostic(
-        "file-conflict",
-        f"`{path.name}` was changed by hand, and {reason}",
-        file=path,
-        help="change the file or the program so that they agree, or use `--force` to write it "
-        "anew and keep a backup",
-    )
-
-
-def _ported(
-    generation: Generation,
-    source: SourceFile,
-    target: Target,
-    catalog: Catalog,
-    origin: tuple[Target, Catalog] | None,
-) -> Generated:
-    """Write a loaded node for another client library, with the changes of the program.
-
-    It goes under the file's own name, into the output folder: never over the file itself.
-    """
-    changes = changes_of(generation.node)
-    is_changed = bool(changes) and origin is not None
-    if changes and origin is not None:
-        own, own_catalog = origin
-        edited = own.edit(source, changes, own_catalog)
-        read = own.read(source.path, edited.text) if edited.text is not None else None
-        if read is None or read.source is None:
-            return _refused(generation, edited)
-        source = read.source
-    rendered = target.port(generation.node, source, catalog)
-    if rendered.text is None:
-        return _refused(generation, rendered)
-    name = f"{source.path.stem}{target.suffix}"
-    file = OutputFile(name, rendered.text, target.is_executable)
-    # What was found after a change has no place in the file as it is on the disk.
-    found = rendered.diagnostics
-    if is_changed:
-        found = tuple(each._replace(span=None) for each in found)
-    return Generated(generation, file, found)
-
-
-def _refused(generation: Generation, rendered: Rendered) -> Generated:
+def _refused(generation: Generation, diagnostics: Notes) -> Generated:
     """Give every diagnostic a place: where none says better, the statement that generates."""
     return Generated(
         generation,
@@ -327,14 +299,6 @@ def _refused(generation: Generation, rendered: Rendered) -> Generated:
             found
             if found.span is not None or found.file is not None
             else found._replace(span=generation.span)
-            for found in rendered.diagnostics
+            for found in diagnostics
         ),
     )
-
-
-def _on_disk(path: Path) -> bytes | None:
-    """Return what a file holds, None for what is no file: reading a pipe would wait for ever."""
-    try:
-        return path.read_bytes() if stat.S_ISREG(path.stat().st_mode) else None
-    except (OSError, ValueError):
-        return None

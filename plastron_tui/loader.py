@@ -5,16 +5,22 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.model.setting import Loaded, LoadRequest
 from plastron_tui.model.workspace import Generation
 
+if TYPE_CHECKING:
+    from plastron_tui.model.source import Origin, SourceFile
+    from plastron_tui.starting import Start
+
 LARGEST_FILE = 4 * 1024 * 1024
 """The largest node file that is read, in bytes; a node is a few kilobytes."""
 
 _SUFFIXES = (".py", ".cpp")
+_MANIFEST = ".plastron.json"
 
 
 class NodeLoader:
@@ -22,6 +28,9 @@ class NodeLoader:
 
     A bare name is looked for in what the program generates, in the output folder, in the
     program's folder and in the working folder; a path is relative to the program's folder.
+
+    A file that the program itself made on an earlier run stands for what the program started
+    from then, with what was changed by hand since.
     """
 
     def __init__(
@@ -29,10 +38,20 @@ class NodeLoader:
         folder: Path,
         output: Path,
         rendered: Callable[[Generation], tuple[Path, bytes] | None],
+        program: str = "",
     ) -> None:
+        """Set where files are looked for.
+
+        Args:
+            folder: the program's folder.
+            output: the output folder.
+            rendered: makes the file of an earlier `generate_node` of the program.
+            program: the name of the program's file, "" where it has none.
+        """
         self._folder = folder
         self._output = output
         self._rendered = rendered
+        self._program = program
         self._read: dict[tuple[Path, int], Loaded] = {}
 
     def __call__(self, request: LoadRequest) -> Loaded:
@@ -40,8 +59,8 @@ class NodeLoader:
         if "\0" in request.source:
             return _failed("file-not-found", "a path holds no NUL character")
         if not request.is_path:
-            for path, text in self._generated(request):
-                return read_node(path, text)
+            for loaded in self._generated(request):
+                return loaded
         for path in self._candidates(request):
             # The functions of `os.path` take a path that is too long for one that is not there.
             if os.path.isdir(path):  # noqa: PTH112
@@ -50,14 +69,16 @@ class NodeLoader:
                 return self._read_once(path)
         return self._not_found(request)
 
-    def _generated(self, request: LoadRequest) -> Iterator[tuple[Path, bytes]]:
+    def _generated(self, request: LoadRequest) -> Iterator[Loaded]:
         names = {request.source + suffix for suffix in _SUFFIXES}
         for generation in reversed(request.generated):
+            node, source = generation.node, generation.node.source
             # Rendering costs more than asking for the name: a node's name starts its file's.
-            if request.source.startswith(generation.node.name):
+            if request.source.startswith(node.name if source is None else source.path.stem):
                 rendered = self._rendered(generation)
                 if rendered is not None and rendered[0].name in names:
-                    yield rendered
+                    loaded = read_node(*rendered)
+                    yield loaded if source is None else _with_origin(loaded, _chained(source))
 
     def _candidates(self, request: LoadRequest) -> Iterator[Path]:
         if request.is_path:
@@ -70,17 +91,31 @@ class NodeLoader:
     def _read_once(self, path: Path) -> Loaded:
         try:
             status = path.stat()
+            if status.st_size > LARGEST_FILE:
+                limit = LARGEST_FILE // (1024 * 1024)
+                message = f"`{path.name}` is larger than {limit} MB, which no node is"
+                return _failed("unreadable-file", message)
+            start = self._start(path)
+            if start is not None:
+                # It depends on several files, and is not kept.
+                return _with_origin(read_node(start.path, start.text), start.origin)
             key = (path, status.st_mtime_ns)
             if key not in self._read:
-                if status.st_size > LARGEST_FILE:
-                    limit = LARGEST_FILE // (1024 * 1024)
-                    message = f"`{path.name}` is larger than {limit} MB, which no node is"
-                    return _failed("unreadable-file", message)
                 self._read[key] = read_node(path, path.read_bytes())
             return self._read[key]
         except OSError as error:
             reason = (error.strerror or str(error)).lower()
             return _failed("unreadable-file", f"`{path.name}` cannot be read: {reason}")
+
+    def _start(self, path: Path) -> Start | None:
+        """Return what the program started from when it wrote a file, None where it did not."""
+        folder = Path(os.path.realpath(path)).parent
+        if not self._program or not (folder / _MANIFEST).is_file():
+            return None
+        from plastron_tui.output.manifest import load_manifest
+        from plastron_tui.starting import find_start
+
+        return find_start(path, self._program, lambda folder: load_manifest(folder)[0])
 
     def _not_found(self, request: LoadRequest) -> Loaded:
         if request.is_path:
@@ -108,6 +143,17 @@ def read_node(path: Path, text: bytes) -> Loaded:
 
     result = read_source(path, text)
     return Loaded(result.source, result.diagnostics)
+
+
+def _with_origin(loaded: Loaded, origin: Origin) -> Loaded:
+    source = loaded.source
+    return loaded if source is None else loaded._replace(source=source._replace(origin=origin))
+
+
+def _chained(source: SourceFile) -> Origin:
+    from plastron_tui.starting import chained
+
+    return chained(source)
 
 
 def _names(folder: Path, *, full: bool = False) -> list[str]:

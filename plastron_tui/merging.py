@@ -16,12 +16,17 @@ from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceEndpoint, SourceFile
-from plastron_tui.model.workspace import Client, Node, Publisher, Service, Subscription
+from plastron_tui.model.workspace import (
+    Client,
+    Endpoint,
+    EndpointKey,
+    Node,
+    Publisher,
+    Service,
+    Subscription,
+)
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets.base import Target
-
-Endpoint = Publisher | Subscription | Service | Client
-Key = tuple[EndpointKind, str]
 
 _ANCHOR = "plastron_holds_this_place"
 _WORDS = {
@@ -82,15 +87,15 @@ class _Merge:
     adds: list[Change] = field(default_factory=list)
     swaps: list[Change] = field(default_factory=list)
     removes: list[Change] = field(default_factory=list)
-    resends: dict[Key, SourceEndpoint] = field(default_factory=dict)
+    resends: dict[EndpointKey, SourceEndpoint] = field(default_factory=dict)
     notes: list[Diagnostic] = field(default_factory=list)
     cut: list[SourceEndpoint] = field(default_factory=list)
 
     def result(self) -> Merged:
         """Decide about every endpoint, and edit the file."""
-        file = _in_file(self.source)
-        base = {} if self.base is None else endpoints(self.base)
-        wanted = endpoints(self.node)
+        file = call_sites(self.source)
+        base = {} if self.base is None else self.base.endpoints
+        wanted = self.node.endpoints
         for key in dict.fromkeys((*base, *wanted, *(file if self.base is None else ()))):
             self._decide(key, base.get(key), wanted.get(key), file.get(key, []))
         sending: list[Change] = []
@@ -105,7 +110,7 @@ class _Merge:
         return Merged(text, notes=(*self.notes, *self._orphans(text)))
 
     def _anchored(
-        self, swaps: list[Change], file: Mapping[Key, list[SourceEndpoint]]
+        self, swaps: list[Change], file: Mapping[EndpointKey, list[SourceEndpoint]]
     ) -> list[Change]:
         """Keep the place of a file's only endpoint while it is taken out and added again.
 
@@ -142,7 +147,11 @@ class _Merge:
         raise _RefusedError(", and ".join(found.message for found in refused.diagnostics))
 
     def _decide(
-        self, key: Key, base: Endpoint | None, wanted: Endpoint | None, found: list[SourceEndpoint]
+        self,
+        key: EndpointKey,
+        base: Endpoint | None,
+        wanted: Endpoint | None,
+        found: list[SourceEndpoint],
     ) -> None:
         if wanted is None:
             self._remove(key, base, found)
@@ -153,7 +162,7 @@ class _Merge:
         else:
             self._update(key, base, wanted, found)
 
-    def _remove(self, key: Key, base: Endpoint | None, found: list[SourceEndpoint]) -> None:
+    def _remove(self, key: EndpointKey, base: Endpoint | None, found: list[SourceEndpoint]) -> None:
         """Take out what the program no longer has, if the file still has it as it was."""
         if not found:
             return
@@ -169,14 +178,14 @@ class _Merge:
         self.removes.append(Remove(*key))
         self.cut += found
 
-    def _add(self, key: Key, wanted: Endpoint, found: list[SourceEndpoint]) -> None:
+    def _add(self, key: EndpointKey, wanted: Endpoint, found: list[SourceEndpoint]) -> None:
         if not found:
             self.adds.append(Add(wanted))
         elif not all(_has_type(each, wanted) for each in found):
             raise _RefusedError(self._differing(key, wanted, found))
 
     def _update(
-        self, key: Key, base: Endpoint, wanted: Endpoint, found: list[SourceEndpoint]
+        self, key: EndpointKey, base: Endpoint, wanted: Endpoint, found: list[SourceEndpoint]
     ) -> None:
         """Bring an endpoint that all three have up to date."""
         if base.type != wanted.type:
@@ -192,7 +201,7 @@ class _Merge:
             self.resends[key] = found[0]
 
     def _change_type(
-        self, key: Key, base: Endpoint, wanted: Endpoint, found: list[SourceEndpoint]
+        self, key: EndpointKey, base: Endpoint, wanted: Endpoint, found: list[SourceEndpoint]
     ) -> None:
         if all(each.type == wanted.type for each in found):
             return
@@ -211,7 +220,7 @@ class _Merge:
         self.cut += found
 
     def _change_callback(
-        self, key: Key, base: Endpoint, wanted: Endpoint, found: list[SourceEndpoint]
+        self, key: EndpointKey, base: Endpoint, wanted: Endpoint, found: list[SourceEndpoint]
     ) -> None:
         is_own = _calling(base) in {None, found[0].callback}
         if len(found) > 1 or not is_own:
@@ -221,14 +230,14 @@ class _Merge:
         self.swaps += [Remove(*key), Add(wanted)]
         self.cut += found
 
-    def _differing(self, key: Key, wanted: Endpoint, found: list[SourceEndpoint]) -> str:
+    def _differing(self, key: EndpointKey, wanted: Endpoint, found: list[SourceEndpoint]) -> str:
         other = next(each for each in found if not _has_type(each, wanted))
         return (
             f"the {_name(key)} is of type `{other.type}` in line {other.line}, "
             f"but of type `{wanted.type}` in the program"
         )
 
-    def _is_untouched(self, key: Key, base: Endpoint) -> bool:
+    def _is_untouched(self, key: EndpointKey, base: Endpoint) -> bool:
         """Tell whether all that an endpoint does in the file is what Plastron wrote.
 
         It is when taking it out deletes the very lines that it would delete from the file as it
@@ -248,7 +257,7 @@ class _Merge:
         again = self.target.edit(without, [Add(base)], self.catalog).text
         return again is not None and _code(again) - _code(without.text) == there
 
-    def _without(self, source: SourceFile, key: Key) -> SourceFile | None:
+    def _without(self, source: SourceFile, key: EndpointKey) -> SourceFile | None:
         text = self.target.edit(source, [Remove(*key)], self.catalog).text
         return None if text is None else self._read(text)
 
@@ -272,7 +281,7 @@ class _Merge:
                 message = f"`{each.callback}` is kept, but no longer called"
                 yield self._note(message, each, "call it from elsewhere, or remove it by hand")
 
-    def _tell_resend(self, key: Key, found: SourceEndpoint) -> None:
+    def _tell_resend(self, key: EndpointKey, found: SourceEndpoint) -> None:
         what = "calls" if key[0] is EndpointKind.CLIENT else "messages"
         self._tell(f"the {what} of the {_name(key)} are changed in the program only", found)
 
@@ -293,20 +302,9 @@ class _Merge:
         )
 
 
-def endpoints(node: Node) -> dict[Key, Endpoint]:
-    """Return the endpoints of a node, by kind and name."""
-    kinds: dict[EndpointKind, Mapping[str, Endpoint]] = {
-        EndpointKind.PUBLISHER: node.publishers,
-        EndpointKind.SUBSCRIPTION: node.subscriptions,
-        EndpointKind.SERVICE: node.services,
-        EndpointKind.CLIENT: node.clients,
-    }
-    return {(kind, name): each for kind, found in kinds.items() for name, each in found.items()}
-
-
-def _in_file(source: SourceFile) -> dict[Key, list[SourceEndpoint]]:
+def call_sites(source: SourceFile) -> dict[EndpointKey, list[SourceEndpoint]]:
     """Return the call sites of a file; a name from a parameter counts by its default."""
-    found: dict[Key, list[SourceEndpoint]] = {}
+    found: dict[EndpointKey, list[SourceEndpoint]] = {}
     for node in source.nodes:
         for endpoint in node.endpoints:
             name = endpoint.name if endpoint.name is not None else endpoint.default
@@ -371,7 +369,7 @@ def _mentions(text: bytes, name: str) -> bool:
     return re.search(rb"\b%s\b" % re.escape(name.encode()), text) is not None
 
 
-def _name(key: Key) -> str:
+def _name(key: EndpointKey) -> str:
     return f"{_WORDS[key[0]]} `{key[1]}`"
 
 

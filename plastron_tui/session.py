@@ -7,7 +7,7 @@ diagnostics, files. Each is made when it is first asked for, and again after an 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from copy import copy
 from functools import cached_property
 from pathlib import Path
@@ -238,8 +238,13 @@ class Session:
     @cached_property
     def setting(self) -> Setting:
         """What the program is interpreted in."""
-        loader = NodeLoader(self.folder, self.output, self._rendered)
+        loader = NodeLoader(self.folder, self.output, self._rendered, self._name)
         return Setting(self.library, LIBRARIES, self.catalog, loader, self.is_library_chosen)
+
+    @property
+    def _name(self) -> str:
+        """The name of the program's file, "" where it has none."""
+        return "" if self.path is None else self.path.name
 
     @property
     def workspace(self) -> Workspace:
@@ -287,33 +292,23 @@ class Session:
         Of two `generate_node` of one variable the last counts; and a file that the program
         generates, loads and generates again is made as it is at the end.
         """
-        from plastron_tui.output.manifest import load_manifest
+        from dataclasses import replace
 
-        manifest, problems = load_manifest(self.output)
-        made = [self._generate(generation, manifest) for generation in self._last_generations()]
-        loaded_again = {
-            each.generation.node.source.path
-            for each in made
-            if each.generation.node.source is not None
-        }
-        kept = [
-            each
-            for each in made
-            if each.file is None
-            or each.generation.node.source is not None
-            or self.output / each.file.name not in loaded_again
-        ]
-        if problems and kept:
-            from dataclasses import replace
+        from plastron_tui.generation import Manifests, last_of_each
 
-            kept[0] = replace(kept[0], diagnostics=(*problems, *kept[0].diagnostics))
+        manifests = Manifests()
+        made = [self._generate(generation, manifests) for generation in self._last_generations()]
+        kept = last_of_each(made, self.output)
+        if manifests.problems and kept:
+            found = (*manifests.problems, *kept[0].diagnostics)
+            kept[0] = replace(kept[0], diagnostics=found)
         return tuple(kept)
 
     def generate(self, generation: Generation) -> Generated:
         """Make the file of one `generate_node`."""
-        from plastron_tui.output.manifest import load_manifest
+        from plastron_tui.generation import Manifests
 
-        return self._generate(generation, load_manifest(self.output)[0])
+        return self._generate(generation, Manifests())
 
     def _last_generations(self) -> list[Generation]:
         last: dict[tuple[str, str], Generation] = {}
@@ -321,7 +316,7 @@ class Session:
             last[generation.node.variable, generation.library] = generation
         return list(last.values())
 
-    def _generate(self, generation: Generation, manifest: Manifest) -> Generated:
+    def _generate(self, generation: Generation, manifests: Callable[[Path], Manifest]) -> Generated:
         from plastron_tui.generation import Generated, generate
 
         target = self._target(generation.library)
@@ -334,19 +329,19 @@ class Session:
             target,
             self.catalog(target.ros_version),
             self.output,
-            manifest,
+            manifests,
             in_place=self.options.in_place,
             force=self.options.force,
-            origin=None if own is None else (own, self.catalog(own.ros_version)),
-            program="" if self.path is None else self.path.name,
+            own=None if own is None else (own, self.catalog(own.ros_version)),
+            program=self._name,
         )
 
     def _rendered(self, generation: Generation) -> tuple[Path, bytes] | None:
         """Return the file that an earlier `generate_node` makes, for a `load` that follows it."""
         from plastron_tui.output.manifest import Manifest
 
-        file = self._generate(generation, Manifest()).file
-        return None if file is None else (self.output / file.name, file.text)
+        file = self._generate(generation, lambda _: Manifest()).file
+        return None if file is None else (file.path or self.output / file.name, file.text)
 
     def _target(self, library: str) -> Target | None:
         if library not in self._targets:

@@ -136,7 +136,7 @@ CODES: dict[str, Code] = {
         ),
         Code(
             "merged-by-hand",
-            "A created node's file was changed by hand. It is kept, and what changed in the "
+            "A generated file was changed by hand. It is kept, and what changed in the "
             "program since the file was written is changed in it. A warning of its own names each "
             "place where file and program now differ. `--force` writes it anew and keeps a backup.",
         ),
@@ -145,6 +145,11 @@ CODES: dict[str, Code] = {
             "A node does other things than before, so that its file has another name; the old file "
             "is still there and can still be started. What was written in it by hand went into the "
             "new file. Compare the two, and remove the old one.",
+        ),
+        Code(
+            "changes-undone",
+            "A file that other programs had loaded and changed is made anew, without their changes, "
+            "because the program that it came from has changed. Generate the others again.",
         ),
     )
 }

@@ -54,13 +54,37 @@ class SourceNode(NamedTuple):
         return (endpoint for endpoint in self.endpoints if endpoint.kind is kind)
 
 
+class Origin(NamedTuple):
+    """What a program started from, where `SourceFile.text` is not simply a file of the disk.
+
+    Attributes:
+        path: the file that the program loaded at first.
+        text: what that file holds, or held, without what was changed in the output by hand.
+        output: the file that the program wrote; the source has what was changed there by hand.
+        start: for a source that the program itself generates: the text that it makes it from.
+        is_torn: the file at `path` was changed, and the output has handwork that the program
+            has changed since.
+    """
+
+    path: Path
+    text: bytes
+    output: Path | None = None
+    start: bytes | None = None
+    is_torn: bool = False
+
+
 class SourceFile(NamedTuple):
-    """A source file, as bytes, with the nodes that it holds."""
+    """A source file, as bytes, with the nodes that it holds.
+
+    `origin` is there where the program itself wrote the file on an earlier run: the text is then
+    what it started from, with what was changed by hand since.
+    """
 
     path: Path
     text: bytes
     library: str
     nodes: tuple[SourceNode, ...]
+    origin: Origin | None = None
 
 
 class Add(NamedTuple):

@@ -6,6 +6,7 @@ that targets, panels and graphs see one kind of node.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from typing import TYPE_CHECKING, NamedTuple
@@ -91,6 +92,11 @@ class Client(NamedTuple):
     span: Span | None = None
 
 
+Endpoint = Publisher | Subscription | Service | Client
+EndpointKey = tuple[EndpointKind, str]
+"""What an endpoint is known by: its kind, and its graph name as it is written."""
+
+
 @dataclass(slots=True)
 class Node:
     """A node, as the program has it so far.
@@ -117,15 +123,20 @@ class Node:
         return not (self.publishers or self.subscriptions or self.services or self.clients)
 
     @property
+    def endpoints(self) -> dict[EndpointKey, Endpoint]:
+        """The endpoints of all kinds, by kind and name."""
+        kinds: dict[EndpointKind, Mapping[str, Endpoint]] = {
+            EndpointKind.PUBLISHER: self.publishers,
+            EndpointKind.SUBSCRIPTION: self.subscriptions,
+            EndpointKind.SERVICE: self.services,
+            EndpointKind.CLIENT: self.clients,
+        }
+        return {(kind, name): each for kind, found in kinds.items() for name, each in found.items()}
+
+    @property
     def packages(self) -> frozenset[str]:
         """The packages whose interface types the node uses."""
-        endpoints: tuple[Publisher | Subscription | Service | Client, ...] = (
-            *self.publishers.values(),
-            *self.subscriptions.values(),
-            *self.services.values(),
-            *self.clients.values(),
-        )
-        types = (endpoint.type for endpoint in endpoints)
+        types = (endpoint.type for endpoint in self.endpoints.values())
         return frozenset(type_.package for type_ in types if type_ is not None)
 
     def snapshot(self) -> Node:

@@ -2,7 +2,8 @@
 
 A file whose text differs from what the manifest remembers was changed by hand. What a program
 had when a file was written is remembered too: a later program is merged into the handwork from
-there. The manifest is a small JSON file in the folder itself, so that it moves with the files
+there. Of a file that a program loaded, the text is remembered that the program started from: see
+`layers`. The manifest is a small JSON file in the folder itself, so that it moves with the files
 that it speaks of.
 """
 
@@ -18,11 +19,13 @@ from typing import Any
 
 from plastron_tui.diagnostics import Diagnostic, Severity
 
+from .layers import MOST_LAYERS, Layers, layer_json, read_layer
+
 NAME = ".plastron.json"
 """The manifest's file name, in the output folder."""
 
-VERSION = 2
-"""The version that is written. Version 1 had digests only, and is read too."""
+VERSION = 3
+"""The version that is written. Version 1 had digests only, version 2 no layers; both are read."""
 
 Base = Mapping[str, Any]
 """What a program had when a file was written, as JSON; see `remembered`."""
@@ -41,16 +44,18 @@ class Manifest:
             handwork is none, so that a file that never was without has no digest.
         bases: what the program had when the file was written, handwork or not. Files of an older
             version, and files that no created node became, have none.
+        layers: what programs made of a file that they loaded.
         is_foreign: the folder has a file of the manifest's name that is none: it counts as
             empty, and whoever replaces it keeps a backup.
     """
 
     digests: Mapping[str, str] = field(default_factory=dict)
     bases: Mapping[str, Base] = field(default_factory=dict)
+    layers: Mapping[str, Layers] = field(default_factory=dict)
     is_foreign: bool = False
 
     def __contains__(self, name: str) -> bool:
-        """Tell whether Plastron wrote a file of this name, whatever is in it now."""
+        """Tell whether Plastron made a file of this name, whatever is in it now."""
         return name in self.digests or name in self.bases
 
     def has(self, name: str, text: bytes) -> bool:
@@ -68,6 +73,7 @@ class Manifest:
         present: Collection[str],
         bases: Mapping[str, Base] | None = None,
         superseded: Mapping[str, str] | None = None,
+        layers: Mapping[str, Layers] | None = None,
     ) -> Manifest:
         """Return the manifest with new entries, without those of files that are gone.
 
@@ -76,6 +82,7 @@ class Manifest:
             present: the names of the files that are in the folder now.
             bases: what the program has now, by file name.
             superseded: the files that others take the place of, and these others.
+            layers: what programs made of loaded files, by file name; none forgets what there was.
         """
         digests = {**self.digests, **entries}
         known = {**self.bases, **(bases or {})}
@@ -84,6 +91,11 @@ class Manifest:
         return Manifest(
             {name: value for name, value in digests.items() if name in present},
             {name: base for name, base in known.items() if name in present},
+            {
+                name: each[-MOST_LAYERS:]
+                for name, each in {**self.layers, **(layers or {})}.items()
+                if name in present and each
+            },
         )
 
     def is_up_to_date(
@@ -91,6 +103,7 @@ class Manifest:
         entries: Mapping[str, str],
         bases: Mapping[str, Base],
         superseded: Mapping[str, str],
+        layers: Mapping[str, Layers],
     ) -> bool:
         """Tell whether `updated` would remember nothing new."""
         return (
@@ -98,6 +111,9 @@ class Manifest:
             and entries.items() <= self.digests.items()
             and all(self.bases.get(name) == base for name, base in bases.items())
             and all(self.successor(old) == new for old, new in superseded.items())
+            and all(
+                self.layers.get(name, ()) == each[-MOST_LAYERS:] for name, each in layers.items()
+            )
         )
 
 
@@ -125,7 +141,7 @@ def load_manifest(folder: Path) -> tuple[Manifest, tuple[Diagnostic, ...]]:
         return _foreign(path, "not JSON")
     if not isinstance(data, dict) or data.get("generator") != _GENERATOR:
         return _foreign(path, "not written by plastron")
-    if data.get("version") not in (1, VERSION):
+    if data.get("version") not in range(1, VERSION + 1):
         return _foreign(path, f"its version is not {VERSION}")
     manifest = _entries(data.get("files"), data["version"])
     return _foreign(path, "its list of files is broken") if manifest is None else (manifest, ())
@@ -139,30 +155,39 @@ def _entries(files: object, version: int) -> Manifest | None:
         files = {name: {"digest": value} for name, value in files.items()}
     digests: dict[str, str] = {}
     bases: dict[str, Base] = {}
+    layers: dict[str, Layers] = {}
     for name, entry in files.items():
         if not isinstance(entry, dict):
             return None
-        value, base = entry.get("digest"), entry.get("base")
+        value, base, data = entry.get("digest"), entry.get("base"), entry.get("layers")
         if isinstance(value, str) and _DIGEST.fullmatch(value):
             digests[name] = value
-        elif value is not None or base is None:
+        elif value is not None or (base is None and data is None):
             return None
         if isinstance(base, dict):
             bases[name] = base
         elif base is not None:
             return None
-    return Manifest(digests, bases)
+        if data is not None:
+            read = [read_layer(each) for each in data] if isinstance(data, list) else []
+            known = tuple(each for each in read if each is not None)
+            if not known or len(known) < len(read):
+                return None
+            layers[name] = known
+    return Manifest(digests, bases, layers)
 
 
 def manifest_text(manifest: Manifest) -> bytes:
     """Return the manifest as its file's text: sorted, a file a line, kind to version control."""
     entries = []
-    for name in sorted({*manifest.digests, *manifest.bases}):
+    for name in sorted({*manifest.digests, *manifest.bases, *manifest.layers}):
         entry: dict[str, Any] = {}
         if name in manifest.digests:
             entry["digest"] = manifest.digests[name]
         if name in manifest.bases:
             entry["base"] = manifest.bases[name]
+        if name in manifest.layers:
+            entry["layers"] = [layer_json(each) for each in manifest.layers[name]]
         entries.append(f"    {json.dumps(name)}: {json.dumps(entry)}")
     files = "{\n" + ",\n".join(entries) + "\n  }" if entries else "{}"
     text = f'{{\n  "generator": "{_GENERATOR}",\n  "version": {VERSION},\n  "files": {files}\n}}\n'

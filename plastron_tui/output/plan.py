@@ -16,6 +16,7 @@ from pathlib import Path
 
 from plastron_tui.diagnostics import Diagnostic
 
+from .layers import Layers
 from .manifest import NAME as MANIFEST_NAME
 from .manifest import Base, Manifest
 
@@ -50,6 +51,8 @@ class OutputFile:
         supersedes: the file that this one takes the place of, where a node's file gets another
             name.
         problem: why the handwork that is there cannot be merged: the file is then in conflict.
+        layers: what programs made of a loaded file, for the manifest of the file's folder to
+            remember; empty to forget it, None to leave it.
     """
 
     name: str
@@ -61,6 +64,7 @@ class OutputFile:
     base: Base | None = None
     supersedes: str | None = None
     problem: Diagnostic | None = None
+    layers: Layers | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +84,7 @@ class PlannedFile:
         base: what the manifest remembers of the program once it is written.
         supersedes: the file that the manifest then notes as replaced by this one.
         problem: why a conflict is one, as the diagnostic to give where it is not forced.
+        layers: what the manifest in the file's own folder then remembers of loaded text.
     """
 
     name: str
@@ -93,6 +98,7 @@ class PlannedFile:
     base: Base | None = None
     supersedes: str | None = None
     problem: Diagnostic | None = None
+    layers: Layers | None = None
 
     @property
     def mode_before(self) -> int | None:
@@ -171,8 +177,8 @@ def _plan_file(folder: Path, real_folder: str, file: OutputFile, manifest: Manif
     shown = file.path or folder / file.name
     path, status = _target(shown, real_folder, file)
     before = None if status is None else _read(path, shown)
-    state, problem = _state(file, before, status, manifest, shown)
     is_inside = file.path is None or os.path.dirname(path) == real_folder
+    state, problem = _state(file, before, status, manifest if is_inside else Manifest(), shown)
     is_own = not file.has_handwork and (
         file.merged_from is None or manifest.has(file.name, file.merged_from)
     )
@@ -188,6 +194,7 @@ def _plan_file(folder: Path, real_folder: str, file: OutputFile, manifest: Manif
         base=file.base if is_inside else None,
         supersedes=file.supersedes if is_inside else None,
         problem=problem,
+        layers=file.layers,
     )
 
 

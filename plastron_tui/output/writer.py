@@ -21,6 +21,7 @@ from typing import NamedTuple
 from plastron_tui.diagnostics import Diagnostic
 
 from .interrupts import Interrupts
+from .layers import Layers
 from .manifest import NAME, Base, digest, load_manifest, manifest_text
 from .plan import FilePlan, FileState, PlannedFile, cannot_write
 from .transaction import BusyError, ChangedError, Step, Transaction, is_unchanged
@@ -81,17 +82,18 @@ def write(plan: FilePlan, *, force: bool = False) -> WriteResult:
 def _has_work(folder: Path, files: list[PlannedFile]) -> bool:
     if any(file.state is not FileState.IDENTICAL for file in files):
         return True
-    news = _news(files)
-    return bool(news) and not load_manifest(folder)[0].is_up_to_date(*news)
+    return any(
+        not load_manifest(Path(home))[0].is_up_to_date(*news)
+        for home, news in _news(folder, files).items()
+    )
 
 
 def _write(
     folder: Path, files: list[PlannedFile], transaction: Transaction
 ) -> tuple[WrittenFile, ...]:
-    home = os.path.realpath(folder)
-    has_entries = any(file.entry is not None or file.base is not None for file in files)
+    news = _news(folder, files)
     folders = {os.path.dirname(file.path) for file in files if _is_written(file)}
-    transaction.open_folders({*folders, home} if has_entries else folders)
+    transaction.open_folders({*folders, *news})
     steps = []
     for file in files:
         transaction.at = os.fspath(file.path)
@@ -100,9 +102,9 @@ def _write(
             step = _step(current)
             transaction.stage(step)
             steps.append((file, step))
-    if has_entries:
+    for home, new in news.items():
         transaction.at = os.path.join(home, NAME)
-        remembered = _manifest_step(home, files)
+        remembered = _manifest_step(home, new)
         if remembered is not None:
             transaction.stage(remembered)
     transaction.commit()
@@ -142,18 +144,27 @@ def _step(file: PlannedFile) -> Step:
     )
 
 
-def _manifest_step(home: str, files: list[PlannedFile]) -> Step | None:
-    """Return the step that brings the manifest up to date, None when it is.
+class _News(NamedTuple):
+    """What a manifest is to remember of files, as `Manifest.updated` takes it."""
+
+    entries: dict[str, str]
+    bases: dict[str, Base]
+    superseded: dict[str, str]
+    layers: dict[str, Layers]
+
+
+def _manifest_step(home: str, news: _News) -> Step | None:
+    """Return the step that brings a manifest up to date, None when it is.
 
     The manifest is read again, under the lock: another process may have written other files.
     """
     path = os.path.join(home, NAME)
     manifest, _ = load_manifest(Path(home))
-    entries, bases, superseded = _news(files)
-    if manifest.is_up_to_date(entries, bases, superseded):
+    if manifest.is_up_to_date(*news):
         return None
-    present = {*os.listdir(home), *entries, *bases}
-    text = manifest_text(manifest.updated(entries, present, bases, superseded))
+    present = {*os.listdir(home), *news.entries, *news.bases, *news.layers}
+    updated = manifest.updated(news.entries, present, news.bases, news.superseded, news.layers)
+    text = manifest_text(updated)
     if not os.path.lexists(path):
         return Step(path, text, is_executable=False)
     status = os.lstat(path)
@@ -162,23 +173,28 @@ def _manifest_step(home: str, files: list[PlannedFile]) -> Step | None:
     return Step(path, text, False, status, Path(path).read_bytes(), manifest.is_foreign)
 
 
-class _News(NamedTuple):
-    """What the manifest is to remember of files, as `Manifest.updated` takes it."""
+def _news(folder: Path, files: list[PlannedFile]) -> dict[str, _News]:
+    """Return what is to be remembered, by the folder that has the manifest.
 
-    entries: dict[str, str]
-    bases: dict[str, Base]
-    superseded: dict[str, str]
+    It is the output folder, but for what is known of a file that is changed in place.
+    """
+    home = os.path.realpath(folder)
+    news: dict[str, _News] = {}
 
-    def __bool__(self) -> bool:
-        return any(self)
+    def at(folder: str) -> _News:
+        return news.setdefault(folder, _News({}, {}, {}, {}))
 
-
-def _news(files: list[PlannedFile]) -> _News:
-    return _News(
-        {file.entry: digest(file.text) for file in files if file.entry is not None},
-        {file.name: file.base for file in files if file.base is not None},
-        {file.supersedes: file.name for file in files if file.supersedes is not None},
-    )
+    for file in files:
+        if file.entry is not None:
+            at(home).entries[file.entry] = digest(file.text)
+        if file.base is not None:
+            at(home).bases[file.name] = file.base
+        if file.supersedes is not None:
+            at(home).superseded[file.supersedes] = file.name
+        if file.layers is not None:
+            path = os.fspath(file.path)
+            at(os.path.dirname(path)).layers[os.path.basename(path)] = file.layers
+    return news
 
 
 def _changed(path: str) -> Diagnostic:

@@ -20,7 +20,7 @@ BROKEN = {
     "deep": b"[" * 100_000,
     "a list": b"[]",
     "someone else's": b'{"version": 1, "files": {}}',
-    "a later version": b'{"generator": "plastron", "version": 3, "files": {}}',
+    "a later version": b'{"generator": "plastron", "version": 4, "files": {}}',
     "a version before all": b'{"generator": "plastron", "version": 0, "files": {}}',
     "an entry without anything": b'{"generator": "plastron", "version": 2, "files": {"a": {}}}',
     "an odd entry": b'{"generator": "plastron", "version": 2, "files": {"a": "sha256:0"}}',

@@ -1,0 +1,400 @@
+"""Writing a node that was loaded: the text that the program started from, with its changes.
+
+A program that is generated again finds its own output. It starts from what it started from
+before; what was changed by hand since is merged, line by line where that does, endpoint by
+endpoint otherwise.
+"""
+
+from __future__ import annotations
+
+import ast
+import os
+import warnings
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.handwork import cover, kept_handwork, of_other_program, on_disk, unmergeable
+from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceEndpoint, SourceFile
+from plastron_tui.model.workspace import Client, Endpoint, Node, Publisher, Service, Subscription
+from plastron_tui.output.layers import Layer, Layers, live_layers
+from plastron_tui.output.manifest import Manifest, digest
+from plastron_tui.output.plan import OutputFile
+from plastron_tui.output.remembered import recall, remember
+from plastron_tui.output.three_way import merge_lines
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.targets.base import Rendered
+
+if TYPE_CHECKING:
+    from plastron_tui.merging import Merged
+    from plastron_tui.targets.base import Target
+
+
+EDITABLE = (
+    EndpointKind.PUBLISHER,
+    EndpointKind.SUBSCRIPTION,
+    EndpointKind.SERVICE,
+    EndpointKind.CLIENT,
+)
+"""The kinds of endpoints that statements add and remove."""
+
+
+class Derived(NamedTuple):
+    """The file of a loaded node, or why there is none."""
+
+    file: OutputFile | None
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+def changes_of(node: Node) -> tuple[Change, ...]:
+    """Return what a program changed in a node that it loaded."""
+    if node.source is None:
+        return ()
+    return tuple(_changes(node, _names_in(node.source)))
+
+
+def _changes(node: Node, present: Mapping[EndpointKind, set[str]]) -> Iterator[Change]:
+    wanted = node.endpoints
+    for kind in EDITABLE:
+        for name in sorted(name for name in present[kind] if (kind, name) not in wanted):
+            yield Remove(kind, name, node.removed.get(name))
+        for key, endpoint in wanted.items():
+            name = key[1]
+            if key[0] is not kind:
+                continue
+            if endpoint.span is not None:
+                # Removed and asked for again, with another type perhaps.
+                if name in present[kind]:
+                    yield Remove(kind, name, node.removed.get(name))
+                yield Add(endpoint)
+            elif _is_extended(endpoint):
+                yield Add(endpoint)
+
+
+def _is_extended(endpoint: Endpoint) -> bool:
+    """Tell whether the program sends more through an endpoint that it found in the file."""
+    match endpoint:
+        case Publisher(publications=more) | Client(requests=more):
+            return bool(more)
+        case _:
+            return False
+
+
+def _names_in(source: SourceFile) -> dict[EndpointKind, set[str]]:
+    names: dict[EndpointKind, set[str]] = {kind: set() for kind in EndpointKind}
+    for node in source.nodes:
+        for endpoint in node.endpoints:
+            if endpoint.name is not None:
+                names[endpoint.kind].add(endpoint.name)
+    return names
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where a file is written, and what is known of what is there.
+
+    Attributes:
+        shown: the path, for people.
+        real: the path with symbolic links resolved.
+        present: what the file holds, None where there is none.
+        manifest: what is remembered of the files of its folder.
+        layers: what is remembered of programs that changed the file.
+        index: the program's own place among them, None where it has none.
+    """
+
+    shown: Path
+    real: Path
+    present: bytes | None
+    manifest: Manifest
+    layers: Layers
+    index: int | None
+
+    @property
+    def has_handwork(self) -> bool:
+        """Whether the file differs from what the last program made of it."""
+        return bool(self.layers) and self.layers[-1].written != self.present
+
+    def owner(self) -> str | None:
+        """Return the program that the file was written by last, None where nothing tells."""
+        if self.layers:
+            return self.layers[-1].program
+        known = self.manifest.bases.get(self.real.name, {}).get("program")
+        return known if isinstance(known, str) and known else None
+
+
+def find_place(shown: Path, program: str, manifests: Callable[[Path], Manifest]) -> Place:
+    """Look at the place where a file is, or shall be, and at what a program did there."""
+    try:
+        real = Path(os.path.realpath(shown))
+    except (OSError, ValueError):
+        real = shown
+    manifest = manifests(real.parent)
+    present = on_disk(real)
+    layers = live_layers(manifest.layers.get(real.name, ()), present)
+    places = [i for i, layer in enumerate(layers) if program and layer.program == program]
+    return Place(shown, real, present, manifest, layers, places[0] if places else None)
+
+
+def found_by(place: Place, index: int) -> bytes:
+    """Return a program's output as it is before later programs' changes: handwork and all."""
+    above = place.layers[index + 1 : index + 2]
+    return above[0].original if above else place.present or b""
+
+
+@dataclass(frozen=True, slots=True)
+class Derivation:
+    """One `generate_node` of a loaded node.
+
+    Attributes:
+        node: the node.
+        source: what it was loaded from.
+        target: what the node is written for.
+        catalog: the interface types of the target's ROS.
+        own: the target of the source's own client library, with its types; None where there is
+            none.
+        output: the output folder.
+        manifests: gives what is remembered of the files of a folder.
+        program: the name of the program's file, "" where it has none: nothing is remembered then.
+        in_place: whether the node is written over the file that it came from.
+        force: whether it is written anew, whatever was changed by hand.
+    """
+
+    node: Node
+    source: SourceFile
+    target: Target
+    catalog: Catalog
+    own: tuple[Target, Catalog] | None
+    output: Path
+    manifests: Callable[[Path], Manifest]
+    program: str
+    in_place: bool
+    force: bool
+
+    def result(self) -> Derived:
+        """Make the file."""
+        made = self._made(self.source)
+        if made.text is None:
+            return Derived(None, self._refusal(made))
+        path = self.source.path
+        name = f"{path.stem}{self.target.suffix}" if self._is_ported else path.name
+        is_elsewhere = self.in_place and not self._is_ported and path.parent != self.output
+        shown = path if is_elsewhere else self.output / name
+        place = find_place(shown, self.program, self.manifests)
+        layer = self._layer(place, made.text)
+        # A file that is written over where it came from keeps its mode: it is the user's.
+        is_over = not self._is_ported and (path == shown and place.present is not None)
+        file = OutputFile(
+            name,
+            layer.written,
+            self.target.is_executable and not is_over,
+            path=shown if is_elsewhere else None,
+        )
+        if place.index is None:
+            derived = Derived(self._first(file, place, layer))
+        else:
+            derived = self._again(file, place, place.index, layer)
+        return derived._replace(diagnostics=(*self._placed(made), *derived.diagnostics))
+
+    @property
+    def _is_ported(self) -> bool:
+        return self.source.library != self.target.name
+
+    def _made(self, source: SourceFile) -> Rendered:
+        """Make the program's changes in a text, and bring it to the target's client library."""
+        changes = changes_of(self.node)
+        if not self._is_ported:
+            return self.target.edit(source, changes, self.catalog)
+        if changes and self.own is not None:
+            own, catalog = self.own
+            edited = own.edit(source, changes, catalog)
+            read = own.read(source.path, edited.text).source if edited.text is not None else None
+            if read is None:
+                return edited
+            source = read
+        return self.target.port(self.node, source, self.catalog)
+
+    def _placed(self, made: Rendered) -> tuple[Diagnostic, ...]:
+        """Return what was found, with no place where the text is not as it is on the disk."""
+        if not self._is_ported or not (changes_of(self.node) or self.source.origin):
+            return made.diagnostics
+        return tuple(found._replace(span=None) for found in made.diagnostics)
+
+    def _refusal(self, made: Rendered) -> tuple[Diagnostic, ...]:
+        """Say why a change is refused, with the lines of the file as it is on the disk."""
+        if self.own is None:
+            return made.diagnostics
+        own, catalog = self.own
+        present = on_disk(self.source.path)
+        read = None if present is None else own.read(self.source.path, present).source
+        for source in (read, self.source) if read is not None else (self.source,):
+            for change in changes_of(self.node):
+                if isinstance(change, Remove) and change.name in _names_in(source)[change.kind]:
+                    alone = own.edit(source, [change], catalog)
+                    if alone.text is None:
+                        return alone.diagnostics
+        return made.diagnostics
+
+    def _without_handwork(self, place: Place, made: bytes) -> tuple[bytes, bytes]:
+        """Return what the program starts from, and what it makes of it, without handwork.
+
+        Where the program changes what was added by hand, that counts as there from the start.
+        """
+        source, origin = self.source, self.source.origin
+        if origin is not None and origin.start is not None:
+            return origin.start, made
+        if origin is None or not self._is_from(place) or self.own is None:
+            return source.text, made
+        read = self.own[0].read(source.path, origin.text).source
+        pure = None if read is None else self._made(read).text
+        return (source.text, made) if pure is None else (origin.text, pure)
+
+    def _is_from(self, place: Place) -> bool:
+        """Tell whether the source has the handwork of the very file that is written."""
+        origin = self.source.origin
+        return origin is not None and origin.output == place.real
+
+    def _layer(self, place: Place, made: bytes) -> Layer:
+        start, written = self._without_handwork(place, made)
+        origin = self.source.origin
+        read = origin.text if origin is not None and self._is_from(place) else start
+        first = Path(os.path.realpath(self.source.path if origin is None else origin.path))
+        is_itself = first == place.real
+        return Layer(
+            self.program,
+            start,
+            written,
+            remember(self.node, self.target.name, self.program),
+            None if is_itself else os.path.relpath(first, place.real.parent),
+            None if is_itself else digest(read),
+        )
+
+    def _first(self, file: OutputFile, place: Place, layer: Layer) -> OutputFile:
+        """Write where the program wrote nothing yet, or nothing that is left."""
+        present, loaded = place.present, self.source.text
+        is_kept = not self._is_ported and (present == loaded or file.path is not None)
+        is_over = layer.origin is None and present == loaded
+        lower = place.layers if is_over else ()
+        name = place.real.name
+        layers: Layers | None = None
+        if self.program and not (layer.origin is None and layer.original == layer.written):
+            is_clean = is_over and place.manifest.has(name, loaded)
+            layers = (*lower, replace(layer, is_clean=is_clean))
+        elif place.manifest.layers.get(name, ()) != lower:
+            layers = lower
+        file = replace(file, merged_from=loaded if is_kept else None, layers=layers)
+        owner = place.owner()
+        is_others = owner is not None and self.program and owner != self.program
+        if is_others and owner and present not in (None, loaded, file.text):
+            file = replace(file, problem=of_other_program(place.shown, owner))
+        return file
+
+    def _again(self, file: OutputFile, place: Place, index: int, layer: Layer) -> Derived:
+        """Write where the program wrote before."""
+        known = place.layers[index]
+        upper = place.layers[index + 1 :]
+        before = found_by(place, index)
+        assert place.present is not None
+        merged = self._with_handwork(place, known, before, layer.written)
+        if merged.text is None:
+            problem = unmergeable(place.shown, merged.reason)
+            return Derived(replace(file, problem=problem), merged.notes)
+        covered = cover(place.shown, upper, before, merged.text, place.present, force=self.force)
+        kept: Layers = (replace(layer, is_clean=known.is_clean),)
+        if layer.origin is None and layer.original == layer.written and not covered.layers:
+            kept = ()
+        is_renewed = self.force and place.has_handwork
+        is_clean = covered.text == layer.written or (covered.layers and not place.has_handwork)
+        file = replace(
+            file,
+            text=covered.text,
+            merged_from=None if is_renewed else place.present,
+            has_handwork=not is_clean,
+            layers=(*place.layers[:index], *kept, *covered.layers),
+            problem=covered.problem,
+        )
+        return Derived(file, (*merged.notes, *covered.notes))
+
+    def _with_handwork(self, place: Place, known: Layer, before: bytes, mine: bytes) -> Merged:
+        """Bring what was changed by hand into what the program makes."""
+        from plastron_tui.merging import Merged, merge
+
+        if self.force or before == known.written:
+            return Merged(mine)
+        notes = (kept_handwork(place.shown, place.shown.name),)
+        if mine == known.written:
+            return Merged(before, notes=notes)
+        origin = self.source.origin
+        if origin is not None and origin.is_torn:
+            return Merged(None, f"`{origin.path}`, which it was made from, was changed as well")
+        base = self._base(known)
+        text = merge_lines(known.written, mine, before)
+        if text is not None and self._is_sound(place.real, text, before, mine, base):
+            return Merged(text, notes=notes)
+        read = self.target.read(place.real, before).source
+        if self._is_ported or read is None:
+            return Merged(None, "the program now changes the same lines")
+        merged = merge(read, base, self.node, self.target, self.catalog)
+        return merged._replace(notes=(*notes, *merged.notes))
+
+    def _base(self, known: Layer) -> Node | None:
+        """Return what the node had when the file was written, and what was added by hand."""
+        base = recall(known.base)
+        origin = self.source.origin
+        if base is None or origin is None or self.own is None:
+            return base
+        read = self.own[0].read(origin.path, origin.text).source
+        names = {} if read is None else _names_in(read)
+        for node in self.source.nodes:
+            for each in node.endpoints:
+                if each.name is not None and each.name not in names.get(each.kind, ()):
+                    _add(base, each, each.name)
+        return base
+
+    def _is_sound(
+        self, path: Path, text: bytes, before: bytes, mine: bytes, base: Node | None
+    ) -> bool:
+        """Tell whether lines were merged into a file that holds what it is to hold."""
+        from plastron_tui.merging import call_sites
+
+        sources = [self.target.read(path, each).source for each in (text, before, mine)]
+        if _is_code(before) and _is_code(mine) and not _is_code(text):
+            return False
+        if self._is_ported:
+            return sources[0] is not None
+        found, there, made = ({} if each is None else call_sites(each) for each in sources)
+        wanted, known = self.node.endpoints, {} if base is None else base.endpoints
+        has_all = all(key in found or (key in known and key not in there) for key in wanted)
+        has_no_more = all(
+            (key in wanted or (key in there and key not in known))
+            and len(sites) <= max(len(there.get(key, ())), len(made.get(key, ())))
+            for key, sites in found.items()
+        )
+        return has_all and has_no_more
+
+
+def _add(node: Node, found: SourceEndpoint, name: str) -> None:
+    """Add what a file has to a node that does not have it."""
+    match found.kind:
+        case EndpointKind.PUBLISHER:
+            node.publishers.setdefault(name, Publisher(name, found.type))
+        case EndpointKind.SUBSCRIPTION:
+            node.subscriptions.setdefault(name, Subscription(name, found.type, found.callback))
+        case EndpointKind.SERVICE:
+            node.services.setdefault(name, Service(name, found.type, found.callback))
+        case EndpointKind.CLIENT:
+            node.clients.setdefault(name, Client(name, found.type))
+        case _:
+            pass
+
+
+def _is_code(text: bytes) -> bool:
+    """Tell whether a text compiles."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+    return True

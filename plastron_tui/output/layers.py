@@ -1,0 +1,111 @@
+"""What programs made of a file that they loaded: layers, one a program, the first at the bottom.
+
+A program that loads what it wrote itself shall start from what it started from before, and not
+from its own changes. So each layer keeps two texts: what the program found, and what it made of
+it. What a file differs from the upper layer's is handwork.
+"""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import zlib
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+MOST_LAYERS = 8
+"""How many programs' changes of one file are remembered; the lowest layers are forgotten."""
+
+LARGEST_TEXTS = 16 * 1024 * 1024
+"""The size of the texts of one layer, in bytes, beyond which it is taken for a broken one."""
+
+
+@dataclass(frozen=True, slots=True)
+class Layer:
+    """What one program made of a file.
+
+    Attributes:
+        program: the name of the program's file.
+        original: the text that it started from.
+        written: the text that it made of it, without handwork.
+        base: what the node had in the end, as `remembered` gives it.
+        origin: the file that the original is of, from the folder of the manifest; None where it
+            is the written file itself.
+        seen: the digest of that file when it was read.
+        is_clean: whether the original had no handwork when the layer was laid over it.
+    """
+
+    program: str
+    original: bytes
+    written: bytes
+    base: Mapping[str, Any] = field(default_factory=dict)
+    origin: str | None = None
+    seen: str | None = None
+    is_clean: bool = False
+
+    def shows_in(self, text: bytes) -> bool:
+        """Tell whether a text has any of the lines that the program wrote, or lacks its cuts."""
+        before, after, now = (
+            Counter(each.split(b"\n")) for each in (self.original, self.written, text)
+        )
+        added, cut = after - before, before - after
+        if not added and not cut:
+            return True
+        return any(now[line] > before[line] for line in added if line.strip()) or any(
+            now[line] < before[line] for line in cut if line.strip()
+        )
+
+
+Layers = tuple[Layer, ...]
+
+
+def live_layers(layers: Layers, text: bytes | None) -> Layers:
+    """Return the layers that a file still shows.
+
+    A file that shows nothing of a program's work was put back to what it was, by version control
+    perhaps, or is another: what it holds is an original again.
+    """
+    if text is None:
+        return ()
+    if layers and layers[-1].written == text:
+        return layers
+    dead = next((i for i, each in enumerate(layers) if not each.shows_in(text)), len(layers))
+    return layers[:dead]
+
+
+def layer_json(layer: Layer) -> dict[str, Any]:
+    """Return a layer as the manifest keeps it; its two texts are much alike, and packed as one."""
+    texts = zlib.compress(layer.original + layer.written, 9)
+    data = {
+        "program": layer.program,
+        "origin": layer.origin,
+        "seen": layer.seen,
+        "clean": layer.is_clean,
+        "base": layer.base,
+        "size": len(layer.original),
+        "texts": base64.b64encode(texts).decode("ascii"),
+    }
+    return {key: value for key, value in data.items() if value is not None}
+
+
+def read_layer(data: object) -> Layer | None:
+    """Return the layer that JSON tells of, None when it is broken."""
+    if not isinstance(data, dict):
+        return None
+    try:
+        packed = base64.b64decode(data["texts"], validate=True)
+        unpacker = zlib.decompressobj()
+        texts = unpacker.decompress(packed, LARGEST_TEXTS)
+    except (KeyError, TypeError, ValueError, binascii.Error, zlib.error):
+        return None
+    size, base, program = data.get("size"), data.get("base"), data.get("program")
+    origin, seen = data.get("origin"), data.get("seen")
+    if not (isinstance(size, int) and isinstance(base, dict) and isinstance(program, str)):
+        return None
+    is_named = isinstance(origin, str | None) and isinstance(seen, str | None)
+    if not unpacker.eof or not 0 <= size <= len(texts) or not is_named:
+        return None
+    clean = data.get("clean") is True
+    return Layer(program, texts[:size], texts[size:], base, origin, seen, clean)

@@ -1,0 +1,133 @@
+"""Merging the lines of texts that come from one.
+
+Lines are bytes and end at a line feed, so that text in any encoding comes through exactly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from difflib import SequenceMatcher
+from typing import NamedTuple
+
+_MOST_LINES = 20_000
+"""Texts that differ over more lines are not compared: the time grows with their square."""
+
+_Lines = list[bytes]
+
+
+class _Chunk(NamedTuple):
+    """Lines that follow each other in each of the three texts."""
+
+    base: _Lines
+    ours: _Lines
+    theirs: _Lines
+
+    def merged(self) -> _Lines | None:
+        """Return the lines with what either side changed, None where both did, and differently."""
+        if self.theirs in (self.base, self.ours):
+            return self.ours
+        return self.theirs if self.ours == self.base else None
+
+
+class _Match(NamedTuple):
+    """Lines of the base, from `start` to `end`, that another text has from `other` on."""
+
+    start: int
+    end: int
+    other: int
+
+
+def merge_lines(base: bytes, ours: bytes, theirs: bytes) -> bytes | None:
+    """Return a text with the changes of both sides, None where they touch the same lines."""
+    merged: _Lines = []
+    for chunk in _chunks(base, ours, theirs):
+        lines = chunk.merged()
+        if lines is None:
+            return None
+        merged += lines
+    return b"".join(merged)
+
+
+def replay(base: bytes, changed: bytes, onto: bytes) -> bytes:
+    """Make the changes from `base` to `changed` in another text, as far as they fit there.
+
+    What was changed in lines that `onto` does not have is left out, and what was added below one.
+    """
+    lines, new, target = _split(base), _split(changed), _split(onto)
+    places = {
+        match.start + i: match.other + i
+        for match in _matches(lines, target)
+        for i in range(match.end - match.start)
+    }
+    merged: _Lines = []
+    done = 0
+    for start, end, first, last in _changes(lines, new):
+        at = places.get(start) if start < end else places.get(start - 1, -1 if not start else None)
+        is_there = all(places.get(i) == (at or 0) + i - start for i in range(start, end))
+        if at is None or not is_there:
+            continue
+        cut = at if start < end else at + 1
+        merged += target[done:cut] + new[first:last]
+        done = cut + end - start
+    return b"".join(merged + target[done:])
+
+
+def _changes(base: _Lines, other: _Lines) -> Iterator[tuple[int, int, int, int]]:
+    """Yield what differs: the lines from start to end of the base, and those of the other."""
+    done = at = 0
+    for start, end, first in [*_matches(base, other), _Match(len(base), len(base), len(other))]:
+        if done < start or at < first:
+            yield done, start, at, first
+        done, at = end, first + end - start
+
+
+def _chunks(base: bytes, ours: bytes, theirs: bytes) -> Iterator[_Chunk]:
+    """Cut three texts where all of them have the same lines."""
+    lines = [_split(text) for text in (base, ours, theirs)]
+    at = [0, 0, 0]
+    ends = [len(each) for each in lines]
+    for start, end, mine, other in [
+        *_common(_matches(lines[0], lines[1]), _matches(lines[0], lines[2])),
+        (ends[0], ends[0], ends[1], ends[2]),
+    ]:
+        yield _Chunk(lines[0][at[0] : start], lines[1][at[1] : mine], lines[2][at[2] : other])
+        same = lines[0][start:end]
+        yield _Chunk(same, same, same)
+        at = [end, mine + end - start, other + end - start]
+
+
+def _split(text: bytes) -> _Lines:
+    """Split a text at line feeds only."""
+    lines = [line + b"\n" for line in text.split(b"\n")]
+    last = lines.pop()[:-1]
+    return [*lines, last] if last else lines
+
+
+def _common(ours: list[_Match], theirs: list[_Match]) -> Iterator[tuple[int, int, int, int]]:
+    """Yield the lines of the base that both others have: start, end, and where they are there."""
+    i = j = 0
+    while i < len(ours) and j < len(theirs):
+        one, two = ours[i], theirs[j]
+        start, end = max(one.start, two.start), min(one.end, two.end)
+        if start < end:
+            yield start, end, one.other + start - one.start, two.other + start - two.start
+        if one.end < two.end:
+            i += 1
+        else:
+            j += 1
+
+
+def _matches(base: _Lines, other: _Lines) -> list[_Match]:
+    """Return the lines that two texts have in common, in their order."""
+    shorter = min(len(base), len(other))
+    head = next((i for i in range(shorter) if base[i] != other[i]), shorter)
+    rest = shorter - head
+    tail = next((i for i in range(rest) if base[-1 - i] != other[-1 - i]), rest)
+    inner, changed = base[head : len(base) - tail], other[head : len(other) - tail]
+    found = [_Match(0, head, 0)] if head else []
+    if max(len(inner), len(changed)) <= _MOST_LINES:
+        blocks = SequenceMatcher(None, inner, changed, autojunk=False).get_matching_blocks()
+        found += [_Match(head + a, head + a + size, head + b) for a, b, size in blocks if size]
+    if tail:
+        found.append(_Match(len(base) - tail, len(base), len(other) - tail))
+    return found

@@ -1,0 +1,71 @@
+"""What a program starts from, where it loads what it wrote itself on an earlier run."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+from plastron_tui.derivation import find_place, found_by
+from plastron_tui.handwork import on_disk
+from plastron_tui.model.source import Origin, SourceFile
+from plastron_tui.output.manifest import Manifest, digest
+from plastron_tui.output.three_way import replay
+from plastron_tui.targets import read_source
+
+_MOST_STEPS = 4
+"""How often a file may be made from one that the program made as well."""
+
+
+class Start(NamedTuple):
+    """A text to start from: the file that it is of, and where it comes from."""
+
+    path: Path
+    text: bytes
+    origin: Origin
+
+
+def find_start(
+    path: Path, program: str, manifests: Callable[[Path], Manifest], steps: int = _MOST_STEPS
+) -> Start | None:
+    """Return what a program started from when it wrote a file, None where it did not write it.
+
+    The text has what was changed in the file by hand since, as far as that fits.
+    """
+    place = find_place(path, program, manifests)
+    if place.index is None:
+        return None
+    layer = place.layers[place.index]
+    first, original, is_torn = path, layer.original, False
+    if layer.origin is not None and steps:
+        above = Path(os.path.normpath(place.real.parent / layer.origin))
+        start = find_start(above, program, manifests, steps - 1)
+        found = on_disk(above) if start is None else start.text
+        if found is not None:
+            first = above
+        if found is not None and digest(found) != layer.seen:
+            is_torn = digest(layer.original) != layer.seen
+            original = found
+    visible = original
+    present = found_by(place, place.index)
+    if present != layer.written and not is_torn:
+        visible = replay(layer.written, present, original)
+        if not _reads_as_well(path, visible, original):
+            visible = original
+    return Start(first, visible, Origin(first, original, place.real, is_torn=is_torn))
+
+
+def chained(source: SourceFile) -> Origin:
+    """Return the origin of what a program generates from a source, and loads again."""
+    known = source.origin
+    if known is None:
+        return Origin(source.path, source.text, start=source.text)
+    return known._replace(start=source.text if known.start is None else known.start)
+
+
+def _reads_as_well(path: Path, text: bytes, other: bytes) -> bool:
+    """Tell whether a text parses no worse than another."""
+    from plastron_tui.targets.python.syntax import parse
+
+    return read_source(path, text).source is not None and parse(text).errors <= parse(other).errors
