@@ -205,15 +205,6 @@ async def test_the_tour_goes_around(tmp_path: Path) -> None:
         assert driver.app.remembered.toured
 
 
-async def test_an_example_is_a_new_program(tmp_path: Path) -> None:
-    async with studio(None, welcome=True) as driver:
-        await driver.dialog("Welcome")
-        await driver.pilot.press("end", "enter")
-        await driver.back()
-        assert driver.main.open.path is None
-        assert "create_node" in driver.text
-
-
 async def test_the_status_line_helps_with_the_statement(program: Path) -> None:
     async with studio(program) as driver:
         status = driver.main.query_one("#status")
