@@ -7,10 +7,11 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.targets import literals
 from plastron_tui.targets.python.analysis import NodeSite
-from plastron_tui.targets.python.splices import line_start
+from plastron_tui.targets.python.references import statement_of
 
 from .placing import first_call, top_level
-from .work import COMMENT, Mark, Work, first_of, statement_of, walk
+from .rewriting import begins_line, first_statement, put_before, replace_by_opposite
+from .work import COMMENT, Mark, Work, first_of, walk
 
 _INTERRUPT = ("rospy.ROSInterruptException", "rospy.exceptions.ROSInterruptException")
 _INTERRUPTS = "KeyboardInterrupt, ExternalShutdownException, ROSInterruptException"
@@ -64,7 +65,7 @@ def port_running(work: Work, node: str) -> bool:
         inner = work.text(arguments)[1:-1] if arguments is not None else ""
         work.replace(call, f"{node}.create_rate({inner})")
     for call in calls["rospy.is_shutdown"]:
-        _port_is_shutdown(work, call)
+        replace_by_opposite(work, call, "rclpy.ok()")
     for call in calls["rospy.spin"]:
         work.replace(call, f"{wait}()" if in_thread else f"{spin}()")
     if in_thread or calls["rospy.spin"]:
@@ -79,16 +80,6 @@ def port_running(work: Work, node: str) -> bool:
         work.imports.add("import time")
     _port_interrupts(work)
     return in_thread
-
-
-def _port_is_shutdown(work: Work, call: Node) -> None:
-    parent = call.parent
-    if parent is not None and parent.type == "not_operator":
-        work.done.add(call.id)
-        work.replace(parent, "rclpy.ok()")
-    else:
-        is_condition = parent is not None and parent.type in ("if_statement", "while_statement")
-        work.replace(call, "not rclpy.ok()" if is_condition else "(not rclpy.ok())")
 
 
 def _port_interrupts(work: Work) -> None:
@@ -145,11 +136,11 @@ def _place(work: Work, init: NodeSite, node: str, in_thread: bool, *, can_move: 
     if function is not None and anchor.start_byte >= function.start:
         body = function.node.child_by_field_name("body")
         assert body is not None
-        _put_before(work, _first_statement(body), [f"global {node}"])
-    if anchor.id == statement.id and not _begins_line(work, statement):
+        put_before(work, first_statement(body), [f"global {node}"])
+    if anchor.id == statement.id and not begins_line(work, statement):
         work.replace(statement, "; ".join(line for line in lines if line[0] != "#"))
         return
-    _put_before(work, anchor, lines)
+    put_before(work, anchor, lines)
     if statement.type == "expression_statement":
         work.delete(statement)
 
@@ -164,11 +155,11 @@ def _anchor(work: Work, init: NodeSite) -> Node:
     if function is not None:
         body = function.node.child_by_field_name("body")
         assert body is not None
-        return _first_statement(body)
+        return first_statement(body)
     top = top_level(init.call)
     body = top.child_by_field_name("consequence") or top.child_by_field_name("body")
     if body is not None and body.named_child_count:
-        return _first_statement(body)
+        return first_statement(body)
     return first_call(work, top)
 
 
@@ -184,29 +175,3 @@ def _module_sites(work: Work, init: NodeSite) -> list[Node]:
         and top_level(site.call).id != top.id
         and (is_in_function or site.call.start_byte < top.start_byte)
     ]
-
-
-def _first_statement(body: Node) -> Node:
-    """Return the first statement of a block, behind its docstring."""
-    statements = [each for each in body.named_children if each.type != "comment"]
-    first = statements[0]
-    is_docstring = first.type == "expression_statement" and bool(
-        first.named_children and first.named_children[0].type == "string"
-    )
-    return statements[1] if is_docstring and len(statements) > 1 else first
-
-
-def _begins_line(work: Work, statement: Node) -> bool:
-    text = work.analysis.syntax.text
-    return not text[line_start(text, statement.start_byte) : statement.start_byte].strip()
-
-
-def _put_before(work: Work, statement: Node, lines: list[str]) -> None:
-    text = work.analysis.syntax.text
-    if not _begins_line(work, statement):
-        code = [line for line in lines if not line.startswith("#")]
-        work.insert(statement.start_byte, "".join(f"{line}; " for line in code))
-        return
-    start = line_start(text, statement.start_byte)
-    indent = text[start : statement.start_byte].decode("ascii", "replace")
-    work.insert(start, "".join(f"{indent}{line}\n" for line in lines))

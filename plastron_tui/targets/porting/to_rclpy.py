@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import partial
 
 from tree_sitter import Node
 
@@ -14,6 +15,14 @@ from plastron_tui.targets.python.scopes import Scope
 from .leftovers import mark_leftovers, mark_plain_publishing, port_ending
 from .placing import add_header
 from .rclpy_node import make_node, port_running
+from .rewriting import (
+    Writer,
+    append_parameter,
+    callable_text,
+    given_type,
+    parameters_of,
+    port_sites,
+)
 from .types import port_imports
 from .work import Work, walk
 
@@ -46,8 +55,7 @@ def port_to_rclpy(work: Work) -> None:
     if old := _OLD_PYTHON.match(work.analysis.syntax.text):
         work.insert(old.end(1), "3")
     runs_in_thread = port_running(work, node)
-    for site in reversed(work.analysis.sites):
-        _port_site(work, site, node)
+    port_sites(work, _writers(node), _private_name)
     make_node(work, node, in_thread=runs_in_thread)
     mark_plain_publishing(work)
     port_ending(work, {"shutdown": "cancel"}, _ENDING)
@@ -85,39 +93,33 @@ def _remedies(node: str) -> dict[str, str]:
     }
 
 
-def _port_site(work: Work, site: Site, node: str) -> None:
-    """Rewrite the call that makes an endpoint."""
-    if site.endpoint.kind not in _WRITERS or site.arguments.is_open:
-        return
-    given = {
-        key: site.arguments.get(argument)
-        for key, argument in (("name", site.shape.name), ("type", site.shape.type))
-        if argument is not None
-    }
-    name, type_ = given.get("name"), given.get("type")
-    if name is None or (type_ is None and site.shape.type is not None):
-        return
-    wanted = _WRITERS[site.endpoint.kind](work, site, node, _name(work, site, name))
-    if wanted is not None:
-        work.replace(site.call, wanted)
-
-
-def _name(work: Work, site: Site, name: Node) -> str:
-    """Write the name; a private one has a slash behind its `~` in ROS 2."""
+def _private_name(work: Work, site: Site, name: Node) -> str:
+    """Write a private name, which has a slash behind its `~` in ROS 2."""
     written = work.text(name)
-    if site.endpoint.name is not None and site.endpoint.name.startswith("~"):
-        if name.type == "string" and "~" in written:
-            return written.replace("~/", "~").replace("~", "~/", 1)
-        work.mark(site.call, "a private name", "ROS 2 writes `~/name`, with a slash")
+    if name.type == "string" and "~" in written:
+        return written.replace("~/", "~").replace("~", "~/", 1)
+    work.mark(site.call, "a private name", "ROS 2 writes `~/name`, with a slash")
     return written
 
 
-def _publisher(work: Work, site: Site, node: str, name: str) -> str | None:
+def _writers(node: str) -> dict[EndpointKind, Writer]:
+    """Return what writes the calls, all of which are methods of the node."""
+    writers = {
+        EndpointKind.PUBLISHER: _publisher,
+        EndpointKind.SUBSCRIPTION: _subscription,
+        EndpointKind.SERVICE: _service,
+        EndpointKind.CLIENT: _client,
+        EndpointKind.TIMER: _timer,
+    }
+    return {kind: partial(writer, node) for kind, writer in writers.items()}
+
+
+def _publisher(node: str, work: Work, site: Site, name: str) -> str | None:
     _mark_options(work, site, {"latch": "`DurabilityPolicy.TRANSIENT_LOCAL` in a `QoSProfile`"})
     return f"{node}.create_publisher({_type(work, site)}, {name}, {_depth(work, site, 7)})"
 
 
-def _subscription(work: Work, site: Site, node: str, name: str) -> str | None:
+def _subscription(node: str, work: Work, site: Site, name: str) -> str | None:
     type_ = _type(work, site)
     callee = site.shape.callees[0]
     if callee == "message_filters.Subscriber":
@@ -136,29 +138,29 @@ def _subscription(work: Work, site: Site, node: str, name: str) -> str | None:
     extra = site.arguments.get(Argument(3, "callback_args"))
     called = work.text(callback) if callback is not None else "lambda message: None"
     if extra is not None and callback is not None:
-        called = f"lambda message: {_called(called)}(message, {work.text(extra)})"
+        called = f"lambda message: {callable_text(called)}(message, {work.text(extra)})"
     return f"{node}.create_subscription({type_}, {name}, {called}, {_depth(work, site, 4)})"
 
 
-def _service(work: Work, site: Site, node: str, name: str) -> str | None:
+def _service(node: str, work: Work, site: Site, name: str) -> str | None:
     handler = site.arguments.get(Argument(2, "handler"))
     if handler is None:
         return None
     called = work.text(handler)
     function = work.callback_of(site)
     if function is None:
-        called = f"lambda request, response: {_called(called)}(request)"
+        called = f"lambda request, response: {callable_text(called)}(request)"
     else:
-        _append_parameter(work, function, "response=None")
+        _take_response(work, function)
         _mark_returns(work, function)
     return f"{node}.create_service({_type(work, site)}, {name}, {called})"
 
 
-def _client(work: Work, site: Site, node: str, name: str) -> str | None:
+def _client(node: str, work: Work, site: Site, name: str) -> str | None:
     return f"{node}.create_client({_type(work, site)}, {name})"
 
 
-def _timer(work: Work, site: Site, node: str, name: str) -> str | None:
+def _timer(node: str, work: Work, site: Site, name: str) -> str | None:
     period = site.arguments.get(site.shape.name)
     callback = site.arguments.get(Argument(1, "callback"))
     if period is None or callback is None:
@@ -167,19 +169,10 @@ def _timer(work: Work, site: Site, node: str, name: str) -> str | None:
     called = work.text(callback)
     function = work.callback_of(site)
     if function is None:
-        called = f"lambda: {_called(called)}(None)"
+        called = f"lambda: {callable_text(called)}(None)"
     else:
         _give_default(work, function)
     return f"{node}.create_timer({_seconds(work, period)}, {called})"
-
-
-_WRITERS = {
-    EndpointKind.PUBLISHER: _publisher,
-    EndpointKind.SUBSCRIPTION: _subscription,
-    EndpointKind.SERVICE: _service,
-    EndpointKind.CLIENT: _client,
-    EndpointKind.TIMER: _timer,
-}
 
 
 def _type(work: Work, site: Site) -> str:
@@ -191,12 +184,7 @@ def _type(work: Work, site: Site) -> str:
             work.done.add(given.id)
             work.mark(given, "numpy_msg", "rclpy gives an array of numbers as a numpy array itself")
             return work.text(listed)[1:-1]
-    return work.text(given) if given is not None else ""
-
-
-def _called(text: str) -> str:
-    """Write an expression so that it can be called."""
-    return text if text.replace(".", "").isidentifier() else f"({text})"
+    return given_type(work, site)
 
 
 def _depth(work: Work, site: Site, position: int) -> str:
@@ -228,29 +216,24 @@ def _seconds(work: Work, period: Node) -> str:
     return work.text(period)
 
 
-def _append_parameter(work: Work, function: Scope, parameter: str) -> None:
-    """Let a function take one argument more."""
-    listed = function.node.child_by_field_name("parameters")
+def _take_response(work: Work, function: Scope) -> None:
+    """Let a handler take the response that rclpy hands over."""
+    listed, parameters = parameters_of(function)
     if listed is None or listed.id in work.done:
         return
     work.done.add(listed.id)
-    children = [each for each in listed.named_children if each.type != "comment"]
-    if any("splat" in each.type or each.type == "keyword_separator" for each in children):
+    if any("splat" in each.type or each.type == "keyword_separator" for each in parameters):
         return
-    if children:
-        work.insert(children[-1].end_byte, f", {parameter}")
-    else:
-        work.insert(listed.start_byte + 1, parameter)
+    append_parameter(work, listed, parameters, "response=None")
 
 
 def _give_default(work: Work, function: Scope) -> None:
     """Let a timer's callback be called without its event."""
-    listed = function.node.child_by_field_name("parameters")
+    listed, parameters = parameters_of(function)
     if listed is None or listed.id in work.done:
         return
     work.done.add(listed.id)
-    children = [each for each in listed.named_children if each.type != "comment"]
-    own = children[1:] if function.self_name else children
+    own = parameters[1:] if function.self_name else parameters
     if own and own[0].type == "identifier":
         work.insert(own[0].end_byte, "=None")
         _mark_event(work, function, work.slice(own[0]))

@@ -10,13 +10,25 @@ from plastron_tui.targets import literals
 from plastron_tui.targets.python.analysis import NodeSite, Site
 from plastron_tui.targets.python.calls import Argument
 from plastron_tui.targets.python.constants import Known
+from plastron_tui.targets.python.references import statement_of
 from plastron_tui.targets.python.scopes import Scope
 from plastron_tui.targets.python.splices import Splice, delete_item, line_start
 
 from .leftovers import mark_leftovers, port_ending
 from .placing import add_header
+from .rewriting import (
+    Writer,
+    append_parameter,
+    callable_text,
+    first_statement,
+    given_type,
+    parameters_of,
+    port_sites,
+    put_before,
+    replace_by_opposite,
+)
 from .types import port_imports, target_type
-from .work import Work, statement_of, walk
+from .work import Work, walk
 
 _GONE = frozenset({"rclpy"})
 _LEFT = _GONE | {"ament_index_python", "launch", "launch_ros", "tf2_ros", "nav2_simple_commander"}
@@ -78,8 +90,8 @@ def port_to_rospy(work: Work) -> None:
     """Rewrite what makes rclpy nodes and their endpoints, and mark the rest of rclpy."""
     port_imports(work, _GONE)
     _port_running(work)
-    for site in reversed(work.analysis.sites):
-        _port_site(work, site)
+    _mark_coroutines(work)
+    port_sites(work, _WRITERS, _private_name)
     _port_nodes(work)
     port_ending(work, {"cancel": "shutdown"}, _ENDING)
     mark_leftovers(work, _LEFT, {k: v or "" for k, v in _ATTRIBUTES.items()}, _REMEDIES)
@@ -87,35 +99,29 @@ def port_to_rospy(work: Work) -> None:
     add_header(work)
 
 
-def _port_site(work: Work, site: Site) -> None:
-    """Rewrite the call that makes an endpoint."""
-    if site.endpoint.kind not in _WRITERS or site.arguments.is_open:
-        return
-    name = site.arguments.get(site.shape.name)
-    if name is None:
-        return
+def _mark_coroutines(work: Work) -> None:
+    for function in work.callbacks.values():
+        if function.node.children[0].type == "async":
+            work.mark(function.node, "async", "rospy does not wait for coroutines")
+
+
+def _private_name(work: Work, site: Site, name: Node) -> str:
+    """Write a private name, which has no slash behind its `~` in ROS 1."""
     written = work.text(name)
-    if site.endpoint.name is not None and site.endpoint.name.startswith("~/"):
-        if name.type == "string" and "~/" in written:
-            written = written.replace("~/", "~", 1)
-        else:
-            work.mark(site.call, "a private name", "ROS 1 writes `~name`, without a slash")
-    function = work.callback_of(site)
-    if function is not None and function.node.children[0].type == "async":
-        work.mark(function.node, "async", "rospy does not wait for coroutines")
-    wanted = _WRITERS[site.endpoint.kind](work, site, written)
-    if wanted is not None:
-        work.replace(site.call, wanted)
+    if name.type == "string" and "~/" in written:
+        return written.replace("~/", "~", 1)
+    work.mark(site.call, "a private name", "ROS 1 writes `~name`, without a slash")
+    return written
 
 
 def _publisher(work: Work, site: Site, name: str) -> str | None:
     depth = _depth(work, site, Argument(2, "qos_profile")) or "10"
-    return f"rospy.Publisher({name}, {_type(work, site)}, queue_size={depth})"
+    return f"rospy.Publisher({name}, {given_type(work, site)}, queue_size={depth})"
 
 
 def _subscription(work: Work, site: Site, name: str) -> str | None:
     callee = site.shape.callees[0]
-    type_ = _type(work, site)
+    type_ = given_type(work, site)
     if callee == "message_filters.Subscriber":
         return f"message_filters.Subscriber({name}, {type_})"
     if callee != "create_subscription":
@@ -137,13 +143,12 @@ def _service(work: Work, site: Site, name: str) -> str | None:
     function = work.callback_of(site)
     made = _response(work, site)
     if function is None or not _make_response(work, function, made):
-        holder = called if called.replace(".", "").isidentifier() else f"({called})"
-        called = f"lambda request: {holder}(request, {made})"
-    return f"rospy.Service({name}, {_type(work, site)}, {called})"
+        called = f"lambda request: {callable_text(called)}(request, {made})"
+    return f"rospy.Service({name}, {given_type(work, site)}, {called})"
 
 
 def _client(work: Work, site: Site, name: str) -> str | None:
-    return f"rospy.ServiceProxy({name}, {_type(work, site)})"
+    return f"rospy.ServiceProxy({name}, {given_type(work, site)})"
 
 
 def _timer(work: Work, site: Site, name: str) -> str | None:
@@ -153,23 +158,17 @@ def _timer(work: Work, site: Site, name: str) -> str | None:
     called = work.text(callback)
     function = work.callback_of(site)
     if function is None or not _take_event(work, function):
-        holder = called if called.replace(".", "").isidentifier() else f"({called})"
-        called = f"lambda event: {holder}()"
+        called = f"lambda event: {callable_text(called)}()"
     return f"rospy.Timer(rospy.Duration({name}), {called})"
 
 
-_WRITERS = {
+_WRITERS: dict[EndpointKind, Writer] = {
     EndpointKind.PUBLISHER: _publisher,
     EndpointKind.SUBSCRIPTION: _subscription,
     EndpointKind.SERVICE: _service,
     EndpointKind.CLIENT: _client,
     EndpointKind.TIMER: _timer,
 }
-
-
-def _type(work: Work, site: Site) -> str:
-    given = site.arguments.get(site.shape.type) if site.shape.type is not None else None
-    return work.text(given) if given is not None else ""
 
 
 def _depth(work: Work, site: Site, argument: Argument) -> str | None:
@@ -188,7 +187,7 @@ def _response(work: Work, site: Site) -> str:
     """Write an expression that makes an empty response."""
     type_ = site.endpoint.type
     if type_ is None:
-        return f"{_type(work, site)}._response_class()"
+        return f"{given_type(work, site)}._response_class()"
     found = target_type(work, type_, InterfaceKind.SERVICE)[0] or type_
     work.imports.add(f"from {found.package}.srv import {found.name}Response")
     return f"{found.name}Response()"
@@ -196,58 +195,35 @@ def _response(work: Work, site: Site) -> str:
 
 def _make_response(work: Work, function: Scope, made: str) -> bool:
     """Let a handler make the response that rclpy hands over; tell whether it can be."""
-    listed = function.node.child_by_field_name("parameters")
+    listed, parameters = parameters_of(function)
     body = function.node.child_by_field_name("body")
     if listed is None or body is None:
         return False
     if listed.id in work.done:
         return True
-    children = [each for each in listed.named_children if each.type != "comment"]
-    own = children[1:] if function.self_name else children
+    own = parameters[1:] if function.self_name else parameters
     if len(own) != 2 or own[1].type not in ("identifier", "typed_parameter"):
         return False
     work.done.add(listed.id)
     name = own[1] if own[1].type == "identifier" else own[1].named_children[0]
-    work.cut(delete_item(work.analysis.syntax.text, children, own[1]))
+    work.cut(delete_item(work.analysis.syntax.text, parameters, own[1]))
     work.done.update(node.id for node in walk(own[1]))
-    _put_first(work, body, f"{work.slice(name)} = {made}")
+    put_before(work, first_statement(body), [f"{work.slice(name)} = {made}"])
     return True
 
 
 def _take_event(work: Work, function: Scope) -> bool:
     """Let a timer's callback take its event; tell whether it can."""
-    listed = function.node.child_by_field_name("parameters")
+    listed, parameters = parameters_of(function)
     if listed is None:
         return False
     if listed.id in work.done:
         return True
-    children = [each for each in listed.named_children if each.type != "comment"]
-    if len(children) != (1 if function.self_name else 0):
+    if len(parameters) != (1 if function.self_name else 0):
         return False
     work.done.add(listed.id)
-    if children:
-        work.insert(children[-1].end_byte, ", event=None")
-    else:
-        work.insert(listed.start_byte + 1, "event=None")
+    append_parameter(work, listed, parameters, "event=None")
     return True
-
-
-def _put_first(work: Work, body: Node, line: str) -> None:
-    """Insert a statement at the start of a function, behind its docstring."""
-    statements = [each for each in body.named_children if each.type != "comment"]
-    first = statements[0]
-    text = work.analysis.syntax.text
-    is_docstring = first.type == "expression_statement" and bool(
-        first.named_children and first.named_children[0].type == "string"
-    )
-    if is_docstring and len(statements) > 1:
-        first = statements[1]
-    start = line_start(text, first.start_byte)
-    indent = text[start : first.start_byte]
-    if indent.strip():
-        work.insert(first.start_byte, f"{line}; ")
-    else:
-        work.insert(start, f"{indent.decode('ascii', 'replace')}{line}\n")
 
 
 def _port_running(work: Work) -> None:
@@ -266,7 +242,7 @@ def _port_running(work: Work) -> None:
         elif names & {"rclpy.shutdown", "rclpy.try_shutdown"}:
             work.replace(call, 'rospy.signal_shutdown("the node is done")')
         elif names & {"rclpy.ok"}:
-            _port_ok(work, call)
+            replace_by_opposite(work, call, "rospy.is_shutdown()")
         elif callee.type == "attribute":
             _port_method(work, call, callee, statement if is_alone else None)
     for node in walk(work.analysis.syntax.root):
@@ -315,17 +291,6 @@ def _port_method(work: Work, call: Node, callee: Node, alone: Node | None) -> No
         work.replace(call, f"rospy.Rate{inner}")
     elif name == "wait_for_service" and b"timeout_sec" in (call.text or b""):
         work.mark(call, "timeout_sec", "`timeout=`; rospy raises where the time is up")
-
-
-def _port_ok(work: Work, call: Node) -> None:
-    parent = call.parent
-    if parent is not None and parent.type == "not_operator":
-        work.done.add(call.id)
-        work.replace(parent, "rospy.is_shutdown()")
-    else:
-        is_condition = parent is not None and parent.type in ("if_statement", "while_statement")
-        text = "not rospy.is_shutdown()"
-        work.replace(call, text if is_condition else f"({text})")
 
 
 def _port_nodes(work: Work) -> None:

@@ -202,14 +202,6 @@ def comment_place(node: Node, text: bytes) -> Node:
     return current
 
 
-def statement_of(node: Node) -> Node:
-    """Return the simple statement that a node is in, or the compound one it is the head of."""
-    current = node
-    while current.parent is not None and current.parent.type not in STATEMENT_PARENTS:
-        current = current.parent
-    return current
-
-
 def walk(root: Node) -> Iterator[Node]:
     """Yield the named nodes of a tree, parents first."""
     pending = [root]
