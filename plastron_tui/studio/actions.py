@@ -110,7 +110,7 @@ ACTIONS: tuple[Action, ...] = (
     _editor("find", "Find", "ctrl+f", "Find a text or a regular expression."),
     _editor("replace", "Replace", "ctrl+r", "Find and replace."),
     _editor("find_next", "Find next", "f3", "Go to the next place."),
-    _editor("find_previous", "Find previous", "shift+f3", "Go to the place before."),
+    _editor("find_previous", "Find previous", "shift+f3,alt+p", "Go to the place before."),
     _editor("go_to_line", "Go to line", "ctrl+g", "Go to a line by its number."),
     _editor("complete", "Complete", "ctrl+space,f4", "List what can stand here."),
     _editor("toggle_comment", "Comment lines out or in", "ctrl+underscore",

@@ -20,6 +20,7 @@ from .files import open_file
 from .journal import Kept, kept_texts
 from .screens.main import MainScreen
 from .state import opened
+from .terminal_keys import teach
 
 DEFAULT_THEME = "textual-dark"
 _SMALL = "ansi-dark"
@@ -153,6 +154,7 @@ class StudioApp(App[None], inherit_bindings=False):
 
 def run(path: Path | None, options: Options | None = None, first: str | None = None) -> int:
     """Run the studio in this terminal, and return the exit status."""
+    teach()
     app = StudioApp(path, options, first)
     app.run(mouse=app.config.mouse)
     return app.return_code or 0

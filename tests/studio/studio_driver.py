@@ -64,7 +64,7 @@ class Driver:
         return (
             set(wanted.panels) <= analysis.entries.keys()
             and (wanted.preview is None or wanted.preview in analysis.previews)
-            and (not wanted.graph or analysis.drawing is not None)
+            and (wanted.graph is None or (analysis.drawing is not None and main.graph.is_fitted))
         )
 
     async def until(self, condition: Callable[[], bool]) -> None:

@@ -20,7 +20,7 @@ class FindingActions(EditorBase):
         Binding("ctrl+r", "replace", "Replace", show=False, id="editor.replace"),
         Binding("f3", "find_next", "Find next", show=False, id="editor.find_next"),
         Binding(
-            "shift+f3,f15", "find_previous", "Find previous", show=False, id="editor.find_previous"
+            "shift+f3,f15,alt+p", "find_previous", "Find previous", show=False, id="editor.find_previous"
         ),
         Binding("ctrl+g", "go_to_line", "Go to line", show=False, id="editor.go_to_line"),
     ]

@@ -1,17 +1,17 @@
-"""The graph of a program as boxes and arrows of characters."""
+"""What hangs together in a graph as boxes and arrows of characters, at several sizes."""
 
 from __future__ import annotations
 
-from plastron_tui.model.graph import Graph
-from plastron_tui.output.graphs.layers import Columns, Link, columns_of, components
-from plastron_tui.output.graphs.ordering import ordered
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from rich.cells import cell_len, set_cell_size
+
+from plastron_tui.output.graphs.layers import Columns
 
 from .tones import Line, Lines, Piece
 
-MOST_BOXES = 400
-"""With more boxes than this nobody reads the picture."""
-
-_WIDEST = 26
 _UP, _DOWN, _LEFT, _RIGHT = 1, 2, 4, 8
 _LINES = {
     _LEFT | _RIGHT: "─", _UP | _DOWN: "│", _LEFT | _DOWN: "╮", _LEFT | _UP: "╯",
@@ -30,8 +30,11 @@ class _Sheet:
     def put(self, x: int, y: int, text: str, tone: str = "") -> None:
         while len(self.rows) <= y:
             self.rows.append({})
-        for at, character in enumerate(text, x):
-            self.rows[y][at] = (character, tone)
+        for character in text:
+            width = max(1, cell_len(character))
+            self.rows[y].update({x + more: ("", tone) for more in range(1, width)})
+            self.rows[y][x] = (character, tone)
+            x += width
 
     def lines(self) -> Lines:
         return tuple(self._line(row) for row in self.rows)
@@ -50,149 +53,213 @@ class _Sheet:
         return tuple(piece for piece in pieces if piece.text)
 
 
-class _Box:
-    """A node, a topic or a service: what is written in it, and how it is drawn."""
+class Detail(NamedTuple):
+    """How large a picture is drawn.
 
-    def __init__(self, name: str, caption: str, tone: str, *, is_hub: bool, warning: str) -> None:
-        self.name = _cut(name)
-        self.caption = _cut(caption)
-        self.tone = tone
-        self.is_hub = is_hub
-        self.warning = _cut(warning)
-        self.rows = [row for row in (self.name, self.caption, self.warning) if row]
-        self.width = max(map(len, self.rows)) + 4
-        self.height = len(self.rows) + 2
+    Attributes:
+        title: what the size is called.
+        has_caption: whether a box says more than its name.
+        has_frame: whether a box has lines around it; else it is one row, in brackets.
+        widest: the most cells of a name.
+        track: how far lines that turn between the same columns are apart.
+        between: the rows between two boxes.
+    """
+
+    title: str
+    has_caption: bool
+    has_frame: bool
+    widest: int
+    track: int
+    between: int
+
+
+DETAILS = (
+    Detail("full", True, True, 26, 2, 1),
+    Detail("names", False, True, 26, 1, 0),
+    Detail("cut", False, True, 12, 1, 0),
+    Detail("lines", False, False, 26, 1, 0),
+    Detail("short", False, False, 11, 1, 0),
+)
+"""From the largest to the smallest."""
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """What a box says: a node, a topic or a service.
+
+    Attributes:
+        name: its name.
+        caption: more about it.
+        tone: the tone of its frame.
+        is_hub: whether it is a topic or a service.
+        warning: what is wrong with it.
+    """
+
+    name: str
+    caption: str
+    tone: str
+    is_hub: bool
+    warning: str = ""
+
+
+class Place(NamedTuple):
+    """Where a box is, in cells."""
+
+    x: int
+    y: int
+    width: int
+    height: int
+
+
+class _Box:
+    """A label at a size."""
+
+    def __init__(self, label: Label, detail: Detail) -> None:
+        self._label = label
+        self._detail = detail
+        self.name = _cut(label.name, detail.widest)
+        self.rows = [self.name]
+        if detail.has_caption:
+            more = (_cut(label.caption, detail.widest), _cut(label.warning, detail.widest))
+            self.rows += [row for row in more if row]
+        elif label.warning:
+            self.rows = [f"{self.name} !"]
+        frame = 4 if detail.has_frame else 2
+        self.width = max(map(cell_len, self.rows)) + frame
+        self.height = len(self.rows) + (2 if detail.has_frame else 0)
+        self.port = 1 if detail.has_frame else 0
+        """The row at which lines reach it."""
 
     def draw(self, sheet: _Sheet, x: int, y: int) -> None:
-        corners = "╭╮╰╯" if self.is_hub else "┌┐└┘"
+        tone, is_hub = self._label.tone, self._label.is_hub
+        if not self._detail.has_frame:
+            self._draw_row(sheet, x, y, "()" if is_hub else "[]")
+            return
+        corners = "╭╮╰╯" if is_hub else "┌┐└┘"
         inner = self.width - 2
-        sheet.put(x, y, corners[0] + "─" * inner + corners[1], self.tone)
-        for number, row in enumerate(self.rows, 1):
-            sheet.put(x, y + number, "│", self.tone)
-            tone = "strong" if number == 1 else "warning" if row == self.warning else "quiet"
-            sheet.put(x + 1, y + number, f" {row:<{inner - 2}} ", tone)
-            sheet.put(x + self.width - 1, y + number, "│", self.tone)
-        sheet.put(x, y + self.height - 1, corners[2] + "─" * inner + corners[3], self.tone)
+        sheet.put(x, y, corners[0] + "─" * inner + corners[1], tone)
+        for number in range(len(self.rows)):
+            sheet.put(x, y + 1 + number, "│" + " " * inner + "│", tone)
+            self._draw_text(sheet, x + 2, y + 1 + number, number)
+        sheet.put(x, y + self.height - 1, corners[2] + "─" * inner + corners[3], tone)
+
+    def _draw_row(self, sheet: _Sheet, x: int, y: int, brackets: str) -> None:
+        sheet.put(x, y, brackets[0], self._label.tone)
+        sheet.put(x + self.width - 1, y, brackets[1], self._label.tone)
+        self._draw_text(sheet, x + 1, y, 0)
+
+    def _draw_text(self, sheet: _Sheet, x: int, y: int, number: int) -> None:
+        text = self.rows[number]
+        if number > 0:
+            is_warning = bool(self._label.warning) and number == len(self.rows) - 1
+            sheet.put(x, y, text, "warning" if is_warning else "quiet")
+            return
+        sheet.put(x, y, self.name, "strong")
+        sheet.put(x + cell_len(self.name), y, text[len(self.name) :], "warning")
 
 
-def _cut(text: str) -> str:
+def _cut(text: str, widest: int) -> str:
     text = text if text.isprintable() else ascii(text)[1:-1]
-    return text if len(text) <= _WIDEST else f"{text[: _WIDEST - 1]}…"
+    if cell_len(text) <= widest:
+        return text
+    return f"{set_cell_size(text, widest - 1).rstrip()}…"
 
 
-def drawn(graph: Graph) -> Lines:
-    """Draw a graph, from left to right; parts that do not hang together below each other."""
-    boxes, links = _boxes_and_links(graph)
-    if not boxes:
-        return ((Piece(" nothing to draw yet", "quiet"),),)
-    if len(boxes) > MOST_BOXES:
-        text = f" {len(boxes)} boxes are too many for a picture; the panels list them"
-        return ((Piece(text, "quiet"),),)
-    hubs = frozenset(number for number, box in enumerate(boxes) if box.is_hub)
-    sheet = _Sheet()
-    top = 0
-    for part in components(len(boxes), links):
-        inside = set(part)
-        own = [link for link in links if link.tail in inside]
-        top = _draw_part(sheet, top, boxes, columns_of(part, own, hubs)) + 1
-    return sheet.lines()
+class Plan:
+    """Where everything of a part goes in a size; it is cheap to make, and to draw is not."""
+
+    def __init__(
+        self,
+        labels: Sequence[Label],
+        columns: Columns,
+        order: Sequence[Sequence[int]],
+        detail: Detail,
+    ) -> None:
+        """Place the boxes from left to right.
+
+        Args:
+            labels: all boxes; those of the part are used.
+            columns: the boxes and turning points by column, and what is linked.
+            order: the columns, each from top to bottom.
+            detail: how large.
+        """
+        self._columns = columns
+        self._detail = detail
+        own = [item for column in order for item in column if item >= 0]
+        self._boxes = boxes = {item: _Box(labels[item], detail) for item in own}
+        rows = _rows(order, boxes, detail)
+        self._rows = {
+            item: row + (boxes[item].port if item in boxes else 0) for item, row in rows.items()
+        }
+        self._widths = [
+            max((boxes[item].width for item in column if item >= 0), default=1) for column in order
+        ]
+        self._starts: list[int] = []
+        self.places: dict[int, Place] = {}
+        x = 0
+        gaps = _gaps(order, columns, detail)
+        for column, width, gap in zip(order, self._widths, [*gaps, 0], strict=True):
+            self._starts.append(x)
+            for item in column:
+                if item >= 0:
+                    box = boxes[item]
+                    at = x + (width - box.width) // 2
+                    self.places[item] = Place(at, rows[item], box.width, box.height)
+            x += width + gap
+        self.width = x
+        self.height = max(
+            row + (boxes[item].height if item in boxes else 1) for item, row in rows.items()
+        )
+
+    def drawn(self) -> Lines:
+        """Draw it."""
+        sheet = _Sheet()
+        for item, box in self._boxes.items():
+            box.draw(sheet, self.places[item].x, self.places[item].y)
+        _draw_links(
+            sheet, self.places, self._columns, self._rows, self._starts, self._widths, self._detail
+        )
+        return sheet.lines()
 
 
-def _boxes_and_links(graph: Graph) -> tuple[list[_Box], list[Link]]:
-    boxes: list[_Box] = []
-    links: dict[Link, None] = {}
-    numbers: dict[str, int] = {}
-    for node in graph.nodes:
-        numbers[node.variable] = len(boxes)
-        caption = node.file.name if node.file is not None else node.library or ""
-        boxes.append(_Box(node.name, caption, "primary", is_hub=False, warning=""))
-    for topic in graph.topics:
-        hub = len(boxes)
-        warning = "" if topic.missing is None else f"no {topic.missing.value}"
-        kind = topic.type.name if topic.type is not None else "type unknown"
-        boxes.append(_Box(topic.name, kind, "success", is_hub=True, warning=warning))
-        for publisher in topic.publishers:
-            links[Link(numbers[publisher.node.variable], hub)] = None
-        for subscriber in topic.subscribers:
-            links[Link(hub, numbers[subscriber.node.variable])] = None
-    for service in graph.services:
-        hub = len(boxes)
-        warning = "" if service.missing is None else f"no {service.missing.value}"
-        kind = service.type.name if service.type is not None else "type unknown"
-        boxes.append(_Box(service.name, kind, "warning", is_hub=True, warning=warning))
-        for client in service.clients:
-            links[Link(numbers[client.node.variable], hub)] = None
-        for provider in service.providers:
-            links[Link(hub, numbers[provider.node.variable])] = None
-    return boxes, list(links)
-
-
-def _draw_part(sheet: _Sheet, top: int, boxes: list[_Box], columns: Columns) -> int:
-    """Draw what hangs together, and return the row below it."""
-    order = ordered(columns)
-    row_of = _rows(order, boxes)
-    rows: dict[int, int] = {}
-    starts: list[int] = []
-    x = 1
-    widths = [
-        max((boxes[item].width for item in column if item >= 0), default=1) for column in order
-    ]
-    gaps = _gaps(order, columns)
-    for width, gap in zip(widths, [*gaps, 0], strict=True):
-        starts.append(x)
-        x += width + gap
-    for number, column in enumerate(order):
-        for item in column:
-            if item >= 0:
-                box = boxes[item]
-                at = starts[number] + (widths[number] - box.width) // 2
-                box.draw(sheet, at, top + row_of[item])
-                rows[item] = top + row_of[item] + 1
-            else:
-                rows[item] = top + row_of[item]
-    _draw_links(sheet, boxes, columns, rows, starts, widths, gaps)
-    return max(
-        top + row_of[item] + (boxes[item].height if item >= 0 else 1)
-        for column in order
-        for item in column
-    )
-
-
-def _rows(order: list[list[int]], boxes: list[_Box]) -> dict[int, int]:
+def _rows(
+    order: Sequence[Sequence[int]], boxes: Mapping[int, _Box], detail: Detail
+) -> dict[int, int]:
     """Return the first row of each item: columns are centred beside the highest one."""
 
     def height(item: int) -> int:
         return boxes[item].height if item >= 0 else 1
 
-    heights = [sum(height(item) + 1 for item in column) - 1 for column in order]
+    gap = detail.between
+    heights = [sum(height(item) + gap for item in column) - gap for column in order]
     highest = max(heights)
     row_of = {}
     for column, total in zip(order, heights, strict=True):
         row = (highest - total) // 2
         for item in column:
             row_of[item] = row
-            row += height(item) + 1
+            row += height(item) + gap
     return row_of
 
 
-def _gaps(order: list[list[int]], columns: Columns) -> list[int]:
+def _gaps(order: Sequence[Sequence[int]], columns: Columns, detail: Detail) -> list[int]:
     """Return how far columns are apart: room for each line to turn in a track of its own."""
     gaps = []
     for number in range(len(order) - 1):
         left = set(order[number])
         tails = {one for one, _ in columns.segments if one in left}
-        gaps.append(max(5, 2 * len(tails) + 3))
+        gaps.append(max(3 + detail.track, detail.track * len(tails) + 3))
     return gaps
 
 
 def _draw_links(
     sheet: _Sheet,
-    boxes: list[_Box],
+    places: Mapping[int, Place],
     columns: Columns,
-    rows: dict[int, int],
-    starts: list[int],
-    widths: list[int],
-    gaps: list[int],
+    rows: Mapping[int, int],
+    starts: Sequence[int],
+    widths: Sequence[int],
+    detail: Detail,
 ) -> None:
     strokes: dict[tuple[int, int], int] = {}
     arrows: dict[tuple[int, int], str] = {}
@@ -207,9 +274,10 @@ def _draw_links(
         if left not in tracks:
             tracks[left] = used.get(column, 0)
             used[column] = tracks[left] + 1
-        turn = starts[column] + widths[column] + 1 + 2 * tracks[left]
-        begin = _edge(left, boxes, starts[column], widths[column], right_side=True)
-        end = _edge(right, boxes, starts[column + 1], widths[column + 1], right_side=False)
+        turn = starts[column] + widths[column] + 1 + detail.track * tracks[left]
+        place = places.get(left)
+        begin = starts[column] if place is None else place.x + place.width
+        end = places[right].x if right in places else starts[column + 1]
         _stroke(strokes, begin, turn, rows[left], rows[right], end)
         if (left, right) in heads and right >= 0:
             arrows[end - 1, rows[right]] = "▶"
@@ -219,15 +287,6 @@ def _draw_links(
         sheet.put(x, y, arrows.get((x, y)) or _LINES[directions], "dim")
     for (x, y), arrow in arrows.items():
         sheet.put(x, y, arrow, "accent")
-
-
-def _edge(item: int, boxes: list[_Box], start: int, width: int, *, right_side: bool) -> int:
-    """Return where a line leaves an item to the right, or the cell before which it ends."""
-    if item < 0:
-        return start
-    own = boxes[item].width
-    at = start + (width - own) // 2
-    return at + own if right_side else at
 
 
 def _stroke(

@@ -10,11 +10,11 @@ from rich.style import Style
 from textual import events
 from textual.binding import Binding, BindingType
 from textual.geometry import Region, Size
-from textual.message import Message
 from textual.reactive import reactive
 from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
+from .acting import Chosen, Lit
 from .entry import Entries, Entry
 from .tones import COMPONENTS, Toned
 
@@ -36,32 +36,6 @@ class EntryList(Toned, ScrollView, can_focus=True):
 
     index: reactive[int] = reactive(0, repaint=False)
 
-    class Chosen(Message):
-        """An entry was chosen, by Enter or with the mouse."""
-
-        def __init__(self, sender: EntryList, entry: Entry) -> None:
-            super().__init__()
-            self.sender = sender
-            self.entry = entry
-
-        @property
-        def control(self) -> EntryList:
-            """The list."""
-            return self.sender
-
-    class Lit(Message):
-        """The cursor is on another entry."""
-
-        def __init__(self, sender: EntryList, entry: Entry) -> None:
-            super().__init__()
-            self.sender = sender
-            self.entry = entry
-
-        @property
-        def control(self) -> EntryList:
-            """The list."""
-            return self.sender
-
     def __init__(self, *, id: str | None = None, empty: str = "") -> None:  # noqa: A002
         super().__init__(id=id)
         self.entries = Entries(empty=empty)
@@ -71,7 +45,7 @@ class EntryList(Toned, ScrollView, can_focus=True):
         self._here: str | None = None
 
     @property
-    def current(self) -> Entry | None:
+    def entry(self) -> Entry | None:
         """The entry that the cursor is on."""
         return self._shown[self.index] if 0 <= self.index < len(self._shown) else None
 
@@ -79,7 +53,7 @@ class EntryList(Toned, ScrollView, can_focus=True):
         """Show other entries; the cursor stays on the entry of the same key."""
         if entries is self.entries:
             return
-        current = self.current
+        current = self.entry
         self.entries = entries
         self._lay_out()
         row = None if current is None else self._rows.get(current.key)
@@ -134,8 +108,8 @@ class EntryList(Toned, ScrollView, can_focus=True):
         self.action_move(by * max(1, self.size.height - 1))
 
     def _tell(self) -> None:
-        if self.current is not None:
-            self.post_message(self.Lit(self, self.current))
+        if self.entry is not None:
+            self.post_message(Lit(self.entry))
 
     def action_fold(self) -> None:
         """Fold or unfold the entry, or the one that it belongs to."""
@@ -150,8 +124,8 @@ class EntryList(Toned, ScrollView, can_focus=True):
 
     def action_choose(self) -> None:
         """Choose the entry."""
-        if self.current is not None:
-            self.post_message(self.Chosen(self, self.current))
+        if self.entry is not None:
+            self.post_message(Chosen(self.entry))
 
     def on_click(self, event: events.Click) -> None:
         """Choose the entry under the mouse; its sign folds it."""

@@ -17,8 +17,8 @@ from textual.screen import Screen
 from plastron_tui.diagnostics import Edit, Severity, Span, has_errors
 
 from ..editor import ProgramEditor
+from ..panels.acting import Asked
 from ..panels.entry import Entry, Subject
-from ..panels.program_panel import ProgramPanel
 from ..panels.text_view import TextView
 from ..panels.tones import Line, Piece
 from ..state import Open
@@ -60,8 +60,8 @@ class Doing(Screen[None]):
 
     # Entries.
 
-    @on(ProgramPanel.Asked)
-    def entry_asked(self, message: ProgramPanel.Asked) -> None:
+    @on(Asked)
+    def entry_asked(self, message: Asked) -> None:
         """Do what was asked about an entry: as text in the editor."""
         entry = message.entry
         match message.what:

@@ -21,11 +21,14 @@ from ..actions import ACTIONS, bindings
 from ..analyst import Analysed, AnalysisFailed, Analyst, Wanted
 from ..editor import ProgramEditor
 from ..editor.statement_help import help_of
+from ..panels.acting import Acting, Chosen, Lit
 from ..panels.bars import Bar, help_pieces
 from ..panels.dock import Dock, Edge
 from ..panels.entry import Entries
 from ..panels.entry_list import EntryList
+from ..panels.graph_panel import GraphPanel
 from ..panels.key_bar import KeyBar
+from ..panels.picture import Picture
 from ..panels.preview_panel import PreviewPanel
 from ..panels.program_panel import ProgramPanel
 from ..panels.text_view import TextView
@@ -56,7 +59,7 @@ class MainScreen(Arranging, Filing, Doing, Screen[None]):
         self.editor = ProgramEditor(open_.session, id="editor")
         self.lists = {name: ProgramPanel(id=name) for name in LISTS}
         self.preview = PreviewPanel(id="preview")
-        self.graph = TextView(id="graph")
+        self.graph = GraphPanel(id="graph")
         self.output = TextView(id="output")
         self.outline = Dock(
             "outline",
@@ -150,7 +153,7 @@ class MainScreen(Arranging, Filing, Doing, Screen[None]):
         if "preview" in names and analysis is not None:
             node = analysis.node_at(self.editor.cursor_offset) or self._shown_node()
         lists = tuple(name for name in LISTS if name in names or name == "problems")
-        return Wanted(lists, node, "graph" in names)
+        return Wanted(lists, node, self.graph.room if "graph" in names else None)
 
     def _shown_node(self) -> str | None:
         """Return the node that the preview shows, or else the first one."""
@@ -203,13 +206,15 @@ class MainScreen(Arranging, Filing, Doing, Screen[None]):
         for name, panel in self.lists.items():
             if self.is_in_sight(name):
                 panel.follow(offset)
+        if self.is_in_sight("graph"):
+            self.graph.follow(offset)
         self.ask_more()
         node = self._asked.preview if self._asked is not None else None
         if self.is_in_sight("preview") and (node is None or node in analysis.previews):
             self.preview.show(analysis.previews.get(node or ""))
 
-    @on(EntryList.Chosen)
-    def entry_chosen(self, message: EntryList.Chosen) -> None:
+    @on(Chosen)
+    def entry_chosen(self, message: Chosen) -> None:
         """Go to the statement of an entry."""
         span = message.entry.span
         if span is None:
@@ -218,11 +223,16 @@ class MainScreen(Arranging, Filing, Doing, Screen[None]):
         self.editor.go_to(span.start)
         self.editor.focus()
 
-    @on(EntryList.Lit)
-    def entry_lit(self, message: EntryList.Lit) -> None:
+    @on(Lit)
+    def entry_lit(self, message: Lit) -> None:
         """Bring the statement of an entry in sight; the panel keeps the focus."""
         if message.entry.span is not None:
             self.editor.go_to(message.entry.span.start)
+
+    @on(GraphPanel.Resized)
+    def graph_resized(self) -> None:
+        """Have the graph drawn so that it fits."""
+        self.ask_more()
 
     def show_counts(self) -> None:
         """Show beside the names of the panels how much is in them."""
@@ -298,7 +308,7 @@ class MainScreen(Arranging, Filing, Doing, Screen[None]):
         rows = []
         for active in self.active_bindings.values():
             binding = active.binding
-            if isinstance(active.node, Dock | ProgramPanel | EntryList | PreviewPanel | TextView):
+            if isinstance(active.node, Dock | Acting | EntryList | PreviewPanel | TextView):
                 key = self.app.get_key_display(binding)
                 rows.append((key, binding.tooltip or binding.description))
         return rows
@@ -358,6 +368,6 @@ class MainScreen(Arranging, Filing, Doing, Screen[None]):
         for panel in self.lists.values():
             panel.show(Entries())
         self.preview.show(None)
-        self.graph.show(())
+        self.graph.show(Picture())
         self.counts = {}
         self.show_tabs()

@@ -1,0 +1,94 @@
+"""What can be done with an entry, wherever it is shown: gone to, or acted on."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from textual.binding import Binding, BindingType
+from textual.message import Message
+from textual.widget import Widget
+
+from .entry import Entry, Subject
+
+_NODE_PARTS = (
+    Subject.NODE,
+    Subject.PUBLISHER,
+    Subject.SUBSCRIPTION,
+    Subject.SERVICE,
+    Subject.CLIENT,
+)
+_NAMED = (*_NODE_PARTS, Subject.TOPIC, Subject.SERVICE_NAME, Subject.MESSAGE)
+
+
+class EntryMessage(Message):
+    """Something about an entry."""
+
+    def __init__(self, entry: Entry) -> None:
+        super().__init__()
+        self.entry = entry
+
+
+class Chosen(EntryMessage):
+    """An entry was chosen, by Enter or with the mouse."""
+
+
+class Lit(EntryMessage):
+    """The panel's cursor is on another entry."""
+
+
+class Asked(EntryMessage):
+    """Something shall be done about an entry: `end`, `rename`, `generate` or `fix`."""
+
+    def __init__(self, what: str, entry: Entry) -> None:
+        super().__init__(entry)
+        self.what = what
+
+
+class Acting(Widget):
+    """Offers what can be done about the entry under its cursor: each becomes a statement."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding(
+            "delete,d", "ask('end')", "Stop it", id="panel.end",
+            tooltip="Write the statement that ends it: unsubscribe, stop_publishing, …",
+        ),
+        Binding(
+            "f2,r", "ask('rename')", "Rename", id="panel.rename",
+            tooltip="Give it another name, everywhere",
+        ),
+        Binding(
+            "g", "ask('generate')", "Generate", id="panel.generate",
+            tooltip="Write the `generate_node` of its node",
+        ),
+        Binding(
+            "f,alt+enter", "ask('fix')", "Mend", id="panel.fix",
+            tooltip="Apply the remedy",
+        ),
+    ]  # fmt: skip
+
+    @property
+    def current(self) -> Entry | None:
+        """The entry that the cursor is on."""
+        return None
+
+    def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
+        """Offer what can be done about the entry under the cursor."""
+        if action != "ask":
+            return True
+        entry = self.current
+        if entry is None:
+            return False
+        match parameters[0]:
+            case "end":
+                return entry.statement is not None
+            case "rename":
+                return entry.subject in _NAMED
+            case "generate":
+                return entry.subject in _NODE_PARTS
+            case _:
+                return bool(entry.edits)
+
+    def action_ask(self, what: str) -> None:
+        """Ask for something to be done."""
+        if self.current is not None:
+            self.post_message(Asked(what, self.current))

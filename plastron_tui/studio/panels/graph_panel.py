@@ -1,0 +1,245 @@
+"""The panel with the graph: boxes and arrows, with a cursor on one of the boxes."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from rich.segment import Segment
+from rich.style import Style
+from textual import events
+from textual.binding import Binding, BindingType
+from textual.geometry import Region
+from textual.geometry import Size as Extent
+from textual.message import Message
+from textual.scroll_view import ScrollView
+from textual.strip import Strip
+
+from .acting import Acting, Chosen, Lit
+from .drawing import DETAILS, Place
+from .entry import Entry
+from .picture import Fitted, Picture, Size
+from .tones import COMPONENTS, Lines, Toned
+
+_EMPTY = Fitted((), 0, {}, 0)
+
+
+class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
+    """A picture as large as fits, whose boxes can be chosen and acted on as entries can."""
+
+    COMPONENT_CLASSES: ClassVar[set[str]] = {
+        *COMPONENTS,
+        "graph-panel--cursor",
+        "graph-panel--here",
+    }
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("up,k", "go(0, -1)", "Up", show=False, id="panel.up"),
+        Binding("down,j", "go(0, 1)", "Down", show=False, id="panel.down"),
+        Binding("left,h", "go(-1, 0)", "Left", show=False, id="graph.left"),
+        Binding("right,l", "go(1, 0)", "Right", show=False, id="graph.right"),
+        Binding("home", "pick(0)", "First", show=False, id="panel.first"),
+        Binding("end", "pick(-1)", "Last", show=False, id="panel.last"),
+        Binding("shift+up,K", "scroll_up", "Scroll up", show=False, id="graph.scroll_up"),
+        Binding("shift+down,J", "scroll_down", "Scroll down", show=False, id="graph.scroll_down"),
+        Binding("shift+left,H", "scroll_left", "Scroll left", show=False, id="graph.scroll_left"),
+        Binding("shift+right,L", "scroll_right", "Scroll right", show=False,
+                id="graph.scroll_right"),
+        Binding("pageup", "page_up", "Page up", show=False, id="panel.page_up"),
+        Binding("pagedown", "page_down", "Page down", show=False, id="panel.page_down"),
+        Binding("enter", "choose", "Go there", id="panel.choose", tooltip="Go to the statement"),
+        Binding("s", "size", "Size", id="graph.size",
+                tooltip="Draw it smaller; after the smallest size, again so that it fits"),
+    ]  # fmt: skip
+
+    class Resized(Message):
+        """The picture is to be drawn in another size."""
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
+        super().__init__(id=id)
+        self.picture = Picture()
+        self._fitted = _EMPTY
+        self._detail: int | None = None
+        self._cursor: int | None = None
+        self._here: int | None = None
+
+    @property
+    def room(self) -> Size:
+        """The size in which the picture is wanted."""
+        # Without the scroll bars, which come and go with what fits.
+        width, height = self.size
+        return Size(width, height, self._detail)
+
+    @property
+    def is_fitted(self) -> bool:
+        """Whether what is shown is drawn for the room that there is."""
+        return self.picture.is_fitted(self.room)
+
+    @property
+    def lines(self) -> Lines:
+        """What is shown."""
+        return self._fitted.lines
+
+    @property
+    def text(self) -> str:
+        """The lines without their colours."""
+        return "\n".join("".join(piece.text for piece in line) for line in self.lines)
+
+    @property
+    def current(self) -> Entry | None:
+        """What the box is about that the cursor is on."""
+        return None if self._cursor is None else self.picture.entries[self._cursor]
+
+    def show(self, picture: Picture) -> None:
+        """Show another picture; the cursor stays on the box of the same key."""
+        if picture is not self.picture:
+            current = self.current
+            numbers = {entry.key: number for number, entry in enumerate(picture.entries)}
+            self._cursor = None if current is None else numbers.get(current.key)
+            self._here = None
+            self.picture = picture
+        if self.is_fitted:
+            self._fitted = picture.fitted(self.room)
+        elif picture == Picture():
+            self._fitted = _EMPTY
+        self.virtual_size = Extent(self._fitted.width + 1, len(self._fitted.lines))
+        self.refresh()
+
+    def follow(self, offset: int) -> None:
+        """Light the box of the statement at an offset."""
+        here = self.picture.at(offset)
+        if here == self._here:
+            return
+        self._here = here
+        if here is not None and not self.has_focus:
+            self._cursor = here
+            self._reveal()
+        self.refresh()
+
+    def on_resize(self) -> None:
+        """Ask for a picture that fits."""
+        self.post_message(self.Resized())
+
+    def on_show(self) -> None:
+        """Ask for a picture that fits."""
+        self.post_message(self.Resized())
+
+    def action_size(self) -> None:
+        """Draw it in the next smaller size; after the smallest so that it fits."""
+        if self._detail is None:
+            self._detail = 0
+        elif self._detail + 1 < len(DETAILS):
+            self._detail += 1
+        else:
+            self._detail = None
+        how = "as large as fits" if self._detail is None else DETAILS[self._detail].title
+        self.notify(f"size: {how}", timeout=2)
+        self.post_message(self.Resized())
+
+    # The cursor.
+
+    def _place(self, box: int | None) -> Place | None:
+        return None if box is None else self._fitted.places.get(box)
+
+    def _reveal(self) -> None:
+        place = self._place(self._cursor)
+        if place is not None:
+            self.scroll_to_region(Region(*place), animate=False, force=True)
+
+    def _pick(self, box: int) -> None:
+        if box != self._cursor:
+            self._cursor = box
+            self.refresh()
+            self.refresh_bindings()
+        self._reveal()
+
+    def action_pick(self, number: int) -> None:
+        """Go to the first box, or to the last one."""
+        boxes = sorted(self._fitted.places, key=lambda box: self._fitted.places[box][:2])
+        if boxes:
+            self._pick(boxes[number])
+            self._tell()
+
+    def action_go(self, right: int, down: int) -> None:
+        """Go to the nearest box in a direction."""
+        here = self._place(self._cursor)
+        if here is None:
+            self.action_pick(0)
+            return
+        found = [
+            (distance, box)
+            for box, place in self._fitted.places.items()
+            if (distance := _distance(here, place, right, down)) is not None
+        ]
+        if found:
+            self._pick(min(found)[1])
+            self._tell()
+        elif right:
+            self.scroll_relative(x=4 * right, animate=False)
+        else:
+            self.scroll_relative(y=down, animate=False)
+
+    def _tell(self) -> None:
+        if self.current is not None:
+            self.post_message(Lit(self.current))
+
+    def action_choose(self) -> None:
+        """Go to the first statement about the box."""
+        if self.current is not None:
+            self.post_message(Chosen(self.current))
+
+    def on_click(self, event: events.Click) -> None:
+        """Choose the box under the mouse."""
+        x, y = event.x + self.scroll_offset.x, event.y + self.scroll_offset.y
+        for box, place in self._fitted.places.items():
+            if Region(*place).contains(x, y):
+                self._pick(box)
+                self.action_choose()
+                return
+
+    def on_focus(self) -> None:
+        """Show the cursor."""
+        if self._cursor is None and self._fitted.places:
+            self._cursor = min(self._fitted.places)
+        self.refresh()
+
+    def on_blur(self) -> None:
+        """Show that the cursor is elsewhere."""
+        self.refresh()
+
+    # Drawing.
+
+    def render_line(self, y: int) -> Strip:
+        """Draw a line."""
+        width = self.scrollable_content_region.width
+        base = self.rich_style
+        x, top = self.scroll_offset
+        row = top + y
+        if row >= len(self.lines):
+            return Strip.blank(width, base)
+        strip = Strip([Segment(text, base + self.tone(tone)) for text, tone in self.lines[row]])
+        for box, name in ((self._here, "here"), (self._cursor, "cursor")):
+            place = self._place(box)
+            if place is None or not place.y <= row < place.y + place.height:
+                continue
+            if name == "here" or self.has_focus:
+                strip = _painted(strip, place, self.tone(name, "graph-panel"))
+        return strip.crop(x, x + width).extend_cell_length(width, base)
+
+
+def _painted(strip: Strip, place: Place, style: Style) -> Strip:
+    """Return a line with the cells of a box in another style."""
+    left, right = place.x, place.x + place.width
+    inside = Strip([
+        Segment(segment.text, (segment.style or Style.null()) + style)
+        for segment in strip.crop(left, right)
+    ])  # fmt: skip
+    return Strip.join([strip.crop(0, left), inside, strip.crop(right, strip.cell_length)])
+
+
+def _distance(here: Place, there: Place, right: int, down: int) -> float | None:
+    """Return how far a box is in a direction, None when it is not there."""
+    across = (there.x + there.width / 2) - (here.x + here.width / 2)
+    # A row is about as high as two columns are wide.
+    along = 2 * ((there.y + there.height / 2) - (here.y + here.height / 2))
+    if right:
+        return abs(across) + 2 * abs(along) if across * right > here.width / 2 else None
+    return abs(along) + abs(across) if along * down > 0 else None

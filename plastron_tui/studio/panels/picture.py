@@ -1,0 +1,246 @@
+"""The graph of a program as a picture, in the size that fits where it is shown."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from rich.cells import cell_len
+
+from plastron_tui.diagnostics import Span
+from plastron_tui.model.graph import Graph, GraphService, GraphTopic
+from plastron_tui.output.graphs.layers import Columns, Link, columns_of, components
+from plastron_tui.output.graphs.ordering import ordered
+
+from .drawing import DETAILS, Label, Place, Plan
+from .entry import Entry, Subject
+from .tones import Line, Lines, Piece
+
+MOST_BOXES = 400
+"""With more boxes than this nobody reads the picture."""
+
+_MOST_CELLS = 400_000
+"""A picture of more cells takes seconds to draw, and shows nothing but lines."""
+
+_APART = 3
+"""Columns between parts that stand beside each other."""
+
+
+class Size(NamedTuple):
+    """Where a picture is shown: columns, rows, and the detail that is asked for, if one is."""
+
+    width: int
+    height: int
+    detail: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Fitted:
+    """A picture in one size: its lines, how wide it is, and where each box is."""
+
+    lines: Lines
+    width: int
+    places: Mapping[int, Place]
+    detail: int
+
+
+@dataclass(frozen=True)
+class Picture:
+    """Boxes and what joins them, which can be drawn in several sizes.
+
+    Attributes:
+        entries: what each box is about, with its first statement.
+        labels: what each box says.
+        parts: what hangs together, laid out.
+        statements: where the statements are that are about a box, and which, in order.
+        note: what is said in the place of a picture.
+    """
+
+    entries: tuple[Entry, ...] = ()
+    labels: tuple[Label, ...] = ()
+    parts: tuple[tuple[Columns, list[list[int]]], ...] = ()
+    statements: tuple[tuple[Span, int], ...] = ()
+    note: str = ""
+    _fitted: dict[Size, Fitted] = field(default_factory=dict, compare=False, repr=False)
+    _plans: dict[int, list[Plan]] = field(default_factory=dict, compare=False, repr=False)
+
+    def at(self, offset: int) -> int | None:
+        """Return the box that the statement at an offset is about."""
+        place = bisect_right(self.statements, offset, key=lambda one: one[0].start) - 1
+        if place < 0:
+            return None
+        span, box = self.statements[place]
+        return box if offset <= span.end else None
+
+    def fitted(self, size: Size) -> Fitted:
+        """Draw it as large as fits, or in the detail that is asked for; once for each size.
+
+        What fits in no detail is as large as fits at least from side to side.
+        """
+        found = self._fitted.get(size)
+        if found is None:
+            found = self._fitted[size] = self._draw(size)
+        return found
+
+    def is_fitted(self, size: Size) -> bool:
+        """Tell whether it is drawn in a size."""
+        return size in self._fitted
+
+    def _draw(self, size: Size) -> Fitted:
+        if self.note:
+            return _noted(self.note)
+        best = size.detail
+        for detail in range(len(DETAILS)) if best is None else ():
+            shelves = _shelves(self._planned(detail), size.width)
+            if max(map(_width, shelves)) <= size.width:
+                best = detail if best is None else best
+                if _height(shelves, detail) <= size.height:
+                    best = detail
+                    break
+        if best is None:
+            best = len(DETAILS) - 1
+        shelves = _shelves(self._planned(best), size.width)
+        if max(map(_width, shelves)) * _height(shelves, best) > _MOST_CELLS:
+            return _noted(f"{len(self.labels)} boxes are too far apart; the panels list them")
+        return _packed(shelves, best)
+
+    def _planned(self, detail: int) -> list[Plan]:
+        plans = self._plans.get(detail)
+        if plans is None:
+            how = DETAILS[detail]
+            plans = [Plan(self.labels, columns, order, how) for columns, order in self.parts]
+            self._plans[detail] = plans
+        return plans
+
+
+def _noted(note: str) -> Fitted:
+    return Fitted(((Piece(f" {note}", "quiet"),),), len(note) + 2, {}, 0)
+
+
+def _shelves(plans: Sequence[Plan], width: int) -> list[list[Plan]]:
+    """Put parts beside each other as far as there is room, in their order."""
+    shelves: list[list[Plan]] = []
+    for plan in plans:
+        if shelves and _width(shelves[-1]) + _APART + plan.width <= width:
+            shelves[-1].append(plan)
+        else:
+            shelves.append([plan])
+    return shelves
+
+
+def _width(shelf: Sequence[Plan]) -> int:
+    return 1 + sum(plan.width for plan in shelf) + _APART * (len(shelf) - 1)
+
+
+def _height(shelves: Sequence[Sequence[Plan]], detail: int) -> int:
+    highest = sum(max(plan.height for plan in shelf) for shelf in shelves)
+    return highest + DETAILS[detail].between * (len(shelves) - 1)
+
+
+def _packed(shelves: Sequence[Sequence[Plan]], detail: int) -> Fitted:
+    """Draw parts beside and below each other."""
+    lines: list[Line] = []
+    places: dict[int, Place] = {}
+    for shelf in shelves:
+        if lines:
+            lines += [()] * DETAILS[detail].between
+        top, left = len(lines), 1
+        rows = [[Piece(" ")] for _ in range(max(plan.height for plan in shelf))]
+        for plan in shelf:
+            for box, place in plan.places.items():
+                places[box] = place._replace(x=place.x + left, y=place.y + top)
+            drawn = plan.drawn()
+            for at, row in enumerate(rows):
+                line = drawn[at] if at < len(drawn) else ()
+                row += line
+                if plan is not shelf[-1]:
+                    blank = plan.width + _APART - sum(cell_len(piece.text) for piece in line)
+                    row.append(Piece(" " * blank))
+            left += plan.width + _APART
+        lines += map(_stripped, rows)
+    return Fitted(tuple(lines), max(map(_width, shelves)), places, detail)
+
+
+def _stripped(row: list[Piece]) -> Line:
+    """Return a line without the blanks at its end."""
+    while row and not row[-1].text.strip():
+        row.pop()
+    return tuple(row)
+
+
+def picture_of(graph: Graph) -> Picture:
+    """Lay a graph out, from left to right."""
+    boxes = _Boxes(graph)
+    if not boxes.labels:
+        return Picture(note="nothing to draw yet")
+    if len(boxes.labels) > MOST_BOXES:
+        count = len(boxes.labels)
+        return Picture(note=f"{count} boxes are too many for a picture; the panels list them")
+    links = list(boxes.links)
+    hubs = frozenset(number for number, label in enumerate(boxes.labels) if label.is_hub)
+    parts = []
+    for part in components(len(boxes.labels), links):
+        inside = set(part)
+        columns = columns_of(part, [link for link in links if link.tail in inside], hubs)
+        parts.append((columns, ordered(columns)))
+    return Picture(
+        tuple(boxes.entries), tuple(boxes.labels), tuple(parts), tuple(sorted(boxes.statements))
+    )
+
+
+class _Boxes:
+    """The boxes of a graph, the links between them, and the statements about each."""
+
+    def __init__(self, graph: Graph) -> None:
+        self.labels: list[Label] = []
+        self.entries: list[Entry] = []
+        self.links: dict[Link, None] = {}
+        self.statements: list[tuple[Span, int]] = []
+        numbers: dict[str, int] = {}
+        for node in graph.nodes:
+            at = numbers[node.variable] = len(self.labels)
+            caption = node.file.name if node.file is not None else node.library or ""
+            self.labels.append(Label(node.name, caption, "primary", is_hub=False))
+            self.statements.append((node.span, at))
+            self.entries.append(
+                Entry(
+                    f"node {node.variable}", node.name, caption, span=node.span,
+                    subject=Subject.NODE, node=node.variable, name=node.variable,
+                )
+            )  # fmt: skip
+        for topic in graph.topics:
+            tails = [(numbers[end.node.variable], end.span) for end in topic.publishers]
+            heads = [(numbers[end.node.variable], end.span) for end in topic.subscribers]
+            sent = [each.span for end in topic.publishers for each in end.sendings]
+            self._add_hub(topic, Subject.TOPIC, "success", tails, heads, sent)
+        for service in graph.services:
+            tails = [(numbers[end.node.variable], end.span) for end in service.clients]
+            heads = [(numbers[end.node.variable], end.span) for end in service.providers]
+            self._add_hub(service, Subject.SERVICE_NAME, "warning", tails, heads)
+
+    def _add_hub(
+        self,
+        hub: GraphTopic | GraphService,
+        subject: Subject,
+        tone: str,
+        tails: Sequence[tuple[int, Span | None]],
+        heads: Sequence[tuple[int, Span | None]],
+        more: Iterable[Span | None] = (),
+    ) -> None:
+        at = len(self.labels)
+        warning = "" if hub.missing is None else f"no {hub.missing.value}"
+        kind = hub.type.name if hub.type is not None else "type unknown"
+        self.labels.append(Label(hub.name, kind, tone, is_hub=True, warning=warning))
+        self.links.update({Link(tail, at): None for tail, _ in tails})
+        self.links.update({Link(at, head): None for head, _ in heads})
+        spans = {span for _, span in (*tails, *heads)} | set(more)
+        written = sorted(span for span in spans if span is not None)
+        self.statements += [(span, at) for span in written]
+        self.entries.append(
+            Entry(
+                f"{subject.value} {hub.name}", hub.name, kind, warning=warning,
+                span=written[0] if written else None, subject=subject, name=hub.name,
+            )
+        )  # fmt: skip

@@ -1,0 +1,32 @@
+"""Chords with Alt, as terminals send them: Escape, and then the character.
+
+Textual reads Escape and a digit as what one terminal on macOS means by them (`¡` for Alt+1), a
+sign as the sign alone, Alt+Enter as Enter, and a letter as one that can be typed: none of these
+would reach its binding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import MutableMapping
+from string import ascii_lowercase, digits
+from typing import Any, NamedTuple, cast
+
+from textual._ansi_sequences import ANSI_SEQUENCES_KEYS
+
+_NAMES = {"-": "minus", "=": "equals_sign", "+": "plus", "\r": "enter", "\x7f": "backspace"}
+# Some terminals send these for Control and an arrow, and Textual knows that.
+_TAKEN = "bf"
+
+
+class _Chord(NamedTuple):
+    """A key, as far as Textual's parser looks at one."""
+
+    value: str
+
+
+def teach() -> None:
+    """Let Textual tell the chords apart from characters."""
+    known = cast("MutableMapping[str, Any]", ANSI_SEQUENCES_KEYS)
+    for character in (*digits, *ascii_lowercase, *_NAMES):
+        if character not in _TAKEN:
+            known[f"\x1b{character}"] = (_Chord(f"alt+{_NAMES.get(character, character)}"),)
