@@ -14,10 +14,9 @@ from processes import PLASTRON, generate
 pytestmark = pytest.mark.live
 
 # An example that loads a file has nodes of that file's generation only.
+FOLDER = Path(__file__).parents[2] / "examples"
 EXAMPLES = sorted(
-    path
-    for path in (Path(__file__).parents[2] / "examples").glob("*.plastron")
-    if "\nload " not in path.read_text(encoding="utf-8")
+    path for path in FOLDER.glob("*.plastron") if "\nload " not in path.read_text(encoding="utf-8")
 )
 
 
@@ -73,3 +72,37 @@ def test_an_example_is_the_same_on_both(
     on_ros1 = traffic(ros1, program, tmp_path / "ros1")
     assert on_ros1
     assert traffic(ros2, program, tmp_path / "ros2") == on_ros1
+
+
+CHANGED = [
+    # The program, the graph, what its changed node sends, and what it now hears and provides.
+    ("change_node", "ros1", "distance", "sonar", "/sonar/mode", "calibrate"),
+    ("change_node_ros2", "ros2", "brightness", "lamp", "/lamp/light", "replace_bulb"),
+]
+
+
+def test_every_example_that_loads_a_file_is_run() -> None:
+    loading = {path.stem for path in FOLDER.glob("*.plastron")} - {path.stem for path in EXAMPLES}
+    assert loading == {name for name, *_ in CHANGED}
+
+
+@pytest.mark.parametrize(("name", "ros", "sent", "node", "heard", "service"), CHANGED)
+def test_a_node_that_was_changed_runs(
+    name: str,
+    ros: str,
+    sent: str,
+    node: str,
+    heard: str,
+    service: str,
+    request: pytest.FixtureRequest,
+    tmp_path: Path,
+) -> None:
+    graph: Graph = request.getfixturevalue(ros)
+    files = generate(str(FOLDER / name), tmp_path, graph.target)
+    process = graph.run(files[f"{node}.py"])
+    assert graph.listen({sent: "std_msgs/Float32"}, 1)[sent]
+    found = graph.wait_for_endpoint(node, "subscriptions", heard)
+    assert heard.rpartition("/")[2] not in {topic.strip("/") for topic in found["subscriptions"]}
+    assert "success" in graph.call(service, "std_srvs/Trigger", {})
+    process.interrupt()
+    assert "Traceback" not in process.output
