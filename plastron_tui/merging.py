@@ -29,12 +29,14 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets.base import Target
 
 _ANCHOR = "plastron_holds_this_place"
-_WORDS = {
-    EndpointKind.PUBLISHER: "publisher",
-    EndpointKind.SUBSCRIPTION: "subscription",
-    EndpointKind.SERVICE: "service",
-    EndpointKind.CLIENT: "client",
-}
+_KINDS = frozenset(
+    {
+        EndpointKind.PUBLISHER,
+        EndpointKind.SUBSCRIPTION,
+        EndpointKind.SERVICE,
+        EndpointKind.CLIENT,
+    }
+)
 
 
 class Merged(NamedTuple):
@@ -308,7 +310,7 @@ def call_sites(source: SourceFile) -> dict[EndpointKey, list[SourceEndpoint]]:
     for node in source.nodes:
         for endpoint in node.endpoints:
             name = endpoint.name if endpoint.name is not None else endpoint.default
-            if name is not None and endpoint.kind in _WORDS:
+            if name is not None and endpoint.kind in _KINDS:
                 found.setdefault((endpoint.kind, name), []).append(endpoint)
     return found
 
@@ -370,7 +372,7 @@ def _mentions(text: bytes, name: str) -> bool:
 
 
 def _name(key: EndpointKey) -> str:
-    return f"{_WORDS[key[0]]} `{key[1]}`"
+    return f"{key[0].word} `{key[1]}`"
 
 
 def _lines(found: list[SourceEndpoint]) -> str:

@@ -70,10 +70,9 @@ def inspect_text(source: SourceFile) -> str:
 
 def _row(endpoint: SourceEndpoint) -> tuple[str, str, str, str]:
     type_ = str(endpoint.type) if endpoint.type is not None else endpoint.type_expression
-    what = endpoint.kind.value.replace("_", " ").removesuffix("s")
     return (
         f"line {endpoint.line}",
-        what,
+        endpoint.kind.word,
         endpoint.name or _unknown(endpoint.expression),
         type_ + (f" calling {endpoint.callback}" if endpoint.callback else ""),
     )

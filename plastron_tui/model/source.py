@@ -9,8 +9,8 @@ from typing import NamedTuple
 from plastron_tui.diagnostics import Span
 from plastron_tui.ros.interfaces import InterfaceName
 
-from .workspace import Client, Publisher, Service, Subscription
-from .workspace import EndpointKind as EndpointKind
+from .endpoints import Client, Publisher, Service, Subscription
+from .endpoints import EndpointKind as EndpointKind
 
 
 class SourceEndpoint(NamedTuple):

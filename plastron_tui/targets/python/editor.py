@@ -21,13 +21,6 @@ from .removal import find_sites, plan_removal
 from .sites import analyze
 from .splices import apply
 
-_KIND_NAMES = {
-    EndpointKind.PUBLISHER: "publisher",
-    EndpointKind.SUBSCRIPTION: "subscription",
-    EndpointKind.SERVICE: "service",
-    EndpointKind.CLIENT: "client",
-}
-
 # A message that lists more lines than these is not read.
 _MOST_LINES = 20
 
@@ -91,7 +84,7 @@ def _key(endpoint: SourceEndpoint) -> _Key:
 
 
 def _remove(analysis: Analysis, change: Remove, expected: Counter[_Key]) -> bytes:
-    kind = _KIND_NAMES.get(change.kind, change.kind.value)
+    kind = change.kind.word
     sites = find_sites(analysis, change)
     if not sites:
         message = f"the file has no {kind} `{change.name}`"
