@@ -89,11 +89,9 @@ class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
         return None if self._cursor is None else self.picture.entries[self._cursor]
 
     def show(self, picture: Picture) -> None:
-        """Show another picture; the cursor stays on the box of the same key."""
+        """Show another picture; the cursor stays on its box."""
         if picture is not self.picture:
-            current = self.current
-            numbers = {entry.key: number for number, entry in enumerate(picture.entries)}
-            self._cursor = None if current is None else numbers.get(current.key)
+            self._cursor = self._cursor_in(picture)
             self._here = None
             self.picture = picture
         if self.is_fitted:
@@ -102,6 +100,14 @@ class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
             self._fitted = _EMPTY
         self.virtual_size = Extent(self._fitted.width + 1, len(self._fitted.lines))
         self.refresh()
+
+    def _cursor_in(self, picture: Picture) -> int | None:
+        """Return the box of another picture that the cursor goes to: of a new name, the same."""
+        if self._cursor is None or not picture.entries:
+            return None
+        key = self.picture.entries[self._cursor].key
+        numbers = {entry.key: number for number, entry in enumerate(picture.entries)}
+        return numbers.get(key, min(self._cursor, len(picture.entries) - 1))
 
     def follow(self, offset: int) -> None:
         """Light the box of the statement at an offset."""

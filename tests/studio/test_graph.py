@@ -1,0 +1,214 @@
+from __future__ import annotations
+
+from itertools import combinations
+from pathlib import Path
+
+import pytest
+from studio_driver import PROGRAM, SIZES, Driver, studio
+from textual.geometry import Offset, Region
+
+from plastron_tui.model.graph import graph_of
+from plastron_tui.session import Session
+from plastron_tui.studio.panels.drawing import DETAILS
+from plastron_tui.studio.panels.picture import Fitted, Picture, Size, picture_of
+
+HELLO = 'create_message hello of message_type String and input "hello"\n'
+
+
+def chain(length: int) -> str:
+    """A program in which each node passes something on to the next one."""
+    lines = [HELLO]
+    for number in range(length):
+        lines.append(f"create_node 'worker_{number}' as n{number}\n")
+        if number:
+            topic = f"'passed_on_{number - 1}'"
+            lines.append(f"subscribe n{number} to {topic} of message_type String\n")
+        lines.append(f"n{number} publish hello to 'passed_on_{number}' of message_type String\n")
+    return "".join(lines)
+
+
+def pairs(count: int) -> str:
+    return HELLO + "".join(
+        f"create_node 'a{at}' as a{at}\na{at} publish hello to 't{at}' of message_type String\n"
+        for at in range(count)
+    )
+
+
+EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.plastron"))
+PROGRAMS = {
+    **{path.stem: path.read_text() for path in EXAMPLES},
+    **{f"chain of {n}": chain(n) for n in (2, 3, 6)},
+    "pairs": pairs(9),
+    "a program": PROGRAM,
+}
+ROOMS = [(40, 4), (80, 8), (80, 20), (86, 14), (120, 36)]
+
+
+def picture(program: str) -> Picture:
+    session = Session(program.encode(), Path(EXAMPLES[0].parent / "x.plastron"), environ={})
+    assert not session.diagnostics
+    return picture_of(graph_of(session.workspace))
+
+
+def text(fitted: Fitted) -> list[str]:
+    return ["".join(piece.text for piece in line) for line in fitted.lines]
+
+
+@pytest.mark.parametrize("program", PROGRAMS.values(), ids=PROGRAMS)
+@pytest.mark.parametrize("room", ROOMS, ids=str)
+def test_the_largest_drawing_that_fits_is_taken(program: str, room: tuple[int, int]) -> None:
+    made = picture(program)
+    fitted = made.fitted(Size(*room))
+    sizes = [made.fitted(Size(*room, detail)) for detail in range(len(DETAILS))]
+    fits = [size.detail for size in sizes if size.width <= room[0] and len(size.lines) <= room[1]]
+    if fits:
+        assert fitted.detail == fits[0]
+    else:
+        narrow = [size.detail for size in sizes if size.width <= room[0]]
+        assert fitted.detail == (narrow or [len(DETAILS) - 1])[0]
+
+
+@pytest.mark.parametrize("program", PROGRAMS.values(), ids=PROGRAMS)
+@pytest.mark.parametrize("detail", range(len(DETAILS)))
+def test_every_box_is_drawn_where_it_is_said_to_be(program: str, detail: int) -> None:
+    made = picture(program)
+    fitted = made.fitted(Size(100, 30, detail))
+    rows = text(fitted)
+    assert max(map(len, rows)) <= fitted.width
+    assert set(fitted.places) == set(range(len(made.entries)))
+    regions = {box: Region(*place) for box, place in fitted.places.items()}
+    for one, other in combinations(regions.values(), 2):
+        assert not one.overlaps(other)
+    for box, region in regions.items():
+        inside = "\n".join(row[region.x : region.right] for row in rows[region.y : region.bottom])
+        name = made.entries[box].text
+        assert (name if len(name) < DETAILS[detail].widest else name[:8]) in inside
+        assert inside[0] in "┌╭[("
+        assert inside[-1] in "┘╯])"
+
+
+def test_what_stands_alone_stands_beside_each_other() -> None:
+    made = picture("".join(f"create_node 'a{at}' as a{at}\n" for at in range(6)))
+    assert len(made.fitted(Size(80, 10)).lines) == 3
+
+
+def test_too_many_boxes_are_said() -> None:
+    assert "too many" in text(picture(pairs(201)).fitted(Size(80, 20)))[0]
+    assert text(picture(HELLO).fitted(Size(80, 20))) == [" nothing to draw yet"]
+
+
+async def graph(driver: Driver) -> None:
+    driver.main.action_show("graph")
+    await driver.settle()
+
+
+def lit(driver: Driver) -> str:
+    current = driver.main.graph.current
+    assert current is not None
+    return current.text
+
+
+@pytest.mark.parametrize("size", SIZES)
+async def test_a_box_is_gone_to_with_keys_and_leads_to_its_statement(
+    program: Path, size: tuple[int, int]
+) -> None:
+    async with studio(program, size) as driver:
+        await graph(driver)
+        editor = driver.main.editor
+        await driver.press("home")
+        assert lit(driver) == "talker"
+        await driver.press("right")
+        assert lit(driver) == "/chatter"
+        assert editor.cursor_offset == PROGRAM.index("talker publish")
+        await driver.press("right")
+        assert lit(driver) == "listener"
+        assert driver.main.graph.has_focus
+        await driver.press("right", "left", "left", "end", "enter")
+        assert editor.cursor_offset == PROGRAM.index("create_node 'listener'")
+        assert editor.view.has_focus
+
+
+@pytest.mark.parametrize("size", SIZES)
+async def test_the_box_follows_the_cursor(program: Path, size: tuple[int, int]) -> None:
+    async with studio(program, size) as driver:
+        driver.main.bring("graph")
+        await driver.settle()
+        for at, box in (
+            ("subscribe", "/chatter"),
+            ("create_node 'l", "listener"),
+            ("create_n", "talker"),
+        ):
+            driver.main.editor.go_to(PROGRAM.index(at))
+            await driver.settle()
+            assert lit(driver) == box
+
+
+@pytest.mark.parametrize("size", SIZES)
+async def test_a_box_is_clicked(program: Path, size: tuple[int, int]) -> None:
+    async with studio(program, size) as driver:
+        await graph(driver)
+        panel = driver.main.graph
+        row = next(at for at, line in enumerate(text(panel._fitted)) if "listener" in line)
+        column = text(panel._fitted)[row].index("listener")
+        await driver.pilot.click(panel, offset=Offset(column, row))
+        await driver.settle()
+        assert driver.main.editor.cursor_offset == PROGRAM.index("create_node 'listener'")
+
+
+async def test_a_box_can_be_renamed_and_generated(program: Path) -> None:
+    program.write_text(PROGRAM.replace("generate_node listener\n", ""))
+    async with studio(program) as driver:
+        await graph(driver)
+        await driver.press("end", "g")
+        assert driver.text.endswith("generate_node listener\n")
+        await graph(driver)
+        await driver.press("home", "right")
+        await driver.pilot.press("f2")
+        await driver.dialog("Prompt")
+        await driver.pilot.press(*"news", "enter")
+        await driver.back()
+        assert driver.text.count("'news'") == 2
+        assert lit(driver) == "/news"
+
+
+async def test_the_picture_follows_the_size_of_the_window(tmp_path: Path) -> None:
+    file = tmp_path / "chain.plastron"
+    file.write_text(chain(4))
+    async with studio(file, (200, 60)) as driver:
+        await graph(driver)
+        shown = []
+        for width, height in ((250, 60), (120, 40), (80, 24), (60, 20)):
+            await driver.pilot.resize_terminal(width, height)
+            await driver.settle()
+            room = driver.main.graph.room
+            assert driver.main.graph.lines == driver.main.graph.picture.fitted(room).lines
+            shown.append(driver.main.graph._fitted.detail)
+        assert shown == sorted(shown)
+        assert shown[0] < shown[-1]
+
+
+async def test_what_does_not_fit_scrolls_to_the_box_at_the_cursor(tmp_path: Path) -> None:
+    file = tmp_path / "chain.plastron"
+    file.write_text(chain(12))
+    async with studio(file, (80, 24)) as driver:
+        await graph(driver)
+        panel = driver.main.graph
+        assert panel.max_scroll_x > 0
+        await driver.press("end")
+        assert panel.scroll_offset.x >= panel.max_scroll_x - 1
+        await driver.press("home")
+        assert panel.scroll_offset.x <= 1
+        await driver.press("shift+right")
+        assert panel.scroll_offset.x > 0
+
+
+async def test_the_size_can_be_chosen(program: Path) -> None:
+    async with studio(program) as driver:
+        await graph(driver)
+        seen = []
+        for _ in range(len(DETAILS)):
+            await driver.press("s")
+            seen.append(driver.main.graph._fitted.detail)
+        assert seen == list(range(len(DETAILS)))
+        await driver.press("s")
+        assert driver.main.graph._fitted.detail == 0
