@@ -11,7 +11,7 @@ import dataclasses
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from tree_sitter import Node
 
@@ -81,6 +81,7 @@ class Clause:
 
 
 Element = str | Slot | Clause
+StatementType: TypeAlias = "type[Statement]"
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,7 +108,7 @@ class Declaration:
     purpose: str = ""
     ros_term: str = ""
     about: str = ""
-    undoes: type[Statement] | None = None
+    undoes: StatementType | None = None
 
     @property
     def keyword(self) -> str:

@@ -36,6 +36,7 @@ from ..state import Open
 from .arranging import Arranging
 from .doing import Doing
 from .filing import Filing
+from .wizarding import Wizarding
 
 if TYPE_CHECKING:
     from ..app import StudioApp
@@ -46,7 +47,7 @@ _PAUSE = 0.03
 LISTS = ("nodes", "topics", "services", "messages", "problems")
 
 
-class MainScreen(Arranging, Filing, Doing, Screen[None]):
+class MainScreen(Arranging, Filing, Doing, Wizarding, Screen[None]):
     """Shows one program; its handlers own all that is open."""
 
     BINDINGS: ClassVar[list[BindingType]] = [*bindings()]

@@ -1,0 +1,111 @@
+"""A question to a kind of slot: which form, which slot, in which program."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from plastron_tui.language import Slot, SlotKind
+from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.targets import LIBRARIES
+
+from .form import Cell, Cells, Form
+from .scene import Meeting, Scene
+
+
+class Trial(NamedTuple):
+    """What comes of a choice.
+
+    Attributes:
+        reason: why it cannot be, None when it can.
+        lonely: how many topics and services lack a side then.
+        slot: the slot that the reason is about, "" where it is about something else.
+    """
+
+    reason: str | None
+    lonely: int
+    slot: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """Something that can be taken for a slot.
+
+    Attributes:
+        text: what is entered then.
+        note: what it is, in a word or two.
+        about: a line about it.
+        closed: why it cannot be taken; "" for one that can.
+        label: what is shown in the place of the text.
+    """
+
+    text: str
+    note: str = ""
+    about: str = ""
+    closed: str = ""
+    label: str = ""
+
+
+@dataclass(slots=True)
+class Ask:
+    """A question about a slot; `cells` has what is in the slots before it, at least."""
+
+    form: Form
+    slot: Slot
+    scene: Scene
+    cells: Cells
+    try_out: Callable[[str], Trial]
+    around: Cells = field(default_factory=dict)
+    """The cells of the form that this one makes something for."""
+    is_trial: bool = False
+    """Whether this is about a trial: a suggestion then does without trials of its own."""
+
+    def cell(self, *kinds: SlotKind) -> Cell | None:
+        """Return what is in the first slot of some kinds."""
+        slot = self.form.slot_of(*kinds)
+        return None if slot is None else self.cells.get(slot.name)
+
+    def text(self, *kinds: SlotKind) -> str:
+        """Return the text in the first slot of some kinds, "" where there is none."""
+        cell = self.cell(*kinds)
+        return "" if cell is None else cell.text
+
+    def parent_text(self, *kinds: SlotKind) -> str:
+        """Return the text in a slot of the form that this one makes something for."""
+        if self.form.parent is None:
+            return ""
+        slot = self.form.parent[0].slot_of(*kinds)
+        return "" if slot is None else self.around.get(slot.name, Cell()).text
+
+    @property
+    def node(self) -> str:
+        """The variable of the node that the statement is about, "" where there is none."""
+        return self.text(SlotKind.NODE) or self.parent_text(SlotKind.NODE)
+
+    @property
+    def version(self) -> int:
+        """The generation of ROS that the statement is for."""
+        library = self.text(SlotKind.LIBRARY)
+        if library in LIBRARIES:
+            return LIBRARIES[library]
+        if self.node:
+            return self.scene.version_of(self.node)
+        if self.form.slot_of(SlotKind.NODE_NAME) is not None:
+            return self.scene.version_of(None)
+        return self.scene.usual_version
+
+    @property
+    def interface(self) -> InterfaceKind:
+        """Whether the statement is about messages or services."""
+        services = (SlotKind.SERVICE, SlotKind.SERVICE_TYPE)
+        is_service = self.form.slot_of(*services) is not None
+        return InterfaceKind.SERVICE if is_service else InterfaceKind.MESSAGE
+
+    @property
+    def meeting(self) -> Meeting | None:
+        """The topic or service that the statement names, None where nobody is there yet."""
+        name = self.text(SlotKind.TOPIC, SlotKind.SERVICE)
+        if not name:
+            return None
+        return self.scene.meeting(self.interface, self.node, name, self.version)

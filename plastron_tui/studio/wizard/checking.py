@@ -1,0 +1,227 @@
+"""Statements of the wizard, put into the program and checked for real."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from plastron_tui.diagnostics import Diagnostic, Edit, Severity, Span
+from plastron_tui.language import SlotKind
+from plastron_tui.language.declaration import Statement
+from plastron_tui.language.inputs import COMMENTS
+from plastron_tui.session import Session
+
+from .aims import Aim, aim_of, generating
+from .form import Form, sentence
+from .values import Entry, Path
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """A statement for the program: its form (None for one that follows), text, and values."""
+
+    form: Form | None
+    text: str
+    entries: tuple[Entry, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """What is wrong with what was entered.
+
+    Attributes:
+        form: the form that it is about, None where it is about no statement of the wizard.
+        slot: the slot, "" where it is about the whole statement.
+        message: what is wrong.
+        help: what to do about it, "" where nothing is known.
+        path: the field of the values, where it is about one.
+    """
+
+    form: Form | None
+    slot: str
+    message: str
+    help: str = ""
+    path: Path | None = None
+
+    @property
+    def words(self) -> str:
+        """What is wrong, and what to do about it."""
+        return f"{self.message} ({self.help})" if self.help else self.message
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What comes of statements in a program.
+
+    Attributes:
+        session: the program with them.
+        edits: how the text of the program becomes the new one.
+        span: where the statements stand in the new text.
+        findings: what is wrong with them.
+        lines: the statements.
+    """
+
+    session: Session
+    edits: tuple[Edit, ...]
+    span: Span
+    findings: tuple[Finding, ...]
+    lines: tuple[str, ...]
+
+
+def check(session: Session, placed: Sequence[Placed], *, generates: bool = False) -> Outcome:
+    """Put statements where they take effect, and look at what is wrong then that was right before.
+
+    Args:
+        session: the program; it stays as it is.
+        placed: the statements, in order; the last one is what is wanted, the others it needs.
+        generates: whether a node that is not generated yet is to be, at the end.
+    """
+    outcome = None
+    for at, is_late in _places(session, placed):
+        lines = list(placed)
+        node = node_of(session, placed)
+        if node is not None and (is_late or (generates and not _is_generated(session, node))):
+            declaration = generating()
+            if declaration is not None and not _generates(placed):
+                slot = next(s for s in declaration.slots if s.kind is SlotKind.NODE)
+                lines.append(Placed(None, sentence(declaration, {slot.name: node})))
+        outcome = _checked(session, lines, at)
+        if all(finding.slot or finding.form is not None for finding in outcome.findings):
+            break
+    assert outcome is not None
+    return outcome
+
+
+def node_of(session: Session, placed: Sequence[Placed]) -> str | None:
+    """Return the variable of the node that statements are about, None where it is not known."""
+    last = placed[-1]
+    if last.form is None:
+        return None
+    slot = last.form.slot_of(SlotKind.NODE, SlotKind.NEW_NODE)
+    if slot is None:
+        return None
+    alone = Session(last.text.encode("utf-8", "surrogatepass"))
+    statement = next(iter(alone.program.statements), None)
+    return None if statement is None else getattr(statement, slot.name)
+
+
+def _generates(placed: Sequence[Placed]) -> bool:
+    return any(
+        each.form is not None and aim_of(each.form.declaration) is Aim.WRITE for each in placed
+    )
+
+
+def _is_generated(session: Session, node: str) -> bool:
+    return any(made.node.variable == node for made in session.workspace.generations)
+
+
+def _places(session: Session, placed: Sequence[Placed]) -> Iterator[tuple[int | None, bool]]:
+    """Yield where statements may stand, best first: before a line, or None for the end.
+
+    The second part tells whether a node would have to be generated anew there.
+    """
+    node = node_of(session, placed)
+    made = [each for each in session.workspace.generations if each.node.variable == node]
+    if not made or _generates(placed):
+        yield None, False
+        return
+    text = session.document.text
+    line = text.rfind(b"\n", 0, made[-1].span.start) + 1
+    workspace = session.workspace
+    starts = {name: each.span.start for name, each in workspace.nodes.items()}
+    starts.update((name, each.span.start) for name, each in workspace.messages.items())
+    words = {word for each in placed for word in each.text.split()}
+    if all(starts[word] < line for word in words & starts.keys()):
+        yield line, False
+    yield None, True
+
+
+def _checked(session: Session, placed: Sequence[Placed], at: int | None) -> Outcome:
+    text = session.document.text
+    before, after, start, end = b"", b"\n", 0, 0
+    if at is None:
+        start = end = len(text.rstrip())
+        if start:
+            before = b"\n\n" if _opens_block(placed) else b"\n"
+            after = b"" if text[start:].startswith((b"\n", b"\r\n")) else b"\n"
+        else:
+            end = len(text)
+    else:
+        start = end = at
+    lines = [each.text.encode("utf-8", "surrogatepass") for each in placed]
+    new = before + b"\n".join(lines) + after
+    candidate = session.snapshot()
+    candidate.edit(start, end, new)
+    offset = start + len(before)
+    spans = []
+    for line in lines:
+        spans.append(Span(offset, offset + len(line)))
+        offset += len(line) + 1
+    edit = Edit(Span(start, end), new.decode("utf-8", "surrogatepass"))
+    findings = tuple(_findings(session, candidate, placed, spans))
+    whole = Span(spans[0].start, spans[-1].end)
+    return Outcome(candidate, (edit,), whole, findings, tuple(each.text for each in placed))
+
+
+def _opens_block(placed: Sequence[Placed]) -> bool:
+    first = placed[0].form
+    return first is not None and first.slot_of(SlotKind.NEW_NODE) is not None
+
+
+def _findings(
+    session: Session, candidate: Session, placed: Sequence[Placed], spans: Sequence[Span]
+) -> Iterator[Finding]:
+    known = Counter(_key(each) for each in session.diagnostics)
+    about_types = {*map(_key, candidate.type_problems), *map(_key, session.type_problems)}
+    statements = {each.span.start: each for each in candidate.program.statements}
+    found: list[Diagnostic] = []
+    for each in candidate.diagnostics:
+        key = _key(each)
+        if known[key] > 0:
+            known[key] -= 1
+        elif key not in about_types:
+            found.append(each)
+    for one, span in zip(placed, spans, strict=True):
+        own = [each for each in found if _lies_in(each, span)]
+        statement = statements.get(span.start)
+        is_whole = statement is not None and statement.span == span
+        if one.form is not None and is_whole:
+            is_whole = type(statement) is one.form.declaration.type
+        for each in own:
+            found.remove(each)
+            yield _finding(each, one, statement if is_whole else None)
+        if not is_whole and not own:
+            yield Finding(one.form, "", "this is no statement of the language")
+    for each in found:
+        # A remark about a file that is read is no mistake of the one who reads it.
+        if each.file is None or each.severity is Severity.ERROR:
+            yield Finding(None, "", f"another statement would be wrong: {each.message}")
+
+
+def _key(diagnostic: Diagnostic) -> tuple[str, str, object]:
+    return diagnostic.code, diagnostic.message, diagnostic.file
+
+
+def _lies_in(diagnostic: Diagnostic, span: Span) -> bool:
+    where = diagnostic.span
+    return where is not None and diagnostic.file is None and span.start <= where.start <= span.end
+
+
+def _finding(diagnostic: Diagnostic, placed: Placed, statement: Statement | None) -> Finding:
+    message, help_ = diagnostic.message, diagnostic.help or ""
+    form, where = placed.form, diagnostic.span
+    if form is None or statement is None or where is None:
+        return Finding(form, "", message, help_)
+    for slot in form.declaration.slots:
+        child = statement.syntax.child_by_field_name(slot.name)
+        if child is None or not child.start_byte <= where.start < child.end_byte:
+            continue
+        path = None
+        if slot.kind is SlotKind.INPUT:
+            values = [each for each in child.named_children if each.kind_id not in COMMENTS]
+            for entry, value in zip(placed.entries, values, strict=False):
+                if value.start_byte <= where.start < value.end_byte:
+                    path = entry.path
+        return Finding(form, slot.name, message, help_, path)
+    return Finding(form, "", message, help_)

@@ -1,0 +1,371 @@
+"""The way through the wizard: which page comes next, and what all pages together write."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum, auto
+
+from plastron_tui.language import Declaration, SlotKind
+from plastron_tui.session import Session
+
+from .aims import MORE_ABOUT, MORE_TITLE, Aim, aim_of, declarations_of
+from .ask import Choice
+from .checking import Finding, Outcome, Placed, check, node_of
+from .filling import Filled, Filler
+from .form import Form
+from .libraries import explained
+from .scene import Scene, Surroundings
+from .values import Entry, Path
+
+
+class PageKind(Enum):
+    """What is asked on a page."""
+
+    START = auto()
+    PURPOSE = auto()
+    FORM = auto()
+    REVIEW = auto()
+
+
+@dataclass(frozen=True, slots=True)
+class Page:
+    """A page; `form` is the form that it shows."""
+
+    kind: PageKind
+    form: Form | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Offer:
+    """An entry of a menu.
+
+    Attributes:
+        declaration: the statement, None for the entry that leads to a menu of its own.
+        title: what one wants.
+        term: what ROS calls it.
+        about: a sentence about it.
+        closed: why it cannot be had now, "" where it can.
+        is_advised: whether it is what most would do next.
+    """
+
+    declaration: Declaration | None
+    title: str
+    term: str
+    about: str
+    closed: str = ""
+    is_advised: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Look:
+    """All that follows from what was entered so far.
+
+    Attributes:
+        filled: the forms that are on the way, filled.
+        outcome: the program with their statements; None where nothing is asked for yet.
+        problems: what is wrong, what the slots know first.
+        node: the variable of the node that it is about.
+        can_generate: whether the node could be generated along with it.
+    """
+
+    filled: tuple[Filled, ...] = ()
+    outcome: Outcome | None = None
+    problems: tuple[Finding, ...] = ()
+    node: str | None = None
+    can_generate: bool = False
+
+    def of(self, form: Form) -> Filled | None:
+        """Return a form as it is filled."""
+
+        def within(filled: Filled) -> Filled | None:
+            if filled.form is form:
+                return filled
+            return next((found for each in filled.makers if (found := within(each))), None)
+
+        return next((found for each in self.filled if (found := within(each))), None)
+
+
+class Course:
+    """The state of the wizard, without a screen.
+
+    Attributes:
+        session: the program as it is without the wizard.
+        at: the number of the page that is shown.
+        generates: whether the node is to be generated along with it.
+    """
+
+    def __init__(self, session: Session, surroundings: Surroundings | None = None) -> None:
+        self.session = session
+        self.surroundings = surroundings or Surroundings()
+        self.at = 0
+        self.generates = True
+        self.head: Declaration | None = None
+        self.purpose: Declaration | None = None
+        self._is_more = False
+        self._forms: dict[tuple[Declaration | None, Declaration], Form] = {}
+        self._filler = Filler()
+
+    @property
+    def scene(self) -> Scene:
+        """The program as it is without the wizard."""
+        return Scene(self.session, self.surroundings)
+
+    # What is chosen.
+
+    def choose(self, declaration: Declaration | None) -> None:
+        """Take an entry of the menu that is shown, and go on."""
+        if self.page.kind is PageKind.START:
+            self._is_more = declaration is None
+            if declaration != self.head:
+                self.purpose = None
+            self.head = declaration
+        else:
+            assert declaration is not None
+            self.purpose = declaration
+        self.at += 1
+
+    def back(self) -> bool:
+        """Go back a page; False on the first one."""
+        if self.at == 0:
+            return False
+        self.at -= 1
+        return True
+
+    @property
+    def _has_purpose(self) -> bool:
+        """Whether it is asked what a node shall do."""
+        if self.head is None:
+            return self._is_more
+        return any(slot.kind is SlotKind.NEW_NODE for slot in self.head.slots)
+
+    def _form(self, around: Declaration | None, declaration: Declaration) -> Form:
+        key = (around, declaration)
+        if key not in self._forms:
+            self._forms[key] = Form(declaration)
+        return self._forms[key]
+
+    @property
+    def head_form(self) -> Form | None:
+        """The form of what the first menu led to."""
+        return None if self.head is None else self._form(None, self.head)
+
+    @property
+    def main_form(self) -> Form | None:
+        """The form of what a node shall do."""
+        if self.purpose is None or not self._has_purpose:
+            return None
+        return self._form(self.head, self.purpose)
+
+    # The pages.
+
+    def pages(self, look: Look) -> list[Page]:
+        """Return the pages, as far as it is known which there will be."""
+        pages = [Page(PageKind.START)]
+        head, main = self.head_form, self.main_form
+        if head is None and not self._is_more:
+            return pages
+        if head is not None:
+            pages += self._form_pages(head, look)
+        if self._has_purpose:
+            pages.append(Page(PageKind.PURPOSE))
+            if main is None:
+                return pages
+            pages += self._form_pages(main, look)
+        pages.append(Page(PageKind.REVIEW))
+        return pages
+
+    def _form_pages(self, form: Form, look: Look) -> list[Page]:
+        filled = look.of(form)
+        makers = [] if filled is None else [each.form for each in filled.makers]
+        return [Page(PageKind.FORM, form), *(Page(PageKind.FORM, each) for each in makers)]
+
+    @property
+    def page(self) -> Page:
+        """The page that is shown."""
+        pages = self.pages(self._seen)
+        self.at = min(self.at, len(pages) - 1)
+        return pages[self.at]
+
+    _seen = Look()
+
+    @property
+    def forms_so_far(self) -> list[Form]:
+        """The forms of the pages up to the one that is shown."""
+        pages = self.pages(self._seen)[: self.at + 1]
+        return [page.form for page in pages if page.form is not None]
+
+    # What it comes to.
+
+    def look(self) -> Look:
+        """Find out all that follows from what was entered."""
+        head, main = self.head_form, self.main_form
+        filled: list[Filled] = []
+        scene = self.scene
+        if head is not None:
+            filled.append(self._filler.fill(head, scene))
+            if main is not None:
+                scene = self._filler.extended(scene, filled[0])
+        if main is not None:
+            self._give(main, filled)
+            filled.append(self._filler.fill(main, scene))
+        self._seen = self._looked(filled)
+        return self._seen
+
+    def _give(self, main: Form, filled: list[Filled]) -> None:
+        """Let the node be the one that the first form makes."""
+        slot = main.slot_of(SlotKind.NODE)
+        if slot is None or not filled:
+            return
+        made = filled[0].form.made
+        if made is not None:
+            main.given[slot.name] = filled[0].cells[made.name].text
+
+    def _looked(self, filled: list[Filled]) -> Look:
+        if not filled:
+            return Look()
+        placed = [each for one in filled for each in one.written]
+        node = node_of(self.session, placed)
+        has_work = self.main_form is not None
+        outcome = check(self.session, placed, generates=has_work and self.generates)
+        can = has_work and self._can_generate(placed, node, outcome)
+        if has_work and self.generates and not can:
+            outcome = check(self.session, placed)
+        known = [problem for each in filled for problem in each.all_problems]
+        places = {(each.form, each.slot, each.path) for each in known}
+        broken = {each.form for each in known}
+        more = [
+            each
+            for each in outcome.findings
+            # What a slot knows of itself is said in its own words, and nothing that follows.
+            if (each.form, each.slot, each.path) not in places
+            and not (broken and (each.form in broken or each.form is None))
+        ]
+        return Look(tuple(filled), outcome, (*known, *more), node, can)
+
+    def _can_generate(self, placed: list[Placed], node: str | None, plain: Outcome) -> bool:
+        if node is None:
+            return False
+        generated = {made.node.variable for made in self.session.workspace.generations}
+        if node in generated:
+            return False
+        if self.generates:
+            return not any(each.form is None for each in plain.findings)
+        return not check(self.session, placed, generates=True).findings
+
+    def blocking(self, look: Look) -> tuple[Finding, ...]:
+        """Return what keeps the page that is shown from being left forwards."""
+        page = self.page
+        if page.kind is PageKind.REVIEW:
+            return look.problems
+        if page.kind is not PageKind.FORM:
+            return ()
+        so_far = self.forms_so_far
+        later = [each.form for each in self.pages(look)[self.at + 1 :] if each.form is not None]
+        return tuple(
+            each
+            for each in look.problems
+            if each.form in so_far or (each.form is None and not later)
+        )
+
+    def page_of(self, form: Form | None, look: Look) -> int | None:
+        """Return the number of the page that shows a form."""
+        for number, page in enumerate(self.pages(look)):
+            if page.form is form and form is not None:
+                return number
+        return None
+
+    # What a form offers.
+
+    def choices(self, filled: Filled, slot: str, path: Path | None, query: str) -> list[Choice]:
+        """Return what can be taken for a slot, or for a field of the values."""
+        if path is not None:
+            return [
+                Choice(str(constant.value), constant.name)
+                for each in filled.entries
+                if isinstance(each, Entry) and each.path == path
+                for constant in each.constants
+            ]
+        found = next(each for each in filled.form.declaration.slots if each.name == slot)
+        if filled.cells[slot].reason:
+            return []
+        return self._filler.choices(filled, found, query)
+
+    def helps(self, filled: Filled) -> dict[tuple[str, Path | None], str]:
+        """Return what is said about each row of a form."""
+        said: dict[tuple[str, Path | None], str] = {}
+        for slot in filled.form.declaration.slots:
+            said[slot.name, None] = slot.help
+            if slot.kind is SlotKind.LIBRARY:
+                said[slot.name, None] = explained(self._filler.ask(filled, slot))
+            if slot.kind is SlotKind.INPUT:
+                for each in filled.entries:
+                    if isinstance(each, Entry):
+                        about = f": {each.comment}" if each.comment else ""
+                        said[slot.name, each.path] = f"{each.name} ({each.note}){about}"
+        return said
+
+    # Menus.
+
+    def start_offers(self) -> list[Offer]:
+        """Return the entries of the first menu."""
+        offers = []
+        for aim in Aim:
+            if aim is Aim.MORE:
+                about = MORE_ABOUT
+                has_nodes = bool(self.session.workspace.nodes)
+                closed = "" if has_nodes else "there is no node yet: make one first"
+                offers.append(Offer(None, MORE_TITLE, "", about, closed))
+                continue
+            offers += [self._offer(each, None) for each in declarations_of(aim)]
+        return offers
+
+    def purpose_offers(self) -> list[Offer]:
+        """Return what a node can do, what most would do next first in mind."""
+        scene, head = self.scene, self.head_form
+        filled: list[Filled] = []
+        if head is not None:
+            filled.append(self._filler.fill(head, scene))
+            scene = self._filler.extended(scene, filled[0])
+        return [
+            self._offer(each, scene, filled)
+            for each in declarations_of(Aim.MORE)
+            if not (each.undoes is not None and self._makes_node)
+        ]
+
+    @property
+    def _makes_node(self) -> bool:
+        """Whether the node is a new one, which has nothing that could be taken away."""
+        return self.head is not None and aim_of(self.head) is Aim.NODE
+
+    def _offer(
+        self, declaration: Declaration, scene: Scene | None, filled: list[Filled] | None = None
+    ) -> Offer:
+        title, term, about = declaration.purpose, declaration.ros_term, declaration.about
+        if scene is None:
+            closed = self._closed(declaration, self.scene, [])
+            # A file's path can be written where none was found.
+            if aim_of(declaration) is not Aim.WRITE:
+                closed = ""
+            return Offer(declaration, title, term, about, closed)
+        closed = self._closed(declaration, scene, filled or [])
+        advised = not closed and self._completes(declaration, scene, filled or [])
+        return Offer(declaration, title, term, about, closed, advised)
+
+    def _filled_anew(self, declaration: Declaration, scene: Scene, filled: list[Filled]) -> Filled:
+        form = Form(declaration)
+        self._give(form, filled)
+        return self._filler.fill(form, scene)
+
+    def _closed(self, declaration: Declaration, scene: Scene, filled: list[Filled]) -> str:
+        """Tell why a statement cannot be had, whatever is entered, as far as that is known."""
+        anew = self._filled_anew(declaration, scene, filled)
+        if anew.all_problems:
+            return anew.all_problems[0].message
+        findings = check(scene.session, anew.written).findings
+        return findings[0].words if findings else ""
+
+    def _completes(self, declaration: Declaration, scene: Scene, filled: list[Filled]) -> bool:
+        """Tell whether a topic or service that lacks a side would have both."""
+        anew = self._filled_anew(declaration, scene, filled)
+        after = Scene(check(scene.session, anew.written).session)
+        return after.lonely < scene.lonely

@@ -1,0 +1,230 @@
+"""From what was entered to what stands in every slot, and to the text of the statements."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from plastron_tui.language import Slot, SlotKind
+
+from .aims import maker_of
+from .ask import Ask, Choice, Trial
+from .checking import Finding, Placed, check
+from .form import NEW, Cell, Cells, Form, sentence
+from .kinds import KINDS
+from .scene import Scene
+from .values import Entry, Heading, Path, entries_of, input_text, problem_of
+
+LARGEST_TRIED = 64 * 1024
+"""In a larger program choices are not tried out before they are offered: it takes too long."""
+
+_MOST_REMEMBERED = 2000
+_DEEPEST = 2
+_EXAMPLES: Mapping[type, str] = {str: "hello", bool: "True", int: "5", float: "0.5"}
+
+
+@dataclass(slots=True)
+class Filled:
+    """A form with all its slots filled.
+
+    Attributes:
+        form: the form.
+        scene: the program that the statement is for; what it needs is in it.
+        cells: what is in the slots.
+        entries: the form of the values, where the statement has values and the type is known.
+        given: the values of the entries; those that were not entered are suggestions.
+        used: the entries that stand in the text, in order.
+        makers: the forms that make what the statement names, to be written before it.
+        problems: what is wrong as far as the slots know.
+        around: the cells of the form that this one makes something for.
+    """
+
+    form: Form
+    scene: Scene
+    cells: Cells
+    around: Cells
+    entries: list[Entry | Heading] = field(default_factory=list)
+    given: dict[Path, str] = field(default_factory=dict)
+    used: list[Entry] = field(default_factory=list)
+    makers: list[Filled] = field(default_factory=list)
+    problems: list[Finding] = field(default_factory=list)
+
+    @property
+    def text(self) -> str:
+        """The statement."""
+        texts = {name: cell.text for name, cell in self.cells.items()}
+        return sentence(self.form.declaration, texts)
+
+    @property
+    def written(self) -> list[Placed]:
+        """The statements in the order of the program."""
+        before = [each for maker in self.makers for each in maker.written]
+        return [*before, Placed(self.form, self.text, tuple(self.used))]
+
+    @property
+    def all_problems(self) -> list[Finding]:
+        """What is wrong in it and in what it needs."""
+        return [*(each for maker in self.makers for each in maker.all_problems), *self.problems]
+
+
+class Filler:
+    """Fills forms; it remembers what came of the choices that were tried out."""
+
+    def __init__(self) -> None:
+        self._tried: dict[object, Trial] = {}
+
+    def fill(
+        self, form: Form, scene: Scene, around: Filled | None = None, depth: int = 0
+    ) -> Filled:
+        """Fill every slot: with what was entered, what must be there, or a suggestion."""
+        cells_around = around.cells if around is not None else {}
+        filled = Filled(form, scene, {}, cells_around)
+        later: list[Slot] = []
+        for slot in form.declaration.slots:
+            cell = self._cell(filled, slot, depth)
+            filled.cells[slot.name] = cell
+            if cell.is_new:
+                # What needs nothing of this form is made before the rest is filled.
+                if _needs(form, slot):
+                    later.append(slot)
+                else:
+                    self._make(filled, slot, depth)
+        for slot in later:
+            self._make(filled, slot, depth)
+        self._find_problems(filled, depth)
+        return filled
+
+    def _cell(self, filled: Filled, slot: Slot, depth: int) -> Cell:
+        form = filled.form
+        given = form.given.get(slot.name)
+        if given is not None:
+            return Cell(given, "the one that you have just described")
+        ask = self.ask(filled, slot, depth)
+        kind = KINDS[slot.kind]
+        fixed = kind.fixed(ask)
+        if fixed is not None:
+            return fixed
+        if slot.kind is SlotKind.INPUT:
+            return self._values(filled, ask)
+        text = form.entered.get(slot.name)
+        if text is None:
+            text = kind.suggest(ask)
+        return Cell("", is_new=True) if text == NEW else Cell(text)
+
+    def _values(self, filled: Filled, ask: Ask) -> Cell:
+        type_ = ask.text(SlotKind.MESSAGE_TYPE, SlotKind.SERVICE_TYPE)
+        found = ask.scene.resolve(type_, ask.interface, ask.version)
+        if found is None:
+            return Cell("none")
+        filled.entries = entries_of(found, ask.scene.catalog(ask.version))
+        entries = [each for each in filled.entries if isinstance(each, Entry)]
+        filled.given = {entry.path: "" for entry in entries}
+        if len(filled.entries) == 1 and entries:
+            entry = entries[0]
+            if entry.python is not None and not entry.type.is_array:
+                filled.given[entry.path] = _EXAMPLES[entry.python]
+        filled.given.update((path, text) for path, text in filled.form.values.items()
+                            if path in filled.given)  # fmt: skip
+        text, filled.used = input_text(filled.entries, filled.given)
+        return Cell(text)
+
+    def _make(self, filled: Filled, slot: Slot, depth: int) -> None:
+        """Fill the form of what a slot names and nobody has made yet."""
+        form = filled.form
+        maker = form.makers.get(slot.name)
+        if maker is None:
+            declaration = maker_of(slot.kind)
+            if declaration is None:
+                return
+            maker = form.makers[slot.name] = Form(declaration, parent=(form, slot.name))
+        made = self.fill(maker, filled.scene, filled, depth)
+        filled.makers.append(made)
+        name = maker.made
+        text = made.cells[name.name].text if name is not None else ""
+        filled.cells[slot.name] = Cell(text, is_new=True)
+        if not _needs(form, slot):
+            filled.scene = self.extended(filled.scene, made)
+
+    def extended(self, scene: Scene, filled: Filled) -> Scene:
+        """Return the scene in which statements are written at the end of the program."""
+        return Scene(check(scene.session, filled.written).session, scene.surroundings)
+
+    def _find_problems(self, filled: Filled, depth: int) -> None:
+        form = filled.form
+        optional = form.optional
+        for slot in form.declaration.slots:
+            cell = filled.cells[slot.name]
+            if cell.is_new or cell.reason or (slot.name in optional and not cell.text):
+                continue
+            ask = self.ask(filled, slot, depth)
+            problem = KINDS[slot.kind].problem(ask, cell.text)
+            if problem is not None:
+                filled.problems.append(Finding(form, slot.name, problem))
+            if slot.kind is SlotKind.INPUT:
+                for entry in filled.used:
+                    problem = problem_of(entry, filled.given[entry.path], ask.version)
+                    if problem is not None:
+                        finding = Finding(form, slot.name, problem, path=entry.path)
+                        filled.problems.append(finding)
+
+    def ask(self, filled: Filled, slot: Slot, depth: int = 0) -> Ask:
+        """Return the question about a slot."""
+
+        def try_out(text: str) -> Trial:
+            return self._try(filled, slot, text, depth)
+
+        return Ask(filled.form, slot, filled.scene, filled.cells, try_out, filled.around, depth > 0)
+
+    def choices(self, filled: Filled, slot: Slot, query: str) -> list[Choice]:
+        """Return what can be taken for a slot of a filled form."""
+        before: Cells = {}
+        for each in filled.form.declaration.slots:
+            if each.name == slot.name:
+                break
+            before[each.name] = filled.cells[each.name]
+        shown = Filled(filled.form, filled.scene, before, filled.around)
+        return KINDS[slot.kind].choices(self.ask(shown, slot), query)
+
+    def _try(self, filled: Filled, slot: Slot, text: str, depth: int) -> Trial:
+        scene = filled.scene
+        if depth >= _DEEPEST or len(scene.text) > LARGEST_TRIED:
+            return Trial(None, scene.lonely)
+        form = filled.form.trial(slot.name, text, filled.cells)
+        key = (
+            scene.text,
+            form.declaration.kind,
+            tuple(form.entered.items()),
+            tuple(form.values.items()),
+            slot.name,
+            depth,
+            tuple(form.given.items()),
+            tuple((name, tuple(each.entered.items())) for name, each in form.makers.items()),
+            len(scene.environments),
+        )
+        found = self._tried.get(key)
+        if found is None:
+            if len(self._tried) > _MOST_REMEMBERED:
+                self._tried.clear()
+            found = self._tried[key] = self._outcome(form, scene, depth)
+        return found
+
+    def _outcome(self, form: Form, scene: Scene, depth: int) -> Trial:
+        filled = self.fill(form, scene, depth=depth + 1)
+        problems = filled.all_problems
+        if problems:
+            return Trial(problems[0].message, scene.lonely, problems[0].slot)
+        outcome = check(scene.session, filled.written)
+        lonely = Scene(outcome.session).lonely
+        if not outcome.findings:
+            return Trial(None, lonely)
+        return Trial(outcome.findings[0].words, lonely, outcome.findings[0].slot)
+
+
+def _needs(form: Form, slot: Slot) -> bool:
+    """Tell whether what a slot names is made to fit the rest of the form: it has a type, too."""
+    declaration = maker_of(slot.kind)
+    if declaration is None:
+        return False
+    own = {(each.name, each.kind) for each in form.declaration.slots}
+    typed = (SlotKind.MESSAGE_TYPE, SlotKind.SERVICE_TYPE)
+    return any((each.name, each.kind) in own for each in declaration.slots if each.kind in typed)

@@ -1,0 +1,136 @@
+"""A statement as a form: one field a slot."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from plastron_tui.language import Clause, Declaration, Document, Slot, SlotKind, format_document
+from plastron_tui.language.declaration import Element
+
+from .values import Path
+
+NEW = "\0new"
+"""What is entered in a slot for: one that does not exist yet."""
+
+
+@dataclass(eq=False)
+class Form:
+    """What was entered for a statement. What was not entered follows the suggestions.
+
+    Attributes:
+        declaration: the statement.
+        entered: by slot, what the user wrote or chose; "" leaves an optional slot out.
+        values: by path, what the user entered for the fields of the type.
+        parent: the form that this one makes something for, and its slot.
+        given: by slot, what stands in it because the wizard has made it before.
+        makers: by slot, the form that makes what the slot names, once `NEW` was chosen.
+    """
+
+    declaration: Declaration
+    entered: dict[str, str] = field(default_factory=dict)
+    values: dict[Path, str] = field(default_factory=dict)
+    parent: tuple[Form, str] | None = None
+    given: dict[str, str] = field(default_factory=dict)
+    makers: dict[str, Form] = field(default_factory=dict)
+
+    def slot_of(self, *kinds: SlotKind) -> Slot | None:
+        """Return the first slot of one of some kinds."""
+        return next((slot for slot in self.declaration.slots if slot.kind in kinds), None)
+
+    @property
+    def made(self) -> Slot | None:
+        """The slot that gives a name to what the statement makes."""
+        return next((slot for slot in self.declaration.slots if slot.kind.makes), None)
+
+    @property
+    def optional(self) -> frozenset[str]:
+        """The slots that may be left out."""
+        return frozenset(
+            part.name
+            for element in self.declaration.elements
+            if isinstance(element, Clause)
+            for part in element.elements
+            if isinstance(part, Slot)
+        )
+
+    def trial(self, slot: str, text: str, cells: Cells) -> Form:
+        """Return a form in which something else was entered; this one stays as it is.
+
+        What is in the slots before, as `cells` has it, stays there.
+        """
+        kept = {
+            name: NEW if cell.is_new else cell.text
+            for name, cell in cells.items()
+            if not cell.reason and name != slot
+        }
+        other = Form(
+            self.declaration,
+            {**self.entered, **kept, slot: text},
+            dict(self.values),
+            self.parent,
+            dict(self.given),
+        )
+        for name, maker in self.makers.items():
+            copy = Form(maker.declaration, dict(maker.entered), dict(maker.values), (other, name))
+            other.makers[name] = copy
+        return other
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """What is in a slot.
+
+    Attributes:
+        text: as the program has it, without quotes; "" for a slot that is left out.
+        reason: why it is that and nothing else; "" where it can be chosen.
+        is_new: whether it names something that a form of its own makes.
+    """
+
+    text: str = ""
+    reason: str = ""
+    is_new: bool = False
+
+
+Cells = dict[str, Cell]
+
+
+def sentence(declaration: Declaration, texts: dict[str, str]) -> str:
+    """Return a statement, laid out as the formatter does it; `texts` has what is in its slots.
+
+    A clause is left out when nothing is in its slots. What does not parse is not laid out.
+    """
+    words: list[str] = []
+
+    def put(element: Element) -> None:
+        match element:
+            case Slot(name=name, kind=kind):
+                words.append(_quoted(kind, texts.get(name, "")))
+            case Clause(elements=parts):
+                slots = [part.name for part in parts if isinstance(part, Slot)]
+                if all(texts.get(name) for name in slots):
+                    for part in parts:
+                        put(part)
+            case word:
+                words.append(word)
+
+    for element in declaration.elements:
+        put(element)
+    line = " ".join(words)
+    document = Document(line.encode("utf-8", "surrogatepass"))
+    root = document.tree.root_node
+    if root.has_error or root.child_count != 1:
+        return line
+    return format_document(document).decode().rstrip("\n")
+
+
+def _quoted(kind: SlotKind, text: str) -> str:
+    if kind.is_quoted or (kind is SlotKind.FILE and not is_module(text)):
+        return f"'{text}'"
+    return text
+
+
+def is_module(text: str) -> bool:
+    """Tell whether a file is named without quotes: by a bare name."""
+    from plastron_tui.language.keywords import KEYWORDS
+
+    return text.isidentifier() and text.isascii() and text not in KEYWORDS

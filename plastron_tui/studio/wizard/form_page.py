@@ -1,0 +1,321 @@
+"""The page of a form."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import ClassVar, NamedTuple
+
+from textual import on
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Vertical, VerticalScroll
+from textual.content import Content
+from textual.message import Message
+from textual.widget import Widget
+from textual.widgets import Label, OptionList
+from textual.widgets.option_list import Option
+
+from plastron_tui.language import Slot, SlotKind
+
+from .ask import Choice
+from .checking import Finding
+from .filling import Filled
+from .form import NEW, Form
+from .rows import Entered, Reached, Row
+from .values import Entry, Heading, Path
+
+Key = tuple[str, "Path | None"]
+
+
+class Put(Message):
+    """Something was entered: a slot's text, or the value of a field."""
+
+    def __init__(self, form: Form, slot: Slot, path: Path | None, text: str) -> None:
+        super().__init__()
+        self.form = form
+        self.slot = slot
+        self.path = path
+        self.text = text
+
+
+class Looked(Message):
+    """Another row got the focus, or its choices are wanted for another text."""
+
+
+class _Spec(NamedTuple):
+    """A row, or a heading between rows."""
+
+    key: Key | None
+    slot: Slot | None
+    entry: Entry | None
+    label: str
+    text: str
+    note: str
+    is_fixed: bool
+    placeholder: str = ""
+
+    @property
+    def shape(self) -> tuple[object, ...]:
+        """What must be the same for a row to be kept."""
+        note = self.note if self.key is None else ""
+        return self.key, self.is_fixed, self.label, self.entry, note
+
+
+def new_words(slot: Slot) -> str:
+    """Return what stands for one that does not exist yet."""
+    return f"a new {slot.kind.name.lower()}"
+
+
+class FormPage(Vertical):
+    """Shows a form, the choices for the row with the focus, and what is wrong."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("down", "choose(1)", "Next choice", show=False),
+        Binding("up", "choose(-1)", "Choice before", show=False),
+        Binding("pagedown", "choose(6)", "Choices on", show=False),
+        Binding("pageup", "choose(-6)", "Choices back", show=False),
+    ]
+
+    def __init__(self, form: Form) -> None:
+        super().__init__(id="wizard-form")
+        self.form = form
+        self.problems: tuple[Finding, ...] = ()
+        self.choices: list[Choice] = []
+        self._shapes: list[tuple[object, ...]] = []
+        self._rows: dict[Key, Row] = {}
+        self._help: dict[Key, str] = {}
+        self._wanted: Key | None = None
+        self._insists = False
+
+    def compose(self) -> ComposeResult:
+        """Make the parts; the rows come with what is known of them."""
+        yield Label(self.form.declaration.about, id="wizard-about", markup=False)
+        yield VerticalScroll(id="wizard-rows", can_focus=False)
+        yield Label("", id="wizard-help", markup=False)
+        choices = OptionList(id="wizard-choices", compact=True, markup=False)
+        choices.can_focus = False
+        yield choices
+
+    # What is shown.
+
+    async def show(
+        self, filled: Filled, problems: Sequence[Finding], helps: dict[Key, str]
+    ) -> None:
+        """Show what is in the form now, and what is wrong with it."""
+        specs = _specs(filled)
+        self._help = helps
+        self.problems = tuple(each for each in problems if each.form is self.form)
+        shapes = [spec.shape for spec in specs]
+        if shapes != self._shapes:
+            self._shapes = shapes
+            await self._build(specs)
+        else:
+            for spec in specs:
+                if spec.key is not None:
+                    row = self._rows[spec.key]
+                    # What is being written is not written over.
+                    text = row.text if self._is_being_written(row, spec) else spec.text
+                    row.show(text, spec.note)
+        wrong = {(each.slot, each.path) for each in self.problems}
+        for key, row in self._rows.items():
+            row.set_class(key in wrong, "-wrong")
+        self.show_help()
+
+    def _is_being_written(self, row: Row, spec: _Spec) -> bool:
+        has_focus = not row.is_fixed and row.box.has_focus
+        if spec.entry is not None:
+            return has_focus and spec.entry.path in self.form.values
+        return has_focus and row.slot.name in self.form.entered
+
+    async def _build(self, specs: Sequence[_Spec]) -> None:
+        here = self.key_here
+        rows = self.query_one("#wizard-rows", VerticalScroll)
+        made: list[Widget] = []
+        self._rows = {}
+        for spec in specs:
+            if spec.key is None or spec.slot is None:
+                words = f"{spec.label}  {spec.note}" if spec.note else spec.label
+                made.append(Label(words, classes="wizard-heading", markup=False))
+                continue
+            row = Row(
+                spec.slot,
+                spec.label,
+                spec.text,
+                note=spec.note,
+                entry=spec.entry,
+                is_fixed=spec.is_fixed,
+                placeholder=spec.placeholder,
+            )
+            self._rows[spec.key] = row
+            made.append(row)
+        await rows.remove_children()
+        await rows.mount_all(made)
+        wanted = self._wanted or here
+        self._wanted = None
+        free = [row for row in self._rows.values() if not row.is_fixed]
+        found = self._rows.get(wanted) if wanted is not None else None
+        if found is None or found.is_fixed:
+            found = free[0] if free else None
+        if found is not None:
+            found.box.focus()
+        else:
+            self.screen.set_focus(None)
+
+    @property
+    def row_here(self) -> Row | None:
+        """The row with the focus."""
+        focused = self.screen.focused
+        return next(
+            (row for row in self._rows.values() if focused is not None and focused.parent is row),
+            None,
+        )
+
+    @property
+    def key_here(self) -> Key | None:
+        """What the row with the focus is for."""
+        row = self.row_here
+        return None if row is None else (row.slot.name, row.path)
+
+    def show_help(self) -> None:
+        """Say what the row with the focus is for, or what is wrong with it."""
+        label = self.query_one("#wizard-help", Label)
+        key = self.key_here
+        found = next((each for each in self.problems if (each.slot, each.path) == key), None)
+        if found is None and (key is None or self._insists):
+            found = next(iter(self.problems), None)
+        label.set_class(found is not None, "-wrong")
+        if found is not None:
+            label.update(f"✗ {found.words}")
+        else:
+            self._insists = False
+            label.update(self._help.get(key, "") if key is not None else "")
+
+    def insist(self, finding: Finding) -> None:
+        """Go to what is wrong, and say it."""
+        self._insists = True
+        row = self._rows.get((finding.slot, finding.path))
+        if row is not None and not row.is_fixed:
+            row.box.focus()
+        self.show_help()
+
+    # Choices.
+
+    def show_choices(self, choices: Sequence[Choice]) -> None:
+        """List what can be taken for the row with the focus."""
+        if list(choices) == self.choices:
+            return
+        self.choices = list(choices)
+        options = self.query_one("#wizard-choices", OptionList)
+        options.clear_options()
+        options.add_options(
+            Option(_shown(choice), id=str(number), disabled=bool(choice.closed))
+            for number, choice in enumerate(self.choices)
+        )
+        row = self.row_here
+        if row is not None:
+            texts = [_entered(row.slot, each) for each in self.choices]
+            if row.text in texts:
+                options.highlighted = texts.index(row.text)
+
+    def action_choose(self, by: int) -> None:
+        """Take the next choice that is open, or go to the next row where there are none."""
+        row = self.row_here
+        free = [number for number, each in enumerate(self.choices) if not each.closed]
+        if row is None or not free:
+            if by > 0:
+                self.screen.focus_next("TextBox, Switch, Button")
+            else:
+                self.screen.focus_previous("TextBox, Switch, Button")
+            return
+        options = self.query_one("#wizard-choices", OptionList)
+        at = options.highlighted
+        if at in free:
+            place = min(max(free.index(at) + by, 0), len(free) - 1)
+        else:
+            place = 0 if by > 0 else len(free) - 1
+        options.highlighted = free[place]
+        row.take(_entered(row.slot, self.choices[free[place]]))
+
+    @on(OptionList.OptionSelected, "#wizard-choices")
+    def chosen(self, event: OptionList.OptionSelected) -> None:
+        """Take what was clicked."""
+        event.stop()
+        row = self.row_here
+        if row is not None:
+            row.take(_entered(row.slot, self.choices[int(event.option.id or 0)]))
+
+    # What comes from the rows.
+
+    def on_entered(self, message: Entered) -> None:
+        """Tell what was entered."""
+        message.stop()
+        row, text = message.row, message.text
+        if row.entry is None and text == new_words(row.slot):
+            text = NEW
+        self.post_message(Put(self.form, row.slot, row.path, text))
+
+    def on_reached(self, message: Reached) -> None:
+        """Ask for what can be said about the row."""
+        message.stop()
+        message.row.query_text = ""
+        message.row.scroll_visible(animate=False)
+        self.show_help()
+        self.post_message(Looked())
+
+
+def _entered(slot: Slot, choice: Choice) -> str:
+    return new_words(slot) if choice.text == NEW else choice.text
+
+
+def _shown(choice: Choice) -> Content:
+    label = choice.label or choice.text
+    quiet = "$foreground 60%"
+    parts: list[str | tuple[str, str]] = [(label, "$foreground 50%" if choice.closed else "bold")]
+    if choice.note:
+        parts.append((f"  {choice.note}", quiet))
+    if choice.closed:
+        parts.append((f"\n  {choice.closed}", "$text-warning"))
+    elif choice.about:
+        parts.append((f"\n  {choice.about}", quiet))
+    return Content.assemble(*parts)
+
+
+def _specs(filled: Filled) -> list[_Spec]:
+    """Return the rows of a form."""
+    specs: list[_Spec] = []
+    optional = filled.form.optional
+    for slot in filled.form.declaration.slots:
+        cell = filled.cells[slot.name]
+        if slot.kind is SlotKind.INPUT:
+            specs += _value_specs(slot, filled)
+            continue
+        text = new_words(slot) if cell.is_new else cell.text
+        label = slot.name.replace("_", " ")
+        placeholder = "left out" if slot.name in optional else ""
+        is_fixed = bool(cell.reason)
+        note = cell.reason if is_fixed else ""
+        key = (slot.name, None)
+        specs.append(_Spec(key, slot, None, label, text, note, is_fixed, placeholder))
+    return specs
+
+
+def _value_specs(slot: Slot, filled: Filled) -> list[_Spec]:
+    specs = []
+    if not any(isinstance(each, Entry) for each in filled.entries):
+        return [_Spec(None, None, None, slot.name, "", "takes no values", False)]
+    for each in filled.entries:
+        indent = "  " * (len(each.path) - 1)
+        if isinstance(each, Heading):
+            specs.append(_Spec(None, None, None, indent + each.path[-1], "", each.note, False))
+            continue
+        text = filled.given.get(each.path, "")
+        key = (slot.name, each.path)
+        label = indent + each.path[-1]
+        specs.append(_Spec(key, slot, each, label, text, str(each.type), False, _default(each)))
+    return specs
+
+
+def _default(entry: Entry) -> str:
+    if entry.type.is_array:
+        return "none" if entry.type.length is None else f"{entry.type.length} zeros"
+    return {bool: "False", int: "0", float: "0.0", str: ""}.get(entry.python or str, "")

@@ -1,0 +1,26 @@
+"""What every kind of slot can be asked."""
+
+from __future__ import annotations
+
+from .ask import Ask, Choice
+from .form import Cell
+
+
+class Kind:
+    """A kind of slot."""
+
+    def fixed(self, ask: Ask) -> Cell | None:
+        """Return what stands in the slot, where other slots leave no choice."""
+        return None
+
+    def suggest(self, ask: Ask) -> str:
+        """Return what is in the slot as long as nothing was entered."""
+        return ""
+
+    def choices(self, ask: Ask, query: str) -> list[Choice]:
+        """Return what can be taken; `query` is what was written."""
+        return []
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text cannot stand in the slot, as far as the slot itself knows."""
+        return None

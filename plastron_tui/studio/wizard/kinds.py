@@ -1,0 +1,302 @@
+"""What each kind of slot offers: a suggestion, choices, and why a text cannot stand there."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from plastron_tui.language import SlotKind
+from plastron_tui.language.keywords import KEYWORDS
+from plastron_tui.ros.names import (
+    NameProblem,
+    check_node_name,
+    check_service_name,
+    check_topic_name,
+    mended_node_name,
+)
+
+from .aims import Aim, aim_of, maker_of
+from .ask import Ask, Choice
+from .form import NEW
+from .kind import Kind
+from .libraries import LibraryKind
+from .node_files import FileKind
+from .scene import Meeting, free_name
+from .type_kinds import TypeKind, name_for_type
+
+MOST_TRIALS = 12
+"""So many choices are tried out before they are offered; the rest is checked when it is taken."""
+
+
+_NODE_NAMES = ("talker", "listener", "watcher", "helper")
+
+
+class NodeNameKind(Kind):
+    """The name of a new node."""
+
+    def suggest(self, ask: Ask) -> str:
+        """Return what fits the rest of the form and of the program."""
+        taken = ask.scene.node_names | ask.scene.taken
+        free = (name for name in _NODE_NAMES if name not in taken)
+        return next(free, free_name("node", taken))
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text cannot stand there."""
+        if not text:
+            return "a node needs a name, such as `talker`"
+        return _name_problem(check_node_name(text, ask.version))
+
+
+def _name_problem(problem: NameProblem | None) -> str | None:
+    if problem is None:
+        return None
+    better = f": write {problem.suggestion}" if problem.suggestion else ""
+    return problem.message + better
+
+
+class NewVariableKind(Kind):
+    """The variable of something that the statement makes."""
+
+    def suggest(self, ask: Ask) -> str:
+        """Return what fits the rest of the form and of the program."""
+        name = ask.text(SlotKind.NODE_NAME) or ask.text(SlotKind.FILE).rpartition("/")[2]
+        if not name and ask.form.parent is not None:
+            topic = ask.parent_text(SlotKind.TOPIC).strip("~/").rpartition("/")[2]
+            name = f"{topic}_message" if topic else ""
+        wanted = mended_node_name(name.removesuffix(".py"), 1) or name.removesuffix(".py")
+        if not _is_variable(wanted):
+            wanted = "message" if ask.slot.kind is SlotKind.NEW_MESSAGE else "node"
+        return ask.scene.free(f"{wanted}_node" if wanted in KEYWORDS else wanted)
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text cannot stand there."""
+        if not text:
+            return "it needs a name by which the program can speak of it"
+        if not text[0].isascii() or not text[0].isalpha():
+            return "a variable starts with a letter"
+        if not _is_variable(text):
+            return "a variable has letters, digits and `_`, and no space"
+        if text in KEYWORDS:
+            return f"`{text}` is a word of the language: choose another one"
+        if text in ask.scene.taken:
+            is_node = text in ask.scene.workspace.nodes
+            what = "node" if is_node else "message"
+            return f"a {what} is called `{text}` already: choose another name"
+        return None
+
+
+def _is_variable(text: str) -> bool:
+    return text.isascii() and text.isidentifier() and text[0].isalpha()
+
+
+class NodeKind(Kind):
+    """A node of the program."""
+
+    def suggest(self, ask: Ask) -> str:
+        """Return what fits the rest of the form and of the program."""
+        nodes = _last_first(ask)
+        for variable in nodes[:MOST_TRIALS]:
+            if ask.try_out(variable).reason is None:
+                return variable
+        if nodes:
+            return nodes[0]
+        return NEW if _can_make(ask) else ""
+
+    def choices(self, ask: Ask, query: str) -> list[Choice]:
+        """Return what there is, and what is closed."""
+        found = []
+        for number, variable in enumerate(_last_first(ask)):
+            node = ask.scene.workspace.nodes[variable]
+            tried = ask.try_out(variable) if number < MOST_TRIALS else None
+            closed = (tried.reason or "") if tried is not None else ""
+            note = f"'{node.name}'" if node.source is None else node.source.path.name
+            found.append(Choice(variable, note, closed=closed))
+        if _can_make(ask):
+            found.append(Choice(NEW, "", "the next screen asks for its name", label="a new node"))
+        return found
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text cannot stand there."""
+        if not text:
+            return "there is no node yet: make one first"
+        if text not in ask.scene.workspace.nodes:
+            return f"there is no node `{text}`: choose one of the list"
+        return None
+
+
+def _last_first(ask: Ask) -> list[str]:
+    """Return the nodes, the last one first; of those to be written, the ones that are not yet."""
+    nodes = list(reversed(ask.scene.workspace.nodes))
+    if aim_of(ask.form.declaration) is not Aim.WRITE:
+        return nodes
+    generated = {made.node.variable for made in ask.scene.workspace.generations}
+    return sorted(nodes, key=lambda variable: variable in generated)
+
+
+def _can_make(ask: Ask) -> bool:
+    """Tell whether one that does not exist yet would do."""
+    if maker_of(ask.slot.kind) is None:
+        return False
+    return ask.try_out(NEW).reason is None
+
+
+class MessageKind(Kind):
+    """A message of the program."""
+
+    def suggest(self, ask: Ask) -> str:
+        """Return what fits the rest of the form and of the program."""
+        workspace = ask.scene.workspace
+        sent = {
+            publication.message.variable
+            for node in workspace.nodes.values()
+            for publisher in node.publishers.values()
+            for publication in publisher.publications
+        }
+        for variable in [name for name in reversed(workspace.messages) if name not in sent][:3]:
+            if ask.try_out(variable).reason is None:
+                return variable
+        return NEW
+
+    def choices(self, ask: Ask, query: str) -> list[Choice]:
+        """Return what there is, and what is closed."""
+        found = [Choice(NEW, "", "a later screen asks for its values", label="a new message")]
+        messages = reversed(ask.scene.workspace.messages.items())
+        for number, (variable, message) in enumerate(messages):
+            tried = ask.try_out(variable) if number < MOST_TRIALS else None
+            closed = (tried.reason or "") if tried is not None else ""
+            found.append(Choice(variable, str(message.value.type), closed=closed))
+        return found
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text cannot stand there."""
+        if text not in ask.scene.workspace.messages:
+            return f"there is no message `{text}`: choose one of the list"
+        return None
+
+
+class MeetingKind(Kind):
+    """The name of a topic or of a service."""
+
+    def _names(self, ask: Ask) -> list[Meeting]:
+        """Return what can be named, the lonely ones first."""
+        known = ask.scene.meetings(ask.interface, ask.version).values()
+        return sorted(known, key=lambda each: not each.is_lonely)
+
+    def suggest(self, ask: Ask) -> str:
+        """Return what fits the rest of the form and of the program."""
+        if ask.form.declaration.undoes is not None:
+            return next((each.text for each in self._taken_back(ask) if not each.closed), "")
+        for meeting in [] if ask.is_trial else self._names(ask)[:MOST_TRIALS]:
+            tried = ask.try_out(meeting.name)
+            if meeting.is_lonely and tried.reason is None and tried.lonely < ask.scene.lonely:
+                return meeting.name
+        known = ask.scene.meetings(ask.interface, ask.version)
+        message = ask.scene.workspace.messages.get(ask.text(SlotKind.MESSAGE))
+        wanted = name_for_type(ask.interface, None if message is None else message.value.type)
+        return free_name(wanted, {name.strip("/") for name in known})
+
+    def _taken_back(self, ask: Ask) -> list[Choice]:
+        """Return what the node has of the kind that the statement takes away."""
+        found = []
+        for name in ask.scene.endpoints(ask.node):
+            tried = ask.try_out(name)
+            if tried.slot != ask.slot.name:
+                found.append(Choice(name, closed=tried.reason or ""))
+        return found
+
+    def choices(self, ask: Ask, query: str) -> list[Choice]:
+        """Return what there is, and what is closed."""
+        if ask.form.declaration.undoes is not None:
+            return self._taken_back(ask)
+        found = []
+        for number, meeting in enumerate(self._names(ask)):
+            closed = ""
+            if number < MOST_TRIALS:
+                closed = ask.try_out(meeting.name).reason or ""
+            type_ = "" if meeting.type is None else str(meeting.type)
+            found.append(Choice(meeting.name, type_, _who(meeting), closed))
+        return found
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text cannot stand there."""
+        is_service = ask.slot.kind is SlotKind.SERVICE
+        if not text:
+            if ask.form.declaration.undoes is not None:
+                for choice in (each for each in self._taken_back(ask) if each.closed):
+                    return f"`{choice.text}` has to stay: {choice.closed}"
+                who = f"`{ask.node}` has" if ask.node else "there is"
+                return f"{who} nothing of the kind that could be taken away"
+            what, example = ("service", "switch") if is_service else ("topic", "chatter")
+            return f"a {what} needs a name, such as `{example}`"
+        check = check_service_name if is_service else check_topic_name
+        return _name_problem(check(text, ask.version))
+
+
+def _who(meeting: Meeting) -> str:
+    parts = []
+    if meeting.senders:
+        parts.append(f"from {', '.join(meeting.senders)}")
+    if meeting.takers:
+        parts.append(f"to {', '.join(meeting.takers)}")
+    return " ".join(parts)
+
+
+class RateKind(Kind):
+    """How often something is sent."""
+
+    def suggest(self, ask: Ask) -> str:
+        """Return what fits the rest of the form and of the program."""
+        return "10"
+
+    def choices(self, ask: Ask, query: str) -> list[Choice]:
+        """Return what there is, and what is closed."""
+        return [
+            Choice("1", "once a second"),
+            Choice("2", "twice a second"),
+            Choice("10", "ten times a second"),
+            Choice("30", "as often as a camera"),
+        ]
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text cannot stand there."""
+        try:
+            rate = float(text) if text.isascii() and "_" not in text else 0.0
+        except ValueError:
+            return "it is a number of times a second, such as 10 or 0.5"
+        if not 0 < rate <= 1e6:
+            return "it is more than 0, and at most a million, times a second"
+        return None
+
+
+class FunctionKind(Kind):
+    """A function of the node's file."""
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text cannot stand there."""
+        if not (text.isascii() and text.isidentifier()):
+            return "a function has letters, digits and `_`, no digit first, and no space"
+        if text in KEYWORDS:
+            return f"`{text}` is a word of the language: choose another one"
+        return None
+
+
+class InputKind(Kind):
+    """The values of a message or a request; they have a form of their own."""
+
+
+KINDS: Mapping[SlotKind, Kind] = {
+    SlotKind.NODE_NAME: NodeNameKind(),
+    SlotKind.NEW_NODE: NewVariableKind(),
+    SlotKind.NEW_MESSAGE: NewVariableKind(),
+    SlotKind.NODE: NodeKind(),
+    SlotKind.MESSAGE: MessageKind(),
+    SlotKind.TOPIC: MeetingKind(),
+    SlotKind.SERVICE: MeetingKind(),
+    SlotKind.MESSAGE_TYPE: TypeKind(),
+    SlotKind.SERVICE_TYPE: TypeKind(),
+    SlotKind.INPUT: InputKind(),
+    SlotKind.RATE: RateKind(),
+    SlotKind.FUNCTION: FunctionKind(),
+    SlotKind.LIBRARY: LibraryKind(),
+    SlotKind.FILE: FileKind(),
+}
+"""What each kind of slot offers."""

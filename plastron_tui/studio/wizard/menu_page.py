@@ -1,0 +1,131 @@
+"""The pages that are menus."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from textual import on
+from textual.app import ComposeResult
+from textual.containers import Vertical
+from textual.content import Content
+from textual.message import Message
+from textual.widgets import Checkbox, Label, OptionList
+from textual.widgets.option_list import Option
+
+from .rows import Confirmed, Switch
+
+
+@dataclass(frozen=True, slots=True)
+class Item:
+    """An entry of a menu: its words, the word of ROS, a sentence, and why it is closed."""
+
+    title: str
+    term: str = ""
+    about: str = ""
+    closed: str = ""
+    is_advised: bool = False
+
+
+class Picked(Message):
+    """An entry was chosen, by its number."""
+
+    def __init__(self, number: int) -> None:
+        super().__init__()
+        self.number = number
+
+
+class Menu(OptionList):
+    """A list of what one may want."""
+
+    def show(self, items: Sequence[Item], here: int | None = None) -> None:
+        """List the entries; the cursor is on one of them."""
+        self.clear_options()
+        self.add_options(
+            Option(_words(item), id=str(number), disabled=bool(item.closed))
+            for number, item in enumerate(items)
+        )
+        free = [number for number, item in enumerate(items) if not item.closed]
+        advised = [number for number in free if items[number].is_advised]
+        if here not in free:
+            here = next(iter(advised or free), None)
+        self.highlighted = here
+
+    def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
+        """Tell what was chosen."""
+        event.stop()
+        self.post_message(Picked(int(event.option.id or 0)))
+
+
+def _words(item: Item) -> Content:
+    title = item.title[:1].upper() + item.title[1:]
+    parts: list[str | tuple[str, str]] = [(title, "$foreground 50%" if item.closed else "bold")]
+    if item.term:
+        parts.append((f"  {item.term}", "$text-secondary"))
+    if item.closed:
+        parts.append((f"\n  Not now: {item.closed}", "$text-warning"))
+    else:
+        parts.append((f"\n  {item.about}", "$foreground 60%"))
+    return Content.assemble(*parts)
+
+
+class MenuPage(Vertical):
+    """A menu, with a line above it."""
+
+    def __init__(self, text: str, items: Sequence[Item], here: int | None = None) -> None:
+        super().__init__(id="wizard-menu-page")
+        self._text = text
+        self._items = list(items)
+        self._here = here
+
+    def compose(self) -> ComposeResult:
+        """Make the line and the menu."""
+        if self._text:
+            yield Label(self._text, id="wizard-about", markup=False)
+        yield Menu(id="wizard-menu", compact=True, markup=False)
+
+    def on_mount(self) -> None:
+        """List the entries."""
+        menu = self.query_one(Menu)
+        menu.show(self._items, self._here)
+        menu.focus()
+
+
+class Generates(Message):
+    """Whether the node is to be generated was turned."""
+
+    def __init__(self, value: bool) -> None:
+        super().__init__()
+        self.value = value
+
+
+class ReviewPage(Vertical):
+    """The last look before the statements enter the program."""
+
+    def __init__(self, words: str, offer: str, value: bool) -> None:
+        super().__init__(id="wizard-review")
+        self._words = words
+        self._offer = offer
+        self._value = value
+
+    def compose(self) -> ComposeResult:
+        """Make the words, and the question whether a file is to be written."""
+        yield Label(self._words, id="wizard-about", markup=False)
+        if self._offer:
+            yield Switch(self._offer, self._value, compact=True, id="wizard-generates")
+        yield Label("", id="wizard-help", markup=False)
+
+    @on(Checkbox.Changed, "#wizard-generates")
+    def turned(self, event: Checkbox.Changed) -> None:
+        """Tell it."""
+        event.stop()
+        self.post_message(Generates(event.value))
+
+    def say(self, text: str) -> None:
+        """Say what is wrong."""
+        label = self.query_one("#wizard-help", Label)
+        label.set_class(bool(text), "-wrong")
+        label.update(f"✗ {text}" if text else "")
+
+
+__all__ = ["Confirmed", "Generates", "Item", "Menu", "MenuPage", "Picked", "ReviewPage"]

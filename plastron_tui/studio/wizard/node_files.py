@@ -1,0 +1,109 @@
+"""A file that holds a node."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import suppress
+from itertools import islice
+from pathlib import Path
+
+from plastron_tui.loader import LARGEST_FILE
+
+from .ask import Ask, Choice
+from .kind import Kind
+
+MOST_FILES = 60
+"""The most files that are listed."""
+
+_MOST_ENTRIES = 3000
+_DEEPEST = 3
+_MARKS = (b"rospy", b"rclpy")
+_LEFT_OUT = frozenset({"node_modules", "__pycache__", "build", "install", "log", "venv"})
+
+
+class FileKind(Kind):
+    """A file that holds a node."""
+
+    def suggest(self, ask: Ask) -> str:
+        """Return the first file that is not loaded yet."""
+        for choice in self.choices(ask, ""):
+            if ask.try_out(choice.text).reason is None:
+                return choice.text
+        return ""
+
+    def choices(self, ask: Ask, query: str) -> list[Choice]:
+        """Return the node files of the program's folder and of the output folder."""
+        session = ask.scene.session
+        loaded = {
+            node.source.path
+            for node in ask.scene.workspace.nodes.values()
+            if node.source is not None
+        }
+        around = ask.scene.surroundings
+        if around.files is None:
+            around.files = tuple(
+                dict(
+                    each
+                    for folder in dict.fromkeys((session.folder, session.output))
+                    for each in _node_files(folder)
+                ).items()
+            )
+        return [
+            Choice(
+                _text(path, session.folder),
+                library,
+                closed="it is loaded already" if path in loaded else "",
+            )
+            for path, library in around.files
+        ]
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text is no path that a program can hold."""
+        if not text:
+            return "no file of a node is beside the program: write the path of one"
+        if "'" in text:
+            return "a path in a program has no single quote"
+        return None
+
+
+def _text(path: Path, folder: Path) -> str:
+    try:
+        return path.relative_to(folder).as_posix()
+    except ValueError:
+        return os.path.relpath(path, folder)
+
+
+def _node_files(folder: Path) -> Iterator[tuple[Path, str]]:
+    """Yield the Python files below a folder that name a client library."""
+    return islice(_marked(folder), MOST_FILES)
+
+
+def _marked(folder: Path) -> Iterator[tuple[Path, str]]:
+    for path in islice(_python_files(folder, 0), _MOST_ENTRIES):
+        with suppress(OSError):
+            if path.stat().st_size > LARGEST_FILE:
+                continue
+            text = path.read_bytes()
+            mark = next((each for each in _MARKS if each in text), None)
+            if mark is not None:
+                yield path, mark.decode()
+
+
+def _python_files(folder: Path, depth: int) -> Iterator[Path]:
+    try:
+        entries = sorted(islice(os.scandir(folder), _MOST_ENTRIES), key=lambda each: each.name)
+    except OSError:
+        return
+    folders = []
+    for entry in entries:
+        if entry.name.startswith(".") or entry.name in _LEFT_OUT:
+            continue
+        with suppress(OSError):
+            if entry.is_dir(follow_symlinks=False):
+                folders.append(Path(entry.path))
+            elif entry.name.endswith(".py") and entry.is_file():
+                yield Path(entry.path)
+    if depth < _DEEPEST:
+        for inner in folders:
+            yield from _python_files(inner, depth + 1)

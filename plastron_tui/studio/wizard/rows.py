@@ -1,0 +1,183 @@
+"""The rows of a form: one for each slot, one for each field of the values."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from textual import events
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Horizontal
+from textual.message import Message
+from textual.widget import Widget
+from textual.widgets import Checkbox, Input, Label
+
+from plastron_tui.language import Slot
+
+from .values import Entry, Path
+
+
+class Entered(Message):
+    """Something was entered in a row."""
+
+    def __init__(self, row: Row, text: str) -> None:
+        super().__init__()
+        self.row = row
+        self.text = text
+
+
+class Reached(Message):
+    """A row got the focus."""
+
+    def __init__(self, row: Row) -> None:
+        super().__init__()
+        self.row = row
+
+
+class Confirmed(Message):
+    """Enter was pressed in a row."""
+
+
+class TextBox(Input):
+    """A line of text whose Up and Down belong to the form."""
+
+    BINDINGS: ClassVar[list[BindingType]] = []
+
+    def on_focus(self) -> None:
+        """Say so."""
+        if isinstance(self.parent, Row):
+            self.post_message(Reached(self.parent))
+
+
+class Switch(Checkbox, inherit_bindings=False):
+    """True or false: space turns it, Enter is for the form."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("space,left,right", "toggle_button", "Turn", show=False),
+        Binding("enter", "confirm", "Next", show=False),
+    ]
+
+    def action_confirm(self) -> None:
+        """Go on."""
+        self.post_message(Confirmed())
+
+    def on_focus(self) -> None:
+        """Say so."""
+        if isinstance(self.parent, Row):
+            self.post_message(Reached(self.parent))
+
+
+class Row(Horizontal):
+    """A name and what is entered for it.
+
+    Attributes:
+        slot: the slot of the statement.
+        entry: the field of the values, None for the slot itself.
+        query: what was written, while a choice is looked at.
+    """
+
+    def __init__(
+        self,
+        slot: Slot,
+        label: str,
+        text: str,
+        *,
+        note: str = "",
+        entry: Entry | None = None,
+        is_fixed: bool = False,
+        placeholder: str = "",
+    ) -> None:
+        super().__init__(classes="wizard-row")
+        self.slot = slot
+        self.entry = entry
+        self.query_text = ""
+        self.is_fixed = is_fixed
+        self._label = label
+        self._text = text
+        self._note = note
+        self._placeholder = placeholder
+
+    @property
+    def path(self) -> Path | None:
+        """The field of the values that the row is for."""
+        return None if self.entry is None else self.entry.path
+
+    @property
+    def is_switch(self) -> bool:
+        """Whether it is either true or false."""
+        return self.entry is not None and self.entry.is_switch
+
+    def compose(self) -> ComposeResult:
+        """Make the name, the box and the note."""
+        yield Label(self._label, classes="wizard-label", markup=False)
+        if self.is_fixed:
+            yield Label(self._text, classes="wizard-fixed", markup=False)
+        elif self.is_switch:
+            yield Switch(self._text, self._text == "True", compact=True)
+        else:
+            yield TextBox(self._text, compact=True, placeholder=self._placeholder,
+                          select_on_focus=True, classes="wizard-box")  # fmt: skip
+        yield Label(self._note, classes="wizard-note", markup=False)
+
+    @property
+    def text(self) -> str:
+        """What is entered."""
+        return self._text
+
+    def show(self, text: str, note: str) -> None:
+        """Show another text; nobody is told that it was entered."""
+        if note != self._note:
+            self._note = note
+            self.query_one(".wizard-note", Label).update(note)
+        if text == self._text:
+            return
+        self._text = text
+        if self.is_fixed:
+            self.query_one(".wizard-fixed", Label).update(text)
+            return
+        box = self.box
+        with box.prevent(Input.Changed, Checkbox.Changed):
+            if isinstance(box, Checkbox):
+                box.value = text == "True"
+                box.label = text or "False"
+            elif isinstance(box, Input):
+                box.value = text
+
+    @property
+    def box(self) -> Widget:
+        """What takes the focus."""
+        return self.query_one("TextBox, Switch")
+
+    def take(self, text: str) -> None:
+        """Enter a text, as if it was written."""
+        self.show(text, self._note)
+        box = self.box
+        if isinstance(box, Input):
+            box.cursor_position = len(text)
+        self.post_message(Entered(self, text))
+
+    def on_input_changed(self, event: Input.Changed) -> None:
+        """Tell what was written."""
+        event.stop()
+        if event.value != self._text:
+            self._text = self.query_text = event.value
+            self.post_message(Entered(self, event.value))
+
+    def on_checkbox_changed(self, event: Checkbox.Changed) -> None:
+        """Tell what was turned."""
+        event.stop()
+        text = "True" if event.value else "False"
+        if text != self._text:
+            self._text = text
+            event.checkbox.label = text
+            self.post_message(Entered(self, text))
+
+    def on_input_submitted(self, event: Input.Submitted) -> None:
+        """Go on."""
+        event.stop()
+        self.post_message(Confirmed())
+
+    def on_click(self, event: events.Click) -> None:
+        """Let a click on the name lead to the box."""
+        if not self.is_fixed:
+            self.box.focus()

@@ -1,0 +1,181 @@
+"""What a program has by now: the names that a form offers, and those that are taken."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from plastron_tui.language.keywords import KEYWORDS
+from plastron_tui.model.types import TypeResolver
+from plastron_tui.model.workspace import Node
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
+from plastron_tui.ros.names import resolved_name
+from plastron_tui.session import Session
+from plastron_tui.targets import LIBRARIES
+
+if TYPE_CHECKING:
+    from plastron_tui.runtime.environment import Environment
+
+
+@dataclass(slots=True)
+class Meeting:
+    """A topic or a service: where nodes meet.
+
+    Attributes:
+        name: its name, as a statement would write it.
+        type: its type, None where nothing says it.
+        senders: the nodes that publish, or that call.
+        takers: the nodes that subscribe, or that provide.
+    """
+
+    name: str
+    type: InterfaceName | None = None
+    senders: list[str] = field(default_factory=list)
+    takers: list[str] = field(default_factory=list)
+
+    @property
+    def is_lonely(self) -> bool:
+        """Whether one side is missing."""
+        return not self.senders or not self.takers
+
+
+@dataclass(slots=True)
+class Surroundings:
+    """What is on this machine, looked up once.
+
+    Attributes:
+        environments: the ROS that are installed, the preferred one first.
+        files: the files that hold nodes, each with its client library; None before the look-up.
+    """
+
+    environments: tuple[Environment, ...] = ()
+    files: tuple[tuple[Path, str], ...] | None = None
+
+
+class Scene:
+    """A program, and what is around it."""
+
+    def __init__(self, session: Session, surroundings: Surroundings | None = None) -> None:
+        self.session = session
+        self.surroundings = surroundings or Surroundings()
+        self.workspace = session.workspace
+
+    @property
+    def environments(self) -> tuple[Environment, ...]:
+        """The ROS that are installed, the preferred one first."""
+        return self.surroundings.environments
+
+    @property
+    def text(self) -> bytes:
+        """The program's text."""
+        return self.session.document.text
+
+    @cached_property
+    def taken(self) -> frozenset[str]:
+        """The words that are no new variable."""
+        return frozenset({*self.workspace.nodes, *self.workspace.messages, *KEYWORDS})
+
+    @cached_property
+    def node_names(self) -> frozenset[str]:
+        """The names of the nodes in the ROS graph."""
+        return frozenset(node.name for node in self.workspace.nodes.values())
+
+    def free(self, wanted: str) -> str:
+        """Return a variable like the wanted one that is not taken."""
+        return free_name(wanted, self.taken)
+
+    def library_of(self, variable: str | None) -> str:
+        """Return the client library that a node is for."""
+        node = self.workspace.nodes.get(variable or "")
+        return (node.library if node is not None else None) or self.session.library
+
+    def version_of(self, variable: str | None) -> int:
+        """Return the generation of ROS that a node is for."""
+        library = self.library_of(variable)
+        return LIBRARIES.get(library, 1)
+
+    @cached_property
+    def usual_version(self) -> int:
+        """The generation of ROS that the last node is for, or else the program."""
+        return self.version_of(next(reversed(self.workspace.nodes), None))
+
+    def catalog(self, version: int) -> Catalog:
+        """Return the types of a generation of ROS."""
+        return self.session.catalog(version)
+
+    def resolve(self, text: str, kind: InterfaceKind, version: int) -> Interface | None:
+        """Return the type that a text means, None where it means none."""
+        found = TypeResolver(self.catalog(version)).resolve(text, kind)
+        return found if isinstance(found, Interface) else None
+
+    def written(self, name: InterfaceName, kind: InterfaceKind, version: int) -> str:
+        """Return the shortest way to write a type."""
+        alone = self.catalog(version).candidates(name.name, kind) == (name,)
+        return name.name if alone else str(name)
+
+    @cached_property
+    def _meetings(self) -> dict[tuple[InterfaceKind, int], dict[str, Meeting]]:
+        found: dict[tuple[InterfaceKind, int], dict[str, Meeting]] = {}
+
+        def meet(
+            node: Node, kind: InterfaceKind, name: str, type_: InterfaceName | None
+        ) -> Meeting:
+            full = resolved_name(node.name, name)
+            known = found.setdefault((kind, self.version_of(node.variable)), {})
+            written = full if name.startswith("~") or "{" in name else name
+            meeting = known.setdefault(full, Meeting(written))
+            meeting.type = meeting.type or type_
+            return meeting
+
+        for variable, node in self.workspace.nodes.items():
+            for publisher in node.publishers.values():
+                there = meet(node, InterfaceKind.MESSAGE, publisher.topic, publisher.type)
+                there.senders.append(variable)
+            for listener in node.subscriptions.values():
+                there = meet(node, InterfaceKind.MESSAGE, listener.topic, listener.type)
+                there.takers.append(variable)
+            for client in node.clients.values():
+                there = meet(node, InterfaceKind.SERVICE, client.name, client.type)
+                there.senders.append(variable)
+            for service in node.services.values():
+                there = meet(node, InterfaceKind.SERVICE, service.name, service.type)
+                there.takers.append(variable)
+        return found
+
+    def meetings(self, kind: InterfaceKind, version: int) -> dict[str, Meeting]:
+        """Return the topics (or the services) of a generation of ROS, by their full names."""
+        return self._meetings.get((kind, version), {})
+
+    def meeting(
+        self, kind: InterfaceKind, node: str | None, name: str, version: int
+    ) -> Meeting | None:
+        """Return what a node means by a name, None where nobody is there yet."""
+        known = self.workspace.nodes.get(node or "")
+        full = resolved_name(known.name if known is not None else "", name)
+        return self.meetings(kind, version).get(full)
+
+    @cached_property
+    def lonely(self) -> int:
+        """How many topics and services lack a side."""
+        return sum(each.is_lonely for known in self._meetings.values() for each in known.values())
+
+    def endpoints(self, variable: str) -> list[str]:
+        """Return the names of all that a node sends to, hears, asks and answers."""
+        node = self.workspace.nodes.get(variable)
+        if node is None:
+            return []
+        ends = (node.publishers, node.subscriptions, node.services, node.clients)
+        return list(dict.fromkeys(name for end in ends for name in end))
+
+
+def free_name(wanted: str, taken: Iterable[str]) -> str:
+    """Return a name like the wanted one that is not taken."""
+    known = frozenset(taken)
+    name, number = wanted, 2
+    while name in known:
+        name, number = f"{wanted}_{number}", number + 1
+    return name

@@ -1,0 +1,119 @@
+"""What is always in view: the code that a node becomes, and the graph with its new part marked."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from difflib import SequenceMatcher
+
+from plastron_tui.model.graph import Graph, GraphService, GraphTopic, graph_of
+from plastron_tui.session import Session
+
+from ..analysis import analyse
+from ..panels.tones import Line, Lines, Piece
+from ..preview import previews_of
+
+
+def code_of(session: Session, node: str | None) -> tuple[str, Lines]:
+    """Return the name and the lines of the file that a node becomes."""
+    if node is None or node not in session.workspace.nodes:
+        return "", ((Piece("no node yet", "quiet"),),)
+    analysis = analyse(session, lambda: None)
+    previews = previews_of(analysis, node)
+    if not previews:
+        return "", ((Piece("no node yet", "quiet"),),)
+    preview = previews[-1]
+    if preview.problems and not preview.lines:
+        return preview.name, tuple((Piece(each.message, "warning"),) for each in preview.problems)
+    return preview.name, preview.lines
+
+
+def changed_rows(before: Lines, after: Lines) -> range:
+    """Return the rows of a file that are new, the most that hang together; empty for none."""
+    matcher = SequenceMatcher(None, before, after, autojunk=False)
+    found = [
+        range(start, end) for kind, _, _, start, end in matcher.get_opcodes() if kind != "equal"
+    ]
+    return max(found, key=len, default=range(0))
+
+
+def arrows_of(before: Session, after: Session) -> Lines:
+    """Return the graph as a list: who sends what to whom; what is new is marked."""
+    old, new = graph_of(before.workspace), graph_of(after.workspace)
+    known = set(_parts(old))
+    return tuple(_marked(new, known)) or ((Piece("nothing yet", "quiet"),),)
+
+
+def new_names(before: Session, after: Session) -> frozenset[str]:
+    """Return the names of the nodes, topics and services that are new."""
+    return frozenset(_names(graph_of(after.workspace))) - frozenset(
+        _names(graph_of(before.workspace))
+    )
+
+
+def drawing_of(before: Session, after: Session, width: int, height: int) -> Lines:
+    """Return the graph as a picture that fits; what is new is marked."""
+    from ..panels.picture import Size, picture_of
+
+    names = new_names(before, after)
+    return tuple(
+        tuple(
+            Piece(piece.text, "added")
+            if piece.tone == "strong" and piece.text.strip() in names
+            else piece
+            for piece in line
+        )
+        for line in picture_of(graph_of(after.workspace)).fitted(Size(width, height)).lines
+    )
+
+
+def _names(graph: Graph) -> Iterator[str]:
+    yield from (node.name for node in graph.nodes)
+    yield from (topic.name for topic in graph.topics)
+    yield from (service.name for service in graph.services)
+
+
+def _ends(hub: GraphTopic | GraphService) -> tuple[list[str], list[str]]:
+    """Return the nodes on both sides of a topic or a service, in the direction of the arrow."""
+    if isinstance(hub, GraphTopic):
+        return [e.node.name for e in hub.publishers], [e.node.name for e in hub.subscribers]
+    return [e.node.name for e in hub.clients], [e.node.name for e in hub.providers]
+
+
+def _parts(graph: Graph) -> Iterator[tuple[str, ...]]:
+    """Yield everything that a list of the graph shows, each by what tells it from the rest."""
+    yield from (("node", node.name) for node in graph.nodes)
+    hubs: list[GraphTopic | GraphService] = [*graph.topics, *graph.services]
+    for hub in hubs:
+        yield ("hub", hub.name)
+        tails, heads = _ends(hub)
+        yield from ((hub.name, "from", name) for name in tails)
+        yield from ((hub.name, "to", name) for name in heads)
+
+
+def _marked(graph: Graph, known: set[tuple[str, ...]]) -> Iterator[Line]:
+    met: set[str] = set()
+
+    def piece(text: str, key: tuple[str, ...], tone: str = "") -> Piece:
+        return Piece(text, tone if key in known else "added")
+
+    hubs: list[GraphTopic | GraphService] = [*graph.topics, *graph.services]
+    for hub in hubs:
+        tails, heads = _ends(hub)
+        met.update(tails, heads)
+        is_topic = isinstance(hub, GraphTopic)
+        line = [*_listed(hub.name, "from", tails, piece), Piece(" ─▶ ", "dim")]
+        line.append(piece(hub.name, ("hub", hub.name), "success" if is_topic else "warning"))
+        line += [Piece(" ─▶ ", "dim"), *_listed(hub.name, "to", heads, piece)]
+        yield tuple(line)
+    for node in graph.nodes:
+        if node.name not in met:
+            yield (piece(node.name, ("node", node.name), "primary"),)
+
+
+def _listed(hub: str, side: str, names: list[str], piece: Callable[..., Piece]) -> Iterator[Piece]:
+    if not names:
+        yield Piece("nobody yet", "quiet")
+    for number, name in enumerate(names):
+        if number:
+            yield Piece(", ")
+        yield piece(name, (hub, side, name), "primary")

@@ -1,0 +1,101 @@
+"""The type of a topic, a message or a service."""
+
+from __future__ import annotations
+
+from plastron_tui.language import SlotKind
+from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+from plastron_tui.ros.search import search_types
+
+from .ask import Ask, Choice
+from .form import Cell
+from .kind import Kind
+
+MOST_TYPES = 80
+"""The most types that a search lists."""
+
+_DEFAULTS = {InterfaceKind.MESSAGE: "String", InterfaceKind.SERVICE: "SetBool"}
+_NAMES = {InterfaceKind.MESSAGE: "chatter", InterfaceKind.SERVICE: "switch"}
+
+# The names that most robots use for what they send (ROS REP 105 and the packages' own defaults).
+_USUAL = {
+    "chatter": "std_msgs/String",
+    "cmd_vel": "geometry_msgs/Twist",
+    "odom": "nav_msgs/Odometry",
+    "scan": "sensor_msgs/LaserScan",
+    "imu": "sensor_msgs/Imu",
+    "image_raw": "sensor_msgs/Image",
+    "joint_states": "sensor_msgs/JointState",
+    "battery_state": "sensor_msgs/BatteryState",
+    "range": "sensor_msgs/Range",
+    "map": "nav_msgs/OccupancyGrid",
+    "path": "nav_msgs/Path",
+    "pose": "geometry_msgs/Pose",
+    "joy": "sensor_msgs/Joy",
+}
+
+
+def name_for_type(kind: InterfaceKind, type_: InterfaceName | None) -> str:
+    """Return what a topic or a service of a type is usually called."""
+    if type_ is None:
+        return _NAMES[kind]
+    usual = (name for name, full in _USUAL.items() if full == str(type_))
+    return next(usual, _snake(type_.name))
+
+
+def _snake(name: str) -> str:
+    parts = ("_" + char.lower() if char.isupper() else char for char in name)
+    return "".join(parts).strip("_").replace("__", "_")
+
+
+class TypeKind(Kind):
+    """The type of a topic, a message or a service."""
+
+    def fixed(self, ask: Ask) -> Cell | None:
+        """Return the type that a message, a topic or a service has already."""
+        if ask.form.parent is not None:
+            text = ask.parent_text(ask.slot.kind)
+            name = ask.parent_text(SlotKind.TOPIC)
+            return Cell(text, f"`{name}` carries messages of this type") if text else None
+        version = ask.version
+        cell = ask.cell(SlotKind.MESSAGE)
+        message = ask.scene.workspace.messages.get(cell.text) if cell is not None else None
+        if message is not None:
+            written = ask.scene.written(message.value.type, ask.interface, version)
+            return Cell(written, f"`{message.variable}` is a {written}, so the type is that")
+        meeting = ask.meeting
+        if meeting is None or meeting.type is None:
+            return None
+        written = ask.scene.written(meeting.type, ask.interface, version)
+        return Cell(written, f"`{meeting.name}` has {meeting.type} already, so the type is that")
+
+    def suggest(self, ask: Ask) -> str:
+        """Return the type that a topic of the name usually has, or a simple one."""
+        name = ask.text(SlotKind.TOPIC, SlotKind.SERVICE).rpartition("/")[2]
+        default = _DEFAULTS[ask.interface]
+        usual = _USUAL.get(name) if ask.interface is InterfaceKind.MESSAGE else None
+        if usual is None:
+            return default
+        full = InterfaceName(*usual.split("/"))
+        if ask.scene.catalog(ask.version).find(full, ask.interface) is None:
+            return default
+        return ask.scene.written(full, ask.interface, ask.version)
+
+    def choices(self, ask: Ask, query: str) -> list[Choice]:
+        """Return the types that a search finds, each with its fields and a line about it."""
+        catalog = ask.scene.catalog(ask.version)
+        found = []
+        for each in search_types(catalog, ask.interface, query)[:MOST_TYPES]:
+            fields = ", ".join(f"{name}: {type_}" for name, type_ in each.fields) or "no fields"
+            if each.answer:
+                fields += " → " + ", ".join(f"{name}: {type_}" for name, type_ in each.answer)
+            label = each.name.name if each.written != str(each.name) else each.written
+            found.append(Choice(each.written, each.package, f"{each.line} ({fields})", "", label))
+        return found
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text is no type: only then is the statement itself of use."""
+        if not text:
+            return "a type is needed: write what it is for, and choose one of the list"
+        if not all(part.isascii() and part.isidentifier() for part in text.split("/")):
+            return "no type is called that: choose one of the list"
+        return None

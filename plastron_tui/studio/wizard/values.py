@@ -1,0 +1,285 @@
+"""The values of a message or a request as a form: one entry for each field.
+
+What is entered becomes the text that a program has after the word `input`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from plastron_tui.model.times import BUILTIN_TIMES
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import (
+    Constant,
+    Field,
+    FieldType,
+    Interface,
+    InterfaceKind,
+    InterfaceName,
+    Section,
+)
+from plastron_tui.ros.primitives import check_scalar, primitive
+
+Path = tuple[str, ...]
+Python = type[bool] | type[int] | type[float] | type[str]
+
+MOST_FIELDS = 200
+"""The most entries of a form; a message with more of them is written by hand."""
+
+_DEEPEST = 8
+_HEADER = InterfaceName("std_msgs", "Header")
+_NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?", re.ASCII)
+_PIECE = re.compile(r'\s*("(?:[^"\\]|\\.)*"|[^,]*?)\s*(?:,|$)')
+_TRUE = frozenset({"true", "yes", "on", "1"})
+_FALSE = frozenset({"false", "no", "off", "0"})
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """A field that gets a value.
+
+    Attributes:
+        path: the names of the field and of those around it.
+        type: its type.
+        python: what its values are in Python: `bool`, `int`, `float`, `str`; None for a message
+            in an array.
+        note: its type, range and default in a few words.
+        comment: what the definition says about it.
+        constants: the constants of the message that it may be meant to hold.
+    """
+
+    path: Path
+    type: FieldType
+    python: Python | None
+    note: str
+    comment: str = ""
+    constants: tuple[Constant, ...] = ()
+
+    @property
+    def name(self) -> str:
+        """The path as a program writes it."""
+        return ".".join(self.path)
+
+    @property
+    def is_switch(self) -> bool:
+        """Whether it is either true or false."""
+        return self.python is bool and not self.type.is_array
+
+
+@dataclass(frozen=True, slots=True)
+class Heading:
+    """A message within the message: its entries follow. Or a part that needs no entry."""
+
+    path: Path
+    note: str
+
+
+def entries_of(interface: Interface, catalog: Catalog) -> list[Entry | Heading]:
+    """Return the form of a message, or of the request of a service."""
+    section = interface.sections[0]
+    is_message = interface.kind is InterfaceKind.MESSAGE
+    found: list[Entry | Heading] = []
+    for each in _entries(section, (), catalog, is_message):
+        found.append(each)
+        if len(found) == MOST_FIELDS:
+            found.append(Heading(("…",), "more fields: give them their values in the editor"))
+            break
+    return found
+
+
+def _entries(
+    section: Section, around: Path, catalog: Catalog, is_sent: bool
+) -> Iterator[Entry | Heading]:
+    for field in section.fields:
+        path = (*around, field.name)
+        message = field.type.message
+        if message is None or field.type.is_array or message in BUILTIN_TIMES:
+            yield _entry(field, path, section.constants, catalog.ros_version)
+            continue
+        nested = catalog.find(message, InterfaceKind.MESSAGE)
+        if nested is None or len(path) > _DEEPEST:
+            continue
+        if is_sent and not around and field.name == "header" and message == _HEADER:
+            yield Heading(path, "time and number are filled in when it is sent")
+            for inner in nested.fields:
+                if inner.name == "frame_id":
+                    where = (*path, inner.name)
+                    yield _entry(inner, where, (), catalog.ros_version)
+            continue
+        yield Heading(path, str(field.type))
+        yield from _entries(nested.sections[0], path, catalog, is_sent)
+
+
+def _entry(field: Field, path: Path, constants: tuple[Constant, ...], ros_version: int) -> Entry:
+    type_ = field.type
+    if type_.package is not None:
+        is_time = not type_.is_array
+        note = f"{type_}, in seconds" if is_time else f"{type_}: (…), (…)"
+        return Entry(path, type_, float if is_time else None, note, field.comment)
+    known = primitive(type_.name, ros_version)
+    assert known is not None, type_
+    parts = [str(type_) + (", in seconds" if known.parts else "")]
+    if type_.is_array:
+        parts.append("values with commas between")
+    elif known.low is not None:
+        parts[0] += f" {known.low}…{known.high}"
+    if field.default is not None:
+        parts.append(f"{_shown(field.default)} without a value")
+    fitting = () if type_.is_array else _fitting(field, constants, known.kind)
+    return Entry(path, type_, known.kind, ", ".join(parts), field.comment, fitting)
+
+
+def _fitting(field: Field, constants: tuple[Constant, ...], kind: type) -> tuple[Constant, ...]:
+    """Return the constants that a field may be meant to hold: those of its own type."""
+    same = tuple(constant for constant in constants if constant.type == field.type.name)
+    if kind is bool:
+        return ()
+    prefixed = tuple(
+        each for each in same if each.name.lower().startswith(field.name.lower().rstrip("s"))
+    )
+    return prefixed or same
+
+
+def _shown(value: object) -> str:
+    if isinstance(value, tuple):
+        return f"[{', '.join(map(_shown, value))}]"
+    return f'"{value}"' if isinstance(value, str) else str(value)
+
+
+def quoted(text: str) -> str:
+    """Return a text as a program writes it."""
+    escapes = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\t": "\\t"}
+    return '"' + "".join(escapes.get(char) or _plain(char) for char in text) + '"'
+
+
+def _plain(character: str) -> str:
+    if character.isprintable() or character == " ":
+        return character
+    units = character.encode("utf-16-be", "surrogatepass").hex()
+    return "".join(f"\\u{units[at : at + 4]}" for at in range(0, len(units), 4))
+
+
+def written(entry: Entry, text: str) -> str:
+    """Return what was entered as a program writes it; what fits no field is left as it is."""
+    if entry.python is None:
+        inner = text.strip()
+        return inner if inner.startswith("[") else f"[{inner}]"
+    if not entry.type.is_array:
+        return _scalar(entry, text)
+    inner = text.strip()
+    if inner.startswith("[") and inner.endswith("]"):
+        inner = inner[1:-1]
+    return f"[{', '.join(_scalar(entry, piece, is_item=True) for piece in pieces(inner))}]"
+
+
+def pieces(text: str) -> list[str]:
+    """Split a list at its commas; a comma within double quotes is a part of its text."""
+    if not text.strip():
+        return []
+    found, at = [], 0
+    while at <= len(text):
+        match = _PIECE.match(text, at)
+        if match is None:
+            return [piece.strip() for piece in text.split(",")]
+        found.append(match[1])
+        if match.end() == len(text):
+            return [*found, ""] if text[match.end(1) :].strip() == "," else found
+        at = match.end()
+    return found
+
+
+def _scalar(entry: Entry, text: str, *, is_item: bool = False) -> str:
+    if entry.python is str:
+        is_quoted = is_item and len(text) > 1 and text[0] == text[-1] == '"'
+        return text if is_quoted else quoted(text)
+    plain = text.strip()
+    if entry.python is bool:
+        low = plain.lower()
+        return "True" if low in _TRUE else "False" if low in _FALSE else plain
+    return plain
+
+
+def problem_of(entry: Entry, text: str, ros_version: int) -> str | None:
+    """Tell why what was entered does not fit its field, None where it does, as far as is known.
+
+    Messages within an array are looked at only as a part of the statement.
+    """
+    if entry.python is None:
+        return None
+    if not entry.type.is_array:
+        return _scalar_problem(entry, text, ros_version)
+    inner = text.strip().removeprefix("[").removesuffix("]")
+    found = pieces(inner)
+    for number, piece in enumerate(found, 1):
+        problem = _scalar_problem(entry, piece, ros_version)
+        if problem is not None:
+            return f"value {number} of the list: {problem}"
+    count, type_ = len(found), entry.type
+    if type_.length is not None and count != type_.length:
+        return f"`{entry.path[-1]}` has {type_.length} values, not {count}"
+    if type_.bound is not None and count > type_.bound:
+        return f"`{entry.path[-1]}` has at most {type_.bound} values, not {count}"
+    return None
+
+
+def _scalar_problem(entry: Entry, text: str, ros_version: int) -> str | None:
+    plain = text.strip()
+    value: bool | int | float | str
+    if entry.python is bool:
+        if plain.lower() not in _TRUE | _FALSE:
+            return "it is either True or False"
+        return None
+    if entry.python is str:
+        value = text
+    elif _NUMBER.fullmatch(plain) is None:
+        if entry.python is float and plain.startswith("("):
+            return None  # the parts of a time
+        what = "a whole number" if entry.python is int else "a number"
+        return f"{entry.path[-1]} takes {what}, such as {_example(entry, ros_version)}"
+    else:
+        value = _number(plain)
+    if entry.type.package is not None:
+        return None
+    bound = entry.type.string_bound
+    return check_scalar(entry.type.name, value, ros_version, string_bound=bound)
+
+
+def _number(text: str) -> int | float:
+    try:
+        return int(text)
+    except ValueError:
+        return float(text)
+
+
+def _example(entry: Entry, ros_version: int) -> str:
+    if entry.python is float:
+        return "0.5"
+    known = primitive(entry.type.name, ros_version)
+    return "5" if known is None or known.high is None else f"5 ({known.low} to {known.high})"
+
+
+def input_text(form: list[Entry | Heading], given: Mapping[Path, str]) -> tuple[str, list[Entry]]:
+    """Return the text after `input`, and the entries that stand in it, in order.
+
+    A field that nothing was entered for keeps its default. Where all fields are plain values and
+    each has one, the values go in order; else by name.
+    """
+    entries = [each for each in form if isinstance(each, Entry)]
+    used = [
+        entry for entry in entries if given.get(entry.path, "").strip() or _is_space(entry, given)
+    ]
+    if not used:
+        return "none", []
+    values = [written(entry, given[entry.path]) for entry in used]
+    is_flat = all(len(entry.path) == 1 for entry in entries) and len(form) == len(entries)
+    if is_flat and len(used) == len(entries):
+        return ", ".join(values), used
+    named = (f"{entry.name}={value}" for entry, value in zip(used, values, strict=True))
+    return ", ".join(named), used
+
+
+def _is_space(entry: Entry, given: Mapping[Path, str]) -> bool:
+    """Tell whether a text of spaces was entered: it is a text."""
+    return entry.python is str and not entry.type.is_array and bool(given.get(entry.path))

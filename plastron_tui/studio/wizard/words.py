@@ -1,0 +1,79 @@
+"""What the wizard's frame says."""
+
+from __future__ import annotations
+
+from plastron_tui.diagnostics import has_errors
+from plastron_tui.session import Session
+
+from .course import Look, Page, PageKind
+from .menu_page import Item
+from .scene import Scene
+
+DONE = "It is in the program now. One undo (Ctrl-Z in the editor) takes it out again."
+DONE_ACTIONS = ("more", "screen.generate", "screen.run", "")
+
+
+def done_items(session: Session) -> list[Item]:
+    """Return what can be done once the statements are in the program."""
+    workspace = session.workspace
+    closed = ""
+    if has_errors(session.diagnostics):
+        closed = "a mistake in the program has to be mended first"
+    elif not workspace.generations:
+        closed = "the program writes no node to a file yet"
+    is_whole = not closed and Scene(session).lonely == 0
+    return [
+        Item("something more", "", "Another node, or something more for one that is there.",
+             is_advised=not is_whole),
+        Item("write the files", "", "Shows each file before it is written.", closed, is_whole),
+        Item("run the nodes", "", "Writes the files, starts the nodes and shows what they say.",
+             closed),
+        Item("back to the text", "", "Go on in the editor."),
+    ]  # fmt: skip
+
+
+def title(page: Page, is_done: bool) -> str:
+    """Return the title of a page."""
+    if is_done:
+        return "Done. And now?"
+    if page.kind is PageKind.START:
+        return "What do you want?"
+    if page.kind is PageKind.PURPOSE:
+        return "What shall it do?"
+    if page.form is None:
+        return "This is what will be written"
+    declaration = page.form.declaration
+    words = declaration.purpose[:1].upper() + declaration.purpose[1:]
+    return f"{words} · {declaration.ros_term}" if declaration.ros_term else words
+
+
+def question(page: Page, look: Look) -> str:
+    """Return the line above a menu."""
+    if page.kind is PageKind.START:
+        return (
+            "The wizard writes statements, the same that you could type: "
+            "you see them grow, and the code that they become."
+        )
+    return f"Choose what `{look.node}` shall do." if look.node else "Choose what shall be done."
+
+
+def review(look: Look) -> str:
+    """Return what is said on the last page."""
+    count = 0 if look.outcome is None else len(look.outcome.lines)
+    what = "statement goes" if count == 1 else "statements go"
+    return (
+        f"{count} {what} into the program as one step. Finish writes them there; Back changes them."
+    )
+
+
+def keys(page: Page, is_done: bool) -> str:
+    """Return the keys that matter on a page."""
+    if is_done:
+        return "↑↓ Enter choose"
+    if page.kind is PageKind.START:
+        return "↑↓ Enter choose  Esc leave"
+    if page.kind is PageKind.PURPOSE:
+        return "↑↓ Enter choose  F2 back"
+    if page.kind is PageKind.REVIEW:
+        return "Enter finish  F2 back"
+    return "Enter next  Tab field  ↑↓ choice  F2 back"
