@@ -18,6 +18,7 @@ from plastron_tui.language import Document, Program
 from plastron_tui.language.pause import collection_paused
 from plastron_tui.language.relowering import Lowered, lower_edited
 from plastron_tui.loader import NodeLoader
+from plastron_tui.model.fitting import Fitter
 from plastron_tui.model.interpreter import Interpretation, interpret
 from plastron_tui.model.setting import Setting
 from plastron_tui.model.workspace import Generation, Workspace
@@ -138,6 +139,7 @@ class Session:
         self._targets: dict[str, Target | None] = {}
         self._program: Program | None = None
         self._earlier: Lowered | None = None
+        self._fitters: Mapping[int, Fitter] = {}
         self._interpretation: Interpretation | None = None
 
     @cached_property
@@ -206,15 +208,16 @@ class Session:
 
     def edit(self, start: int, old_end: int, new: bytes) -> None:
         """Replace the bytes from `start` to `old_end` of the program."""
-        self.learn_from(self)
         self.document.edit(start, old_end, new)
         self._program = None
         self._interpretation = None
 
     def learn_from(self, earlier: Session) -> None:
-        """Let what is known of an earlier text of the same program help with this one."""
+        """Let what an earlier snapshot of the same program has found out help with this one."""
         if earlier._program is not None:
             self._earlier = Lowered(earlier.document.text, earlier._program)
+        if earlier._interpretation is not None:
+            self._fitters = earlier._interpretation.fitters
 
     def files_changed(self) -> None:
         """Run the program anew when it is asked next: files that it loads were written."""
@@ -232,7 +235,8 @@ class Session:
     def _meaning(self) -> Interpretation:
         if self._interpretation is None:
             with collection_paused():
-                self._interpretation = interpret(self.program, self.setting)
+                self._interpretation = interpret(self.program, self.setting, self._fitters)
+                self._fitters = {}
         return self._interpretation
 
     @cached_property

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from keyword import iskeyword
 from typing import Any
 
@@ -51,7 +51,13 @@ _CHECKS: dict[str, Callable[[str, int], NameProblem | None]] = {
 class Checks:
     """Looks up what a statement names, and raises a mistake where there is none such."""
 
-    def __init__(self, setting: Setting) -> None:
+    def __init__(self, setting: Setting, fitters: Mapping[int, Fitter]) -> None:
+        """Start with nothing.
+
+        Args:
+            setting: what programs are interpreted in.
+            fitters: those of an earlier interpretation, by their generation of ROS.
+        """
         self.workspace = Workspace()
         self._setting = setting
         self._broken: set[str] = set()
@@ -61,7 +67,8 @@ class Checks:
         self._failed_nodes: set[str] = set()
         self._version = setting.libraries[setting.library]
         self._resolvers: dict[int, TypeResolver] = {}
-        self._fitters: dict[int, Fitter] = {}
+        self.fitters: dict[int, Fitter] = {}
+        self._earlier_fitters = fitters
 
     def _check_new_variable(self, statement: Statement, variable: str) -> None:
         if not variable[0].isalpha():
@@ -214,13 +221,13 @@ class Checks:
         if resolver is None:
             catalog = self._setting.catalog(version)
             resolver = self._resolvers[version] = TypeResolver(catalog)
-            self._fitters[version] = Fitter(catalog)
+            self.fitters[version] = Fitter(catalog, self._earlier_fitters.get(version))
         return resolver
 
     def _fit(
         self, statement: st.CreateMessage | st.ClientRequests, type_: Interface, version: int
     ) -> MessageValue:
-        value = self._fitters[version].fit(type_, statement)
+        value = self.fitters[version].fit(type_, statement)
         if isinstance(value, Diagnostic):
             raise Mistake(value)
         return value

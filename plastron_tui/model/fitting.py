@@ -11,6 +11,7 @@ from tree_sitter import Node as SyntaxNode
 from plastron_tui.diagnostics import Diagnostic, Span, write
 from plastron_tui.language.inputs import (
     Argument,
+    Input,
     InputValue,
     ListValue,
     Literal,
@@ -39,17 +40,22 @@ Where = Callable[[], Span]
 """Tells a place when a mistake asks for it: most statements have none, and no place to tell."""
 
 
-def _parsed_at(syntax: SyntaxNode) -> Span:
-    """Return where the input of a statement stood when it was parsed."""
-    return span(syntax.child_by_field_name("input") or syntax)
-
-
 class Fitter:
-    """Fits the values of a program to the types of one distribution."""
+    """Fits the values of a program to the types of one distribution.
 
-    def __init__(self, catalog: Catalog) -> None:
+    While a program is edited, most statements keep their values: what was fitted for the program
+    before the last edit is not fitted again.
+    """
+
+    def __init__(self, catalog: Catalog, earlier: Fitter | None = None) -> None:
+        """Start with a catalog, and with what another one with the same catalog has fitted."""
         self._catalog = catalog
         self._leaves: dict[InterfaceName, tuple[tuple[str, ...], ...] | None] = {}
+        # By identity, which the values keep as long as they stand here too.
+        self._fitted: dict[int, tuple[Input, Interface, MessageValue]] = {}
+        self._earlier: dict[int, tuple[Input, Interface, MessageValue]] = {}
+        if earlier is not None and earlier._catalog is catalog:
+            self._earlier = earlier._fitted
 
     def fit(
         self, type_: Interface, statement: CreateMessage | ClientRequests
@@ -58,14 +64,28 @@ class Fitter:
         values = statement.input
         if not values:
             return MessageValue(type_.name, {})
+        known = self._earlier.get(id(values))
+        if known is None or known[0] is not values or known[1] is not type_:
+            found = self._fit(type_, statement)
+            if isinstance(found, Diagnostic):
+                # Values know where they stood when they were parsed.
+                return found.moved(statement.shift)
+            known = values, type_, found
+        self._fitted[id(values)] = known
+        return known[2]
+
+    def _fit(
+        self, type_: Interface, statement: CreateMessage | ClientRequests
+    ) -> MessageValue | Diagnostic:
+        def where() -> Span:
+            return span(statement.syntax.child_by_field_name("input") or statement.syntax)
+
         try:
-            return self._message(
-                type_.name, type_.fields, values, lambda: statement.span_of("input")
-            )
+            return self._message(type_.name, type_.fields, statement.input, where)
         except Misfit as misfit:
             found = misfit.diagnostic
             if not type_.fields and found.code == "wrong-number-of-values":
-                return found._replace(fix=write("none", statement.span_of("input")))
+                return found._replace(fix=write("none", where()))
             return found
 
     def _message(

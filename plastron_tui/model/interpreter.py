@@ -6,7 +6,7 @@ mistake gives none.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from typing import Any, NamedTuple
 
@@ -19,6 +19,7 @@ from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 
 from .agreement import Agreement
 from .checks import Checks, Mistake
+from .fitting import Fitter
 from .late import late_changes
 from .setting import LoadRequest, Setting
 from .workspace import (
@@ -37,28 +38,41 @@ from .workspace import (
 
 
 class Interpretation(NamedTuple):
-    """What a program means, and what is wrong with it."""
+    """What a program means, and what is wrong with it.
+
+    `fitters` know the values of its statements, by generation of ROS: they are a help with the
+    same program after an edit.
+    """
 
     workspace: Workspace
     diagnostics: tuple[Diagnostic, ...]
+    fitters: Mapping[int, Fitter]
 
 
-def interpret(program: Program, setting: Setting) -> Interpretation:
-    """Run the statements of a program and return the workspace that they build."""
-    interpreter = Interpreter(setting)
+def interpret(
+    program: Program, setting: Setting, fitters: Mapping[int, Fitter] | None = None
+) -> Interpretation:
+    """Run the statements of a program and return the workspace that they build.
+
+    Args:
+        program: the statements.
+        setting: what they are interpreted in.
+        fitters: those of an interpretation of the program before it was edited.
+    """
+    interpreter = Interpreter(setting, fitters)
     with collection_paused():
         diagnostics = interpreter.run(program)
         # In a program with a mistake, the statement that generates may be the mistake.
         if not has_errors(diagnostics):
             diagnostics += tuple(late_changes(program, interpreter.workspace))
-    return Interpretation(interpreter.workspace, diagnostics)
+    return Interpretation(interpreter.workspace, diagnostics, interpreter.fitters)
 
 
 class Interpreter(Checks):
     """Runs programs, one after the other, in one workspace."""
 
-    def __init__(self, setting: Setting) -> None:
-        super().__init__(setting)
+    def __init__(self, setting: Setting, fitters: Mapping[int, Fitter] | None = None) -> None:
+        super().__init__(setting, fitters or {})
         self._program = Program(())
         self._found: list[tuple[int, Diagnostic]] = []
         # ROS 1 and ROS 2 are two graphs: what one means by a topic is nothing to the other.
