@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from keyword import iskeyword
 
 from plastron_tui.language.syntax_errors import KEYWORDS
+from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.names import (
     check_node_name,
     check_service_name,
@@ -14,6 +15,7 @@ from plastron_tui.ros.names import (
     mended_node_name,
 )
 
+from .numbering import numbered
 from .source import EndpointKind, SourceEndpoint, SourceFile, SourceNode
 
 _WORDS = {
@@ -40,9 +42,7 @@ class Variables:
         base = re.sub(r"[^A-Za-z0-9_]+", "_", name).strip("_")
         if not base[:1].isalpha() or not base.isascii():
             base = f"node_{base}".rstrip("_")
-        variable, number = base, 2
-        while variable in self._taken:
-            variable, number = f"{base}_{number}", number + 1
+        variable = next(name for name in numbered(base) if name not in self._taken)
         self._taken.add(variable)
         return variable
 
@@ -94,19 +94,40 @@ def _statement(
     check = check_service_name if endpoint.kind in _SERVICES else check_topic_name
     if name is None or type_ is None or check(name, ros_version) is not None:
         return None
-    match endpoint.kind:
+    stem = f"{name.strip('/~').replace('/', '_')}_message"
+    call = _calling(endpoint)
+    return endpoint_statements(endpoint.kind, node, name, type_, lambda: variables.new(stem), call)
+
+
+def endpoint_statements(
+    kind: EndpointKind,
+    node: str,
+    name: str,
+    type_: InterfaceName,
+    new_message: Callable[[], str],
+    calling: str = "",
+) -> tuple[str, ...] | None:
+    """Return the statements that give a node an endpoint, None when the language has none.
+
+    Args:
+        kind: what it is.
+        node: the node's variable.
+        name: its topic or service.
+        type_: its type.
+        new_message: makes a variable for a message, where one is needed.
+        calling: the clause that names the callback, with a space before it.
+    """
+    match kind:
         case EndpointKind.PUBLISHER:
-            message = variables.new(f"{name.strip('/~').replace('/', '_')}_message")
+            message = new_message()
             return (
                 f"create_message {message} of message_type {type_} and input none",
                 f"{node} publish {message} to '{name}' of message_type {type_}",
             )
         case EndpointKind.SUBSCRIPTION:
-            return (f"subscribe {node} to '{name}' of message_type {type_}{_calling(endpoint)}",)
+            return (f"subscribe {node} to '{name}' of message_type {type_}{calling}",)
         case EndpointKind.SERVICE:
-            return (
-                f"{node} provides_service '{name}' of service_type {type_}{_calling(endpoint)}",
-            )
+            return (f"{node} provides_service '{name}' of service_type {type_}{calling}",)
         case EndpointKind.CLIENT:
             return (f"{node} client_requests '{name}' of service_type {type_} with input none",)
         case _:

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
+from functools import partial
+from itertools import chain
 
 from plastron_tui.diagnostics.terminal import visible
-from plastron_tui.model.program_text import Variables
+from plastron_tui.model.endpoints import EndpointKind
+from plastron_tui.model.numbering import numbered
+from plastron_tui.model.program_text import Variables, endpoint_statements
 from plastron_tui.ros.names import (
     NameProblem,
     check_node_name,
@@ -101,28 +105,22 @@ def _node(
     variable = variables.new(name)
     using = f" using {library}" if library else ""
     lines.append(f"create_node '{name}' as {variable}{using}")
-    for topic, type_ in _known(node.publishers):
-        message = variables.new(f"{variable}_{_last(topic)}")
-        lines.append(f"create_message {message} of message_type {type_} and input none")
-        lines.append(f"{variable} publish {message} to '{topic}' of message_type {type_}")
-    for topic, type_ in _known(node.subscriptions):
-        lines.append(f"subscribe {variable} to '{topic}' of message_type {type_}")
-    for service, type_ in _known(node.services):
-        lines.append(f"{variable} provides_service '{service}' of service_type {type_}")
-    for service, type_ in _known(node.clients):
-        lines.append(
-            f"{variable} client_requests '{service}' of service_type {type_} with input none"
-        )
+    for kind, endpoints in (
+        (EndpointKind.PUBLISHER, node.publishers),
+        (EndpointKind.SUBSCRIPTION, node.subscriptions),
+        (EndpointKind.SERVICE, node.services),
+        (EndpointKind.CLIENT, node.clients),
+    ):
+        for full, type_ in endpoints:
+            message = partial(variables.new, f"{variable}_{_last(full)}")
+            if type_ is not None:
+                lines += endpoint_statements(kind, variable, full, type_, message) or ()
     lines += [*_unknown(node), *odd, f"generate_node {variable}"]
     return "\n".join(lines) + "\n"
 
 
 def _endpoints(node: DescribedNode) -> tuple[Endpoint, ...]:
     return (*node.publishers, *node.subscriptions, *node.services, *node.clients)
-
-
-def _known(endpoints: Sequence[Endpoint]) -> Iterator[Endpoint]:
-    return (endpoint for endpoint in endpoints if endpoint[1] is not None)
 
 
 def _unknown(node: DescribedNode) -> list[str]:
@@ -137,20 +135,10 @@ def _names(nodes: Sequence[DescribedNode]) -> list[str]:
         if "/" not in node.name[1:]:
             names.append(node.name[1:])
             continue
-        choices = [_last(node.name), node.name[1:].replace("/", "_")]
-        names.append(_free(choices, used))
+        choices = chain([_last(node.name)], numbered(node.name[1:].replace("/", "_")))
+        names.append(next(name for name in choices if name not in used))
         used.add(names[-1])
     return names
-
-
-def _free(choices: Sequence[str], taken: set[str]) -> str:
-    for choice in choices:
-        if choice not in taken:
-            return choice
-    number = 2
-    while f"{choices[-1]}_{number}" in taken:
-        number += 1
-    return f"{choices[-1]}_{number}"
 
 
 def _last(name: str) -> str:

@@ -6,6 +6,8 @@ import re
 from collections.abc import Iterable
 from keyword import iskeyword
 
+from plastron_tui.model.numbering import numbered
+
 _LONGEST = 40
 """Names that are derived stay short enough for a line to hold them."""
 
@@ -27,10 +29,8 @@ class Scope:
 
     def new(self, wanted: str) -> str:
         """Take an identifier: `wanted`, or the first of `wanted_2`, `wanted_3`, … that is free."""
-        name, count = wanted, 1
-        while name in self._taken or iskeyword(name):
-            count += 1
-            name = f"{wanted}_{count}"
+        free = (each for each in numbered(wanted) if each not in self and not iskeyword(each))
+        name = next(free)
         self._taken.add(name)
         return name
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
-from itertools import chain, count
+from itertools import chain
 
 from tree_sitter import Node
 
+from plastron_tui.model.numbering import numbered
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets.python.analysis import Analysis, Site
 from plastron_tui.targets.python.callbacks import callback_target
@@ -159,9 +160,8 @@ class Work:
     def free_name(self, wanted: str) -> str:
         """Return a name that the file does not use."""
         used = {name for scope in self.analysis.scopes.all for name in scope.bindings}
-        counted = (f"_ros_{wanted}_{number}" for number in count(2))
-        wishes = (wanted, f"ros_{wanted}", f"_ros_{wanted}")
-        return next(name for name in chain(wishes, counted) if name not in used)
+        wishes = chain((wanted, f"ros_{wanted}"), numbered(f"_ros_{wanted}"))
+        return next(name for name in wishes if name not in used)
 
     def result(self) -> bytes:
         """Return the file with all that was noted."""

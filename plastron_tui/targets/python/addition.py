@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from plastron_tui.model.numbering import numbered
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.model.workspace import Client, Publisher, Service, Subscription
 from plastron_tui.targets import literals, naming
@@ -50,16 +51,13 @@ class Addition:
 
     def free_name(self, wanted: str) -> str:
         """Return a name that the file does not use yet."""
-        taken = {*self.dialect.method_names}
-        name, count = wanted, 1
-        while (
-            name in taken
-            or not literals.is_name(name)
-            or any(True for _ in identifiers(name, self.analysis))
-        ):
-            count += 1
-            name = f"{wanted}_{count}"
-        return name
+        return next(
+            name
+            for name in numbered(wanted)
+            if name not in self.dialect.method_names
+            and literals.is_name(name)
+            and not any(True for _ in identifiers(name, self.analysis))
+        )
 
     def rospy(self, name: str, *, in_callback: bool = False) -> str:
         """Return what the file calls a name of rospy, where the endpoint is or in a callback."""
