@@ -1,0 +1,123 @@
+"""What the tests of porting share: a node in both libraries, and the way from one to the other."""
+
+from __future__ import annotations
+
+from collections import Counter
+from pathlib import Path
+
+from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.model.source import EndpointKind, SourceFile
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.targets import find_target
+from plastron_tui.targets.python import read_python
+
+CATALOGS = {"rospy": Catalog("noetic"), "rclpy": Catalog("kilted")}
+OTHER = {"rospy": "rclpy", "rclpy": "rospy"}
+KINDS = {
+    EndpointKind.PUBLISHER,
+    EndpointKind.SUBSCRIPTION,
+    EndpointKind.SERVICE,
+    EndpointKind.CLIENT,
+}
+MARK = "# port by hand: "
+
+LISTENER_1 = '''\
+#!/usr/bin/env python
+"""Hears things."""
+
+import rospy
+from std_msgs.msg import String
+
+LOUD = "!"
+
+
+def shout(text):
+    return text.upper() + LOUD
+
+
+def callback(data):
+    text = shout(data.data)
+    rospy.loginfo(rospy.get_caller_id() + "I heard %s", text)
+
+
+def listener():
+    rospy.init_node("listener", anonymous=True)
+    rospy.Subscriber("chatter", String, callback)
+    # spin() simply keeps python from exiting
+    rospy.spin()
+
+
+if __name__ == "__main__":
+    listener()
+'''
+LISTENER_2 = '''\
+#!/usr/bin/env python3
+"""Hears things."""
+
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from std_msgs.msg import String
+
+node = None
+
+
+def spin():
+    """Handle what comes, until ROS ends."""
+    try:
+        rclpy.spin(node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+
+
+LOUD = "!"
+
+
+def shout(text):
+    return text.upper() + LOUD
+
+
+def callback(data):
+    text = shout(data.data)
+    # port by hand: rospy.loginfo; rospy.get_caller_id
+    rospy.loginfo(rospy.get_caller_id() + "I heard %s", text)
+
+
+def listener():
+    global node
+    rclpy.init()
+    # port by hand: anonymous
+    node = rclpy.create_node("listener")
+    node.create_subscription(String, "chatter", callback, 10)
+    # spin() simply keeps python from exiting
+    spin()
+
+
+if __name__ == "__main__":
+    listener()
+'''
+
+
+def source(text: str | bytes, library: str) -> SourceFile:
+    data = text.encode() if isinstance(text, str) else text
+    found = read_python(Path("node.py"), data, library).source
+    assert found is not None
+    return found
+
+
+def ported(text: str | bytes, library: str) -> tuple[str, tuple[Diagnostic, ...]]:
+    """Bring a file to the other client library."""
+    target = find_target(OTHER[library])
+    assert target is not None
+    read = source(text, library)
+    result = target.port(None, read, CATALOGS[OTHER[library]])  # type: ignore[arg-type]
+    assert result.text is not None, result.diagnostics
+    return result.text.decode("utf-8", "replace"), result.diagnostics
+
+
+def endpoints(read: SourceFile) -> Counter[tuple[EndpointKind, str]]:
+    return Counter(
+        (each.kind, each.name.replace("~/", "~"))
+        for node in read.nodes
+        for each in node.endpoints
+        if each.kind in KINDS and each.name is not None
+    )

@@ -1,0 +1,160 @@
+"""Endpoints that small nodes get, before → after, in many manners of writing them."""
+
+from __future__ import annotations
+
+import pytest
+from edits import (
+    AT,
+    CLI,
+    edit,
+    edited,
+    interface,
+    provide,
+    publish,
+    request,
+    subscribe,
+)
+
+from plastron_tui.model.source import Add, Remove
+from plastron_tui.model.workspace import (
+    Client,
+)
+
+CLASS = (
+    "import rospy\nfrom std_msgs.msg import String\n\n\nclass A(object):\n"
+    "    def __init__(self):\n        self.cmd_pub = rospy.Publisher('cmd', String, queue_size=5)\n"
+    "        rospy.Subscriber('in', String, self.in_cb)\n\n"
+    "    def in_cb(self, msg):\n        self.cmd_pub.publish(msg)\n\n"
+    "    def run(self):\n        pass\n\n\nrospy.init_node('a')\nA().run()\n"
+)
+
+ADDITIONS = {
+    "a publisher beside its like": (
+        CLASS,
+        publish("out"),
+        [(
+            "queue_size=5)\n",
+            "queue_size=5)\n        self.out_pub = rospy.Publisher('out', String, queue_size=5)\n",
+        )],
+    ),
+    "a subscription with a method behind its like": (
+        CLASS,
+        subscribe("other", "std_msgs/Int32"),
+        [
+            ("import String\n", "import String, Int32\n"),
+            ("self.in_cb)\n", "self.in_cb)\n"
+                             "        rospy.Subscriber('other', Int32, self.other_cb)\n"),
+            ("publish(msg)\n", "publish(msg)\n\n    def other_cb(self, message):\n"
+                               "        rospy.loginfo('other: %s', message)\n"),
+        ],
+    ),
+    "a subscription that calls what is there": (
+        CLASS,
+        subscribe("other", callback="in_cb"),
+        [("self.in_cb)\n", "self.in_cb)\n        rospy.Subscriber('other', String, self.in_cb)\n")],
+    ),
+    "a service": (
+        CLASS,
+        provide("stop", "std_srvs/Empty"),
+        [
+            ("import String\n", "import String\nfrom std_srvs.srv import Empty, EmptyResponse\n"),
+            ("self.in_cb)\n", "self.in_cb)\n"
+                             "        rospy.Service('stop', Empty, self.handle_stop)\n"),
+            ("publish(msg)\n", "publish(msg)\n\n    def handle_stop(self, request):\n"
+                               "        rospy.loginfo('stop: %s', request)\n"
+                               "        return EmptyResponse()\n"),
+        ],
+    ),
+    "publishing in the only loop": (
+        "import rospy as r\nfrom std_msgs.msg import String\nr.init_node(\"n\")\n"
+        "rate = r.Rate(5)\nwhile not r.is_shutdown():\n\trate.sleep()\n",
+        publish("out", data="hi"),
+        [
+            ('node("n")\n', 'node("n")\nout_pub = r.Publisher("out", String, queue_size=10)\n'),
+            ("down():\n", 'down():\n\tout_pub.publish(String(data="hi"))\n'),
+        ],
+    ),
+    "publishing in the only timer": (
+        "from rclpy.node import Node\nimport std_msgs.msg\n\nclass A(Node):\n"
+        "  def __init__(self):\n    super().__init__('a')\n    self.create_timer(1, self.tick)\n"
+        "  def tick(self):\n    print()\n",
+        publish("out", data="hi"),
+        [
+            ("tick)\n", "tick)\n    self.out_pub = "
+                        "self.create_publisher(std_msgs.msg.String, 'out', 10)\n"),
+            ("print()\n", "print()\n    self.out_pub.publish(std_msgs.msg.String(data='hi'))\n"),
+        ],
+    ),
+    "keywords as the others have them": (
+        "import rospy\nfrom std_msgs.msg import *\nrospy.init_node('n')\n"
+        "p = rospy.Publisher(name='p', data_class=String, queue_size=1)\n",
+        publish("out"),
+        [("size=1)\n", "size=1)\nout_p = rospy.Publisher(name='out', data_class=String, "
+                       "queue_size=1)\n".replace("out_p ", "out_pub "))],
+    ),
+    "in a function, the callback before it": (
+        "import rospy\nfrom std_msgs.msg import String\n\n\ndef main():\n    rospy.init_node('n')\n"
+        "    rospy.spin()\n\n\nmain()\n",
+        subscribe("in"),
+        [
+            ("String\n", "String\n\n\ndef on_in(message):\n    rospy.loginfo('in: %s', message)\n"),
+            ("node('n')\n", "node('n')\n    rospy.Subscriber('in', String, on_in)\n"),
+        ],
+    ),
+    "names that the file imports one by one": (
+        "from rospy import init_node, Publisher\nfrom std_msgs.msg import String as Text\n"
+        "init_node('n')\npub_a = Publisher('a', Text)\n",
+        publish("out"),
+        [("'a', Text)\n", "'a', Text)\npub_out = Publisher('out', Text, queue_size=10)\n")],
+    ),
+    "behind init_node, though a publisher stands before": (
+        "import rospy\nfrom std_msgs.msg import String\np = rospy.Publisher('a', String)\n"
+        "rospy.init_node('n')\n",
+        publish("out"),
+        [("node('n')\n", "node('n')\nout_pub = rospy.Publisher('out', String, queue_size=10)\n")],
+    ),
+    "a node that a function makes": (
+        "import rclpy\nfrom std_msgs.msg import String\nrclpy.init()\n"
+        "node = rclpy.create_node('n')\nrclpy.spin(node)\n",
+        publish("out"),
+        [("node('n')\n", "node('n')\nout_pub = node.create_publisher(String, 'out', 10)\n")],
+    ),
+    "no final newline": (
+        "import rospy\nfrom std_msgs.msg import String\nrospy.init_node('n')",
+        publish("out"),
+        [("node('n')", "node('n')\nout_pub = rospy.Publisher('out', String, queue_size=10)")],
+    ),
+    "a type whose name is taken": (
+        "import rospy\nfrom std_msgs.msg import Empty\nrospy.init_node('n')\n"
+        "rospy.Subscriber('a', Empty)\n",
+        Add(Client("b", interface("std_srvs/Empty"), [], AT)),
+        [
+            ("import Empty\n", "import Empty\nfrom std_srvs.srv import Empty as StdSrvsEmpty\n"),
+            ("'a', Empty)\n", "'a', Empty)\nb_client = rospy.ServiceProxy('b', StdSrvsEmpty)\n"),
+        ],
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", ADDITIONS)
+def test_adding(case):
+    before, change, replacements = ADDITIONS[case]
+    after = before
+    for old, new in replacements:
+        assert after.count(old) == 1
+        after = after.replace(old, new)
+    assert edited(before, change) == after
+    windows = edited(before.replace("\n", "\r\n"), change)
+    assert windows == after.replace("\n", "\r\n")
+
+
+def test_a_client_calls_and_goes_again():
+    change = request("add", "beginner_tutorials/AddTwoInts", a=1, b=2)
+    after = edited(CLASS, change)
+    assert "self.add_client(AddTwoIntsRequest(a=1, b=2))" in after
+    assert edited(after, Remove(CLI, "add", AT)) == CLASS
+
+
+def test_a_name_that_is_no_function_is_refused():
+    (found,) = edit(CLASS, subscribe("x", callback="for")).diagnostics
+    assert found.code == "invalid-function"

@@ -1,0 +1,168 @@
+"""Endpoints that are taken out of small nodes, before → after."""
+
+from __future__ import annotations
+
+import pytest
+from edits import (
+    AT,
+    CLI,
+    PUB,
+    SRV,
+    SUB,
+    edit,
+    edited,
+)
+
+from plastron_tui.model.source import Remove
+
+HEAD = "import rospy\nfrom std_msgs.msg import Int32, String\n"
+TAIL = "rospy.init_node('n')\n"
+MORE = "keep = rospy.Publisher('keep', Int32)\n"
+
+REMOVALS = {
+    "a statement with its comment": (
+        PUB,
+        f"{HEAD}{MORE}rospy.Publisher('t', String)  # gone\n{TAIL}",
+        f"import rospy\nfrom std_msgs.msg import Int32\n{MORE}{TAIL}",
+    ),
+    "a variable and what only publishes on it": (
+        PUB,
+        f"{HEAD}{MORE}p = rospy.Publisher('t', String)\np.publish('a')\n{TAIL}p.publish('b')\n",
+        f"import rospy\nfrom std_msgs.msg import Int32\n{MORE}{TAIL}",
+    ),
+    "a whole import line": (
+        PUB,
+        f"import rospy\nfrom std_msgs.msg import String  # text\nx = 1\n"
+        f"rospy.Publisher('t', String)\n{TAIL}",
+        f"import rospy\nx = 1\n{TAIL}",
+    ),
+    "an import that something else uses stays": (
+        PUB,
+        f"{HEAD}{MORE}rospy.Publisher('t', String)\nx = String()\n{TAIL}",
+        f"{HEAD}{MORE}x = String()\n{TAIL}",
+    ),
+    "one name of an import over many lines": (
+        PUB,
+        "import rospy\nfrom std_msgs.msg import (\n    Int32,\n    String,\n    Bool,\n)\n"
+        f"x = Bool, Int32\nrospy.Publisher('t', String)\n{TAIL}",
+        "import rospy\nfrom std_msgs.msg import (\n    Int32,\n    Bool,\n)\n"
+        f"x = Bool, Int32\n{TAIL}",
+    ),
+    "the last statement of a block": (
+        PUB,
+        f"{HEAD}{MORE}if x:\n    rospy.Publisher('t', Int32)\n{TAIL}y = String\n",
+        f"{HEAD}{MORE}if x:\n    pass\n{TAIL}y = String\n",
+    ),
+    "between semicolons": (
+        PUB,
+        f"{HEAD}a = 1; rospy.Publisher('t', Int32); b = String, Int32\n{TAIL}",
+        f"{HEAD}a = 1; b = String, Int32\n{TAIL}",
+    ),
+    "behind a colon": (
+        PUB,
+        f"{HEAD}{MORE}if x: rospy.Publisher('t', Int32)\n{TAIL}y = String\n",
+        f"{HEAD}{MORE}if x: pass\n{TAIL}y = String\n",
+    ),
+    "one of a tuple": (
+        PUB,
+        f"{HEAD}a, b = rospy.Publisher('k', Int32), rospy.Publisher('t', String)\n{TAIL}",
+        f"import rospy\nfrom std_msgs.msg import Int32\na = rospy.Publisher('k', Int32)\n{TAIL}",
+    ),
+    "used at once": (
+        PUB,
+        f"{HEAD}{MORE}rospy.Publisher('t', String).publish('x')\n{TAIL}",
+        f"import rospy\nfrom std_msgs.msg import Int32\n{MORE}{TAIL}",
+    ),
+    "over many lines, with tabs": (
+        PUB,
+        f"{HEAD}class A:\n\tdef __init__(self):\n\t\tself.p = rospy.Publisher(\n\t\t\t't',\n"
+        f"\t\t\tString,\n\t\t)\n\t\tself.x = Int32\n{TAIL}",
+        "import rospy\nfrom std_msgs.msg import Int32\nclass A:\n\tdef __init__(self):\n"
+        f"\t\tself.x = Int32\n{TAIL}",
+    ),
+    "a stub callback goes": (
+        SUB,
+        f"{HEAD}{MORE}\ndef cb(msg):\n    pass\n\nrospy.Subscriber('t', String, cb)\n{TAIL}",
+        f"import rospy\nfrom std_msgs.msg import Int32\n{MORE}{TAIL}",
+    ),
+    "a callback with code stays": (
+        SUB,
+        f"{HEAD}def cb(msg):\n    print(msg.data)\n\nrospy.Subscriber('t', Int32, cb)\n{TAIL}"
+        "y = String, Int32\n",
+        f"{HEAD}def cb(msg):\n    print(msg.data)\n\n{TAIL}y = String, Int32\n",
+    ),
+    "a stub that something else calls stays": (
+        SUB,
+        f"{HEAD}def cb(msg):\n    pass\n\nrospy.Subscriber('t', Int32, cb)\ncb(String)\n{TAIL}"
+        "y = Int32\n",
+        f"{HEAD}def cb(msg):\n    pass\n\ncb(String)\n{TAIL}y = Int32\n",
+    ),
+    "a module of types": (
+        SUB,
+        f"import rospy\nimport std_msgs.msg as m\nrospy.Subscriber('t', m.String)\n{TAIL}",
+        f"import rospy\n{TAIL}",
+    ),
+    "every call site": (
+        SUB,
+        f"{HEAD}s = rospy.Subscriber('t', String)\nr = rospy.Subscriber('t', String)\n{MORE}{TAIL}",
+        f"import rospy\nfrom std_msgs.msg import Int32\n{MORE}{TAIL}",
+    ),
+    "a service with its stub": (
+        SRV,
+        "import rospy\nfrom std_srvs.srv import Empty, EmptyResponse\n\n"
+        "def h(req):\n    return EmptyResponse()\n\n"
+        f"rospy.Service('t', Empty, h)\n{TAIL}",
+        f"import rospy\n{TAIL}",
+    ),
+    "a variable that holds another later": (
+        SUB,
+        f"{HEAD}s = rospy.Subscriber('t', String)\ns = rospy.Subscriber('u', Int32)\n{TAIL}",
+        f"import rospy\nfrom std_msgs.msg import Int32\ns = rospy.Subscriber('u', Int32)\n{TAIL}",
+    ),
+    "a client": (
+        CLI,
+        f"import rospy\nfrom std_srvs.srv import Empty\nc = rospy.ServiceProxy('t', Empty)\n{TAIL}",
+        f"import rospy\n{TAIL}",
+    ),
+    "an rclpy subscription that is mentioned to please a linter": (
+        SUB,
+        "from rclpy.node import Node\nfrom std_msgs.msg import String\n\n\nclass A(Node):\n"
+        "    def __init__(self):\n        super().__init__('a')\n"
+        "        self.s = self.create_subscription(String, 't', self.cb, 10)\n"
+        "        self.s  # prevent unused variable warning\n\n"
+        "    def cb(self, msg):\n        pass\n",
+        "from rclpy.node import Node\n\n\nclass A(Node):\n"
+        "    def __init__(self):\n        super().__init__('a')\n",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", REMOVALS)
+def test_removing(case):
+    kind, before, after = REMOVALS[case]
+    assert edited(before, Remove(kind, "t", AT)) == after
+    windows = before.replace("\n", "\r\n")
+    assert edited(windows, Remove(kind, "t", AT)) == after.replace("\n", "\r\n")
+
+
+IN_USE = {
+    "unregistered": ("s = rospy.Subscriber('t', String)\ns.unregister()\n", [4]),
+    "asked for listeners": ("p = rospy.Publisher('t', String)\nif p.get_num_connections():\n"
+                            "    p.publish('x')\n", [4]),
+    "returned": ("def f():\n    return rospy.Publisher('t', String)\n", [4]),
+    "handed on": ("f(rospy.Publisher('t', String))\n", [3]),
+    "in a dictionary": ("d = {'a': rospy.Publisher('t', String)}\n", [3]),
+    "assigned twice": ("p = rospy.Publisher('t', String)\np = rospy.Publisher('u', String)\n"
+                       "p.publish('x')\n", [4]),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", IN_USE)
+def test_what_is_in_use_is_not_removed(case):
+    body, lines = IN_USE[case]
+    kind = SUB if "Subscriber" in body else PUB
+    rendered = edit(f"{HEAD}{body}{TAIL}", Remove(kind, "t", AT))
+    assert rendered.text is None
+    (found,) = rendered.diagnostics
+    assert found.code == "endpoint-in-use"
+    assert found.message.endswith(" ".join(map(str, lines)))

@@ -1,0 +1,130 @@
+"""What holds for every node that is brought from one ROS to the other."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections import Counter
+from pathlib import Path
+
+import pytest
+from ported_nodes import (
+    CATALOGS,
+    KINDS,
+    MARK,
+    OTHER,
+    endpoints,
+)
+
+from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.model.source import EndpointKind, SourceFile
+from plastron_tui.targets import find_target
+from plastron_tui.targets.python import read_python
+
+NODES = Path(__file__).parent.parent / "nodes"
+FILES = sorted(
+    path
+    for path in NODES.glob("r*py/*")
+    if path.is_file() and path.suffix != ".json" and path.parent.name in OTHER
+)
+
+
+def callbacks(read: SourceFile) -> set[str]:
+    return {
+        each.callback
+        for node in read.nodes
+        for each in node.endpoints
+        if each.callback is not None and each.kind in KINDS | {EndpointKind.TIMER}
+    }
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: f"{path.parent.name}/{path.stem}")
+def test_every_node_of_the_collection(path: Path) -> None:
+    read = read_python(path, path.read_bytes(), None).source
+    if read is None or read.library not in OTHER:
+        return
+    target = find_target(OTHER[read.library])
+    assert target is not None
+    result = target.port(None, read, CATALOGS[target.name])  # type: ignore[arg-type]
+    if result.text is None:
+        assert [found.code for found in result.diagnostics] == ["edit-refused"]
+        with pytest.raises((SyntaxError, ValueError)):
+            ast.parse(read.text)
+        return
+    assert all(
+        found.code == "port-by-hand" and found.severity is Severity.WARNING and found.file == path
+        for found in result.diagnostics
+    )
+    check_endpoints(read, result.text, result.diagnostics, target.name)
+    check_marks(read, result.text, result.diagnostics)
+    check_bodies(read, result.text)
+
+
+def check_endpoints(
+    read: SourceFile, text: bytes, diagnostics: tuple[Diagnostic, ...], library: str
+) -> None:
+    """What the file shows is what it showed, apart from what is said to be missing."""
+    after = read_python(read.path, text, library).source
+    assert after is not None
+    missing = Counter(
+        match[1].replace("~/", "~")
+        for found in diagnostics
+        if (match := re.search(r"`(.*)` in line \d+ is not carried over", found.message))
+    )
+    before = Counter(name for _, name in endpoints(read).elements())
+    assert Counter(name for _, name in endpoints(after).elements()) >= before - missing
+
+
+def check_marks(read: SourceFile, text: bytes, diagnostics: tuple[Diagnostic, ...]) -> None:
+    """Every statement that still names the old library stands below a comment."""
+    try:
+        tree = ast.parse(text)
+    except (SyntaxError, ValueError):
+        return
+    lines = text.decode("utf-8", "replace").split("\n")
+    statements = [node for node in ast.walk(tree) if isinstance(node, ast.stmt)]
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Name) and node.id == read.library:
+            around = {
+                s.lineno for s in statements if s.lineno <= node.lineno <= (s.end_lineno or 0)
+            }
+            above = {lines[row - 2] for row in (*around, node.lineno)}
+            assert any(MARK in line for line in above), lines[node.lineno - 1]
+    named = {
+        what
+        for line in lines
+        if MARK in line
+        for what in line.partition(MARK)[2].strip().split("; ")
+    }
+    told = {found.message.split("`")[1] for found in diagnostics if "`" in found.message}
+    assert named - told == set() or MARK.encode() in read.text
+
+
+def check_bodies(read: SourceFile, text: bytes) -> None:
+    """Every statement of a callback that makes no endpoint is as it was."""
+    try:
+        before, after = ast.parse(read.text), ast.parse(text)
+    except (SyntaxError, ValueError):
+        return
+    makers = re.compile(
+        r"Publisher\(|Subscriber\(|Service\(|ServiceProxy\(|Timer\(|create_|wait_for_m"
+    )
+    for name in callbacks(read):
+        new = {
+            ast.unparse(statement)
+            for function in functions(after, name)
+            for statement in function.body
+        }
+        for function in functions(before, name):
+            for statement in function.body:
+                written = ast.unparse(statement)
+                if not makers.search(written) and "import" not in written:
+                    assert written in new
+
+
+def functions(tree: ast.AST, name: str) -> list[ast.FunctionDef | ast.AsyncFunctionDef]:
+    return [
+        node
+        for node in ast.walk(tree)
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)) and node.name == name
+    ]

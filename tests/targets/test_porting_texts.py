@@ -1,0 +1,302 @@
+"""Bringing nodes from one ROS to the other, before → after."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+from ported_nodes import (
+    CATALOGS,
+    LISTENER_1,
+    LISTENER_2,
+    MARK,
+    OTHER,
+    endpoints,
+    ported,
+    source,
+)
+
+from plastron_tui.targets import find_target
+
+SERVER_1 = """\
+import rospy
+from beginner_tutorials.srv import AddTwoInts, AddTwoIntsResponse
+from geometry_msgs.msg import PointStamped
+
+
+class Adder:
+    def __init__(self):
+        self.calls = 0
+        self.points = rospy.Publisher("~points", PointStamped, queue_size=5)
+        rospy.Service("add", AddTwoInts, self.add)
+        rospy.Timer(rospy.Duration(0.5), self.tick)
+
+    def add(self, req):
+        self.calls += 1
+        return AddTwoIntsResponse(sum=req.a + req.b)
+
+    def tick(self, event):
+        point = PointStamped()
+        point.header.stamp = rospy.Time.now()
+        if point.header.stamp.secs > 5:
+            self.points.publish(point)
+
+
+if __name__ == "__main__":
+    rospy.init_node("adder")
+    Adder()
+    rospy.spin()
+"""
+SERVER_2 = '''\
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from example_interfaces.srv import AddTwoInts
+from geometry_msgs.msg import PointStamped
+
+AddTwoIntsResponse = AddTwoInts.Response
+
+
+def spin():
+    """Handle what comes, until ROS ends."""
+    try:
+        rclpy.spin(node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+
+
+class Adder:
+    def __init__(self):
+        self.calls = 0
+        self.points = node.create_publisher(PointStamped, "~/points", 5)
+        node.create_service(AddTwoInts, "add", self.add)
+        node.create_timer(0.5, self.tick)
+
+    def add(self, req, response=None):
+        self.calls += 1
+        return AddTwoIntsResponse(sum=req.a + req.b)
+
+    def tick(self, event=None):
+        point = PointStamped()
+        # port by hand: rospy.Time.now
+        point.header.stamp = rospy.Time.now()
+        # port by hand: .secs
+        if point.header.stamp.secs > 5:
+            self.points.publish(point)
+
+
+if __name__ == "__main__":
+    rclpy.init()
+    node = rclpy.create_node("adder")
+    Adder()
+    spin()
+'''
+ROBOT_2 = '''\
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from std_msgs.msg import String
+from std_srvs.srv import SetBool
+
+
+class Robot(Node):
+    """A robot."""
+
+    def __init__(self):
+        super().__init__("robot")
+        self.publisher = self.create_publisher(String, "chatter", 10)
+        self.create_subscription(String, "orders", self.on_order, 5)
+        self.create_service(SetBool, "~/power", self.on_power)
+        self.create_timer(0.5, self.tick)
+
+    def on_order(self, message):
+        self.get_logger().info(message.data)
+
+    def on_power(self, request, response):
+        """Switch it."""
+        response.success = request.data
+        return response
+
+    def tick(self):
+        self.publisher.publish(String(data="hello"))
+
+
+def main(args=None):
+    rclpy.init(args=args)
+    robot = Robot()
+    try:
+        rclpy.spin(robot)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        robot.destroy_node()
+        rclpy.try_shutdown()
+'''
+ROBOT_1 = '''\
+import rospy
+from std_srvs.srv import SetBoolResponse
+from std_msgs.msg import String
+from std_srvs.srv import SetBool
+
+
+class Robot:
+    """A robot."""
+
+    def __init__(self):
+        rospy.init_node("robot")
+        self.publisher = rospy.Publisher("chatter", String, queue_size=10)
+        rospy.Subscriber("orders", String, self.on_order, queue_size=5)
+        rospy.Service("~power", SetBool, self.on_power)
+        rospy.Timer(rospy.Duration(0.5), self.tick)
+
+    def on_order(self, message):
+        # port by hand: .get_logger
+        self.get_logger().info(message.data)
+
+    def on_power(self, request):
+        """Switch it."""
+        response = SetBoolResponse()
+        response.success = request.data
+        return response
+
+    def tick(self, event=None):
+        self.publisher.publish(String(data="hello"))
+
+
+def main(args=None):
+    robot = Robot()
+    try:
+        rospy.spin()
+    except (KeyboardInterrupt, rospy.ROSInterruptException):
+        pass
+    finally:
+        rospy.signal_shutdown("the node is done")
+'''
+WHOLE = {
+    "rospy listener": ("rospy", LISTENER_1, LISTENER_2),
+    "rospy server": ("rospy", SERVER_1, SERVER_2),
+    "rclpy robot": ("rclpy", ROBOT_2, ROBOT_1),
+}
+
+# A statement of a rospy node, and what becomes of it.
+HEAD_1 = """\
+import rospy
+from std_msgs.msg import String
+from std_srvs.srv import *
+
+rospy.init_node('n')
+"""
+TO_RCLPY = [
+    (
+        "rospy.Subscriber('t', String)",
+        "node.create_subscription(String, 't', lambda message: None, 10)",
+    ),
+    (
+        "rospy.Subscriber('t', String, print, 'extra', queue_size=1)",
+        "node.create_subscription(String, 't', lambda message: print(message, 'extra'), 1)",
+    ),
+    (
+        "rospy.Publisher('t', String, queue_size=None, latch=True)",
+        f"{MARK}latch\nnode.create_publisher(String, 't', 10)",
+    ),
+    ("p = rospy.ServiceProxy('s', Trigger)", "p = node.create_client(Trigger, 's')"),
+    (
+        "rospy.Service('s', Trigger, lambda r: (True, ''))",
+        "node.create_service(Trigger, 's', "
+        "lambda request, response: (lambda r: (True, ''))(request))",
+    ),
+    (
+        "rospy.Timer(rospy.Duration(secs=2), lambda e: print(e))",
+        "node.create_timer(2, lambda: (lambda e: print(e))(None))",
+    ),
+    (
+        "m = rospy.wait_for_message('t', String, timeout=5)",
+        "m = wait_for_message(String, node, 't', time_to_wait=5)[1]",
+    ),
+    ("if rospy.is_shutdown(): pass", "if not rclpy.ok(): pass"),
+    ("go = not rospy.is_shutdown()", "go = rclpy.ok()"),
+    ("rate = rospy.Rate(10)", "rate = node.create_rate(10)"),
+    ("x = rospy.get_param('~x', 1)", f"{MARK}rospy.get_param\nx = rospy.get_param('~x', 1)"),
+    (
+        "t = rospy.Time.now().to_sec()",
+        f"{MARK}.to_sec; rospy.Time.now\nt = rospy.Time.now().to_sec()",
+    ),
+    (
+        "pub = rospy.Publisher('t', String, queue_size=1)\npub.publish('hello')",
+        "pub = node.create_publisher(String, 't', 1)\n"
+        f"{MARK}publish takes a message\npub.publish('hello')",
+    ),
+    (
+        "s = String('hello')",
+        f"{MARK}String takes keywords only\ns = String('hello')",
+    ),
+    (
+        "p = rospy.ServiceProxy('s', Trigger)\nanswer = p()",
+        f"p = node.create_client(Trigger, 's')\n{MARK}the call of p\nanswer = p()",
+    ),
+    (
+        "p = rospy.ServiceProxy('s', Trigger)\n\n\ndef ask(client):\n    return client()",
+        "p = node.create_client(Trigger, 's')\n\n\ndef ask(client):\n"
+        f"    {MARK}the call of client\n    return client()",
+    ),
+]
+
+
+@pytest.mark.parametrize(("library", "before", "after"), WHOLE.values(), ids=WHOLE)
+def test_a_whole_file(library: str, before: str, after: str) -> None:
+    assert ported(before, library)[0] == after
+
+
+@pytest.mark.parametrize(("library", "before", "after"), WHOLE.values(), ids=WHOLE)
+def test_what_is_new_is_as_ruff_formats_it(library: str, before: str, after: str) -> None:
+    formatted = subprocess.run(
+        [sys.executable, "-m", "ruff", "format", "--isolated", "-"],
+        input=after,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert formatted.stdout == after
+
+
+@pytest.mark.parametrize(("before", "after"), TO_RCLPY)
+def test_a_statement_of_rospy(before: str, after: str) -> None:
+    text, _ = ported(HEAD_1 + before + "\n", "rospy")
+    assert f"\n{after}\n" in text
+
+
+def test_there_and_back_shows_the_same_endpoints() -> None:
+    for library, before, _ in WHOLE.values():
+        there, _ = ported(before, library)
+        back, _ = ported(there, OTHER[library])
+        assert endpoints(source(back, library)) == endpoints(source(before, library))
+
+
+def test_windows_line_ends_stay() -> None:
+    text, _ = ported(LISTENER_1.replace("\n", "\r\n"), "rospy")
+    assert text == LISTENER_2.replace("\n", "\r\n")
+
+
+def test_a_file_that_does_not_parse_is_refused() -> None:
+    target = find_target("rclpy")
+    assert target is not None
+    read = source(LISTENER_1.replace("def listener():", "def listener(:"), "rospy")
+    result = target.port(None, read, CATALOGS["rclpy"])  # type: ignore[arg-type]
+    assert result.text is None
+    assert [found.code for found in result.diagnostics] == ["edit-refused"]
+
+
+def test_a_name_that_the_file_decides_is_listed() -> None:
+    text, found = ported(HEAD_1 + "rospy.Publisher(rospy.resolve_name('x'), String)\n", "rospy")
+    assert "the name rospy.resolve_name('x')" in text
+    assert any("the name rospy.resolve_name('x')" in each.message for each in found)
+
+
+def test_a_type_that_the_other_ros_lacks_is_marked() -> None:
+    text, found = ported(
+        "import rospy\nfrom rosgraph_msgs.msg import TopicStatistics\n\nrospy.init_node('n')\n"
+        "rospy.Subscriber('s', TopicStatistics)\n",
+        "rospy",
+    )
+    assert f"{MARK}rosgraph_msgs/TopicStatistics\nfrom rosgraph_msgs" in text
+    assert found[0].help == "ROS 2 has statistics in `statistics_msgs`"
