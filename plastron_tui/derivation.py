@@ -296,7 +296,7 @@ class Derivation:
         upper = place.layers[index + 1 :]
         before = found_by(place, index)
         assert place.present is not None
-        merged = self._with_handwork(place, known, before, layer.written)
+        merged = self._with_handwork(place, known, before, layer)
         if merged.text is None:
             problem = unmergeable(place.shown, merged.reason)
             return Derived(replace(file, problem=problem), merged.notes)
@@ -316,22 +316,27 @@ class Derivation:
         )
         return Derived(file, (*merged.notes, *covered.notes))
 
-    def _with_handwork(self, place: Place, known: Layer, before: bytes, mine: bytes) -> Merged:
+    def _with_handwork(self, place: Place, known: Layer, before: bytes, new: Layer) -> Merged:
         """Bring what was changed by hand into what the program makes."""
         from plastron_tui.merging import Merged, merge
 
+        mine = new.written
         if self.force or before == known.written:
             return Merged(mine)
         notes = (kept_handwork(place.shown, place.shown.name),)
-        if mine == known.written:
-            return Merged(before, notes=notes)
         origin = self.source.origin
+        # Handwork that the program changes is in the original, and the texts tell nothing.
+        is_apart = origin is None or new.original in (origin.text, origin.start)
+        if mine == known.written and is_apart:
+            return Merged(before, notes=notes)
         if origin is not None and origin.is_torn:
             return Merged(None, f"`{origin.path}`, which it was made from, was changed as well")
         base = self._base(known)
         text = merge_lines(known.written, mine, before)
         if text is not None and self._is_sound(place.real, text, before, mine, base):
             return Merged(text, notes=notes)
+        if origin is not None and known.seen != new.seen:
+            return Merged(None, f"`{origin.path}`, which it was made from, in the same lines")
         read = self.target.read(place.real, before).source
         if self._is_ported or read is None:
             return Merged(None, "the program now changes the same lines")

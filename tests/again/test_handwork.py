@@ -1,0 +1,217 @@
+"""What is changed by hand in a node that was loaded and generated stays, or is a conflict."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from again_driver import LIBRARIES, Bench, shown
+
+KEPT = "merged-by-hand: `robot.py` was changed by hand and is kept, with the program's changes"
+PUBLISH = "n publish hello to 'chatter' of message_type String\n"
+SUBSCRIBE = "subscribe n to 'numbers' of message_type Int32\n"
+MORE = "subscribe n to 'more' of message_type String\n"
+UNSUBSCRIBE = "unsubscribe n from 'command'\n"
+END = "generate_node n\n"
+
+WAYS = {
+    "beside the program": ("load robot as n\n", "robot.py", "output/robot.py", False),
+    "in the output": ("load robot as n\n", "output/robot.py", "output/robot.py", False),
+    "by its path": ("load 'nodes/robot.py' as n\n", "nodes/robot.py", "output/robot.py", False),
+    "in place": ("load 'nodes/robot.py' as n\n", "nodes/robot.py", "nodes/robot.py", True),
+}
+LISTENING = {
+    "rospy": ('    rospy.Service("reset"', '    rospy.Subscriber("mine", String, print)\n'),
+    "rclpy": (
+        '        self.create_service(Empty, "reset"',
+        '        self.create_subscription(String, "mine", print, 10)\n',
+    ),
+}
+
+
+class Hand:
+    """A way to load a node, and what was written in it by hand."""
+
+    def __init__(self, path: Path, library: str, way: str) -> None:
+        self.bench = Bench(path, library)
+        self.load, origin, self.written, self.in_place = WAYS[way]
+        self.original = self.bench.put(origin)
+
+    def generate(self, *statements: str, force: bool = False) -> tuple[list[str], list[str]]:
+        """Generate; return the states, and what is told."""
+        program = "".join([self.load, *statements, END])
+        outcome = self.bench.generate(program, in_place=self.in_place, force=force)
+        assert outcome.errors == []
+        return outcome.states, [*outcome.warnings, *outcome.conflicts]
+
+    def edit(self, old: str, new: str) -> None:
+        self.bench.edit(self.written, old, new)
+
+    @property
+    def text(self) -> str:
+        return (self.bench.path / self.written).read_text()
+
+    def shown(self, kind: str) -> list[str]:
+        found = shown(self.bench.path / self.written)
+        return sorted(str(name) for each, name in found.elements() if each == kind)
+
+
+@pytest.fixture(params=[(library, way) for library in LIBRARIES for way in WAYS])
+def hand(request: pytest.FixtureRequest, tmp_path: Path) -> Hand:
+    return Hand(tmp_path, *request.param)
+
+
+def test_handwork_stays_whatever_the_program_does(hand: Hand) -> None:
+    hand.generate(PUBLISH, SUBSCRIBE)
+    hand.edit("somebody wrote", "two people wrote")
+    for statements in (
+        (PUBLISH, SUBSCRIBE), (PUBLISH, SUBSCRIBE, MORE), (PUBLISH,), (UNSUBSCRIBE,), (),
+    ):  # fmt: skip
+        assert hand.generate(*statements)[1] == [KEPT]
+        assert "two people wrote" in hand.text
+        compile(hand.text, "robot.py", "exec")
+        states, told = hand.generate(*statements)
+        # Where the program changes nothing, the file is an original, and the user's.
+        assert (states, told in ([KEPT], [] if not statements else [KEPT])) == (["identical"], True)
+        expected = {"command", "numbers", "more"}
+        expected -= {"command"} if UNSUBSCRIBE in statements else set()
+        expected -= {"numbers"} if SUBSCRIBE not in statements else set()
+        expected -= {"more"} if MORE not in statements else set()
+        assert set(hand.shown("subscriptions")) == expected
+        assert hand.shown("publishers").count("chatter") == statements.count(PUBLISH)
+
+
+def test_callback_that_is_filled_in_stays(hand: Hand) -> None:
+    hand.generate(SUBSCRIBE)
+    before = hand.text
+    at = before.index("\n", before.index("def on_numbers(")) + 1
+    indent = before[at:][: len(before[at:]) - len(before[at:].lstrip())]
+    filled = (
+        f"{before[:at]}{indent}total = msg.data + 1  # mine\n{indent}print(total)\n{before[at:]}"
+    )
+    (hand.bench.path / hand.written).write_text(filled)
+    assert hand.generate(SUBSCRIBE) == (["identical"], [KEPT])
+    assert hand.generate(SUBSCRIBE, MORE) == (["changed"], [KEPT])
+    assert "# mine" in hand.text
+    assert hand.shown("subscriptions") == ["command", "more", "numbers"]
+    states, told = hand.generate(MORE)
+    assert states == ["changed"]
+    assert "merged-by-hand: `on_numbers` is kept, but no longer called" in told
+    assert "# mine" in hand.text
+    assert hand.shown("subscriptions") == ["command", "more"]
+    assert hand.generate(MORE)[0] == ["identical"]
+
+
+def test_what_was_added_by_hand_can_be_taken_out_by_the_program(hand: Hand) -> None:
+    hand.generate(PUBLISH)
+    old, new = LISTENING[hand.bench.library]
+    hand.edit(old, new + old)
+    assert hand.generate(PUBLISH) == (["identical"], [KEPT])
+    if "nodes/robot.py" in hand.load and not hand.in_place:
+        # The path means the original, in which nothing was done by hand.
+        program = f"{hand.load}unsubscribe n from 'mine'\n{END}"
+        assert hand.bench.generate(program).errors != []
+        return
+    assert hand.generate(PUBLISH, "unsubscribe n from 'mine'\n")[0] == ["changed"]
+    assert hand.shown("subscriptions") == ["command"]
+    assert hand.generate(PUBLISH, "unsubscribe n from 'mine'\n")[0] == ["identical"]
+    assert hand.shown("publishers") == ["chatter", "status"]
+
+
+def test_what_was_taken_out_by_hand_stays_out(hand: Hand) -> None:
+    hand.generate(PUBLISH, SUBSCRIBE)
+    line = next(
+        line for line in hand.text.split("\n") if "on_numbers" in line and "def" not in line
+    )
+    hand.edit(f"{line}\n", "")
+    for statements in ((PUBLISH, SUBSCRIBE), (PUBLISH, SUBSCRIBE, MORE)):
+        states, told = hand.generate(*statements)
+        assert told[0] == KEPT
+        assert "numbers" not in hand.shown("subscriptions")
+    assert states == ["changed"]
+    assert "more" in hand.shown("subscriptions")
+
+
+def test_same_lines_changed_by_both_are_a_conflict_and_nothing_is_lost(hand: Hand) -> None:
+    hand.generate(PUBLISH)
+    line = next(line for line in hand.text.split("\n") if '"chatter"' in line)
+    name = line.split(" =")[0]
+    hand.edit(f"{line}\n", f"{line}\n{name}.anything()\n")
+    before = hand.bench.files()
+    states, told = hand.generate(SUBSCRIBE)
+    assert states == ["conflict"]
+    number = hand.text[: hand.text.index("anything")].count("\n") + 1
+    assert told[-1].endswith(f"the publisher `chatter` is used in line {number}")
+    assert hand.bench.files() == before
+    assert hand.generate(SUBSCRIBE, force=True)[0] == ["conflict"]
+    assert "anything" not in hand.text
+    backup = hand.bench.path / f"{hand.written}.bak"
+    assert "anything" in backup.read_text()
+    assert hand.generate(SUBSCRIBE) == (["identical"], [])
+
+
+def test_force_writes_what_a_first_run_writes(hand: Hand) -> None:
+    hand.generate(PUBLISH)
+    fresh = hand.text
+    hand.edit("somebody wrote", "two people wrote")
+    hand.generate(PUBLISH, force=True)
+    assert hand.text == fresh
+    assert hand.generate(PUBLISH, force=True)[0] == ["identical"]
+    assert hand.generate(PUBLISH) == (["identical"], [])
+
+
+def test_check_sees_what_generate_sees(hand: Hand) -> None:
+    hand.generate(PUBLISH, SUBSCRIBE)
+    hand.edit("somebody wrote", "two people wrote")
+    for statements in ((PUBLISH, SUBSCRIBE), (PUBLISH, PUBLISH), ("unsubscribe n from 'x'\n",)):
+        program = "".join([hand.load, *statements, END])
+        session = hand.bench.session(program, output="output")
+        outcome = hand.bench.generate(program, in_place=hand.in_place)
+        codes = [f"{each.code}: {each.message}" for each in session.diagnostics]
+        assert codes == outcome.errors
+
+
+@pytest.mark.parametrize("library", LIBRARIES)
+def test_original_and_output_are_both_changed(tmp_path: Path, library: str) -> None:
+    hand = Hand(tmp_path, library, "beside the program")
+    hand.generate(PUBLISH)
+    hand.edit("somebody wrote", "two people wrote")
+    text = hand.original.read_text()
+    hand.original.write_text(text.replace('"fine"', '"very well"'))
+    assert hand.generate(PUBLISH) == (["changed"], [KEPT])
+    assert "two people wrote" in hand.text
+    assert '"very well"' in hand.text
+    assert hand.generate(PUBLISH) == (["identical"], [KEPT])
+    hand.original.write_text(text.replace("somebody wrote", "three people wrote"))
+    before = hand.bench.files()
+    states, told = hand.generate(PUBLISH)
+    assert states == ["conflict"]
+    assert told[-1].endswith("robot.py`, which it was made from, in the same lines")
+    assert hand.bench.files() == before
+
+
+@pytest.mark.parametrize("library", LIBRARIES)
+@pytest.mark.parametrize("how", ["gone", "broken", "broken layer"])
+def test_without_a_memory_nothing_is_lost(tmp_path: Path, library: str, how: str) -> None:
+    hand = Hand(tmp_path, library, "in the output")
+    hand.generate(SUBSCRIBE)
+    manifest = tmp_path / "output/.plastron.json"
+    if how == "gone":
+        manifest.unlink()
+    elif how == "broken":
+        manifest.write_bytes(manifest.read_bytes()[:-9])
+    else:
+        text = manifest.read_text()
+        at = text.index('"texts": "') + 30
+        manifest.write_text(text[:at] + "AAAA" + text[at + 4 :])
+    before = hand.text
+    outcome = hand.bench.generate(f"{hand.load}{SUBSCRIBE}{END}")
+    assert [each.split(":")[0] for each in outcome.errors] == ["already-subscribed"]
+    outcome = hand.bench.generate(f"{hand.load}{MORE}{END}")
+    assert outcome.states == ["changed"]
+    assert [each.split(":")[0] for each in outcome.warnings] == (
+        [] if how == "gone" else ["bad-manifest"]
+    )
+    assert hand.shown("subscriptions") == ["command", "more", "numbers"]
+    assert before != hand.text
+    assert hand.generate(MORE) == (["identical"], [])
