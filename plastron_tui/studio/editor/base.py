@@ -29,6 +29,9 @@ from .view import EditorView
 _SETTLE = 0.1
 """Seconds after the last key at which all is measured, and coloured, anew."""
 
+_IN_BARS = frozenset({"undo", "redo", "find", "replace", "find_next", "find_previous"})
+"""What keys do with the text while a bar has the focus."""
+
 
 class Changed(Message, namespace="program_editor"):
     """The text was edited."""
@@ -79,6 +82,17 @@ class EditorBase(Vertical):
         self._told_cursor = 0
         self._settle: Timer | None = None
         self.expected: Expectation = expected_at(session.document, 0)
+
+    def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
+        """Leave most keys to a bar that has the focus: they are meant for what is typed there."""
+        return action in _IN_BARS or not self.is_mounted or self._has_no_bar_focus
+
+    @property
+    def _has_no_bar_focus(self) -> bool:
+        focused = self.screen.focused
+        if focused is None or focused is self.view:
+            return True
+        return not {self.find_bar, self.prompt_bar} & set(focused.ancestors_with_self)
 
     def compose(self) -> ComposeResult:
         """Make the parts."""
@@ -234,9 +248,11 @@ class EditorBase(Vertical):
 
     def _settled(self) -> None:
         self._settle = None
-        if self.session.document.tree is not None:
-            self.view.measure()
-            self.view.repaint()
+        if b"/*" in self.text:
+            # Only the tree knows which lines are in a comment, and to parse them takes time.
+            _ = self.session.document.tree
+        self.view.measure()
+        self.view.repaint()
 
 
 def common_prefix(one: bytes, other: bytes) -> int:
