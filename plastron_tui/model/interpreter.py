@@ -285,7 +285,7 @@ class Interpreter(Checks):
         rate = DEFAULT_RATE if statement.rate is None else self._rate(statement, statement.rate)
         publisher = node.publishers.get(topic)
         earlier = () if publisher is None else publisher.publications
-        if any(publication.message is message for publication in earlier):
+        if earlier and any(publication.message is message for publication in earlier):
             what = f"`{node.variable}` publishes `{message.variable}` to"
             raise self._exists_already(statement, "topic", node, "already-publishing", what)
         self._agree(statement, node, EndpointKind.PUBLISHER, topic, type_)
