@@ -2,13 +2,8 @@
 
 from __future__ import annotations
 
-import os
-import signal
-import subprocess
-import sys
-import threading
-from contextlib import suppress
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from textual import on, work
 from textual.message import Message
@@ -23,16 +18,16 @@ from ..panels.text_view import TextView
 from ..panels.tones import Line, Piece
 from ..state import Open
 
+if TYPE_CHECKING:
+    from ..running import Running
+
 _MOST_LINES = 5000
+_SHOWN_AFTER = 0.05
+"""Seconds for which lines that nodes print are gathered."""
 
 
 class Printed(Message):
     """Nodes that run printed something, or ended."""
-
-    def __init__(self, process: subprocess.Popen[bytes], text: str | None) -> None:
-        super().__init__()
-        self.process = process
-        self.text = text
 
 
 class Doing(Screen[None]):
@@ -41,7 +36,7 @@ class Doing(Screen[None]):
     open: Open
     editor: ProgramEditor
     output: TextView
-    _process: subprocess.Popen[bytes] | None = None
+    _nodes_run: Running | None = None
 
     # What the other parts of the screen do.
 
@@ -176,12 +171,12 @@ class Doing(Screen[None]):
     @property
     def runs_nodes(self) -> bool:
         """Whether nodes run."""
-        return self._process is not None
+        return self._nodes_run is not None
 
     @work(exclusive=True, group="run")
     async def action_run(self) -> None:
         """Save, then start the nodes."""
-        if self._process is not None:
+        if self._nodes_run is not None:
             self.notify("the nodes run already; stop them first", timeout=3)
             self.bring("output", focus=True)
             return
@@ -196,68 +191,51 @@ class Doing(Screen[None]):
         self._start(self.open.path)
 
     def _start(self, path: Path) -> None:
-        options = self.open.session.options
-        command = [sys.executable, "-m", "plastron_tui", "run", os.fspath(path)]
-        if options.target is not None:
-            command += ["--target", options.target]
-        if options.output is not None:
-            command += ["--output", os.fspath(options.output)]
-        environ = {**os.environ, "PYTHONUNBUFFERED": "1", "NO_COLOR": "1"}
+        from ..running import Running
+
         try:
-            process = subprocess.Popen(
-                command,
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.PIPE,
-                stderr=subprocess.STDOUT,
-                env=environ,
-                start_new_session=True,
-            )
+            self._nodes_run = Running(path, self.open.session.options, self._news)
         except OSError as error:
             self.notify(f"cannot run: {error.strerror}", severity="error", markup=False)
             return
-        self._process = process
         self.output.show(((Piece(f"plastron run {path.name}", "quiet"),),))
-        threading.Thread(target=self._read, args=(process,), daemon=True).start()
         self.show_title()
         self.bring("output", focus=True)
 
-    def _read(self, process: subprocess.Popen[bytes]) -> None:
-        assert process.stdout is not None
-        with process.stdout as stream:
-            for line in iter(stream.readline, b""):
-                self.post_message(Printed(process, line.decode("utf-8", "replace").rstrip("\r\n")))
-        process.wait()
-        self.post_message(Printed(process, None))
+    def _news(self) -> None:
+        """Tell the screen, from the thread that reads."""
+        self.post_message(Printed())
 
     @on(Printed)
-    def printed(self, message: Printed) -> None:
-        """Show what nodes print."""
-        if message.process is not self._process:
+    def printed(self) -> None:
+        """Show what nodes print, soon: all that comes until then at once."""
+        self.set_timer(_SHOWN_AFTER, self._show_printed)
+
+    def _show_printed(self) -> None:
+        running = self._nodes_run
+        if running is None:
             return
-        if message.text is None:
-            self._process = None
-            status = message.process.returncode
-            tone = "success" if status == 0 else "error"
-            stopped = status in (130, -signal.SIGINT, -signal.SIGTERM)
-            words = "stopped" if stopped else f"ended with status {status}"
-            line: Line = (Piece(words, "quiet" if stopped else tone),)
+        status = running.status
+        lines: list[Line] = [_printed_line(text) for text in running.take()]
+        if status is not None:
+            self._nodes_run = None
+            words = "stopped" if running.was_stopped else f"ended with status {status}"
+            tone = "quiet" if running.was_stopped else "success" if status == 0 else "error"
+            lines.append((Piece(words, tone),))
             self.show_title()
-        else:
-            line = _printed_line(message.text)
-        self.output.show((*self.output.lines, line)[-_MOST_LINES:], follow=True)
+        self.output.show((*self.output.lines, *lines)[-_MOST_LINES:], follow=True)
 
     def action_stop(self) -> None:
         """Stop what runs."""
-        if self._process is None:
+        if self._nodes_run is None:
             self.notify("nothing runs", timeout=2)
         else:
-            self.stop_running()
+            self._nodes_run.stop()
 
-    def stop_running(self) -> None:
-        """Interrupt the nodes, as Ctrl-C does."""
-        if self._process is not None:
-            with suppress(ProcessLookupError, PermissionError):
-                self._process.send_signal(signal.SIGINT)
+    def end_running(self) -> None:
+        """Have the nodes ended, because the studio ends."""
+        if self._nodes_run is not None:
+            self._nodes_run.close()
 
 
 def _printed_line(text: str) -> Line:

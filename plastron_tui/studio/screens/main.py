@@ -119,7 +119,7 @@ class MainScreen(Arranging, Filing, Doing, Wizarding, Screen[None]):
     def on_unmount(self) -> None:
         """Stop the worker and what runs."""
         self.analyst.stop()
-        self.stop_running()
+        self.end_running()
 
     # What the text means.
 
