@@ -8,8 +8,6 @@ the merge is refused.
 
 from __future__ import annotations
 
-import re
-from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
@@ -27,6 +25,7 @@ from plastron_tui.model.workspace import (
 )
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets.base import Target
+from plastron_tui.targets.python.words import definitions, lines_of_code, mentions
 
 _ANCHOR = "plastron_holds_this_place"
 _KINDS = frozenset(
@@ -130,8 +129,8 @@ class _Merge:
         """Refuse a text in which a callback that holds handwork has got a twin."""
         for change in self.swaps:
             name = _calling(change.endpoint) if isinstance(change, Add) else None
-            if name is not None and _definitions(text, name) > max(
-                1, _definitions(self.source.text, name)
+            if name is not None and definitions(text, name) > max(
+                1, definitions(self.source.text, name)
             ):
                 raise _RefusedError(f"`{name}` cannot be called from where endpoints are added")
 
@@ -249,15 +248,18 @@ class _Merge:
         without = self._without(self.source, key)
         if without is None:
             return False
-        there = _code(self.source.text) - _code(without.text)
-        rendered = self.target.render(self.base, self.catalog).text
+        there = lines_of_code(self.source.text) - lines_of_code(without.text)
+        types = [each.type for each in self.base.endpoints.values()]
+        # A node that was loaded may have what cannot be written anew.
+        is_known = None not in types
+        rendered = self.target.render(self.base, self.catalog).text if is_known else None
         fresh = self._read(rendered) if rendered is not None else None
         if fresh is not None:
             rest = self._without(fresh, key)
-            if rest is not None and _code(fresh.text) - _code(rest.text) == there:
+            if rest is not None and lines_of_code(fresh.text) - lines_of_code(rest.text) == there:
                 return True
         again = self.target.edit(without, [Add(base)], self.catalog).text
-        return again is not None and _code(again) - _code(without.text) == there
+        return again is not None and lines_of_code(again) - lines_of_code(without.text) == there
 
     def _without(self, source: SourceFile, key: EndpointKey) -> SourceFile | None:
         text = self.target.edit(source, [Remove(*key)], self.catalog).text
@@ -269,7 +271,7 @@ class _Merge:
     def _stays(self, callback: str, remove: Remove) -> bool:
         """Tell whether a callback outlives its endpoint: then it is more than a stub."""
         text = self.target.edit(self.source, [remove], self.catalog).text
-        return text is not None and _mentions(text, callback)
+        return text is not None and mentions(text, callback)
 
     def _orphans(self, text: bytes) -> Iterator[Diagnostic]:
         """Tell of callbacks that are kept for what is written in them, and called no more."""
@@ -279,7 +281,7 @@ class _Merge:
         read = self._read(text)
         used = {each.callback for node in read.nodes for each in node.endpoints} if read else set()
         for each in self.cut:
-            if each.callback in callbacks - used and _mentions(text, each.callback or ""):
+            if each.callback in callbacks - used and mentions(text, each.callback or ""):
                 message = f"`{each.callback}` is kept, but no longer called"
                 yield self._note(message, each, "call it from elsewhere, or remove it by hand")
 
@@ -343,10 +345,6 @@ def _anchor(endpoint: Endpoint) -> Endpoint:
     return type(endpoint)(_ANCHOR, endpoint.type)
 
 
-def _definitions(text: bytes, name: str) -> int:
-    return len(re.findall(rb"\bdef %s\b" % re.escape(name.encode()), text))
-
-
 def _sends(endpoint: Endpoint) -> object:
     """Return what is sent through an endpoint, and how often, to be compared."""
     match endpoint:
@@ -356,19 +354,6 @@ def _sends(endpoint: Endpoint) -> object:
             return list(sent)
         case _:
             return None
-
-
-def _code(text: bytes) -> Counter[bytes]:
-    """Return the lines of a text without their indent, blank lines and imports left out.
-
-    What a file imports depends on all that is in it, not on one endpoint.
-    """
-    lines = (line.strip() for line in text.splitlines())
-    return Counter(line for line in lines if line and not line.startswith((b"import ", b"from ")))
-
-
-def _mentions(text: bytes, name: str) -> bool:
-    return re.search(rb"\b%s\b" % re.escape(name.encode()), text) is not None
 
 
 def _name(key: EndpointKey) -> str:

@@ -1,0 +1,174 @@
+"""What a merge makes of a file as a whole: parameters, other libraries, other names."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from pathlib import Path
+
+from merging_driver import (
+    EMPTY,
+    KEEP,
+    KEPT,
+    OWN,
+    PROVIDE,
+    PUBLISH,
+    PUBLISH_INT,
+    STRING,
+    SUBSCRIBE,
+    SUBSCRIBE_INT,
+    Folder,
+    check,
+)
+
+from plastron_tui.output.manifest import NAME
+
+
+def test_topic_from_a_parameter_is_the_same_topic(folder: Folder) -> None:
+    folder.generate(KEEP, SUBSCRIBE)
+    folder.fill()
+    expression = "rospy.get_param('~topic', 'a')"
+    if folder.library == "rclpy":
+        expression = "self.declare_parameter('topic', 'a').value"
+    folder.edit('"a", ', f"{expression}, ")
+    assert folder.generate(KEEP, SUBSCRIBE).states == {"robot_node.py": "identical"}
+
+
+def test_other_library_is_a_conflict(tmp_path: Path) -> None:
+    Folder(tmp_path, "rospy").generate(KEEP)
+    Folder(tmp_path, "rospy").fill()
+    (conflict,) = Folder(tmp_path, "rclpy").generate(KEEP).conflicts
+    assert conflict.endswith("was changed by hand, and it is a node of `rospy`")
+
+
+def test_file_that_is_no_node_any_more_is_a_conflict(folder: Folder) -> None:
+    folder.generate(KEEP)
+    folder.file().write_text("mine = 1\n")
+    (conflict,) = folder.generate(KEEP, PUBLISH).conflicts
+    assert conflict.endswith("was changed by hand, and it holds no node that can be read")
+    assert folder.file().read_text() == "mine = 1\n"
+
+
+def test_reverted_handwork_is_ours_again(folder: Folder) -> None:
+    folder.generate(KEEP)
+    ours = folder.file().read_bytes()
+    folder.fill()
+    folder.generate(KEEP, PUBLISH)
+    folder.file().write_bytes(ours)
+    assert folder.generate(KEEP, SUBSCRIBE).warnings == []
+    fresh = Folder(folder.path / "other", folder.library)
+    fresh.generate(KEEP, SUBSCRIBE)
+    assert folder.file().read_bytes() == fresh.file().read_bytes()
+
+
+def test_manifest_of_an_older_version(folder: Folder) -> None:
+    """Without a base, endpoints are added only: what the file has besides may be the user's."""
+    folder.generate(KEEP, SUBSCRIBE)
+    manifest = folder.path / "output" / NAME
+    digest = re.search(r"sha256:\w+", manifest.read_text())
+    assert digest is not None
+    old = f'{{"generator": "plastron", "version": 1, "files": {{"robot_node.py": "{digest[0]}"}}}}'
+    manifest.write_text(old)
+    mine = folder.fill()
+    (conflict,) = folder.generate(KEEP).conflicts
+    assert conflict.endswith("it has the subscription `a`, which the program does not have")
+    assert manifest.read_text() == old
+    assert folder.generate(KEEP, SUBSCRIBE, PROVIDE).conflicts == []
+    assert folder.generate(KEEP, PROVIDE).conflicts == []
+    check(folder, mine, [*KEPT, ("services", "s", EMPTY)])
+
+
+def test_twice_created_endpoint_is_not_taken_out(folder: Folder) -> None:
+    folder.generate(KEEP, PUBLISH)
+    (line,) = [each for each in folder.file().read_text().split("\n") if "a_publisher = " in each]
+    folder.edit(line, f"{line}\n{line.replace('a_publisher', 'mine')}")
+    before = folder.file().read_bytes()
+    for other in ("", PUBLISH_INT):
+        (conflict,) = folder.generate(KEEP, other).conflicts
+        assert re.search(r"the publisher `a` is created in lines \d+ and \d+$", conflict)
+    assert folder.file().read_bytes() == before
+
+
+def test_handwork_goes_along_to_another_file_name(folder: Folder) -> None:
+    assert folder.generate(SUBSCRIBE).states == {"robot_sub1.py": "create"}
+    mine = folder.fill("robot_sub1.py")
+    old = folder.file("robot_sub1.py").read_bytes()
+    outcome = folder.generate(SUBSCRIBE, PROVIDE)
+    assert outcome.states == {"robot_node.py": "create"}
+    left = "left-behind: the node of `robot_sub1.py` is in `robot_node.py` now"
+    assert outcome.warnings[0].startswith(left)
+    assert outcome.warnings[1].startswith("merged-by-hand: `robot_sub1.py` was changed by hand")
+    check(folder, mine, [("subscriptions", "a", STRING), ("services", "s", EMPTY)])
+    assert folder.file().stat().st_mode & 0o100
+    assert folder.file("robot_sub1.py").read_bytes() == old
+    # What went along counts as handwork in the new file, too.
+    folder.generate(SUBSCRIBE, PROVIDE, PUBLISH)
+    three = [("subscriptions", "a", STRING), ("services", "s", EMPTY), ("publishers", "a", STRING)]
+    check(folder, mine, three)
+    again = folder.generate(SUBSCRIBE, PROVIDE, PUBLISH)
+    assert again.states == {"robot_node.py": "identical"}
+    assert again.warnings[0].startswith(left)
+    folder.file("robot_sub1.py").unlink()
+    assert len(folder.generate(SUBSCRIBE, PROVIDE, PUBLISH).warnings) == 1
+
+
+def test_going_back_to_a_file_name_does_not_lose_the_newer_handwork(folder: Folder) -> None:
+    folder.generate(SUBSCRIBE)
+    folder.fill("robot_sub1.py")
+    old = folder.file("robot_sub1.py").read_bytes()
+    folder.generate(SUBSCRIBE, PROVIDE)
+    newer = folder.fill("robot_node.py", own=OWN.replace("own", "newer"))
+    (conflict,) = folder.generate(SUBSCRIBE).conflicts
+    assert "later the node went on in `robot_node.py`" in conflict
+    assert folder.file("robot_sub1.py").read_bytes() == old
+    folder.file("robot_sub1.py").unlink()
+    assert folder.generate(SUBSCRIBE).states == {"robot_sub1.py": "create"}
+    text = folder.file("robot_sub1.py").read_text()
+    assert all(line in text.split("\n") for line in newer)
+    assert folder.endpoints("robot_sub1.py") == Counter([("subscriptions", "a", STRING)])
+
+
+def test_untouched_file_of_another_name_is_told_and_left(folder: Folder) -> None:
+    folder.generate(SUBSCRIBE)
+    old = folder.file("robot_sub1.py").read_bytes()
+    (told,) = folder.generate(SUBSCRIBE, PROVIDE).warnings
+    assert told.startswith("left-behind: ")
+    assert folder.file("robot_sub1.py").read_bytes() == old
+    fresh = Folder(folder.path / "other", folder.library)
+    fresh.generate(SUBSCRIBE, PROVIDE)
+    assert folder.file().read_bytes() == fresh.file().read_bytes()
+    (told,) = folder.generate(SUBSCRIBE).warnings
+    assert told.startswith("left-behind: the node of `robot_node.py` is in `robot_sub1.py`")
+
+
+def test_refused_merge_into_another_file_name_writes_nothing(folder: Folder) -> None:
+    folder.generate(PUBLISH)
+    folder.fill("robot_pub.py")
+    folder.edit("def own():", "def own(node):\n    node.a_publisher.anything()", "robot_pub.py")
+    outcome = folder.generate(SUBSCRIBE)
+    assert outcome.states == {"robot_sub1.py": "conflict"}
+    assert "`robot_pub.py` was changed by hand, and the publisher `a`" in outcome.conflicts[0]
+    assert not folder.file("robot_sub1.py").exists()
+    folder.generate(SUBSCRIBE, force=True)
+    assert folder.endpoints("robot_sub1.py") == Counter([("subscriptions", "a", STRING)])
+
+
+def test_node_of_the_same_name_in_another_program_is_another(folder: Folder) -> None:
+    folder.generate(SUBSCRIBE)
+    folder.fill("robot_sub1.py")
+    other = Folder(folder.path, folder.library, "other.plastron")
+    assert other.generate(PUBLISH) == ({"robot_pub.py": "create"}, [], [])
+    assert len(folder.generate(SUBSCRIBE).warnings) == 1
+
+
+def test_callback_is_not_made_a_second_time_elsewhere(tmp_path: Path) -> None:
+    """The file's other subscription is in `main`, from where the method cannot be called."""
+    folder = Folder(tmp_path, "rospy")
+    folder.generate(SUBSCRIBE)
+    folder.fill("robot_sub1.py")
+    mine = '    rospy.Subscriber("mine", rospy.AnyMsg, print)\n    rospy.spin()'
+    folder.edit("    rospy.spin()", mine, "robot_sub1.py")
+    before = folder.file("robot_sub1.py").read_bytes()
+    (conflict,) = folder.generate(SUBSCRIBE_INT).conflicts
+    assert conflict.endswith("`on_a` cannot be called from where endpoints are added")
+    assert folder.file("robot_sub1.py").read_bytes() == before

@@ -1,0 +1,243 @@
+"""Generating again over files that were changed by hand: a merge of three sides."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+
+import pytest
+from merging_driver import (
+    EMPTY,
+    INT,
+    KEEP,
+    KEPT,
+    PROVIDE,
+    PROVIDE_TRIGGER,
+    PUBLISH,
+    PUBLISH_INT,
+    REQUEST,
+    REQUEST_TRIGGER,
+    STRING,
+    SUBSCRIBE,
+    SUBSCRIBE_INT,
+    TRIGGER,
+    Folder,
+    check,
+    check_again,
+)
+
+from plastron_tui.output.manifest import NAME
+
+# For each kind: what the program has, what it has with another type, and what a file shows of both.
+KINDS = {
+    "publisher": (PUBLISH, PUBLISH_INT, ("publishers", "a", STRING), ("publishers", "a", INT)),
+    "subscription": (
+        SUBSCRIBE, SUBSCRIBE_INT, ("subscriptions", "a", STRING), ("subscriptions", "a", INT),
+    ),
+    "service": (PROVIDE, PROVIDE_TRIGGER, ("services", "s", EMPTY), ("services", "s", TRIGGER)),
+    "client": (REQUEST, REQUEST_TRIGGER, ("clients", "s", EMPTY), ("clients", "s", TRIGGER)),
+}  # fmt: skip
+each_kind = pytest.mark.parametrize("kind", KINDS)
+
+
+@each_kind
+def test_added(folder: Folder, kind: str) -> None:
+    statement, _, shown, _ = KINDS[kind]
+    folder.generate(KEEP)
+    mine = folder.fill()
+    outcome = folder.generate(KEEP, statement)
+    assert outcome.states == {"robot_node.py": "changed"}
+    check(folder, mine, [*KEPT, shown])
+    check_again(folder, KEEP, statement)
+
+
+@each_kind
+def test_removed(folder: Folder, kind: str) -> None:
+    statement, _, _, _ = KINDS[kind]
+    folder.generate(KEEP, statement)
+    mine = folder.fill()
+    outcome = folder.generate(KEEP)
+    assert outcome.conflicts == []
+    check(folder, mine, KEPT)
+    orphan = {"subscription": "on_a", "service": "handle_s"}.get(kind)
+    told = f"merged-by-hand: `{orphan}` is kept, but no longer called"
+    assert (told in outcome.warnings) == (orphan is not None)
+    check_again(folder, KEEP)
+
+
+@each_kind
+def test_type_changed(folder: Folder, kind: str) -> None:
+    statement, other, _, shown = KINDS[kind]
+    folder.generate(KEEP, statement)
+    mine = folder.fill()
+    outcome = folder.generate(KEEP, other)
+    assert outcome.conflicts == []
+    check(folder, mine, [*KEPT, shown])
+    name = {"subscription": "on_a", "service": "handle_s"}.get(kind)
+    if name is not None:
+        text = folder.file().read_text()
+        assert text.count(f"def {name}(") == 1
+        assert f"self.{name})" in text or f"self.{name}, 10)" in text
+        assert f"`{name}` was written for" in "".join(outcome.warnings)
+    check_again(folder, KEEP, other)
+
+
+@each_kind
+def test_added_and_removed_at_once(folder: Folder, kind: str) -> None:
+    statement, other, _, shown = KINDS[kind]
+    folder.generate(KEEP, statement)
+    mine = folder.fill()
+    renamed = other.replace("'a'", "'b'").replace("'s'", "'t'")
+    outcome = folder.generate(KEEP, renamed)
+    assert outcome.conflicts == []
+    expected = (shown[0], {"a": "b", "s": "t"}[shown[1]], shown[2])
+    check(folder, mine, [*KEPT, expected])
+
+
+@each_kind
+def test_only_endpoint_changes_its_type(folder: Folder, kind: str) -> None:
+    statement, other, _, shown = KINDS[kind]
+    (name,) = folder.generate(statement).states
+    folder.fill(name)
+    outcome = folder.generate(other)
+    assert (outcome.states, outcome.conflicts) == ({name: "changed"}, [])
+    assert folder.endpoints(name) == Counter([shown])
+    text = folder.file(name).read_text()
+    compile(text, name, "exec")
+    assert "plastron_holds" not in text
+    assert len(re.findall(r"def (?:on|handle)_", text)) == (kind in ("subscription", "service"))
+    assert "def own" in text
+
+
+@each_kind
+def test_taken_out_by_hand_stays_out(folder: Folder, kind: str) -> None:
+    statement, other, _, _ = KINDS[kind]
+    folder.generate(KEEP, statement)
+    without = Folder(folder.path / "other", folder.library)
+    without.generate(KEEP)
+    folder.file().write_bytes(without.file().read_bytes())
+    mine = folder.fill()
+    for again in (statement, other):
+        outcome = folder.generate(KEEP, again)
+        assert any(" was taken out by hand, and stays out" in each for each in outcome.warnings)
+        check(folder, mine, KEPT)
+
+
+@each_kind
+def test_added_by_hand_stays(folder: Folder, kind: str) -> None:
+    statement, other, shown, _ = KINDS[kind]
+    folder.generate(KEEP)
+    base = (folder.path / "output" / NAME).read_bytes()
+    folder.generate(KEEP, statement)
+    mine = folder.fill()
+    # To the manifest, the file is one that the user has added an endpoint to.
+    (folder.path / "output" / NAME).write_bytes(base)
+    before = folder.file().read_bytes()
+    for program in ([KEEP], [KEEP, statement]):
+        assert folder.generate(*program).states == {"robot_node.py": "identical"}
+        check(folder, mine, [*KEPT, shown])
+    assert folder.file().read_bytes() == before
+    (folder.path / "output" / NAME).write_bytes(base)
+    (conflict,) = folder.generate(KEEP, other).conflicts
+    assert f"is of type `{shown[2]}` in line " in conflict
+    assert folder.file().read_bytes() == before
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "gone", "new"),
+    [
+        (PUBLISH, PUBLISH.replace("hello", "bye"), "hello", "bye"),
+        (f"{PUBLISH} at 2 hz", f"{PUBLISH} at 4 hz", "1 / 2", "0.25"),
+        (PUBLISH, f"{PUBLISH}\n{PUBLISH.replace('hello', 'bye')}", None, "bye"),
+        (
+            "n client_requests 's' of service_type SetBool with input True",
+            "n client_requests 's' of service_type SetBool with input False",
+            "data=True",
+            "data=False",
+        ),
+    ],
+    ids=["message", "rate", "one more", "request"],
+)
+def test_what_is_sent_is_renewed_where_it_is_untouched(
+    folder: Folder, before: str, after: str, gone: str | None, new: str
+) -> None:
+    folder.generate(KEEP, before)
+    mine = folder.fill()
+    shown = folder.endpoints()
+    for program, old, now in ((after, gone, new), (before, new, gone or "hello")):
+        outcome = folder.generate(KEEP, program)
+        assert outcome.states == {"robot_node.py": "changed"}
+        assert len(outcome.warnings) == 1
+        check(folder, mine, list(shown.elements()))
+        text = folder.file().read_text()
+        assert now in text or (now == "1 / 2" and "0.5" in text)
+        assert old is None or old not in text
+        check_again(folder, KEEP, program)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("message = String(", "message = self.filled(  # mine\n            "),
+        ("publisher.publish(message)", "publisher.publish(message)  # mine"),
+        ("def own():", "def own(node):\n    node.a_publisher.publish(None)"),
+        ("1 / 10", "1 / 20"),
+    ],
+)
+def test_what_was_changed_by_hand_is_sent_as_it_is(folder: Folder, old: str, new: str) -> None:
+    folder.generate(KEEP, PUBLISH)
+    folder.fill()
+    folder.edit(old, new)
+    before = folder.file().read_bytes()
+    outcome = folder.generate(KEEP, PUBLISH.replace("hello", "bye"))
+    assert outcome.states == {"robot_node.py": "identical"}
+    told = "merged-by-hand: the messages of the publisher `a` are changed in the program only"
+    assert told in outcome.warnings
+    assert folder.file().read_bytes() == before
+
+
+def test_used_publisher_is_a_conflict_that_names_the_line(folder: Folder) -> None:
+    folder.generate(KEEP, PUBLISH)
+    folder.fill()
+    folder.edit("def own():", "def own(node):\n    node.a_publisher.anything()")
+    before = folder.file().read_bytes()
+    number = before[: before.index(b"anything")].count(b"\n") + 1
+    manifest = (folder.path / "output" / NAME).read_bytes()
+    (conflict,) = folder.generate(KEEP, "n publish bye to 'b' of message_type String").conflicts
+    assert conflict.startswith("file-conflict: `robot_node.py` was changed by hand, and ")
+    assert conflict.endswith(f"the publisher `a` is used in line {number}")
+    assert folder.file().read_bytes() == before
+    assert (folder.path / "output" / NAME).read_bytes() == manifest
+    folder.generate(KEEP, force=True)
+    assert folder.endpoints() == Counter(KEPT)
+    assert folder.file("robot_node.py.bak").read_bytes() == before
+
+
+def test_type_changed_by_hand_stays(folder: Folder) -> None:
+    folder.generate(KEEP, SUBSCRIBE)
+    folder.fill()
+    text = folder.file().read_text()
+    text = text.replace("import String", "import Int32").replace("String", "Int32")
+    folder.file().write_text(text)
+    (_, told) = folder.generate(KEEP, SUBSCRIBE).warnings
+    assert f"the subscription `a` is of type `{INT}` by hand, not `{STRING}`" in told
+    assert folder.file().read_text() == text
+    for other in (SUBSCRIBE.replace("String", "Bool"), ""):
+        (conflict,) = folder.generate(KEEP, other).conflicts
+        assert f"is of type `{INT}` in line " in conflict
+    assert folder.generate(KEEP, SUBSCRIBE_INT).states == {"robot_node.py": "identical"}
+    assert folder.generate(KEEP).conflicts == []
+    assert folder.endpoints() == Counter(KEPT)
+
+
+def test_callback_that_the_program_names(folder: Folder) -> None:
+    folder.generate(KEEP, SUBSCRIBE)
+    mine = folder.fill()
+    outcome = folder.generate(KEEP, f"{SUBSCRIBE} calling hear")
+    check(folder, mine, [*KEPT, ("subscriptions", "a", STRING)])
+    assert "self.hear" in folder.file().read_text()
+    assert "merged-by-hand: `on_a` is kept, but no longer called" in outcome.warnings
+    outcome = folder.generate(KEEP, f"{SUBSCRIBE} calling on_a")
+    text = folder.file().read_text()
+    assert "self.on_a" in text
+    assert "hear" not in text  # a stub that nobody has touched
