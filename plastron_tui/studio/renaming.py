@@ -1,53 +1,155 @@
-"""Renaming a variable, a topic or a service everywhere in a program."""
+"""Renaming a node, a message, a topic or a service everywhere in a program."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import dataclass
+
 from plastron_tui.diagnostics import Edit
-from plastron_tui.language import DECLARATIONS, Program, SlotKind
-from plastron_tui.ros.names import check_service_name, check_topic_name, resolved_name
-from plastron_tui.session import Session
+from plastron_tui.language import DECLARATIONS, Document, Program, SlotKind
+from plastron_tui.language.statements import CreateNode
+from plastron_tui.model.workspace import Client, Node, Publisher, Subscription, Workspace
+from plastron_tui.ros.names import (
+    check_node_name,
+    check_service_name,
+    check_topic_name,
+    resolved_name,
+)
 from plastron_tui.targets import LIBRARIES
 
+from .analysis import Analysis
 from .editor.names import wrong_name as wrong_variable
-from .panels.entry import Subject
+from .panels.entry import Entry, Subject
+from .placing import placed
 
 _TOPICS = (Subject.TOPIC, Subject.PUBLISHER, Subject.SUBSCRIPTION)
 
 
-def _kinds(subject: Subject) -> tuple[SlotKind, ...]:
-    if subject is Subject.MESSAGE:
-        return tuple(kind for kind in SlotKind if kind.is_variable)
-    return (SlotKind.TOPIC,) if subject in _TOPICS else (SlotKind.SERVICE,)
+@dataclass(frozen=True, slots=True)
+class Renamed:
+    """What gives something another name.
 
-
-def renamed(
-    program: Program, subject: Subject, old: str, new: str, node: str | None = None
-) -> list[Edit]:
-    """Return the edits that give something another name, wherever statements write it.
-
-    A topic or a service is found by its full name, and by its name as it is written.
+    Attributes:
+        edits: the edits of the program.
+        files: files that keep the old name: no statement can change it there.
     """
-    kinds = _kinds(subject)
-    same = {old, old.lstrip("/"), resolved_name(node or "", old)}
-    edits = []
+
+    edits: tuple[Edit, ...] = ()
+    files: tuple[str, ...] = ()
+
+
+def old_name(entry: Entry, workspace: Workspace) -> str:
+    """Return the name that is changed: of a node that a file names, its variable."""
+    node = workspace.nodes.get(entry.node or "")
+    if entry.subject is Subject.NODE and node is not None and node.source is None:
+        return node.name
+    return entry.name or ""
+
+
+def renamed(analysis: Analysis, entry: Entry, new: str) -> Renamed:
+    """Return what gives the thing that an entry is about another name."""
+    workspace, program = analysis.workspace, analysis.program
+    old = old_name(entry, workspace)
+    if entry.subject is Subject.NODE:
+        node = workspace.nodes[entry.node or ""]
+        return Renamed(tuple(_node(analysis, node, new)))
+    if entry.subject is Subject.MESSAGE:
+        return Renamed(tuple(_variable(program, old, new)))
+    edits = tuple(_written(program, entry, old, new))
+    more, files = _in_files(analysis, entry.subject in _TOPICS, old, entry.node, new)
+    return Renamed((*edits, *more), files)
+
+
+def _node(analysis: Analysis, node: Node, new: str) -> Iterator[Edit]:
+    """Rename a node, and its variable where that is the same word; of a file's the variable."""
+    if node.source is None:
+        for statement in analysis.program.statements:
+            if isinstance(statement, CreateNode) and statement.variable == node.variable:
+                yield Edit(statement.span_of("name"), f"'{new}'")
+        if node.name != node.variable or _wrong_variable(analysis, new) is not None:
+            return
+    yield from _variable(analysis.program, node.variable, new)
+
+
+def _variable(program: Program, old: str, new: str) -> Iterator[Edit]:
     for statement in program.statements:
         for slot in DECLARATIONS[type(statement)].slots:
-            if slot.kind not in kinds:
+            if slot.kind.is_variable and getattr(statement, slot.name) == old:
+                yield Edit(statement.span_of(slot.name), new)
+
+
+def _written(program: Program, entry: Entry, old: str, new: str) -> Iterator[Edit]:
+    """Rename a topic or a service: by its full name, and by its name as it is written."""
+    kind = SlotKind.TOPIC if entry.subject in _TOPICS else SlotKind.SERVICE
+    same = {old, old.lstrip("/"), resolved_name(entry.node or "", old)}
+    for statement in program.statements:
+        for slot in DECLARATIONS[type(statement)].slots:
+            if slot.kind is kind and getattr(statement, slot.name) in same:
+                yield Edit(statement.span_of(slot.name), f"'{new}'")
+
+
+def _in_files(
+    analysis: Analysis, is_topic: bool, old: str, of: str | None, new: str
+) -> tuple[list[Edit], tuple[str, ...]]:
+    """Rename what loaded files have: by a statement that ends it and one that makes it anew."""
+    full = resolved_name(of or "", old)
+    edits = []
+    files: dict[str, None] = {}
+    for node in analysis.workspace.nodes.values():
+        if node.source is None:
+            continue
+        lines: list[str] = []
+        for endpoint in node.endpoints.values():
+            name = (
+                endpoint.topic if isinstance(endpoint, Publisher | Subscription) else endpoint.name
+            )
+            is_meant = isinstance(endpoint, Publisher | Subscription) == is_topic
+            if endpoint.span is not None or not is_meant:
                 continue
-            written = getattr(statement, slot.name)
-            if subject is Subject.MESSAGE:
-                if written == old:
-                    edits.append(Edit(statement.span_of(slot.name), new))
-            elif written in same:
-                edits.append(Edit(statement.span_of(slot.name), f"'{new}'"))
-    return edits
+            if resolved_name(node.name, name) != full:
+                continue
+            # What is sent is in the file's own code, which no statement can carry over.
+            if isinstance(endpoint, Publisher | Client) or endpoint.type is None or "'" in name:
+                files[node.source.path.name] = None
+            elif isinstance(endpoint, Subscription):
+                lines.append(f"unsubscribe {node.variable} from '{name}'")
+                calling = f" calling {endpoint.callback}" if endpoint.callback else ""
+                lines.append(f"subscribe {node.variable} to '{new}' "
+                             f"of message_type {endpoint.type}{calling}")  # fmt: skip
+            else:
+                lines.append(f"{node.variable} stop_service '{name}'")
+                calling = f" calling {endpoint.handler}" if endpoint.handler else ""
+                lines.append(f"{node.variable} provides_service '{new}' "
+                             f"of service_type {endpoint.type}{calling}")  # fmt: skip
+        if lines:
+            statements = "\n".join(lines)
+            edits.append(placed(analysis.text, analysis.workspace, node.variable, statements))
+    return edits, tuple(files)
 
 
-def wrong_name(subject: Subject, new: str, session: Session) -> str | None:
+def _wrong_variable(analysis: Analysis, new: str) -> str | None:
+    workspace = analysis.workspace
+    if new in workspace.nodes or new in workspace.messages:
+        return f"`{new}` is a variable already"
+    return wrong_variable(Document(b""), new)
+
+
+def wrong_name(analysis: Analysis, entry: Entry, new: str) -> str | None:
     """Return why something cannot have a name, None when it can."""
-    if subject is Subject.MESSAGE:
-        return wrong_variable(session.document, new)
-    version = LIBRARIES.get(session.library, 1)
-    check = check_topic_name if subject in _TOPICS else check_service_name
-    problem = check(new, version)
+    nodes = analysis.workspace.nodes
+    node = nodes.get(entry.node or "")
+    is_variable = entry.subject is Subject.MESSAGE
+    if entry.subject is Subject.NODE:
+        is_variable = node is not None and node.source is not None
+    if is_variable:
+        return _wrong_variable(analysis, new)
+    library = node.library if node is not None and node.library else analysis.session.library
+    version = LIBRARIES.get(library, 1)
+    if entry.subject is Subject.NODE:
+        if any(each.name == new for each in nodes.values()):
+            return f"a node `{new}` exists already"
+        problem = check_node_name(new, version)
+    else:
+        check = check_topic_name if entry.subject in _TOPICS else check_service_name
+        problem = check(new, version)
     return None if problem is None else problem.message

@@ -11,11 +11,13 @@ from textual.screen import Screen
 
 from plastron_tui.diagnostics import Edit, Severity, Span, has_errors
 
+from ..analysis import Analysis
 from ..editor import ProgramEditor
 from ..panels.acting import Asked
-from ..panels.entry import Entry, Subject
+from ..panels.entry import Entry
 from ..panels.text_view import TextView
 from ..panels.tones import Line, Piece
+from ..placing import is_generated_last, placed
 from ..state import Open
 
 if TYPE_CHECKING:
@@ -61,57 +63,75 @@ class Doing(Screen[None]):
         entry = message.entry
         match message.what:
             case "end" if entry.statement is not None:
-                self._append(entry.statement, before_generation_of=entry.node)
+                self._write(entry.statement, entry.node, entry.span)
             case "generate" if entry.node is not None:
-                self._append(f"generate_node {entry.node}")
+                self._generate(entry.node)
             case "fix" if entry.edits:
                 self.editor.apply(entry.edits)
                 self.editor.focus()
             case "rename":
                 self._rename(entry)
 
-    def _append(self, statement: str, *, before_generation_of: str | None = None) -> None:
-        """Write a statement where it takes effect: last, but before its node is generated."""
-        text = self.open.text
-        at = len(text.rstrip())
+    def _current(self) -> Analysis | None:
+        """Return what the text means; say so when that is not known yet."""
         analysis = self.open.analysis
-        if analysis is not None and analysis.text == text and before_generation_of is not None:
-            spans = [
-                made.span
-                for made in analysis.workspace.generations
-                if made.node.variable == before_generation_of
-            ]
-            if spans:
-                line = text.rfind(b"\n", 0, spans[-1].start) + 1
-                self.editor.replace(Span(line, line), statement + "\n")
-                self.editor.go_to(line)
-                self.editor.focus()
-                return
-        self.editor.go_to(at)
-        self.editor.insert_statement(statement)
+        if analysis is None or analysis.text != self.open.text:
+            self.notify("the panels are not up to date yet; press it again", timeout=2)
+            return None
+        return analysis
+
+    def _write(self, statement: str, node: str | None, after: Span | None = None) -> None:
+        """Write a statement where it takes effect, and go there."""
+        analysis = self._current()
+        if analysis is None:
+            return
+        edit = placed(analysis.text, analysis.workspace, node, statement, after)
+        self.editor.apply([edit])
+        self.editor.go_to(edit.span.start + edit.text.startswith("\n"))
+        self.editor.focus()
+
+    def _generate(self, node: str) -> None:
+        """Write the statement that generates a node; go to the one that does so already."""
+        analysis = self._current()
+        if analysis is None:
+            return
+        there = is_generated_last(analysis.workspace, node, analysis.text)
+        if there is None:
+            self._write(f"generate_node {node}", None)
+            return
+        self.notify(f"{node} is generated here; F6 writes the files", timeout=4, markup=False)
+        self.editor.go_to(there.start)
         self.editor.focus()
 
     @work(exclusive=True, group="rename")
     async def _rename(self, entry: Entry) -> None:
-        from ..renaming import renamed, wrong_name
+        from ..renaming import old_name, renamed, wrong_name
         from .question import Prompt
 
-        old = entry.name or ""
-        open_, text = self.open, self.open.text
-        new = await self.app.push_screen_wait(Prompt(f"Rename {old} to", old))
-        if not new or new == old or open_ is not self.open or text != open_.text:
+        analysis = self._current()
+        if analysis is None:
             return
-        subject = Subject.MESSAGE if entry.subject is Subject.NODE else entry.subject
-        problem = wrong_name(subject, new, open_.session)
+        open_ = self.open
+        old = old_name(entry, analysis.workspace)
+        new = await self.app.push_screen_wait(Prompt(f"Rename {old} to", old))
+        if not new or new == old or open_ is not self.open or analysis.text != open_.text:
+            return
+        problem = wrong_name(analysis, entry, new)
         if problem is not None:
             self.notify(problem, severity="warning", markup=False)
             return
-        edits = renamed(open_.session.program, subject, old, new, entry.node)
-        if not edits:
-            self.notify(f"{old} is not written in this program", markup=False)
-            return
-        self.editor.apply(edits)
-        self.notify(f"renamed {len(edits)} places", timeout=2)
+        found = renamed(analysis, entry, new)
+        said = []
+        if found.edits:
+            self.editor.apply(found.edits)
+            count = len(found.edits)
+            said.append(f"renamed in {count} place{'' if count == 1 else 's'}")
+        said += [f"{file} has the name in its own code: change it there" for file in found.files]
+        said = said or [f"{old} is not written in this program"]
+        if found.files or not found.edits:
+            self.notify("\n".join(said), severity="warning", timeout=6, markup=False)
+        else:
+            self.notify("\n".join(said), timeout=2, markup=False)
 
     def action_fix(self) -> None:
         """Apply the remedy of the mistake on the cursor's line."""
