@@ -30,6 +30,7 @@ class FindBar(Vertical):
         Binding("escape", "close", "Close", id="find.close"),
         Binding("down,f3", "step(1)", "Next", id="find.next"),
         Binding("up,shift+f3,f15", "step(-1)", "Previous", id="find.previous"),
+        Binding("tab,shift+tab", "other_field", "The other line", show=False, id="find.other"),
         Binding("alt+r,f6", "toggle_regex", "Regular expression", id="find.regex"),
         Binding("alt+c,f7", "toggle_case", "Upper and lower case", id="find.case"),
         Binding("alt+a,f9", "all", "Replace all", id="find.replace_all"),
@@ -59,6 +60,11 @@ class FindBar(Vertical):
         super().__init__()
         self.is_regex = False
         self.is_case_sensitive = False
+
+    def on_mount(self) -> None:
+        """Leave the focus where something is typed."""
+        for button in self.query(Button):
+            button.can_focus = False
 
     def compose(self) -> ComposeResult:
         """Make the two lines."""
@@ -107,6 +113,12 @@ class FindBar(Vertical):
     def action_step(self, by: int) -> None:
         """Go to another match."""
         self.post_message(self.Step(by))
+
+    def action_other_field(self) -> None:
+        """Go from what is to be found to what comes in its place, and back."""
+        what, with_ = self.query(Input)
+        goal = with_ if what.has_focus and self.query_one("#replace-line").display else what
+        goal.focus()
 
     def action_toggle_regex(self) -> None:
         """Take what is to be found for a regular expression, or for plain text."""
@@ -161,7 +173,8 @@ class PromptBar(Horizontal):
     """
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape", "close", "Cancel", id="prompt.close")
+        Binding("escape", "close", "Cancel", id="prompt.close"),
+        Binding("tab,shift+tab", "stay", show=False),
     ]
 
     class Closed(Message):
@@ -185,6 +198,9 @@ class PromptBar(Horizontal):
         field.value = value
         field.focus()
         field.select_all()
+
+    def action_stay(self) -> None:
+        """Keep the focus: there is one field only."""
 
     def action_close(self) -> None:
         """Close the bar without an answer."""

@@ -7,7 +7,8 @@ import shlex
 import subprocess
 from collections.abc import Mapping
 from pathlib import Path
-from tempfile import TemporaryDirectory
+from shutil import rmtree
+from tempfile import mkdtemp
 from typing import ClassVar
 
 from textual.app import SuspendNotSupported
@@ -87,21 +88,36 @@ class CodingActions(EditorBase):
         if command is None:
             self._warn("neither $VISUAL nor $EDITOR names an editor")
             return
+        name = self.session.path.name if self.session.path is not None else "program.plastron"
         try:
-            with self.app.suspend():
-                text = edit_elsewhere(command, self.text, self.session.path)
-        except SuspendNotSupported:
-            self._warn("this terminal cannot be lent to another editor")
-            return
+            there = EditedElsewhere(self.text, name)
         except OSError as error:
-            self._warn(f"`{command[0]}` cannot be started: {error.strerror or error}")
+            self._warn(f"no temporary file can be written: {error.strerror or error}".lower())
             return
-        self.app.refresh()
-        checked = check_text(None, text)
-        if checked.text is None:
-            self._warn(checked.diagnostics[0].message)
+        with there:
+            try:
+                with self.app.suspend():
+                    problem = run_editor(command, there.file)
+            except SuspendNotSupported:
+                self._warn("this terminal cannot be lent to another editor")
+                return
+            self.app.refresh()
+            self._take(there, problem)
+
+    def _take(self, there: EditedElsewhere, problem: str | None) -> None:
+        """Take what another editor has left, or say why that cannot be."""
+        text = there.text
+        if problem is not None:
+            self._warn(problem)
+        elif text is None:
+            self._warn(f"`{there.file.name}` is gone; the text is as it was")
         else:
-            self.replace_all(checked.text)
+            checked = check_text(None, text)
+            if checked.text is not None:
+                self.replace_all(checked.text)
+                return
+            there.is_kept = True
+            self._warn(f"{checked.diagnostics[0].message}; what you wrote is in {there.file}")
 
 
 def external_editor(environ: Mapping[str, str]) -> list[str] | None:
@@ -116,15 +132,41 @@ def external_editor(environ: Mapping[str, str]) -> list[str] | None:
     return None
 
 
-def edit_elsewhere(command: list[str], text: bytes, path: Path | None) -> bytes:
-    """Hand a text to an editor in a temporary file, and return what it leaves there.
+def run_editor(command: list[str], file: Path) -> str | None:
+    """Open a file in an editor, and return what went wrong.
 
-    Raises:
-        OSError: the editor cannot be started, or the file is gone.
+    Nothing is raised: Textual takes the terminal back only when all went well.
     """
-    name = path.name if path is not None else "program.plastron"
-    with TemporaryDirectory(prefix="plastron-") as folder:
-        file = Path(folder, name)
-        file.write_bytes(text)
-        done = subprocess.run([*command, str(file)], check=False)
-        return file.read_bytes() if done.returncode == 0 else text
+    try:
+        done = subprocess.run([*command, os.fspath(file)], check=False)
+    except OSError as error:
+        reason = (error.strerror or str(error)).lower()
+        return f"`{command[0]}` cannot be started: {reason}"
+    if done.returncode:
+        return f"`{command[0]}` ended with status {done.returncode}; the text is as it was"
+    return None
+
+
+class EditedElsewhere:
+    """A text in a temporary file, for another editor; it is gone afterwards unless it is kept."""
+
+    def __init__(self, text: bytes, name: str) -> None:
+        self._folder = Path(mkdtemp(prefix="plastron-"))
+        self.file = self._folder / name
+        self.file.write_bytes(text)
+        self.is_kept = False
+
+    @property
+    def text(self) -> bytes | None:
+        """What is in the file; None when it is gone."""
+        try:
+            return self.file.read_bytes()
+        except OSError:
+            return None
+
+    def __enter__(self) -> EditedElsewhere:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if not self.is_kept:
+            rmtree(self._folder, ignore_errors=True)

@@ -16,6 +16,9 @@ TAB_WIDTH = 4
 TAB = "→"
 _CONTROL_PICTURES = 0x2400
 _INVISIBLE = "�"
+_JOINING = dict.fromkeys((0x200D, 0xFE0E, 0xFE0F))
+"""Terminals do not agree on how wide the characters are that these join or change: they are
+left out of what is shown, and the cells are right everywhere."""
 
 
 class Line:
@@ -117,6 +120,8 @@ def _graphemes(text: str) -> Iterator[str]:
 def _shown(cluster: str, cell: int) -> str:
     if cluster == "\t":
         return TAB + " " * (TAB_WIDTH - cell % TAB_WIDTH - 1)
+    if not cluster.isascii():
+        cluster = cluster.translate(_JOINING)
     if cluster.isprintable():
         return cluster if cell_len(cluster) else _INVISIBLE
     if len(cluster) == 1 and ord(cluster) < 0x20:

@@ -29,7 +29,8 @@ class CompletingActions(EditorBase):
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
         """Leave Escape to others while there is nothing to close."""
         if action == "dismiss":
-            return self.popup.is_open or not self.selection.is_empty
+            has_work = self.popup.is_open or not self.selection.is_empty
+            return has_work and super().check_action(action, parameters)
         return super().check_action(action, parameters)
 
     def action_complete(self) -> None:

@@ -12,7 +12,7 @@ from .columns import Line
 from .geometry import Geometry
 from .highlights import RowPaint, highlight
 from .marks import Marks, worst
-from .palette import Palette, ansi_palette, themed_palette
+from .palette import Palette, ansi_palette, themed_palette, without_colors
 from .popup import Popup
 from .rows import Canvas, Layer, Row, below, draw
 from .state import TextState
@@ -58,6 +58,8 @@ class DrawnText(ScrollView, inherit_bindings=False):
                 self._palette = themed_palette(
                     self.app.theme_variables, background.blend(foreground, 1, 1), background
                 )
+            if self.app.no_color:
+                self._palette = without_colors(self._palette)
         return self._palette
 
     @property

@@ -20,7 +20,11 @@ class FindingActions(EditorBase):
         Binding("ctrl+r", "replace", "Replace", show=False, id="editor.replace"),
         Binding("f3", "find_next", "Find next", show=False, id="editor.find_next"),
         Binding(
-            "shift+f3,f15,alt+p", "find_previous", "Find previous", show=False, id="editor.find_previous"
+            "shift+f3,f15,alt+p",
+            "find_previous",
+            "Find previous",
+            show=False,
+            id="editor.find_previous",
         ),
         Binding("ctrl+g", "go_to_line", "Go to line", show=False, id="editor.go_to_line"),
     ]
@@ -83,7 +87,9 @@ class FindingActions(EditorBase):
         if self._searched is not self.text:
             self._run_search()
         selection = self.selection
-        offset = selection.start + 1 if by > 0 and not selection.is_empty else selection.start
+        here = (selection.start, selection.end)
+        is_at_match = not selection.is_empty or here in self.search.spans
+        offset = selection.start + 1 if by > 0 and is_at_match else selection.start
         span = self.search.step(offset, by)
         if span is not None:
             self._select_match(span)

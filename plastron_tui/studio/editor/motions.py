@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from .buffer import Buffer
 from .columns import is_word
 
@@ -92,14 +94,23 @@ def word_at(buffer: Buffer, offset: int) -> tuple[int, int]:
     return start, end
 
 
-def matching_brackets(buffer: Buffer, offset: int) -> tuple[int, int] | None:
+def matching_brackets(
+    buffer: Buffer, offset: int, literal: Iterable[tuple[int, int]] = ()
+) -> tuple[int, int] | None:
     """Return the bracket at or before an offset, and the one that closes or opens it.
 
     Brackets match within their row, as statements do.
+
+    Args:
+        buffer: the text.
+        offset: where the cursor is.
+        literal: the strings and comments of the row, in byte columns; there a bracket is none.
     """
     row = buffer.row(offset)
     start = buffer.start(row)
-    line = buffer.line_bytes(row)
+    line = bytearray(buffer.line_bytes(row))
+    for begin, end in literal:
+        line[begin:end] = b" " * len(line[begin:end])
     column = offset - start
     for at in (column, column - 1):
         if 0 <= at < len(line) and (line[at] in _PAIRS or line[at] in _BACK):
@@ -108,20 +119,16 @@ def matching_brackets(buffer: Buffer, offset: int) -> tuple[int, int] | None:
     return None
 
 
-def _partner(line: bytes, at: int) -> int | None:
+def _partner(line: bytearray, at: int) -> int | None:
     mine = line[at]
     forward = mine in _PAIRS
     theirs = _PAIRS[mine] if forward else _BACK[mine]
-    places = range(at, min(len(line), at + _FARTHEST_BRACKET)) if forward else range(at, -1, -1)
+    most = min(len(line), at + _FARTHEST_BRACKET)
+    places = range(at, most) if forward else range(at, max(-1, at - _FARTHEST_BRACKET), -1)
     depth = 0
-    in_string = False
     for place in places:
         byte = line[place]
-        if byte == 0x22:
-            in_string = not in_string
-        elif in_string:
-            continue
-        elif byte == mine:
+        if byte == mine:
             depth += 1
         elif byte == theirs:
             depth -= 1

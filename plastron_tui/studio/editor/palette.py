@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from rich.style import Style
@@ -148,6 +148,21 @@ def ansi_palette() -> Palette:
         warning=Style(color="yellow"),
         error_line=Style(color="red", underline=True),
         warning_line=Style(color="yellow", underline=True),
+    )
+
+
+def without_colors(palette: Palette) -> Palette:
+    """Tell everything apart by how it is written, on the palette's own background."""
+    plain = ansi_palette()
+    strong = Style(bold=True)
+    return replace(
+        plain,
+        text=palette.text,
+        captures={name: style.without_color for name, style in plain.captures.items()},
+        error=strong,
+        warning=strong,
+        error_line=Style(underline=True, bold=True),
+        warning_line=Style(underline=True),
     )
 
 

@@ -34,22 +34,26 @@ class Search:
             return cls(problem=str(error))
 
     def run(self, text: bytes) -> None:
-        """Find all matches, up to `MOST_MATCHES`; empty ones count for nothing."""
+        """Find all matches, up to `MOST_MATCHES`.
+
+        To an expression a line ends in a newline, whatever ends the lines of the text.
+        """
         self.spans = []
         self._matches = []
         if self.pattern is None:
             return
-        written = text.decode("utf-8", "replace")
-        is_ascii = len(written) == len(text)
+        plain = text.replace(b"\r\n", b"\n")
+        returns = _returns(text) if len(plain) < len(text) else []
+        written = plain.decode("utf-8", "replace")
+        is_ascii = len(written) == len(plain)
         at_char = at_byte = 0
         for match in self.pattern.finditer(written):
             start, end = match.span()
-            if start == end:
-                continue
             if not is_ascii:
                 at_byte += len(written[at_char:start].encode())
                 at_char = start
                 start, end = at_byte, at_byte + len(match.group().encode())
+            start, end = (at + bisect_left(returns, at) for at in (start, end))
             self.spans.append((start, end))
             self._matches.append(match)
             if len(self.spans) >= MOST_MATCHES:
@@ -79,3 +83,13 @@ class Search:
         if not self.is_regex or at >= len(self.spans) or self.spans[at] != span:
             return template
         return self._matches[at].expand(template)
+
+
+def _returns(text: bytes) -> list[int]:
+    """Return the places of the newlines that follow a carriage return, in a text without those."""
+    places: list[int] = []
+    at = text.find(b"\r\n")
+    while at >= 0:
+        places.append(at - len(places))
+        at = text.find(b"\r\n", at + 2)
+    return places

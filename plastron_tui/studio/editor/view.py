@@ -114,9 +114,9 @@ class EditorView(DrawnText, can_focus=True, inherit_bindings=False):
         state = self.state
         before, self._shown = self._shown, state.selection
         brackets = self.brackets
-        self.brackets = motions.matching_brackets(state.buffer, state.cursor)
         if self._edits:
             self._refresh_edited()
+        self.brackets = self._matching_brackets()
         if not (before.is_empty and state.selection.is_empty):
             self._refresh_rows(range(*self._span(before, state.selection)))
         else:
@@ -130,6 +130,18 @@ class EditorView(DrawnText, can_focus=True, inherit_bindings=False):
         if scroll:
             self.scroll_to_cursor()
         self._place_terminal_cursor()
+
+    def _matching_brackets(self) -> tuple[int, int] | None:
+        buffer, cursor = self.state.buffer, self.state.cursor
+        around = buffer.text[max(0, cursor - 1) : cursor + 1]
+        if not any(bracket in around for bracket in b"()[]{}"):
+            return None
+        literal = [
+            (painted.start, painted.end)
+            for painted in self.paint.get(self.state.row, ())
+            if painted.capture.startswith(("string", "comment"))
+        ]
+        return motions.matching_brackets(buffer, cursor, literal)
 
     def _span(self, *selections: Selection) -> tuple[int, int]:
         buffer = self.state.buffer

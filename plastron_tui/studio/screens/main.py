@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import gc
 import os
-import subprocess
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
@@ -41,7 +40,7 @@ from .wizarding import Wizarding
 if TYPE_CHECKING:
     from ..app import StudioApp
 
-_PAUSE = 0.03
+_PAUSE = 0.01
 """Seconds without a key after which the worker starts."""
 
 LISTS = ("nodes", "topics", "services", "messages", "problems")
@@ -351,14 +350,17 @@ class MainScreen(Arranging, Filing, Doing, Wizarding, Screen[None]):
         """Open a file in the user's own editor, where there is one."""
         from textual.app import SuspendNotSupported
 
-        from ..editor.coding import external_editor
+        from ..editor.coding import external_editor, run_editor
 
         command = external_editor(os.environ)
         if command is None:
             return
-        with suppress(SuspendNotSupported, OSError), self.app.suspend():
-            subprocess.run([*command, os.fspath(file)], check=False)
+        problem = None
+        with suppress(SuspendNotSupported), self.app.suspend():
+            problem = run_editor(command, file)
         self.app.refresh()
+        if problem is not None:
+            self.notify(problem, severity="warning", markup=False)
 
     def on_resize(self, event: events.Resize) -> None:
         """Lay the panels out for another size."""

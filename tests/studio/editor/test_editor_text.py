@@ -242,12 +242,38 @@ def test_home_goes_to_the_text_and_then_to_the_line() -> None:
         ("((a)b)", 4, (3, 1)),
         ("(a", 0, None),
         ("[(])", 0, (0, 2)),
-        ('(")")', 0, (0, 4)),
         ("abc", 1, None),
     ],
 )
 def test_brackets(line: str, at: int, pair: tuple[int, int] | None) -> None:
     assert motions.matching_brackets(Buffer(Session(line.encode(), environ={})), at) == pair
+
+
+def test_a_bracket_in_a_string_is_none() -> None:
+    buffer = Buffer(Session(b'(")") // )', environ={}))
+    literal = [(1, 4), (6, 10)]
+    assert [motions.matching_brackets(buffer, at, literal) for at in (0, 5, 3)] == [
+        (0, 4),
+        (4, 0),
+        None,
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "pattern", "spans"),
+    [
+        (b"a\r\nba\r\n", "a$", [(0, 1), (4, 5)]),
+        (b"a\r\nb\n", "a\\nb", [(0, 4)]),
+        (b"\r\n\r\nx", "\\n", [(0, 2), (2, 4)]),
+        ("é\r\néa".encode(), "^é", [(0, 2), (4, 6)]),
+        (b"a\nb\n", "^(?=.)", [(0, 0), (2, 2)]),
+        (b"(", "(", []),
+    ],
+)
+def test_found_by_an_expression(text: bytes, pattern: str, spans: list[tuple[int, int]]) -> None:
+    search = Search.make(pattern, is_regex=True, is_case_sensitive=True)
+    search.run(text)
+    assert search.spans == spans
 
 
 class TestLineCommands:
@@ -343,7 +369,7 @@ class TestSearch:
 
     def test_a_regular_expression(self) -> None:
         assert self.found(r"\w+$", "é ab\ncd", is_regex=True) == ["ab", "cd"]
-        assert self.found("x*", "aaa", is_regex=True) == []
+        assert self.found("x*", "aa", is_regex=True) == ["", "", ""]
 
     def test_a_wrong_one_is_a_message(self) -> None:
         search = Search.make("(", is_regex=True, is_case_sensitive=False)

@@ -1,14 +1,15 @@
 from __future__ import annotations
 
-import os
-import stat
-import sys
+import base64
+import tempfile
+from contextlib import nullcontext
 from pathlib import Path
 
 import pytest
 from editor_host import editing
 from textual.events import Key, Paste
 from textual.geometry import Offset
+from textual.widgets import Label
 
 from plastron_tui.diagnostics import Edit, Span
 from plastron_tui.session import Session
@@ -71,10 +72,14 @@ async def test_page_keys_go_by_what_is_seen() -> None:
         assert at.editor.cursor_offset == 0
 
 
-async def test_copy_reaches_the_terminal() -> None:
-    async with editing("abc\n") as at:
+async def test_copy_reaches_the_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+    async with editing("日本\n") as at:
+        written: list[str] = []
+        monkeypatch.setattr(at.app._driver, "write", written.append)
         await at.press("shift+end", "ctrl+c")
-        assert at.app.clipboard == "abc"
+        assert at.app.clipboard == "日本"
+        encoded = base64.b64encode("日本".encode()).decode()
+        assert f"\x1b]52;c;{encoded}\a" in written
 
 
 async def test_messages_are_posted_for_edits_and_moves_only() -> None:
@@ -101,6 +106,34 @@ async def test_a_paste_is_one_step_to_undo() -> None:
         assert at.editor.text == b"ax\r\ny\r\nb\r\n"
         await at.press("ctrl+z")
         assert at.editor.text == b"a\r\nb\r\n"
+
+
+async def test_a_megabyte_is_pasted_and_undone() -> None:
+    lines = "create_node 'talker' as talker\n" * 35_000
+    async with editing("// here\n") as at:
+        at.editor.view.post_message(Paste(lines))
+        await at.pilot.pause()
+        assert at.editor.text.decode() == lines + "// here\n"
+        assert at.editor.state.row == 35_000
+        assert at.lines[-3].startswith(" 35000 create_node")
+        await at.press("ctrl+z")
+        assert at.editor.text == b"// here\n"
+
+
+async def test_a_line_of_many_kilobytes_is_pasted_and_edited() -> None:
+    async with editing("// here\n") as at:
+        at.editor.view.post_message(Paste("日本 " * 20_000))
+        await at.pilot.pause()
+        await at.press("left", "left", "backspace", "x", "home", "end", "alt+z", "up", "down")
+        assert at.editor.text.decode() == "日本 " * 19_999 + "x本 // here\n"
+
+
+async def test_what_terminals_do_not_agree_on_is_shown_apart() -> None:
+    family = "👩\u200d👩\u200d👧"
+    async with editing(f"{family}x\n❤\ufe0fx\n") as at:
+        assert at.lines[:2] == ["   1 👩👩👧x", "   2 ❤x"]
+        await at.press("right", "y")
+        assert at.editor.text.decode().startswith(f"{family}yx\n")
 
 
 async def test_wide_characters_and_tabs_line_up() -> None:
@@ -233,17 +266,34 @@ class TestFinding:
         async with editing("ab ab ab\n") as at:
             await at.press("ctrl+r")
             await at.type("(a)(b)")
-            await at.press("alt+r", "tab", "tab", "tab")
-            at.editor.find_bar.query_one("#find-with").focus()
-            await at.type("\\2\\1".replace("\\", ""))
-            field = at.editor.find_bar.query_one("#find-with")
-            field.value = r"\2\1"  # type: ignore[attr-defined]
-            await at.press("enter")
+            await at.press("alt+r", "tab", *("backslash", "2", "backslash", "1"), "enter")
             assert at.editor.text == b"ba ab ab\n"
             await at.press("alt+a")
             assert at.editor.text == b"ba ba ba\n"
             at.editor.undo()
             assert at.editor.text == b"ba ab ab\n"
+
+    async def test_lines_are_commented_by_an_expression(self) -> None:
+        async with editing("a\r\nb\r\n") as at:
+            await at.press("ctrl+r", "circumflex_accent", "alt+r", "tab", "x", "enter")
+            assert at.editor.text == b"xa\r\nb\r\n"
+            await at.press("enter")
+            assert at.editor.text == b"xa\r\nxb\r\n"
+
+    async def test_a_group_that_is_not_there_is_said(self) -> None:
+        async with editing("ab\n") as at:
+            await at.press("ctrl+r", "a", "alt+r", "tab", "backslash", "7", "alt+a")
+            label = at.editor.find_bar.query_one("#find-count", Label)
+            assert "invalid group reference" in str(label.content)
+            assert at.editor.text == b"ab\n"
+
+    async def test_keys_of_the_editor_leave_the_text_alone_while_something_is_asked(self) -> None:
+        async with editing("ab\nab\n") as at:
+            for key in ("ctrl+f", "ctrl+r", "ctrl+g"):
+                await at.press(key, "tab", "ctrl+d", "alt+down", "ctrl+l", "ctrl+underscore")
+                await at.press("ctrl+a", "ctrl+k", "backspace", "escape")
+                assert at.editor.text == b"ab\nab\n"
+                assert at.editor.view.has_focus
 
     async def test_a_wrong_expression_is_said(self) -> None:
         async with editing("ab\n") as at:
@@ -304,18 +354,55 @@ class TestCoding:
             await at.press("ctrl+z")
             assert at.editor.text == b"load   a  as b\n\n\n\ngenerate_node   b"
 
+    @pytest.mark.parametrize(
+        ("script", "text", "said"),
+        [
+            ("sed -i \"s/'talker/'me/\" $1", PROGRAM.replace("'talker", "'me"), ""),
+            ("printf 'a\\r\\nb' > $1", "a\r\nb", ""),
+            ("true", PROGRAM, ""),
+            ("echo oops > $1; exit 3", PROGRAM, "ended with status 3; the text is as it was"),
+            ("rm $1", PROGRAM, "`program.plastron` is gone; the text is as it was"),
+            ("kill -9 $$", PROGRAM, "ended with status -9; the text is as it was"),
+            (
+                "printf 'caf\\351' > $1",
+                PROGRAM,
+                "the file is not UTF-8 (line 1); what you wrote is",
+            ),
+        ],
+    )
     async def test_an_editor_of_the_users(
-        self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+        self,
+        script: str,
+        text: str,
+        said: str,
+        tmp_path: Path,
+        monkeypatch: pytest.MonkeyPatch,
     ) -> None:
-        script = tmp_path / "editor"
-        script.write_text(f"#!{sys.executable}\nimport sys\nopen(sys.argv[1], 'ab').write(b'x')\n")
-        script.chmod(script.stat().st_mode | stat.S_IXUSR)
-        monkeypatch.setitem(os.environ, "VISUAL", str(script))
-        from plastron_tui.studio.editor.coding import edit_elsewhere, external_editor
+        editor, left = tmp_path / "an editor", tmp_path / "left"
+        left.mkdir()
+        editor.write_text(f"#!/bin/sh\n{script}\n")
+        editor.chmod(0o755)
+        monkeypatch.setenv("VISUAL", f"'{editor}'")
+        monkeypatch.setattr(tempfile, "tempdir", str(left))
+        async with editing(PROGRAM) as at:
+            monkeypatch.setattr(at.app, "suspend", nullcontext)
+            await at.press("ctrl+e")
+            assert at.editor.text.decode() == text
+            assert said in "".join(at.app.said)
+            assert bool(said) == bool(at.app.said)
+            await at.press("ctrl+z")
+            assert at.editor.text.decode() == PROGRAM
+        kept = list(left.glob("*/*"))
+        assert [file.read_bytes() for file in kept] == ([b"caf\xe9"] if "UTF-8" in said else [])
 
-        command = external_editor(os.environ)
-        assert command == [str(script)]
-        assert edit_elsewhere(command, b"abc", None) == b"abcx"
+    async def test_an_editor_that_is_not_there_is_said(
+        self, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.setenv("EDITOR", "/nowhere/editor -x")
+        async with editing("abc") as at:
+            monkeypatch.setattr(at.app, "suspend", nullcontext)
+            await at.press("ctrl+e")
+            assert at.app.said == ["`/nowhere/editor` cannot be started: no such file or directory"]
 
     async def test_without_an_editor_it_says_so(self, monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.delenv("VISUAL", raising=False)
@@ -344,6 +431,20 @@ async def test_sixteen_colours_are_the_terminals_own() -> None:
         color = at.editor.view.palette.captures["keyword"].color
         assert color is not None
         assert color.name == "blue"
+
+
+async def test_without_colours_all_is_told_apart_by_how_it_is_written(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv("NO_COLOR", "1")
+    async with editing("generate_node a\n") as at:
+        await at.understand()
+        palette = at.editor.view.palette
+        looks = {"text": palette.text, "selection": palette.selection, "match": palette.match}
+        looks |= {"error": palette.error_line, "bracket": palette.bracket}
+        written = {name: (look.bold, look.underline, look.reverse) for name, look in looks.items()}
+        assert written["selection"] != written["match"] != written["text"] != written["error"]
+        assert all(look.color is None for look in palette.captures.values())
 
 
 async def test_keys_that_come_all_at_once_keep_their_order() -> None:
