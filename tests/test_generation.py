@@ -89,3 +89,74 @@ def test_two_programs_with_a_node_of_one_name_keep_their_files_apart(
     plan, _ = other(force=False).plan()
     assert [file.state.value for file in plan.files] == ["identical"]
     assert "`b.plastron`" in session(tmp_path, PROGRAM).plan()[0].conflicts[0].message
+
+
+CROWDED = """\
+import rospy
+from std_msgs.msg import Bool, String
+
+
+def on_gone(message):
+    pass
+
+
+rospy.init_node("crowded")
+# A publisher that goes.
+first = rospy.Publisher("first", String, queue_size=1)
+first.publish("hello")
+second = rospy.Publisher("second", Bool, queue_size=1)
+rospy.Subscriber("gone", String, on_gone)
+rospy.Subscriber("kept", String, print)
+print(second.get_num_connections())
+rospy.spin()
+"""
+
+
+@pytest.mark.parametrize("using", ["", " using rclpy"])
+def test_refusal_names_the_lines_of_the_file_as_it_is(tmp_path: Path, using: str) -> None:
+    (tmp_path / "mine.py").write_text(CROWDED)
+    text = (
+        "load 'mine.py' as n\nn stop_publishing to 'first'\nunsubscribe n from 'gone'\n"
+        f"n stop_publishing to 'second'\ngenerate_node n{using}\n"
+    )
+    line = CROWDED[: CROWDED.index("print(")].count("\n") + 1
+    for in_place in (False, True):
+        plan, (found,) = session(tmp_path, text, in_place=in_place).plan()
+        assert plan.files == ()
+        assert (found.code, found.message) == (
+            "endpoint-in-use", f"the publisher `second` is used in line {line}",
+        )  # fmt: skip
+        assert found.span is not None
+        assert text.encode()[slice(*found.span)] == b"n stop_publishing to 'second'"
+
+
+def test_refusal_names_the_lines_of_what_was_written_before(tmp_path: Path) -> None:
+    file = tmp_path / "mine.py"
+    file.write_text(CROWDED)
+    less = "load 'mine.py' as n\nn stop_publishing to 'first'\nunsubscribe n from 'gone'\n"
+    plan, _ = session(tmp_path, f"{less}generate_node n\n", in_place=True).plan()
+    assert write(plan).diagnostics == ()
+    text = f"{less}n stop_publishing to 'second'\ngenerate_node n\n"
+    _, (found,) = session(tmp_path, text, in_place=True).plan()
+    now = file.read_text()
+    line = now[: now.index("print(")].count("\n") + 1
+    assert line < CROWDED[: CROWDED.index("print(")].count("\n") + 1
+    assert found.message == f"the publisher `second` is used in line {line}"
+
+
+def test_types_that_the_other_ros_names_otherwise_are_told(tmp_path: Path) -> None:
+    (tmp_path / "mine.py").write_text(
+        "import rospy\nimport std_msgs.msg\nfrom std_msgs import msg\n"
+        "from beginner_tutorials.srv import AddTwoInts\n\nrospy.init_node('mine')\n"
+        "rospy.Subscriber('a', std_msgs.msg.Time, print)\n"
+        "rospy.Subscriber('b', msg.Duration, print)\n"
+        "rospy.Subscriber('c', std_msgs.msg.String, print)\n"
+        "rospy.ServiceProxy('d', AddTwoInts)\nrospy.spin()\n"
+    )
+    plan, found = session(tmp_path, "load 'mine.py' as n\ngenerate_node n using rclpy\n").plan()
+    (file,) = plan.files
+    assert [(each.code, each.message.split("`")[1], each.help) for each in found] == [
+        ("port-by-hand", "std_msgs/Time", "it is `builtin_interfaces/Time` there"),
+        ("port-by-hand", "std_msgs/Duration", "it is `builtin_interfaces/Duration` there"),
+    ]
+    assert b"from example_interfaces.srv import AddTwoInts" in file.text

@@ -64,6 +64,7 @@ def _ported(source: SourceFile, work: Work, library: str) -> Rendered:
     for site in before.sites:
         if site.endpoint.name is None and site.endpoint.kind in _KINDS and site.endpoint.expression:
             work.mark(site.call, f"the name {_one_line(site.endpoint.expression)}", _CHECK)
+        _mark_type(work, site)
     text = work.result()
     lines = _comment_lines(text)
     found = [_listed(mark, source, library, lines) for mark in _in_order(work.marks)]
@@ -76,6 +77,19 @@ def _ported(source: SourceFile, work: Work, library: str) -> Rendered:
     if problem is not None:
         found.append(_by_hand(source, f"the file is no Python 3: {problem}", None, None))
     return Rendered(text, tuple(found))
+
+
+def _mark_type(work: Work, site: Site) -> None:
+    """Mark a type of a module that is imported whole, where the other ROS names it otherwise.
+
+    One that is imported by its name is brought over with its import.
+    """
+    type_, kind = site.endpoint.type, site.endpoint.kind
+    if type_ is None or kind not in _KINDS or "." not in site.endpoint.type_expression:
+        return
+    found, remedy = target_type(work, type_, _KINDS[kind][1])
+    if found != type_:
+        work.mark(site.call, str(type_), remedy if found is None else f"it is `{found}` there")
 
 
 _CHECK = "the file decides the name as it runs: see that it is one of the other ROS"
