@@ -88,7 +88,7 @@ def _preview(analysis: Analysis, generation: Generation, is_asked: bool) -> Prev
     source = generation.node.source
     if file.before is not None and file.state is not FileState.IDENTICAL:
         diff = diff_lines(printable(file_diff(file)))
-    elif file.before is None and source is not None and source.library == generation.library:
+    elif source is not None and source.library == generation.library:
         diff = difference(source.text, file.text)
     state = file.state if is_asked else None
     lines = coloured(file.text.decode("utf-8", "replace"), file.path)

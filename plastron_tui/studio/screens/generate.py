@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import ClassVar
 
@@ -16,13 +17,13 @@ from textual.widgets.option_list import Option
 
 from plastron_tui.diagnostics import Diagnostic, has_errors
 from plastron_tui.output.diff import file_diff, printable
-from plastron_tui.output.plan import FilePlan, FileState, PlannedFile
+from plastron_tui.output.plan import FileState, PlannedFile
 from plastron_tui.output.writer import WriteResult, write
 from plastron_tui.session import Session
 
 from ..panels.text_view import TextView
 from ..panels.tones import Lines, Piece
-from ..preview import coloured, diff_lines
+from ..preview import coloured, diff_lines, difference
 
 _TONES = {
     FileState.CREATE: "$text-success",
@@ -37,6 +38,9 @@ _SIGNS = {
     FileState.CONFLICT: "!",
 }
 
+_MOST_SAID = 4
+"""The most lines about the plan; below them are the files."""
+
 
 class GenerateDialog(ModalScreen[bool]):
     """Lists the files; the result is whether they were written."""
@@ -45,16 +49,26 @@ class GenerateDialog(ModalScreen[bool]):
         Binding("escape", "close", "Close"),
         Binding("f6", "write", "Write"),
         Binding("f5", "run", "Run"),
-        Binding("d", "toggle_diff", "Diff or file"),
+        Binding("d", "toggle_diff", "Look at it in another way"),
     ]
     AUTO_FOCUS = "#dialog-files"
 
     def __init__(self, session: Session) -> None:
         super().__init__()
         self._session = session
-        self.plan, self.problems = session.plan()
+        self._take(session)
         self.is_written = False
-        self._shows_diff = True
+        self._view = 0
+
+    def _take(self, session: Session) -> None:
+        """Find out what would be written."""
+        made = session.generated()
+        self.plan, self.problems = session.plan_of(made)
+        self._origins = {
+            each.file.name: each.generation.node.source
+            for each in made
+            if each.file is not None and each.generation.node.source is not None
+        }
 
     def compose(self) -> ComposeResult:
         """Make the list, the diff and the buttons."""
@@ -62,6 +76,7 @@ class GenerateDialog(ModalScreen[bool]):
             yield Label(self._heading(), id="dialog-title", markup=False)
             yield OptionList(*self._options(), id="dialog-files", compact=True)
             yield Label("", id="dialog-text", markup=False)
+            yield Label("", id="dialog-seen", markup=False)
             yield TextView(id="dialog-view")
             with Horizontal(id="dialog-buttons"):
                 yield Button(self._write_words(), id="write", variant="primary", compact=True)
@@ -125,15 +140,19 @@ class GenerateDialog(ModalScreen[bool]):
             file.state is FileState.IDENTICAL for file in self.plan.files
         )
         self.query_one("#run", Button).display = bool(self.plan.files) and all_there
-        text = self.query_one("#dialog-text", Label)
-        if has_problem:
-            text.update("\n".join(found.message for found in self.problems))
-        elif self.is_written or (self.plan.files and all_there):
-            text.update(f"{'Written' if self.is_written else 'All is there'}. To run: F5, or "
+        said = []
+        if self.plan.files and all_there and not has_problem:
+            said.append(f"{'Written' if self.is_written else 'All is there'}. To run: F5, or "
                         f"in a shell: plastron run {self._program()}")  # fmt: skip
-        elif conflicts:
-            text.update("Files marked ! were changed by hand, and are left alone.")
-        text.display = bool(str(text.content))
+        elif conflicts and not has_problem:
+            said.append("Files marked ! were changed by hand, and are left alone.")
+        if not self.is_written and self.plan.files:
+            said += [found.message for found in (*self.problems, *conflicts)]
+        if len(said) > _MOST_SAID:
+            said[_MOST_SAID - 1 :] = [f"… and {len(said) - _MOST_SAID + 1} more"]
+        text = self.query_one("#dialog-text", Label)
+        text.update("\n".join(said))
+        text.display = bool(said)
 
     def _program(self) -> str:
         return "FILE" if self._session.path is None else _short(self._session.path)
@@ -141,6 +160,7 @@ class GenerateDialog(ModalScreen[bool]):
     @on(OptionList.OptionHighlighted)
     def highlighted(self) -> None:
         """Show the diff of the file."""
+        self._view = 0
         self._draw()
 
     @on(OptionList.OptionSelected)
@@ -152,17 +172,28 @@ class GenerateDialog(ModalScreen[bool]):
         at = self.query_one(OptionList).highlighted
         if at is None or at >= len(self.plan.files):
             return
-        file = self.plan.files[at]
+        views = list(self._views(self.plan.files[at]))
+        title, lines, numbers = views[self._view % len(views)]
+        more = f"   d: {views[(self._view + 1) % len(views)][0]}" if len(views) > 1 else ""
+        self.query_one("#dialog-seen", Label).update(title + more)
         view = self.query_one(TextView)
-        if self._shows_diff and file.before is not None and file.before != file.text:
-            view.show(diff_lines(printable(file_diff(file))), numbers=False)
-        else:
-            view.show(coloured(file.text.decode("utf-8", "replace"), file.path), numbers=True)
+        view.show(lines, numbers=numbers)
         view.scroll_home(animate=False)
 
+    def _views(self, file: PlannedFile) -> Iterator[tuple[str, Lines, bool]]:
+        """Yield how a file can be looked at: what it is called, the lines, whether numbered."""
+        if file.before is not None and file.before != file.text:
+            yield "what changes on the disk", diff_lines(printable(file_diff(file))), False
+        source = self._origins.get(file.name)
+        if source is not None and source.text not in (file.text, file.before):
+            lines = difference(source.text, file.text)
+            yield f"what differs from {source.path.name}", lines, False
+        text = file.text.decode("utf-8", "replace")
+        yield "the whole file", coloured(text, file.path), True
+
     def action_toggle_diff(self) -> None:
-        """Show the whole file, or what changes in it."""
-        self._shows_diff = not self._shows_diff
+        """Show the file in another way: what changes in it, or the whole of it."""
+        self._view += 1
         self._draw()
 
     @on(Button.Pressed, "#write")
@@ -193,11 +224,10 @@ class GenerateDialog(ModalScreen[bool]):
         self.is_written = True
         # What was written is what is there: look again.
         fresh = Session(self._session.document.text, self._session.path, self._session.options)
-        plan, _ = fresh.plan()
-        self._show_plan(plan)
+        self._take(fresh)
+        self._show_plan()
 
-    def _show_plan(self, plan: FilePlan) -> None:
-        self.plan = plan
+    def _show_plan(self) -> None:
         files = self.query_one(OptionList)
         at = files.highlighted
         files.clear_options()
