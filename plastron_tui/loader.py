@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.diagnostics.suggest import nearest
@@ -14,7 +14,6 @@ from plastron_tui.model.workspace import Generation
 
 if TYPE_CHECKING:
     from plastron_tui.model.source import Origin, SourceFile
-    from plastron_tui.starting import Start
 
 LARGEST_FILE = 4 * 1024 * 1024
 """The largest node file that is read, in bytes; a node is a few kilobytes."""
@@ -53,6 +52,7 @@ class NodeLoader:
         self._rendered = rendered
         self._program = program
         self._read: dict[tuple[Path, int], Loaded] = {}
+        self._starts: dict[Path, _Known] = {}
 
     def __call__(self, request: LoadRequest) -> Loaded:
         """Read the file that a `load` asks for."""
@@ -95,10 +95,9 @@ class NodeLoader:
                 limit = LARGEST_FILE // (1024 * 1024)
                 message = f"`{path.name}` is larger than {limit} MB, which no node is"
                 return _failed("unreadable-file", message)
-            start = self._start(path)
-            if start is not None:
-                # It depends on several files, and is not kept.
-                return _with_origin(read_node(start.path, start.text), start.origin)
+            started = self._started(path)
+            if started is not None:
+                return started
             key = (path, status.st_mtime_ns)
             if key not in self._read:
                 self._read[key] = read_node(path, path.read_bytes())
@@ -107,15 +106,25 @@ class NodeLoader:
             reason = (error.strerror or str(error)).lower()
             return _failed("unreadable-file", f"`{path.name}` cannot be read: {reason}")
 
-    def _start(self, path: Path) -> Start | None:
-        """Return what the program started from when it wrote a file, None where it did not."""
-        folder = Path(os.path.realpath(path)).parent
-        if not self._program or not (folder / _MANIFEST).is_file():
+    def _started(self, path: Path) -> Loaded | None:
+        """Read what the program started from when it wrote a file, None where it did not."""
+        manifest = Path(os.path.realpath(path)).parent / _MANIFEST
+        if not self._program or not manifest.is_file():
             return None
+        known = self._starts.get(path)
+        if known is not None and known.is_current():
+            return known.loaded
         from plastron_tui.output.manifest import load_manifest
         from plastron_tui.starting import find_start
 
-        return find_start(path, self._program, lambda folder: load_manifest(folder)[0])
+        start = find_start(path, self._program, lambda folder: load_manifest(folder)[0])
+        files = [path, manifest]
+        loaded = None
+        if start is not None:
+            files += [start.path, start.path.parent / _MANIFEST]
+            loaded = _with_origin(read_node(start.path, start.text), start.origin)
+        self._starts[path] = _Known(loaded, {file: _age(file) for file in files})
+        return loaded
 
     def _not_found(self, request: LoadRequest) -> Loaded:
         if request.is_path:
@@ -137,6 +146,16 @@ class NodeLoader:
         )
 
 
+class _Known(NamedTuple):
+    """What was made of files, and how old each was then."""
+
+    loaded: Loaded | None
+    ages: dict[Path, int | None]
+
+    def is_current(self) -> bool:
+        return all(_age(path) == age for path, age in self.ages.items())
+
+
 def read_node(path: Path, text: bytes) -> Loaded:
     """Read the text of a node file."""
     from plastron_tui.targets import read_source
@@ -154,6 +173,13 @@ def _chained(source: SourceFile) -> Origin:
     from plastron_tui.starting import chained
 
     return chained(source)
+
+
+def _age(path: Path) -> int | None:
+    try:
+        return path.stat().st_mtime_ns
+    except OSError:
+        return None
 
 
 def _names(folder: Path, *, full: bool = False) -> list[str]:
