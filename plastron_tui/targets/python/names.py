@@ -70,7 +70,23 @@ class Resolver:
         for binding in found[1]:
             for target in self._targets(binding, name, depth):
                 targets[target + suffix] = None
+        if not targets and tail and found[0].self_name == name:
+            return self._held(found[0].parent, tail[::-1], depth)
         return tuple(targets)
+
+    def _held(self, owner: Scope | None, path: list[str], depth: int) -> tuple[str, ...]:
+        """Return what `self.library.name` stands for, where the attribute has one value."""
+        first, *rest = path
+        if owner is None:
+            return ()
+        own = owner.attributes.get(first, []) + owner.bindings.get(first, [])
+        # Most attributes hold what a call made, which is cheaper to see than their other values.
+        if not any(map(_may_name, own)) and (own or not owner.bases):
+            return ()
+        bindings = without_none(self._class_attribute(owner, first))
+        if len(bindings) != 1:
+            return ()
+        return tuple(".".join((each, *rest)) for each in self._targets(bindings[0], "", depth))
 
     def _star_modules(self, scope: Scope) -> list[str]:
         found: list[str] = []
@@ -344,6 +360,14 @@ class Resolver:
                 if value is None or value != self.fold(binding.value, binding.scope):
                     return False
         return True
+
+
+def _may_name(binding: Binding) -> bool:
+    """Whether a binding may give something that is imported another name."""
+    is_import = binding.kind is BindingKind.IMPORT
+    return is_import or (
+        binding.value is not None and binding.value.type in ("identifier", "attribute")
+    )
 
 
 def _annotated(annotation: Node) -> list[Node]:

@@ -40,6 +40,7 @@ def analyze(text: bytes | Syntax, library: ClientLibrary) -> Analysis:
     finder = _Finder(analysis)
     for call in calls:
         finder.visit(call)
+    finder.add_unsure()
     finder.add_node_classes()
     # An outer call comes before the calls in its arguments, as in the text.
     analysis.sites.sort(key=lambda site: (site.call.start_byte, site.endpoint.span.start))
@@ -53,6 +54,8 @@ class _Finder:
         self._methods = analysis.library.methods()
         self._node_calls = analysis.library.node_calls
         self._node_classes = analysis.library.node_classes
+        self._nodes_by_use: set[tuple[int, str]] = set()
+        self._unsure: list[tuple[Node, CallShape, Scope, Node, Arguments]] = []
 
     def visit(self, call: Node) -> None:
         callee = call.child_by_field_name("function")
@@ -70,6 +73,8 @@ class _Finder:
                 arguments = Arguments.of(call, self._a.syntax)
                 if self._is_node(holder, scope, shape, arguments):
                     self._add(call, shape, scope, holder, arguments)
+                elif self._may_be_shown(holder, scope, shape, arguments):
+                    self._unsure.append((call, shape, scope, holder, arguments))
                 return
         for qualified in self._a.resolver.qualified(callee, scope):
             if qualified in self._functions:
@@ -82,6 +87,31 @@ class _Finder:
             if qualified in self._node_classes:
                 self._add_node(call, scope, Argument(0, "node_name"))
                 return
+
+    def add_unsure(self) -> None:
+        """Add what is made on an object that creates something of an interface type elsewhere."""
+        for call, shape, scope, holder, arguments in self._unsure:
+            if self._variable(holder, scope) in self._nodes_by_use:
+                self._add(call, shape, scope, holder, arguments)
+
+    def _may_be_shown(
+        self, holder: Node, scope: Scope, shape: CallShape, arguments: Arguments
+    ) -> bool:
+        """Whether other calls may show that an object is a node, as this one does not."""
+        is_unknown = self._a.resolver.instance(holder, scope) is None
+        return shape.type is None and is_unknown and self._is_complete(shape, arguments)
+
+    def _variable(self, holder: Node, scope: Scope) -> tuple[int, str] | None:
+        """Return the variable that holds an object: the scope that it is of, and its source."""
+        root = holder
+        while root.type == "attribute" and (inner := root.child_by_field_name("object")):
+            root = inner
+        found = scope.lookup(self._a.syntax.slice(root)) if root.type == "identifier" else None
+        if found is None:
+            return None
+        is_self = found[0].self_name == self._a.syntax.slice(root)
+        owner = found[0].parent if is_self and found[0].parent is not None else found[0]
+        return owner.start, self._a.syntax.slice(holder)
 
     def _add_node(self, call: Node, scope: Scope, argument: Argument) -> None:
         name, expression = self._node_name(call, scope, argument)
@@ -262,6 +292,9 @@ class _Finder:
             owner = instance.scope if instance is not None else None
             if owner is None and holder.type == "call":
                 owner = scope.enclosing("class")
+            variable = self._variable(holder, scope)
+            if variable is not None and shape.type is not None:
+                self._nodes_by_use.add(variable)
         if owner is not None and not self._a.resolver.derives_from(owner, self._node_classes):
             owner = self.heir(owner) or owner
         for name_node in self._name_nodes(shape, arguments):

@@ -18,7 +18,7 @@ from sensor_msgs.msg import LaserScan
 node = rclpy.create_node('n')
 """
 FOUND = {
-    "A library held in an attribute": [],
+    "A library that is chosen as the file runs": [],
     "Both libraries in one file": ["state"],
     "Functions of your own that create endpoints": [None],
     "What another file decides": [None],
