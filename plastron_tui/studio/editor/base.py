@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 from textual.app import ComposeResult
 from textual.containers import Vertical
@@ -17,7 +19,6 @@ from plastron_tui.model.workspace import Workspace
 from plastron_tui.session import Session
 
 from . import line_commands
-from .bars import FindBar, PromptBar
 from .completion import Vocabulary
 from .highlights import LONGEST
 from .history import Selection
@@ -25,6 +26,9 @@ from .marks import Mark, Marks, worst
 from .state import TextState
 from .statement_help import help_of
 from .view import EditorView
+
+if TYPE_CHECKING:
+    from .bars import FindBar, PromptBar
 
 _SETTLE = 0.1
 """Seconds after the last key at which all is measured, and coloured, anew."""
@@ -74,8 +78,8 @@ class EditorBase(Vertical):
         super().__init__(name=name, id=id, classes=classes)
         self.state = TextState(session)
         self.view = EditorView(self.state)
-        self.find_bar = FindBar()
-        self.prompt_bar = PromptBar()
+        self._has_bars = False
+        self._needs_bars: list[Callable[[], object]] = []
         self.popup = self.view.popup
         self.vocabulary: Vocabulary | None = None
         self._told_text = self.state.buffer.text
@@ -92,13 +96,45 @@ class EditorBase(Vertical):
         focused = self.screen.focused
         if focused is None or focused is self.view:
             return True
+        if not self._has_bars:
+            return True
         return not {self.find_bar, self.prompt_bar} & set(focused.ancestors_with_self)
 
+    @cached_property
+    def find_bar(self) -> FindBar:
+        """The bar that asks what to find, and what to put in its place."""
+        from .bars import FindBar
+
+        return FindBar()
+
+    @cached_property
+    def prompt_bar(self) -> PromptBar:
+        """The bar that asks a question."""
+        from .bars import PromptBar
+
+        return PromptBar()
+
     def compose(self) -> ComposeResult:
-        """Make the parts."""
+        """Make what is in sight at first: the bars would take a tenth of the time of a start."""
         yield self.view
-        yield self.find_bar
-        yield self.prompt_bar
+
+    def on_mount(self) -> None:
+        """Make the rest when there is something to see."""
+        self.call_after_refresh(self._add_bars)
+
+    async def _add_bars(self) -> None:
+        await self.mount(self.find_bar, self.prompt_bar)
+        self._has_bars = True
+        for action in self._needs_bars:
+            action()
+        self._needs_bars.clear()
+
+    def with_bars(self, action: Callable[[], object]) -> None:
+        """Do something with the bars, as soon as they are there."""
+        if self._has_bars:
+            action()
+        else:
+            self._needs_bars.append(action)
 
     @property
     def session(self) -> Session:

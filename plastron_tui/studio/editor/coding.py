@@ -60,7 +60,8 @@ class CodingActions(EditorBase):
         """Ask for another name of the variable under the cursor."""
         variable = self._variable()
         if variable is not None:
-            self.prompt_bar.ask(f"rename {variable.name} to", variable.name, self.rename)
+            name = variable.name
+            self.with_bars(lambda: self.prompt_bar.ask(f"rename {name} to", name, self.rename))
 
     def rename(self, name: str) -> None:
         """Give the variable under the cursor another name, everywhere, as one step to undo."""

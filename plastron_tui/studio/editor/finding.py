@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import re
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from textual.binding import Binding, BindingType
 
-from .bars import FindBar, PromptBar
 from .base import EditorBase
 from .search import Search
+
+if TYPE_CHECKING:
+    from .bars import FindBar, PromptBar
 
 
 class FindingActions(EditorBase):
@@ -44,7 +46,7 @@ class FindingActions(EditorBase):
         self.view.close_popup()
         selected = self.state.selected
         what = selected.decode("utf-8", "replace") if b"\n" not in selected else ""
-        self.find_bar.open(what, replace=replace)
+        self.with_bars(lambda: self.find_bar.open(what, replace=replace))
 
     def on_find_bar_wanted(self, message: FindBar.Wanted) -> None:
         """Find it, and go to the first match from the cursor on."""
@@ -147,7 +149,7 @@ class FindingActions(EditorBase):
 
     def action_go_to_line(self) -> None:
         """Ask for a line, and for a column after a colon."""
-        self.prompt_bar.ask("go to line", "", self._go_to_line)
+        self.with_bars(lambda: self.prompt_bar.ask("go to line", "", self._go_to_line))
 
     def _go_to_line(self, answer: str) -> None:
         line, _, column = answer.strip().partition(":")
