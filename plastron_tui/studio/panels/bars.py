@@ -53,9 +53,23 @@ class Bar(Toned):
         if left.cell_length > room and right.cell_length > width // 2:
             right, room = Strip([]), width
         if left.cell_length > room:
+            pieces = _shortened(self.left, left.cell_length - room)
+            left = Strip([Segment(" ", base), *self._segments(pieces)])
+        if left.cell_length > room:
             left = Strip([*left.crop(0, max(0, room - 1)), Segment("…", base)])
         left = left.extend_cell_length(width - right.cell_length, base)
         return Strip([*left, *right]).crop(0, width)
+
+
+def _shortened(pieces: tuple[tuple[str, str], ...], excess: int) -> tuple[tuple[str, str], ...]:
+    """Leave out words between the first one and the part at hand, as many cells as are needed."""
+    if len(pieces) < 2 or pieces[1][1] != "here":
+        return pieces
+    (before, tone), *rest = pieces
+    first, space, between = before.partition(" ")
+    kept = between[excess + 2 :]
+    kept = kept[kept.find(" ") + 1 :] if kept else kept
+    return ((f"{first}{space}… {kept}" if between else before, tone), *rest)
 
 
 def help_pieces(text: str) -> tuple[tuple[str, str], ...]:
