@@ -10,16 +10,17 @@ from __future__ import annotations
 import ast
 import os
 import warnings
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+from plastron_tui.changes import add_found, changes_of, names_in
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.handwork import cover, kept_handwork, of_other_program, on_disk, unmergeable
-from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceEndpoint, SourceFile
-from plastron_tui.model.workspace import Client, Endpoint, Node, Publisher, Service, Subscription
-from plastron_tui.output.layers import Layer, Layers, live_layers
+from plastron_tui.model.source import Remove, SourceFile
+from plastron_tui.model.workspace import Node
+from plastron_tui.output.layers import Author, Layer, Layers, live_layers
 from plastron_tui.output.manifest import Manifest, digest
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.output.remembered import recall, remember
@@ -32,63 +33,11 @@ if TYPE_CHECKING:
     from plastron_tui.targets.base import Target
 
 
-EDITABLE = (
-    EndpointKind.PUBLISHER,
-    EndpointKind.SUBSCRIPTION,
-    EndpointKind.SERVICE,
-    EndpointKind.CLIENT,
-)
-"""The kinds of endpoints that statements add and remove."""
-
-
 class Derived(NamedTuple):
     """The file of a loaded node, or why there is none."""
 
     file: OutputFile | None
     diagnostics: tuple[Diagnostic, ...] = ()
-
-
-def changes_of(node: Node) -> tuple[Change, ...]:
-    """Return what a program changed in a node that it loaded."""
-    if node.source is None:
-        return ()
-    return tuple(_changes(node, _names_in(node.source)))
-
-
-def _changes(node: Node, present: Mapping[EndpointKind, set[str]]) -> Iterator[Change]:
-    wanted = node.endpoints
-    for kind in EDITABLE:
-        for name in sorted(name for name in present[kind] if (kind, name) not in wanted):
-            yield Remove(kind, name, node.removed.get(name))
-        for key, endpoint in wanted.items():
-            name = key[1]
-            if key[0] is not kind:
-                continue
-            if endpoint.span is not None:
-                # Removed and asked for again, with another type perhaps.
-                if name in present[kind]:
-                    yield Remove(kind, name, node.removed.get(name))
-                yield Add(endpoint)
-            elif _is_extended(endpoint):
-                yield Add(endpoint)
-
-
-def _is_extended(endpoint: Endpoint) -> bool:
-    """Tell whether the program sends more through an endpoint that it found in the file."""
-    match endpoint:
-        case Publisher(publications=more) | Client(requests=more):
-            return bool(more)
-        case _:
-            return False
-
-
-def _names_in(source: SourceFile) -> dict[EndpointKind, set[str]]:
-    names: dict[EndpointKind, set[str]] = {kind: set() for kind in EndpointKind}
-    for node in source.nodes:
-        for endpoint in node.endpoints:
-            if endpoint.name is not None:
-                names[endpoint.kind].add(endpoint.name)
-    return names
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,7 +73,7 @@ class Place:
         return known if isinstance(known, str) and known else None
 
 
-def find_place(shown: Path, program: str, manifests: Callable[[Path], Manifest]) -> Place:
+def find_place(shown: Path, author: Author, manifests: Callable[[Path], Manifest]) -> Place:
     """Look at the place where a file is, or shall be, and at what a program did there."""
     try:
         real = Path(os.path.realpath(shown))
@@ -133,8 +82,7 @@ def find_place(shown: Path, program: str, manifests: Callable[[Path], Manifest])
     manifest = manifests(real.parent)
     present = on_disk(real)
     layers = live_layers(manifest.layers.get(real.name, ()), present)
-    places = [i for i, layer in enumerate(layers) if program and layer.program == program]
-    return Place(shown, real, present, manifest, layers, places[0] if places else None)
+    return Place(shown, real, present, manifest, layers, author.place(layers))
 
 
 def found_by(place: Place, index: int) -> bytes:
@@ -156,7 +104,7 @@ class Derivation:
             none.
         output: the output folder.
         manifests: gives what is remembered of the files of a folder.
-        program: the name of the program's file, "" where it has none: nothing is remembered then.
+        author: the program; of one that has no file nothing is remembered.
         in_place: whether the node is written over the file that it came from.
         force: whether it is written anew, whatever was changed by hand.
     """
@@ -168,7 +116,7 @@ class Derivation:
     own: tuple[Target, Catalog] | None
     output: Path
     manifests: Callable[[Path], Manifest]
-    program: str
+    author: Author
     in_place: bool
     force: bool
 
@@ -181,7 +129,7 @@ class Derivation:
         name = f"{path.stem}{self.target.suffix}" if self._is_ported else path.name
         is_elsewhere = self.in_place and not self._is_ported and path.parent != self.output
         shown = path if is_elsewhere else self.output / name
-        place = find_place(shown, self.program, self.manifests)
+        place = find_place(shown, self.author, self.manifests)
         layer = self._layer(place, made.text)
         # A file that is written over where it came from keeps its mode: it is the user's.
         is_over = not self._is_ported and (path == shown and place.present is not None)
@@ -230,7 +178,7 @@ class Derivation:
         read = None if present is None else own.read(self.source.path, present).source
         for source in (read, self.source) if read is not None else (self.source,):
             for change in changes_of(self.node):
-                if isinstance(change, Remove) and change.name in _names_in(source)[change.kind]:
+                if isinstance(change, Remove) and change.name in names_in(source)[change.kind]:
                     alone = own.edit(source, [change], catalog)
                     if alone.text is None:
                         return alone.diagnostics
@@ -262,12 +210,13 @@ class Derivation:
         first = Path(os.path.realpath(self.source.path if origin is None else origin.path))
         is_itself = first == place.real
         return Layer(
-            self.program,
+            self.author.name,
             start,
             written,
-            remember(self.node, self.target.name, self.program),
+            remember(self.node, self.target.name, self.author.name),
             None if is_itself else os.path.relpath(first, place.real.parent),
             None if is_itself else digest(read),
+            text=self.author.text,
         )
 
     def _first(self, file: OutputFile, place: Place, layer: Layer) -> OutputFile:
@@ -278,15 +227,15 @@ class Derivation:
         lower = place.layers if is_over else ()
         name = place.real.name
         layers: Layers | None = None
-        if self.program and not (layer.origin is None and layer.original == layer.written):
+        if self.author.name and not (layer.origin is None and layer.original == layer.written):
             is_clean = is_over and place.manifest.has(name, loaded)
             layers = (*lower, replace(layer, is_clean=is_clean))
         elif place.manifest.layers.get(name, ()) != lower:
             layers = lower
         file = replace(file, merged_from=loaded if is_kept else None, layers=layers)
         owner = place.owner()
-        is_others = owner is not None and self.program and owner != self.program
-        if is_others and owner and present not in (None, loaded, file.text):
+        is_others = owner is not None and self.author.name not in ("", owner)
+        if owner is not None and is_others and present not in (None, loaded, file.text):
             file = replace(file, problem=of_other_program(place.shown, owner))
         return file
 
@@ -350,11 +299,11 @@ class Derivation:
         if base is None or origin is None or self.own is None:
             return base
         read = self.own[0].read(origin.path, origin.text).source
-        names = {} if read is None else _names_in(read)
+        names = {} if read is None else names_in(read)
         for node in self.source.nodes:
             for each in node.endpoints:
                 if each.name is not None and each.name not in names.get(each.kind, ()):
-                    _add(base, each, each.name)
+                    add_found(base, each, each.name)
         return base
 
     def _is_sound(
@@ -377,21 +326,6 @@ class Derivation:
             for key, sites in found.items()
         )
         return has_all and has_no_more
-
-
-def _add(node: Node, found: SourceEndpoint, name: str) -> None:
-    """Add what a file has to a node that does not have it."""
-    match found.kind:
-        case EndpointKind.PUBLISHER:
-            node.publishers.setdefault(name, Publisher(name, found.type))
-        case EndpointKind.SUBSCRIPTION:
-            node.subscriptions.setdefault(name, Subscription(name, found.type, found.callback))
-        case EndpointKind.SERVICE:
-            node.services.setdefault(name, Service(name, found.type, found.callback))
-        case EndpointKind.CLIENT:
-            node.clients.setdefault(name, Client(name, found.type))
-        case _:
-            pass
 
 
 def _is_code(text: bytes) -> bool:

@@ -12,7 +12,7 @@ from plastron_tui.derivation import Derivation
 from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.handwork import cover, kept_handwork, of_other_program, on_disk, unmergeable
 from plastron_tui.model.workspace import Generation
-from plastron_tui.output.layers import live_layers
+from plastron_tui.output.layers import Author, live_layers
 from plastron_tui.output.manifest import Base, Manifest, load_manifest
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.output.remembered import recall, remember
@@ -90,7 +90,7 @@ def generate(
     in_place: bool = False,
     force: bool = False,
     own: tuple[Target, Catalog] | None = None,
-    program: str = "",
+    author: Author,
 ) -> Generated:
     """Make the text of one `generate_node`.
 
@@ -109,11 +109,13 @@ def generate(
         in_place: whether a loaded node is written over the file that it came from.
         force: whether handwork is written over.
         own: the client library of a loaded node's file, and its types.
-        program: the name of the program's file: nodes of one name in two programs are two.
+        author: the program: nodes of one name in two programs are two.
     """
     node = generation.node
     if node.source is None:
-        creation = _Creation(generation, target, catalog, output, manifests(output), force, program)
+        creation = _Creation(
+            generation, target, catalog, output, manifests(output), force, author.name
+        )
         return creation.result()
     derived = Derivation(
         node,
@@ -123,7 +125,7 @@ def generate(
         own,
         output,
         manifests,
-        program,
+        author,
         in_place,
         force,
     ).result()

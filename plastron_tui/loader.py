@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.model.setting import Loaded, LoadRequest
 from plastron_tui.model.workspace import Generation
@@ -38,6 +38,7 @@ class NodeLoader:
         output: Path,
         rendered: Callable[[Generation], tuple[Path, bytes] | None],
         program: str = "",
+        program_text: Callable[[], bytes] = bytes,
     ) -> None:
         """Set where files are looked for.
 
@@ -46,11 +47,13 @@ class NodeLoader:
             output: the output folder.
             rendered: makes the file of an earlier `generate_node` of the program.
             program: the name of the program's file, "" where it has none.
+            program_text: gives the program's text, as it is now.
         """
         self._folder = folder
         self._output = output
         self._rendered = rendered
         self._program = program
+        self._program_text = program_text
         self._read: dict[tuple[Path, int], Loaded] = {}
         self._starts: dict[Path, _Known] = {}
 
@@ -61,13 +64,33 @@ class NodeLoader:
         if not request.is_path:
             for loaded in self._generated(request):
                 return loaded
-        for path in self._candidates(request):
+        candidates = list(self._candidates(request))
+        for index, path in enumerate(candidates):
             # The functions of `os.path` take a path that is too long for one that is not there.
             if os.path.isdir(path):  # noqa: PTH112
                 return _failed("unreadable-file", f"`{path.name}` is a folder")
             if os.path.isfile(path):  # noqa: PTH113
-                return self._read_once(path)
+                return self._in_front(path, candidates[index + 1 :])
         return self._not_found(request)
+
+    def _in_front(self, path: Path, others: Sequence[Path]) -> Loaded:
+        """Read a file; warn where it hides another, and nothing tells whose it is."""
+        loaded = self._read_once(path)
+        others = [other for other in others if os.path.isfile(other)]  # noqa: PTH113
+        if not others or loaded.source is None or path.parent != self._output:
+            return loaded
+        from plastron_tui.output.manifest import load_manifest
+
+        manifest, _ = load_manifest(path.parent)
+        if path.name in manifest or path.name in manifest.layers:
+            return loaded
+        warning = Diagnostic(
+            "hidden-file",
+            f"`{path.name}` is the one of the output folder, and hides `{others[0]}`",
+            help=f"remove `{path}` if an earlier run wrote it, or load the other by its path",
+            severity=Severity.WARNING,
+        )
+        return loaded._replace(diagnostics=(*loaded.diagnostics, warning))
 
     def _generated(self, request: LoadRequest) -> Iterator[Loaded]:
         names = {request.source + suffix for suffix in _SUFFIXES}
@@ -114,10 +137,12 @@ class NodeLoader:
         known = self._starts.get(path)
         if known is not None and known.is_current():
             return known.loaded
-        from plastron_tui.output.manifest import load_manifest
+        from plastron_tui.output.layers import Author
+        from plastron_tui.output.manifest import digest, load_manifest
         from plastron_tui.starting import find_start
 
-        start = find_start(path, self._program, lambda folder: load_manifest(folder)[0])
+        author = Author(self._program, digest(self._program_text()), self._folder)
+        start = find_start(path, author, lambda folder: load_manifest(folder)[0])
         files = [path, manifest]
         loaded = None
         if start is not None:

@@ -17,19 +17,19 @@ from plastron_tui.diagnostics import Diagnostic, LineIndex
 from plastron_tui.language import Document, Program
 from plastron_tui.language.pause import collection_paused
 from plastron_tui.language.relowering import Lowered, lower_edited
-from plastron_tui.loader import NodeLoader
-from plastron_tui.model.fitting import Fitter
-from plastron_tui.model.interpreter import Interpretation, interpret
-from plastron_tui.model.setting import Setting
-from plastron_tui.model.workspace import Generation, Workspace
 from plastron_tui.project import DEFAULT_OUTPUT, Project, find_project
-from plastron_tui.ros.catalog import DISTRIBUTIONS, Catalog, default_distribution, installed_folders
 from plastron_tui.targets import LIBRARIES, has_target
 
 if TYPE_CHECKING:
+    # What a program means is found out when its text is there to see: the studio starts sooner.
     from plastron_tui.generation import Generated
+    from plastron_tui.model.fitting import Fitter
+    from plastron_tui.model.interpreter import Interpretation
+    from plastron_tui.model.setting import Setting
+    from plastron_tui.model.workspace import Generation, Workspace
     from plastron_tui.output.manifest import Manifest
     from plastron_tui.output.plan import FilePlan
+    from plastron_tui.ros.catalog import Catalog
     from plastron_tui.targets.base import Target
 
 LONGEST_LINE = 256 * 1024
@@ -182,6 +182,8 @@ class Session:
             return self._new_catalog(distribution)
         catalog = self._catalogs.get(ros_version)
         if catalog is None:
+            from plastron_tui.ros.catalog import DISTRIBUTIONS, default_distribution
+
             named = (self.options.distribution, self.project.distribution)
             chosen = next(
                 (name for name in named if name and DISTRIBUTIONS[name] == ros_version),
@@ -191,6 +193,8 @@ class Session:
         return catalog
 
     def _new_catalog(self, distribution: str) -> Catalog:
+        from plastron_tui.ros.catalog import DISTRIBUTIONS, Catalog, installed_folders
+
         own = self.project.types or (self.folder,)
         installed = installed_folders(self._environ, DISTRIBUTIONS[distribution])
         return Catalog(distribution, (*own, *installed))
@@ -234,6 +238,8 @@ class Session:
     @property
     def _meaning(self) -> Interpretation:
         if self._interpretation is None:
+            from plastron_tui.model.interpreter import interpret
+
             with collection_paused():
                 self._interpretation = interpret(self.program, self.setting, self._fitters)
                 self._fitters = {}
@@ -242,7 +248,12 @@ class Session:
     @cached_property
     def setting(self) -> Setting:
         """What the program is interpreted in."""
-        loader = NodeLoader(self.folder, self.output, self._rendered, self._name)
+        from plastron_tui.loader import NodeLoader
+        from plastron_tui.model.setting import Setting
+
+        loader = NodeLoader(
+            self.folder, self.output, self._rendered, self._name, lambda: self.document.text
+        )
         return Setting(self.library, LIBRARIES, self.catalog, loader, self.is_library_chosen)
 
     @property
@@ -322,6 +333,8 @@ class Session:
 
     def _generate(self, generation: Generation, manifests: Callable[[Path], Manifest]) -> Generated:
         from plastron_tui.generation import Generated, generate
+        from plastron_tui.output.layers import Author
+        from plastron_tui.output.manifest import digest
 
         target = self._target(generation.library)
         if target is None:
@@ -337,7 +350,7 @@ class Session:
             in_place=self.options.in_place,
             force=self.options.force,
             own=None if own is None else (own, self.catalog(own.ros_version)),
-            program=self._name,
+            author=Author(self._name, digest(self.document.text), self.folder),
         )
 
     def _rendered(self, generation: Generation) -> tuple[Path, bytes] | None:

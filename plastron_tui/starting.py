@@ -10,6 +10,7 @@ from typing import NamedTuple
 from plastron_tui.derivation import find_place, found_by
 from plastron_tui.handwork import on_disk
 from plastron_tui.model.source import Origin, SourceFile
+from plastron_tui.output.layers import Author
 from plastron_tui.output.manifest import Manifest, digest
 from plastron_tui.output.three_way import replay
 from plastron_tui.targets import read_source
@@ -27,20 +28,20 @@ class Start(NamedTuple):
 
 
 def find_start(
-    path: Path, program: str, manifests: Callable[[Path], Manifest], steps: int = _MOST_STEPS
+    path: Path, author: Author, manifests: Callable[[Path], Manifest], steps: int = _MOST_STEPS
 ) -> Start | None:
     """Return what a program started from when it wrote a file, None where it did not write it.
 
     The text has what was changed in the file by hand since, as far as that fits.
     """
-    place = find_place(path, program, manifests)
+    place = find_place(path, author, manifests)
     if place.index is None:
         return None
     layer = place.layers[place.index]
     first, original, is_torn = path, layer.original, False
     if layer.origin is not None and steps:
         above = Path(os.path.normpath(place.real.parent / layer.origin))
-        start = find_start(above, program, manifests, steps - 1)
+        start = find_start(above, author, manifests, steps - 1)
         found = on_disk(above) if start is None else start.text
         if found is not None:
             first = above

@@ -147,6 +147,13 @@ CODES: dict[str, Code] = {
             "new file. Compare the two, and remove the old one.",
         ),
         Code(
+            "hidden-file",
+            "`load NAME` finds a file in the output folder, and another of the same name in the "
+            "program's folder. Nothing tells that Plastron wrote the first (its `.plastron.json` "
+            "is gone, perhaps), so that changes which an earlier run made would be made again. "
+            "Remove the first, or load the other by its path.",
+        ),
+        Code(
             "changes-undone",
             "A file that other programs had loaded and changed is made anew, without their changes, "
             "because the program that it came from has changed. Generate the others again.",

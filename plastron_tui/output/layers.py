@@ -13,7 +13,8 @@ import zlib
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from pathlib import Path
+from typing import Any, NamedTuple
 
 MOST_LAYERS = 8
 """How many programs' changes of one file are remembered; the lowest layers are forgotten."""
@@ -35,6 +36,7 @@ class Layer:
             is the written file itself.
         seen: the digest of that file when it was read.
         is_clean: whether the original had no handwork when the layer was laid over it.
+        text: the digest of the program's text.
     """
 
     program: str
@@ -44,6 +46,7 @@ class Layer:
     origin: str | None = None
     seen: str | None = None
     is_clean: bool = False
+    text: str = ""
 
     def shows_in(self, text: bytes) -> bool:
         """Tell whether a text has any of the lines that the program wrote, or lacks its cuts."""
@@ -59,6 +62,28 @@ class Layer:
 
 
 Layers = tuple[Layer, ...]
+
+
+class Author(NamedTuple):
+    """A program: the name of its file ("" where it has none), its text's digest, its folder."""
+
+    name: str
+    text: str
+    folder: Path
+
+    def place(self, layers: Layers) -> int | None:
+        """Return the place of the program's own layer, None where it has none.
+
+        A program that has another name than before is known by its text.
+        """
+        if not self.name:
+            return None
+        own = [i for i, layer in enumerate(layers) if layer.program == self.name]
+        own += [i for i, layer in enumerate(layers) if self._is_renamed(layer)]
+        return own[0] if own else None
+
+    def _is_renamed(self, layer: Layer) -> bool:
+        return layer.text == self.text and not (self.folder / layer.program).exists()
 
 
 def live_layers(layers: Layers, text: bytes | None) -> Layers:
@@ -80,6 +105,7 @@ def layer_json(layer: Layer) -> dict[str, Any]:
     texts = zlib.compress(layer.original + layer.written, 9)
     data = {
         "program": layer.program,
+        "text": layer.text,
         "origin": layer.origin,
         "seen": layer.seen,
         "clean": layer.is_clean,
@@ -107,5 +133,5 @@ def read_layer(data: object) -> Layer | None:
     is_named = isinstance(origin, str | None) and isinstance(seen, str | None)
     if not unpacker.eof or not 0 <= size <= len(texts) or not is_named:
         return None
-    clean = data.get("clean") is True
-    return Layer(program, texts[:size], texts[size:], base, origin, seen, clean)
+    clean, text = data.get("clean") is True, str(data.get("text", ""))
+    return Layer(program, texts[:size], texts[size:], base, origin, seen, clean, text)

@@ -166,3 +166,34 @@ def test_two_programs_change_one_file_in_place(bench: Bench) -> None:
     for each in ("two", "one", "two"):
         assert in_place(each) == ["identical"]
         assert bench.files() == before
+
+
+def test_renamed_program_is_known_by_its_text(bench: Bench) -> None:
+    bench.put("robot.py")
+    program = f"load robot as n\nn publish hello to 'chatter' of message_type String\n{END}"
+    old = bench.path / "old.plastron"
+    old.write_text(program)
+    run(bench, "old", program)
+    before = (bench.path / "output/robot.py").read_bytes()
+    # A program of the same text beside it is another, which starts from what the first wrote.
+    assert run(bench, "copy", program) == ["changed"]
+    old.unlink()
+    bench.put("output/robot.py", before.decode())
+    assert run(bench, "new", program) == ["identical"]
+    more = program.replace(END, f"{SUBSCRIBE}{END}")
+    assert run(bench, "new", more) == ["changed"]
+    assert run(bench, "new", program) == ["changed"]
+    assert (bench.path / "output/robot.py").read_bytes() == before
+
+
+def test_output_of_an_unknown_program_that_hides_a_file(bench: Bench) -> None:
+    bench.put("robot.py")
+    text = f"load robot as n\n{SUBSCRIBE}{END}"
+    run(bench, "one", text)
+    assert bench.session(text, "one.plastron").diagnostics == ()
+    (bench.path / "output/.plastron.json").unlink()
+    text = f"load robot as n\nn publish hello to 'chatter' of message_type String\n{END}"
+    (found,) = bench.session(text, "one.plastron").diagnostics
+    hidden = bench.path / "robot.py"
+    assert (found.code, found.severity.value) == ("hidden-file", "warning")
+    assert found.message == f"`robot.py` is the one of the output folder, and hides `{hidden}`"

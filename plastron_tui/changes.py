@@ -1,0 +1,75 @@
+"""What a program changed in a node that it loaded."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceEndpoint, SourceFile
+from plastron_tui.model.workspace import Client, Endpoint, Node, Publisher, Service, Subscription
+
+EDITABLE = (
+    EndpointKind.PUBLISHER,
+    EndpointKind.SUBSCRIPTION,
+    EndpointKind.SERVICE,
+    EndpointKind.CLIENT,
+)
+"""The kinds of endpoints that statements add and remove."""
+
+
+def changes_of(node: Node) -> tuple[Change, ...]:
+    """Return what a program changed in a node that it loaded."""
+    if node.source is None:
+        return ()
+    return tuple(_changes(node, names_in(node.source)))
+
+
+def _changes(node: Node, present: Mapping[EndpointKind, set[str]]) -> Iterator[Change]:
+    wanted = node.endpoints
+    for kind in EDITABLE:
+        for name in sorted(name for name in present[kind] if (kind, name) not in wanted):
+            yield Remove(kind, name, node.removed.get(name))
+        for key, endpoint in wanted.items():
+            name = key[1]
+            if key[0] is not kind:
+                continue
+            if endpoint.span is not None:
+                # Removed and asked for again, with another type perhaps.
+                if name in present[kind]:
+                    yield Remove(kind, name, node.removed.get(name))
+                yield Add(endpoint)
+            elif _is_extended(endpoint):
+                yield Add(endpoint)
+
+
+def _is_extended(endpoint: Endpoint) -> bool:
+    """Tell whether the program sends more through an endpoint that it found in the file."""
+    match endpoint:
+        case Publisher(publications=more) | Client(requests=more):
+            return bool(more)
+        case _:
+            return False
+
+
+def names_in(source: SourceFile) -> dict[EndpointKind, set[str]]:
+    """Return the names that a file says, by kind."""
+    names: dict[EndpointKind, set[str]] = {kind: set() for kind in EndpointKind}
+    for node in source.nodes:
+        for endpoint in node.endpoints:
+            if endpoint.name is not None:
+                names[endpoint.kind].add(endpoint.name)
+    return names
+
+
+def add_found(node: Node, found: SourceEndpoint, name: str) -> None:
+    """Add what a file has to a node that does not have it."""
+    match found.kind:
+        case EndpointKind.PUBLISHER:
+            node.publishers.setdefault(name, Publisher(name, found.type))
+        case EndpointKind.SUBSCRIPTION:
+            node.subscriptions.setdefault(name, Subscription(name, found.type, found.callback))
+        case EndpointKind.SERVICE:
+            node.services.setdefault(name, Service(name, found.type, found.callback))
+        case EndpointKind.CLIENT:
+            node.clients.setdefault(name, Client(name, found.type))
+        case _:
+            pass
