@@ -1,6 +1,8 @@
-"""Make the pictures of the studio in `docs/images/`, from the running app.
+"""Make the gallery, `docs/gallery.md`, and its pictures of the studio, from the running app.
 
-Usage: python scripts/screenshots.py [FOLDER]
+python scripts/screenshots.py [NAME]...     takes all pictures, or those that are named
+
+One of them shows nodes that run: it needs the ROS 2 of the extra `ros2`.
 """
 
 from __future__ import annotations
@@ -15,81 +17,190 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
+from textual.pilot import Pilot
+
 from plastron_tui.studio.app import StudioApp
 
 ROOT = Path(__file__).parents[1]
 EXAMPLES = ROOT / "examples"
+DOCS = ROOT / "docs"
+LARGEST = 200_000
+"""The most bytes of a picture."""
 
 
 class Picture(NamedTuple):
-    """A picture: its name, the program, the size in cells, the keys, and the theme."""
+    """A picture of the studio.
+
+    Attributes:
+        name: its file, without `.svg`.
+        title: its heading in the gallery.
+        about: what it shows, in a sentence or two.
+        program: the example that is open, None for a new program.
+        size: columns and rows.
+        keys: what is pressed; words are keys, all else is typed.
+        theme: the colours.
+        seconds: how long to wait at the end.
+    """
 
     name: str
+    title: str
+    about: str
     program: str | None
     size: tuple[int, int]
     keys: Sequence[str] = ()
     theme: str = "textual-dark"
+    seconds: float = 0.8
 
+
+_TALKER = "talker_listener.plastron"
+_WIZARD = ["escape", "ctrl+u"]
 
 PICTURES = (
-    Picture("studio", "tour.plastron", (150, 42), ["down"] * 5),
-    Picture("studio-narrow", "tour.plastron", (80, 24), ["down"] * 5),
-    Picture("studio-light", "tour.plastron", (150, 42), ["down"] * 15, "catppuccin-latte"),
-    Picture("studio-graph", "tour.plastron", (120, 36), ["alt+6", "ctrl+t"], "tokyo-night"),
     Picture(
-        "studio-problems",
-        "talker_listener.plastron",
-        (110, 30),
-        ["ctrl+end", *"unsubscribe listner", "escape", "f8", "alt+7"],
-        "nord",
+        "studio-welcome", "Welcome",
+        "What one begins with: the wizard, the tour, programs of late, and recipes, which are "
+        "whole programs that work.",
+        None, (100, 30),
     ),
     Picture(
-        "studio-completion",
-        "talker_listener.plastron",
-        (110, 30),
-        ["ctrl+end", *"subscribe talker to 'sonar' of message_type Ran"],
+        "studio", "Editor, nodes, preview",
+        "The text, the nodes that it makes, and the file that the node at the cursor will become; "
+        "all follow at every key.",
+        "tour.plastron", (150, 40), ["down"] * 5,
     ),
-    Picture("studio-change", "change_node.plastron", (150, 36), ["down"] * 6, "gruvbox"),
-    Picture("studio-generate", "tour.plastron", (110, 34), ["f6"], "dracula"),
-    Picture("studio-welcome", None, (100, 30)),
-)
+    Picture(
+        "studio-completion", "Completion",
+        "What can stand at the cursor: words of the language, what the program has, every type of "
+        "the ROS distribution with its fields.",
+        _TALKER, (100, 26),
+        ["ctrl+end", "subscribe talker to 'sonar' of message_type Ran"],
+    ),
+    Picture(
+        "studio-problems", "Problems",
+        "A mistake is underlined where it is, explained beside the line, and mended with one key.",
+        _TALKER, (110, 30), ["ctrl+end", "unsubscribe listner from 'chatter'", "escape", "alt+7"], "nord",
+    ),
+    Picture(
+        "studio-graph", "Graph",
+        "Who sends what to whom.",
+        "tour.plastron", (120, 34), ["alt+6", "ctrl+t"], "tokyo-night",
+    ),
+    Picture(
+        "studio-wizard", "The wizard: what do you want?",
+        "Words of purpose first, and the ROS word beside each.",
+        None, (90, 26), _WIZARD,
+    ),
+    Picture(
+        "studio-wizard-form", "The wizard: a form for a statement",
+        "Every field has a suggestion. The statements grow below, beside them the graph and the "
+        "file that they become.",
+        None, (110, 32), [*_WIZARD, "enter", "enter", "enter"],
+    ),
+    Picture(
+        "studio-wizard-type", "The wizard: types by what they are for",
+        "Who does not know that a distance is a `Range` finds it by writing `distance`.",
+        None, (110, 32), [*_WIZARD, "enter", "enter", "enter", "down", "tab", "tab", "distance"],
+    ),
+    Picture(
+        "studio-generate", "Generate",
+        "Each file that would be written, and what would change in it.",
+        "tour.plastron", (110, 34), ["f6"], "dracula",
+    ),
+    Picture(
+        "studio-run", "Run",
+        "The nodes run in a panel, here on the ROS 2 that comes along.",
+        _TALKER, (110, 30), ["f5"], seconds=5,
+    ),
+    Picture(
+        "studio-change", "A node that somebody else wrote",
+        "Only what the statements ask for changes; the preview is the difference.",
+        "change_node.plastron", (150, 36), ["down"] * 8, "gruvbox",
+    ),
+    Picture(
+        "studio-light", "Light",
+        "The editor follows the theme, of which there are twenty.",
+        "tour.plastron", (150, 40), ["down"] * 15, "catppuccin-latte",
+    ),
+    Picture(
+        "studio-narrow", "In a window of 80 by 24",
+        "One panel beside the text; F7 goes through them.",
+        "tour.plastron", (80, 24), ["down"] * 5,
+    ),
+)  # fmt: skip
+
 # A picture asks nobody for a font: where there is none, any monospaced one will do.
 _WEB_FONT = re.compile(r"\s*@font-face \{.*?\}", re.DOTALL)
 _KEYS = {" ": "space", "_": "underscore", "'": "apostrophe"}
+_KEY = re.compile(
+    r"(?:(?:ctrl|alt|shift)\+)?(?:[a-z0-9]|end|f\d+)|escape|enter|tab|up|down|home|end"
+)
 
 
 async def take(picture: Picture, folder: Path, work: Path) -> None:
     """Run the studio, press the keys, and save what it shows."""
-    os.environ.update(
-        XDG_STATE_HOME=str(work / "state"), XDG_CONFIG_HOME=str(work / "config"), ROS_VERSION="1"
-    )
     app = StudioApp(None if picture.program is None else Path(picture.program))
     app.animation_level = "none"
     async with app.run_test(size=picture.size) as pilot:
         app.theme = picture.theme
         app.title = "plastron"
         await pilot.pause(0.8)
-        for key in picture.keys:
-            await pilot.press(_KEYS.get(key, key))
-            if len(key) > 1:
-                await pilot.pause(0.2)
-        await pilot.pause(0.8)
-        picture_text = _WEB_FONT.sub("", app.export_screenshot())
-        (folder / f"{picture.name}.svg").write_text(picture_text, encoding="utf-8")
+        for word in picture.keys:
+            await press(pilot, word)
+        await pilot.pause(picture.seconds)
+        # Only what the program itself shows: no toast that comes and goes.
+        app.clear_notifications()
+        await pilot.pause(0.3)
+        text = _WEB_FONT.sub("", app.export_screenshot())
     shutil.rmtree(work / "state", ignore_errors=True)
+    size = len(text.encode())
+    if size > LARGEST or str(work) in text:
+        sys.exit(f"{picture.name}: {size} bytes, or a path of this machine")
+    (folder / f"{picture.name}.svg").write_text(text, encoding="utf-8")
 
 
-def main(folder: Path) -> None:
-    """Take all pictures."""
-    folder.mkdir(parents=True, exist_ok=True)
-    folder = folder.absolute()
+async def press(pilot: Pilot[None], word: str) -> None:
+    """Press a key, or type a text."""
+    keys = [word] if _KEY.fullmatch(word) else [_KEYS.get(each, each) for each in word]
+    await pilot.press(*keys)
+    await pilot.pause(0.3)
+
+
+def page() -> str:
+    """Return the gallery."""
+    parts = ["# Gallery\n\nThe studio, as `plastron` opens it in a terminal.\n"]
+    parts += [
+        f"## {each.title}\n\n{each.about}\n\n![{each.title}](images/{each.name}.svg)\n"
+        for each in PICTURES
+    ]
+    return "\n".join(parts)
+
+
+def main(names: Sequence[str]) -> None:
+    """Take pictures, and write the page."""
+    images = DOCS / "images"
+    images.mkdir(parents=True, exist_ok=True)
     with TemporaryDirectory() as temporary:
         work = Path(temporary)
-        shutil.copytree(EXAMPLES, work / "robot", ignore=shutil.ignore_patterns("output"))
-        os.chdir(work / "robot")
+        os.environ.update(
+            XDG_STATE_HOME=str(work / "state"),
+            XDG_CONFIG_HOME=str(work / "config"),
+            ROS_LOG_DIR=str(work / "log"),
+            ROS_AUTOMATIC_DISCOVERY_RANGE="LOCALHOST",
+        )
         for picture in PICTURES:
-            asyncio.run(take(picture, folder, work))
+            if not names or picture.name in names:
+                robot = work / "robot"
+                shutil.rmtree(robot, ignore_errors=True)
+                shutil.copytree(EXAMPLES, robot, ignore=shutil.ignore_patterns("output"))
+                (robot / "plastron.yaml").write_text(
+                    f"target: {'rospy' if picture.name == 'studio-change' else 'rclpy'}\n"
+                )
+                os.chdir(robot)
+                asyncio.run(take(picture, images, work))
+                print(picture.name)
+        os.chdir(ROOT)
+    (DOCS / "gallery.md").write_text(page(), encoding="utf-8")
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "docs" / "images")
+    main(sys.argv[1:])

@@ -130,6 +130,7 @@ def test_the_node_of_somebody_else(tmp_path: Path) -> None:
 @pytest.mark.parametrize("page", [README, TUTORIAL], ids=["README", "tutorial"])
 def test_every_command_that_is_shown_is_one(page: str) -> None:
     lines = [line for text in blocks(page, "sh") for line in text.splitlines()]
-    commands = {line.split()[1] for line in lines if line.startswith("plastron ")}
+    shown = [line.partition("#")[0].split() for line in lines]
+    commands = {words[1] for words in shown if words[:1] == ["plastron"] and len(words) > 1}
     done = plastron(ROOT, "--help")
     assert commands <= set(re.findall(r"^  (\w+)", done.stdout, re.MULTILINE))
