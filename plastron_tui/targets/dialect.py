@@ -18,7 +18,8 @@ class Dialect:
     Attributes:
         library: its name, which is the template's folder too.
         ros_version: 1 or 2.
-        standard: modules of Python that every node imports.
+        standard: modules of Python that a node imports that calls services; `sys` only where
+            it ends then.
         modules: modules of ROS that every node imports whole.
         symbols: names that every node imports.
         module_names: names that the template gives to what it defines in the file.

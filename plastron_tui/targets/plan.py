@@ -112,3 +112,8 @@ class NodePlan:
         """Whether the node has anything to do after its calls."""
         others = self.publishers or self.subscriptions or self.services
         return bool(others) or not self.calls
+
+    @property
+    def ends(self) -> bool:
+        """Whether the node ends after its calls, with a status that says how they went."""
+        return not self.keeps_running

@@ -78,7 +78,7 @@ class Planner:
         taken = self._imports.names() | dialect.reserved()
         plan.class_name = naming.Scope(taken).new(naming.class_name(node.name))
         plan.imports = self._imports.render(
-            dialect.standard if plan.calls else (),
+            _standard(dialect, plan),
             dialect.modules,
             dialect.symbols,
         )
@@ -241,6 +241,13 @@ class Planner:
         self, code: str, message: str, span: Span | None, help_text: str | None = None
     ) -> NoReturn:
         raise _CannotPlanError(Diagnostic(code, message, span or self._node.span, help=help_text))
+
+
+def _standard(dialect: Dialect, plan: NodePlan) -> tuple[str, ...]:
+    """Return the modules of Python that a node needs: those for calls, and for how they went."""
+    if not plan.calls:
+        return ()
+    return tuple(name for name in dialect.standard if name != "sys" or plan.ends)
 
 
 def _period(rate: float) -> str:

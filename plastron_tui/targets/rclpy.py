@@ -81,12 +81,12 @@ class _Rclpy(Dialect):
 DIALECT = _Rclpy(
     library="rclpy",
     ros_version=2,
-    standard=("time",),
+    standard=("sys", "time"),
     modules=("rclpy",),
     symbols=(("rclpy.executors", "ExternalShutdownException"), ("rclpy.node", "Node")),
     module_names=frozenset({"SERVICE_TIMEOUT", "main", "node"}),
     method_names=frozenset((_NODE_METHODS + _NODE_PRIVATE).split()),
-    attribute_names=frozenset({"call", "call_services"}),
+    attribute_names=frozenset({"call", "call_services", "exit_status"}),
 )
 
 

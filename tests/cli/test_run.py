@@ -182,6 +182,24 @@ def test_a_node_that_crashes_at_its_start(ros: Ros) -> None:
 
 
 @pytest.mark.live
+def test_a_client_that_gets_no_answer_has_failed(ros: Ros) -> None:
+    ros.write(
+        "p.plastron",
+        "create_node 'asker' as a\n"
+        "a client_requests 'nobody' of service_type SetBool with input True\n"
+        "generate_node a\n",
+    )
+    assert ros.plastron("generate", "p.plastron", "--target", ros.library).returncode == 0
+    asker = ros.folder / "output" / "asker_client.py"
+    text = asker.read_text()
+    asker.write_text(text.replace("SERVICE_TIMEOUT = 10.0", "SERVICE_TIMEOUT = 0.5"))
+    done = ros.run("p.plastron")
+    assert done.returncode == 1
+    assert "asker died with exit status 1: [ERROR]" in done.stderr
+    assert not ros.processes()
+
+
+@pytest.mark.live
 def test_a_node_that_never_starts(ros: Ros) -> None:
     ros.write("p.plastron", TALKER + LISTENER)
     assert ros.plastron("generate", "p.plastron", "--target", ros.library).returncode == 0
