@@ -68,14 +68,10 @@ class Analysis:
         return name if name in self.workspace.nodes else None
 
 
-class Stale(Exception):  # noqa: N818 - no error: the text has changed meanwhile
-    """A newer text is there; what was begun is of no use."""
-
-
 def analyse(session: Session, check: Callable[[], None]) -> Analysis:
     """Find out what a program means.
 
-    `check` is called between the steps, and raises `Stale` when there is a newer text.
+    `check` is called between the steps, and raises something when there is a newer text.
     """
     program = session.program
     check()

@@ -8,24 +8,22 @@ from __future__ import annotations
 import sys
 import threading
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from time import perf_counter
+from typing import TYPE_CHECKING, NamedTuple
 
 from textual.message import Message
 
-from plastron_tui.session import Session
-
-from .analysis import Analysis, Stale, add_drawing, add_entries, add_preview, analyse
-
 if TYPE_CHECKING:
+    from plastron_tui.session import Session
+
+    from .analysis import Analysis
     from .panels.picture import Size
 
 _SWITCH = 0.001
 """Seconds after which a busy thread lets the event loop go on; Python's own are five times that."""
 
 
-@dataclass(frozen=True, slots=True)
-class Wanted:
+class Wanted(NamedTuple):
     """What is in sight, and so has to be known.
 
     Attributes:
@@ -37,6 +35,10 @@ class Wanted:
     panels: tuple[str, ...] = ()
     preview: str | None = None
     graph: Size | None = None
+
+
+class Stale(Exception):  # noqa: N818 - no error: the text has changed meanwhile
+    """A newer text is there; what was begun is of no use."""
 
 
 class Analysed(Message):
@@ -117,7 +119,8 @@ class Analyst:
             raise Stale
 
     def _answer(self, session: Session | None, wanted: Wanted) -> None:
-        from time import perf_counter
+        # Imported here, and so in the thread, when there is something to see.
+        from .analysis import add_drawing, add_entries, add_preview, analyse
 
         start = perf_counter()
         if session is not None:

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from plastron_tui.diagnostics import Edit, Span
-from plastron_tui.model.workspace import Workspace
+
+if TYPE_CHECKING:
+    from plastron_tui.model.workspace import Workspace
 
 
 def placed(

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from plastron_tui.session import Options, Session
 
-from .analysis import Analysis
 from .files import OnDisk
 from .journal import Journal
+
+if TYPE_CHECKING:
+    from .analysis import Analysis
 
 
 @dataclass(repr=False)

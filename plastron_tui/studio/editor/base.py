@@ -13,10 +13,7 @@ from textual.reactive import reactive
 from textual.timer import Timer
 
 from plastron_tui.diagnostics import Diagnostic, Edit, Span
-from plastron_tui.language import Program
 from plastron_tui.language.expectations import Expectation, expected_at
-from plastron_tui.model.workspace import Workspace
-from plastron_tui.session import Session
 
 from . import line_commands
 from .completion import Vocabulary
@@ -28,6 +25,10 @@ from .statement_help import help_of
 from .view import EditorView
 
 if TYPE_CHECKING:
+    from plastron_tui.language import Program
+    from plastron_tui.model.workspace import Workspace
+    from plastron_tui.session import Session
+
     from .bars import FindBar, PromptBar
 
 _SETTLE = 0.1

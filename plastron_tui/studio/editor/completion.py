@@ -6,17 +6,20 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import islice
+from typing import TYPE_CHECKING
 
 from plastron_tui.language import Program, SlotKind
 from plastron_tui.language import statements as st
 from plastron_tui.language.expectations import Expectation
 from plastron_tui.language.keywords import BY_KEYWORD
-from plastron_tui.model.types import TypeResolver
-from plastron_tui.model.workspace import Workspace
-from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Field, InterfaceKind
 from plastron_tui.session import Session
 from plastron_tui.targets import LIBRARIES
+
+if TYPE_CHECKING:
+    from plastron_tui.model.types import TypeResolver
+    from plastron_tui.model.workspace import Workspace
+    from plastron_tui.ros.catalog import Catalog
 
 MOST_OFFERED = 200
 _MOST_FIELDS = 12
@@ -235,9 +238,15 @@ def _types(
             yield Candidate(text, "")
 
 
+def _resolver(catalog: Catalog) -> TypeResolver:
+    from plastron_tui.model.types import TypeResolver
+
+    return TypeResolver(catalog)
+
+
 def described_type(text: str, kind: InterfaceKind, catalog: Catalog) -> str:
     """Return the fields of a type, for what is shown beside it; empty for one that is unknown."""
-    found = TypeResolver(catalog).resolve(text, kind)
+    found = _resolver(catalog).resolve(text, kind)
     fields = getattr(found, "fields", None)
     if fields is None:
         return ""
@@ -283,7 +292,7 @@ def _values(expected: Expectation, vocabulary: Vocabulary, session: Session) -> 
     catalog = _catalog(expected, vocabulary, session)
     is_message = SlotKind.MESSAGE_TYPE in (slot.kind for slot in declaration.slots)
     kind = InterfaceKind.MESSAGE if is_message else InterfaceKind.SERVICE
-    found = TypeResolver(catalog).resolve(expected.filled.get("type", ""), kind)
+    found = _resolver(catalog).resolve(expected.filled.get("type", ""), kind)
     fields: tuple[Field, ...] | None = getattr(found, "fields", None)
     for key in place.path:
         field = _field(fields, key, catalog)

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from rich.cells import cell_len, set_cell_size
 
-from plastron_tui.output.graphs.layers import Columns
-
 from .tones import Line, Lines, Piece
+
+if TYPE_CHECKING:
+    from plastron_tui.output.graphs.layers import Columns
 
 _UP, _DOWN, _LEFT, _RIGHT = 1, 2, 4, 8
 _LINES = {

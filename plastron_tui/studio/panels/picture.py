@@ -5,18 +5,19 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from rich.cells import cell_len
 
 from plastron_tui.diagnostics import Span
-from plastron_tui.model.graph import Graph, GraphService, GraphTopic
-from plastron_tui.output.graphs.layers import Columns, Link, columns_of, components
-from plastron_tui.output.graphs.ordering import ordered
 
 from .drawing import DETAILS, Label, Place, Plan
 from .entry import Entry, Subject
 from .tones import Line, Lines, Piece
+
+if TYPE_CHECKING:
+    from plastron_tui.model.graph import Graph, GraphService, GraphTopic
+    from plastron_tui.output.graphs.layers import Columns, Link
 
 MOST_BOXES = 400
 """With more boxes than this nobody reads the picture."""
@@ -172,6 +173,10 @@ def _stripped(row: list[Piece]) -> Line:
 
 def picture_of(graph: Graph) -> Picture:
     """Lay a graph out, from left to right."""
+    # A start of the studio does without.
+    from plastron_tui.output.graphs.layers import columns_of, components
+    from plastron_tui.output.graphs.ordering import ordered
+
     boxes = _Boxes(graph)
     if not boxes.labels:
         return Picture(note="nothing to draw yet")
@@ -233,6 +238,8 @@ class _Boxes:
         warning = "" if hub.missing is None else f"no {hub.missing.value}"
         kind = hub.type.name if hub.type is not None else "type unknown"
         self.labels.append(Label(hub.name, kind, tone, is_hub=True, warning=warning))
+        from plastron_tui.output.graphs.layers import Link
+
         self.links.update({Link(tail, at): None for tail, _ in tails})
         self.links.update({Link(at, head): None for head, _ in heads})
         spans = {span for _, span in (*tails, *heads)} | set(more)

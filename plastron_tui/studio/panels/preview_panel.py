@@ -9,22 +9,23 @@ from textual.binding import Binding, BindingType
 from textual.containers import Vertical
 from textual.widgets import Static
 
-from plastron_tui.output.plan import FileState
-
-from ..preview import Preview
 from .text_view import TextView
 from .tones import Line, Piece
 
 if TYPE_CHECKING:
     from typing_extensions import Self
 
+    from ..preview import Preview
+
 _STATES = {
-    FileState.CREATE: ("will be created", "success"),
-    FileState.IDENTICAL: ("on the disk as it is", "quiet"),
-    FileState.CHANGED: ("will be changed", "warning"),
-    FileState.CONFLICT: ("was changed by hand", "error"),
-    None: ("not generated yet", "quiet"),
+    "create": ("will be created", "success"),
+    "identical": ("on the disk as it is", "quiet"),
+    "changed": ("will be changed", "warning"),
+    "conflict": ("was changed by hand", "error"),
 }
+"""By the value of a `FileState`."""
+
+_NOT_GENERATED = ("not generated yet", "quiet")
 
 
 class PreviewPanel(Vertical):
@@ -104,7 +105,7 @@ class PreviewPanel(Vertical):
             self._view.show(tuple(_problem(found.message, found.help)
                                   for found in current.problems), numbers=False)  # fmt: skip
             return
-        state, tone = _STATES[current.state]
+        state, tone = _NOT_GENERATED if current.state is None else _STATES[current.state.value]
         colour = {"quiet": "$foreground 60%"}.get(tone, f"$text-{tone}")
         self._head.update(Content.assemble((current.name, "bold"), "  ", (state, colour)))
         if self._shows_diff and current.diff is not None:

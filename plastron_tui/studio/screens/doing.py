@@ -11,7 +11,6 @@ from textual.screen import Screen
 
 from plastron_tui.diagnostics import Edit, Severity, Span, has_errors
 
-from ..analysis import Analysis
 from ..editor import ProgramEditor
 from ..panels.acting import Asked
 from ..panels.entry import Entry
@@ -21,6 +20,7 @@ from ..placing import is_generated_last, placed
 from ..state import Open
 
 if TYPE_CHECKING:
+    from ..analysis import Analysis
     from ..running import Running
 
 _MOST_LINES = 5000
