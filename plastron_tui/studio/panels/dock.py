@@ -204,6 +204,14 @@ class Dock(Vertical):
         """The widget in sight."""
         return next(widget for name, _, widget in self._panels if name == self.active)
 
+    def on_descendant_focus(self) -> None:
+        """Show in the strip that keys go to the panel below it."""
+        self.set_class(True, "-focused")
+
+    def on_descendant_blur(self) -> None:
+        """Show that they do not."""
+        self.set_class(self.has_focus_within, "-focused")
+
     def focus_panel(self) -> None:
         """Give the panel in sight the focus."""
         self.panel.focus()
