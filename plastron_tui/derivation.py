@@ -7,18 +7,16 @@ endpoint otherwise.
 
 from __future__ import annotations
 
-import ast
 import os
-import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from plastron_tui.changes import add_found, changes_of, names_in
+from plastron_tui.changes import add_found, changes_of, drop, is_extended, names_in
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.handwork import cover, kept_handwork, of_other_program, on_disk, unmergeable
-from plastron_tui.model.source import Remove, SourceFile
+from plastron_tui.model.source import EndpointKind, Remove, SourceFile
 from plastron_tui.model.workspace import Node
 from plastron_tui.output.layers import Author, Layer, Layers, live_layers
 from plastron_tui.output.manifest import Manifest, digest
@@ -27,6 +25,7 @@ from plastron_tui.output.remembered import recall, remember
 from plastron_tui.output.three_way import merge_lines
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets.base import Rendered
+from plastron_tui.targets.compiling import syntax_error
 
 if TYPE_CHECKING:
     from plastron_tui.merging import Merged
@@ -213,11 +212,29 @@ class Derivation:
             self.author.name,
             start,
             written,
-            remember(self.node, self.target.name, self.author.name),
+            remember(self._own_node(place), self.target.name, self.author.name),
             None if is_itself else os.path.relpath(first, place.real.parent),
             None if is_itself else digest(read),
             text=self.author.text,
         )
+
+    def _own_node(self, place: Place) -> Node:
+        """Return the node without what was added to the file by hand."""
+        node = self.node.snapshot()
+        names = self._original_names() if self._is_from(place) else None
+        for (kind, name), endpoint in self.node.endpoints.items():
+            is_asked = endpoint.span is not None or is_extended(endpoint)
+            if names is not None and not is_asked and name not in names[kind]:
+                drop(node, kind, name)
+        return node
+
+    def _original_names(self) -> dict[EndpointKind, set[str]] | None:
+        """Return what the program found at first, without handwork, by kind."""
+        origin = self.source.origin
+        if origin is None or self.own is None:
+            return None
+        read = self.own[0].read(origin.path, origin.text).source
+        return None if read is None else names_in(read)
 
     def _first(self, file: OutputFile, place: Place, layer: Layer) -> OutputFile:
         """Write where the program wrote nothing yet, or nothing that is left."""
@@ -250,7 +267,8 @@ class Derivation:
             problem = unmergeable(place.shown, merged.reason)
             return Derived(replace(file, problem=problem), merged.notes)
         covered = cover(place.shown, upper, before, merged.text, place.present, force=self.force)
-        kept: Layers = (replace(layer, is_clean=known.is_clean),)
+        left = digest(covered.text)
+        kept: Layers = (replace(layer, is_clean=known.is_clean, left=left),)
         if layer.origin is None and layer.original == layer.written and not covered.layers:
             kept = ()
         is_renewed = self.force and place.has_handwork
@@ -294,15 +312,12 @@ class Derivation:
 
     def _base(self, known: Layer) -> Node | None:
         """Return what the node had when the file was written, and what was added by hand."""
-        base = recall(known.base)
-        origin = self.source.origin
-        if base is None or origin is None or self.own is None:
+        base, names = recall(known.base), self._original_names()
+        if base is None or names is None:
             return base
-        read = self.own[0].read(origin.path, origin.text).source
-        names = {} if read is None else names_in(read)
         for node in self.source.nodes:
             for each in node.endpoints:
-                if each.name is not None and each.name not in names.get(each.kind, ()):
+                if each.name is not None and each.name not in names[each.kind]:
                     add_found(base, each, each.name)
         return base
 
@@ -313,7 +328,8 @@ class Derivation:
         from plastron_tui.merging import call_sites
 
         sources = [self.target.read(path, each).source for each in (text, before, mine)]
-        if _is_code(before) and _is_code(mine) and not _is_code(text):
+        was_sound = all(syntax_error(each) is None for each in (before, mine))
+        if was_sound and syntax_error(text) is not None:
             return False
         if self._is_ported:
             return sources[0] is not None
@@ -326,14 +342,3 @@ class Derivation:
             for key, sites in found.items()
         )
         return has_all and has_no_more
-
-
-def _is_code(text: bytes) -> bool:
-    """Tell whether a text compiles."""
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return False
-    return True

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from .interfaces import Scalar
 from .primitives import PRIMITIVES, check_scalar
 
@@ -27,6 +29,24 @@ def split_comment(text: str, ros_version: int, type_name: str = "") -> tuple[str
 
 def _comment_start(text: str) -> int:
     """Return where the first `#` outside quotes is, -1 when there is none."""
+    bare, is_closed = _outside_quotes(
+        text, lambda at: text[:at].rstrip()[-1:] in ("", "=", "[", ",")
+    )
+    found = next((at for at in bare if text[at] == "#"), -1)
+    # A quote that nothing closes was an apostrophe.
+    return found if found >= 0 or is_closed else text.find("#")
+
+
+def _outside_quotes(
+    text: str, may_open: Callable[[int], bool] = lambda at: True
+) -> tuple[list[int], bool]:
+    """Return the offsets of what is in no quotes, and whether each quote is closed.
+
+    Args:
+        text: what to look through.
+        may_open: whether a quote at an offset opens a string.
+    """
+    bare: list[int] = []
     quote = ""
     is_escaped = False
     for at, character in enumerate(text):
@@ -36,12 +56,11 @@ def _comment_start(text: str) -> int:
             is_escaped = character == "\\"
             if character == quote:
                 quote = ""
-        elif character == "#":
-            return at
-        elif character in "\"'" and text[:at].rstrip()[-1:] in ("", "=", "[", ","):
+        elif character in "\"'" and may_open(at):
             quote = character
-    # A quote that nothing closes was an apostrophe.
-    return text.find("#") if quote else -1
+        else:
+            bare.append(at)
+    return bare, not quote
 
 
 def parse_literal(type_name: str, text: str, ros_version: int) -> Scalar | ValueError:
@@ -78,24 +97,11 @@ def parse_array(type_name: str, text: str, ros_version: int) -> tuple[Scalar, ..
 
 def _split_elements(text: str) -> list[str]:
     """Split at the commas outside quotes; no text gives no elements."""
-    parts: list[str] = []
-    start = 0
-    quote = ""
-    is_escaped = False
-    for at, character in enumerate(text):
-        if is_escaped:
-            is_escaped = False
-        elif quote:
-            is_escaped = character == "\\"
-            if character == quote:
-                quote = ""
-        elif character in "\"'":
-            quote = character
-        elif character == ",":
-            parts.append(text[start:at])
-            start = at + 1
-    rest = text[start:]
-    return [*parts, rest] if parts or rest.strip() else []
+    commas = [at for at in _outside_quotes(text)[0] if text[at] == ","]
+    if not commas and not text.strip():
+        return []
+    starts, ends = [0, *(at + 1 for at in commas)], [*commas, len(text)]
+    return [text[start:end] for start, end in zip(starts, ends, strict=True)]
 
 
 def _integer(text: str) -> int:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import ast
-import warnings
 from collections import Counter
 
 from plastron_tui.diagnostics import Diagnostic, Severity, Span
@@ -11,6 +9,7 @@ from plastron_tui.model.source import EndpointKind, SourceFile
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.targets.base import Rendered
+from plastron_tui.targets.compiling import syntax_error
 from plastron_tui.targets.python.analysis import Analysis, Site
 from plastron_tui.targets.python.calls import LIBRARIES
 from plastron_tui.targets.python.editor import not_encodable
@@ -70,8 +69,8 @@ def _ported(source: SourceFile, work: Work, library: str) -> Rendered:
     found = [_listed(mark, source, library, lines) for mark in _in_order(work.marks)]
     after = analyze(text, LIBRARIES[library])
     found += _missing(work, before, after, source)
-    problem = _syntax_error(text)
-    if problem is not None and _syntax_error(source.text) is None:
+    problem = syntax_error(text)
+    if problem is not None and syntax_error(source.text) is None:
         message = f"`{source.path.name}` cannot be brought to {library}: {problem}"
         return Rendered(None, (Diagnostic("edit-refused", message),))
     if problem is not None:
@@ -166,15 +165,3 @@ def _key(work: Work, site: Site) -> _Key:
     if type_ is not None and endpoint.kind in _KINDS:
         type_ = target_type(work, type_, _KINDS[endpoint.kind][1])[0] or type_
     return (endpoint.kind, name, str(type_))
-
-
-def _syntax_error(text: bytes) -> str | None:
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            ast.parse(text)
-    except SyntaxError as error:
-        return f"{error.msg.lower()} (line {error.lineno})"
-    except (ValueError, RecursionError, MemoryError) as error:
-        return str(error).lower()
-    return None

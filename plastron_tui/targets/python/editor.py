@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import ast
-import warnings
 from collections import Counter
 from collections.abc import Sequence
 
@@ -11,6 +9,7 @@ from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceEndpoint, SourceFile
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets.base import Rendered
+from plastron_tui.targets.compiling import syntax_error
 from plastron_tui.targets.dialect import Dialect
 
 from .adding import plan_addition
@@ -131,7 +130,7 @@ def _problem(before: Analysis, after: Analysis, expected: Counter[_Key]) -> str 
         return "change other endpoints than the ones asked for"
     if not _has_same_nodes(before, after):
         return "change the nodes of the file"
-    if _compiles(before.syntax.text) and not _compiles(after.syntax.text):
+    if syntax_error(before.syntax.text) is None and syntax_error(after.syntax.text) is not None:
         return "leave a file that does not compile"
     return None
 
@@ -142,13 +141,3 @@ def _has_same_nodes(before: Analysis, after: Analysis) -> bool:
     missing.subtract(node.name for node in after.nodes)
     is_fewer = len(after.sites) < len(before.sites) and bool(before.library.node_classes)
     return all(count == 0 or (count > 0 and is_fewer) for count in missing.values())
-
-
-def _compiles(text: bytes) -> bool:
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return False
-    return True

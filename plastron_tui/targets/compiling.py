@@ -1,0 +1,20 @@
+"""Whether a text is Python, which no import and no tree is needed for."""
+
+from __future__ import annotations
+
+import ast
+import warnings
+
+
+def syntax_error(text: bytes) -> str | None:
+    """Return why a text is no Python 3, None where it is."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            ast.parse(text)
+    except SyntaxError as error:
+        return f"{error.msg.lower()} (line {error.lineno})"
+    # A NUL, a text that is nested too deeply: made to break readers.
+    except (ValueError, RecursionError, MemoryError) as error:
+        return str(error).lower() or type(error).__name__
+    return None
