@@ -124,6 +124,14 @@ class Course:
             self.purpose = declaration
         self.at += 1
 
+    def is_chosen(self, offer: Offer) -> bool:
+        """Tell whether an entry of the menu that is shown was taken before."""
+        if self.page.kind is PageKind.PURPOSE:
+            return offer.declaration is self.purpose
+        if offer.declaration is None:
+            return self._is_more
+        return offer.declaration is self.head
+
     def back(self) -> bool:
         """Go back a page; False on the first one."""
         if self.at == 0:

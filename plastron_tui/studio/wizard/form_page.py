@@ -21,6 +21,7 @@ from .ask import Choice
 from .checking import Finding
 from .filling import Filled
 from .form import NEW, Form
+from .libraries import installed_as
 from .rows import Entered, Reached, Row
 from .values import Entry, Heading, Path
 
@@ -205,6 +206,7 @@ class FormPage(Vertical):
         if list(choices) == self.choices:
             return
         self.choices = list(choices)
+        self.set_class(bool(choices), "-has-choices")
         options = self.query_one("#wizard-choices", OptionList)
         options.clear_options()
         options.add_options(
@@ -293,7 +295,9 @@ def _specs(filled: Filled) -> list[_Spec]:
         label = slot.name.replace("_", " ")
         placeholder = "left out" if slot.name in optional else ""
         is_fixed = bool(cell.reason)
-        note = cell.reason if is_fixed else ""
+        note = cell.reason
+        if slot.kind is SlotKind.LIBRARY:
+            note = installed_as(filled.scene, cell.text)
         key = (slot.name, None)
         specs.append(_Spec(key, slot, None, label, text, note, is_fixed, placeholder))
     return specs

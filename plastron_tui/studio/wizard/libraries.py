@@ -9,6 +9,7 @@ from plastron_tui.targets import LIBRARIES, has_target
 
 from .ask import Ask, Choice
 from .kind import Kind
+from .scene import Scene
 
 if TYPE_CHECKING:
     from plastron_tui.runtime.environment import Environment
@@ -68,6 +69,12 @@ def _why(ask: Ask, default: str) -> str:
     if ask.scene.session.is_library_chosen:
         return "which is chosen for this program"
     return "which counts where nobody chose one"
+
+
+def installed_as(scene: Scene, library: str) -> str:
+    """Return what is installed of a library; of the program's own where it is left out."""
+    wanted = library or scene.session.library
+    return next((each.words for each in scene.environments if each.library == wanted), "")
 
 
 def explained(ask: Ask) -> str:

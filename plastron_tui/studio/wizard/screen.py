@@ -42,6 +42,9 @@ NARROW = 76
 WIDE = 116
 """From so many columns on, the graph is a picture."""
 
+LOW = 22
+"""With fewer rows the form does without the sentence above it."""
+
 _PAUSE = 0.02
 """Seconds that keys are waited for before anything is looked up."""
 _LONGEST_WAIT = 8.0
@@ -119,7 +122,6 @@ class Wizard(ModalScreen[str]):
         """Ask the first question, and look for an installed ROS meanwhile."""
         for view in self.query(TextView):
             view.can_focus = False
-        self.set_class(self.app.size.width < NARROW, "-narrow")
         self.run_worker(self._look_for_ros(), group="ros")
         self.changed()
 
@@ -238,10 +240,9 @@ class Wizard(ModalScreen[str]):
             offer = f"write {view.look.node} to its file, too" if view.look.can_generate else ""
             return ReviewPage(words.review(view.look), offer, course.generates)
         self._offers = view.offers
-        items = [Item(o.title, o.term, o.about, o.closed, o.is_advised) for o in view.offers]
-        chosen = course.head if page.kind is PageKind.START else course.purpose
-        here = next((n for n, o in enumerate(view.offers) if o.declaration is chosen), None)
-        return MenuPage(words.question(page, view.look), items, here if chosen else None)
+        self._items = [Item(o.title, o.term, o.about, o.closed, o.is_advised) for o in view.offers]
+        here = next((n for n, o in enumerate(view.offers) if course.is_chosen(o)), None)
+        return MenuPage(words.question(page, view.look), self._items, here)
 
     def _show_frame(self, page: Page, look: Look) -> None:
         """Show what is around the page."""
@@ -283,7 +284,8 @@ class Wizard(ModalScreen[str]):
     async def _show_result(self, look: Look) -> None:
         """Show the code and the graph; it takes longer than the rest, and comes after it."""
         outcome = look.outcome
-        if outcome is None:
+        # As long as something is wrong, what was right before it stays in view.
+        if outcome is None or (look.problems and self._code):
             return
         is_wide = self.app.size.width >= WIDE
         session = self.course.session
@@ -307,12 +309,14 @@ class Wizard(ModalScreen[str]):
         code.show(lines)
         if rows:
             middle = rows.start + min(len(rows), code.size.height) // 2
-            code.scroll_to(y=max(0, middle - code.size.height // 2), animate=False)
+            top = max(0, middle - code.size.height // 2)
+            self.call_after_refresh(code.scroll_to, y=top, animate=False)
         self._code = lines
 
     def on_resize(self, event: events.Resize) -> None:
         """Make the best of another size."""
         self.set_class(event.size.width < NARROW, "-narrow")
+        self.set_class(event.size.height < LOW, "-low")
         if event.size.width >= NARROW:
             self.remove_class("-turned")
         self.changed()
@@ -434,7 +438,8 @@ class Wizard(ModalScreen[str]):
         form_page = self._form_page
         if form_page is not None and finding.form in (None, form_page.form):
             form_page.insist(finding)
-        self.notify(finding.words, severity="warning", markup=False)
+        else:
+            self.notify(finding.words, severity="warning", markup=False)
 
     async def _finish(self, look: Look) -> None:
         assert look.outcome is not None

@@ -24,6 +24,8 @@ def code_of(session: Session, node: str | None) -> tuple[str, Lines]:
     preview = previews[-1]
     if preview.problems and not preview.lines:
         return preview.name, tuple((Piece(each.message, "warning"),) for each in preview.problems)
+    if preview.diff and session.workspace.nodes[node].source is not None:
+        return f"{preview.name}: what changes", preview.diff
     return preview.name, preview.lines
 
 
@@ -101,9 +103,9 @@ def _marked(graph: Graph, known: set[tuple[str, ...]]) -> Iterator[Line]:
         tails, heads = _ends(hub)
         met.update(tails, heads)
         is_topic = isinstance(hub, GraphTopic)
-        line = [*_listed(hub.name, "from", tails, piece), Piece(" ─▶ ", "dim")]
+        line = [*_listed(hub.name, "from", tails, piece), Piece(" → ", "dim")]
         line.append(piece(hub.name, ("hub", hub.name), "success" if is_topic else "warning"))
-        line += [Piece(" ─▶ ", "dim"), *_listed(hub.name, "to", heads, piece)]
+        line += [Piece(" → ", "dim"), *_listed(hub.name, "to", heads, piece)]
         yield tuple(line)
     for node in graph.nodes:
         if node.name not in met:
@@ -112,7 +114,7 @@ def _marked(graph: Graph, known: set[tuple[str, ...]]) -> Iterator[Line]:
 
 def _listed(hub: str, side: str, names: list[str], piece: Callable[..., Piece]) -> Iterator[Piece]:
     if not names:
-        yield Piece("nobody yet", "quiet")
+        yield Piece("nobody", "quiet")
     for number, name in enumerate(names):
         if number:
             yield Piece(", ")

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from plastron_tui.language import SlotKind
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
-from plastron_tui.ros.search import search_types
+from plastron_tui.ros.search import FoundType, search_types
 
 from .ask import Ask, Choice
 from .form import Cell
@@ -12,6 +14,8 @@ from .kind import Kind
 
 MOST_TYPES = 80
 """The most types that a search lists."""
+
+_MOST_SHOWN = 6
 
 _DEFAULTS = {InterfaceKind.MESSAGE: "String", InterfaceKind.SERVICE: "SetBool"}
 _NAMES = {InterfaceKind.MESSAGE: "chatter", InterfaceKind.SERVICE: "switch"}
@@ -55,18 +59,18 @@ class TypeKind(Kind):
         if ask.form.parent is not None:
             text = ask.parent_text(ask.slot.kind)
             name = ask.parent_text(SlotKind.TOPIC)
-            return Cell(text, f"`{name}` carries messages of this type") if text else None
+            return Cell(text, f"what `{name}` carries") if text else None
         version = ask.version
         cell = ask.cell(SlotKind.MESSAGE)
         message = ask.scene.workspace.messages.get(cell.text) if cell is not None else None
         if message is not None:
             written = ask.scene.written(message.value.type, ask.interface, version)
-            return Cell(written, f"`{message.variable}` is a {written}, so the type is that")
+            return Cell(written, f"because `{message.variable}` is one")
         meeting = ask.meeting
         if meeting is None or meeting.type is None:
             return None
         written = ask.scene.written(meeting.type, ask.interface, version)
-        return Cell(written, f"`{meeting.name}` has {meeting.type} already, so the type is that")
+        return Cell(written, f"because `{meeting.name}` has it already")
 
     def suggest(self, ask: Ask) -> str:
         """Return the type that a topic of the name usually has, or a simple one."""
@@ -85,11 +89,8 @@ class TypeKind(Kind):
         catalog = ask.scene.catalog(ask.version)
         found = []
         for each in search_types(catalog, ask.interface, query)[:MOST_TYPES]:
-            fields = ", ".join(f"{name}: {type_}" for name, type_ in each.fields) or "no fields"
-            if each.answer:
-                fields += " → " + ", ".join(f"{name}: {type_}" for name, type_ in each.answer)
-            label = each.name.name if each.written != str(each.name) else each.written
-            found.append(Choice(each.written, each.package, f"{each.line} ({fields})", "", label))
+            about = f"{each.line}\n  {_fields(each)}"
+            found.append(Choice(each.written, each.package, about))
         return found
 
     def problem(self, ask: Ask, text: str) -> str | None:
@@ -99,3 +100,14 @@ class TypeKind(Kind):
         if not all(part.isascii() and part.isidentifier() for part in text.split("/")):
             return "no type is called that: choose one of the list"
         return None
+
+
+def _fields(found: FoundType) -> str:
+    """Return the fields of a type on a line; of a service those of its answer, too."""
+    told = _listed(found.fields)
+    return f"{told} → {_listed(found.answer)}" if found.answer else told
+
+
+def _listed(fields: Sequence[tuple[str, str]]) -> str:
+    shown = ", ".join(f"{name} {type_}" for name, type_ in fields[:_MOST_SHOWN])
+    return (f"{shown}, …" if len(fields) > _MOST_SHOWN else shown) or "no fields"

@@ -1,0 +1,134 @@
+"""Every statement of the language has its way through the wizard."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from wizard_courses import (
+    NODE_FILE,
+    TWO_NODES,
+    applied,
+    choose,
+    course,
+    formatted,
+    to_menu_or_review,
+)
+from wizard_driver import way_to
+
+from plastron_tui.language import DECLARATIONS, Declaration, SlotKind, Statement
+from plastron_tui.language.declaration import slot, statement
+from plastron_tui.session import Session
+from plastron_tui.studio.wizard.aims import Aim, aim_of, declarations_of
+from plastron_tui.studio.wizard.course import PageKind
+from plastron_tui.studio.wizard.filling import Filler
+from plastron_tui.studio.wizard.form import Form
+from plastron_tui.studio.wizard.form_page import _specs
+from plastron_tui.studio.wizard.kinds import KINDS
+
+ALL = list(DECLARATIONS.values())
+
+
+def keyword(declaration: Declaration) -> str:
+    return declaration.keyword
+
+
+def test_every_kind_of_slot_is_known() -> None:
+    assert set(KINDS) == set(SlotKind)
+
+
+def test_every_statement_is_in_one_menu() -> None:
+    listed = [declaration for aim in Aim for declaration in declarations_of(aim)]
+    assert sorted(listed, key=keyword) == sorted(ALL, key=keyword)
+
+
+@pytest.mark.parametrize("declaration", ALL, ids=keyword)
+def test_every_statement_says_what_it_is_for(declaration: Declaration) -> None:
+    assert declaration.purpose and declaration.about.endswith(".")
+    assert declaration.keyword not in declaration.purpose
+    assert len([d for d in ALL if d.purpose == declaration.purpose]) == 1
+
+
+@pytest.mark.parametrize("declaration", ALL, ids=keyword)
+def test_every_statement_is_built_of_suggestions_alone(
+    declaration: Declaration, tmp_path: Path
+) -> None:
+    (tmp_path / "sonar.py").write_text(NODE_FILE)
+    text = TWO_NODES
+    if declaration.undoes is not None:
+        # Something is left for each node to do.
+        text = text.replace("generate_node", "// generate_node")
+    it = course(text, tmp_path)
+    choose(it, *way_to(declaration))
+    look = to_menu_or_review(it)
+    assert it.page.kind is PageKind.REVIEW
+    assert look.outcome is not None
+    assert look.problems == ()
+    after = applied(text.encode(), look.outcome.edits)
+    assert after == look.outcome.session.document.text
+    fresh = Session(after, tmp_path / "program.plastron", environ={})
+    assert fresh.diagnostics == ()
+    before = Session(text.encode(), tmp_path / "program.plastron", environ={})
+    made = len([one for one in fresh.program.statements if type(one) is declaration.type])
+    had = len([one for one in before.program.statements if type(one) is declaration.type])
+    assert made == had + 1
+    assert formatted(after) == after
+
+
+@pytest.mark.parametrize("declaration", declarations_of(Aim.MORE), ids=keyword)
+def test_a_file_that_is_loaded_can_be_changed_in_every_way(
+    declaration: Declaration, tmp_path: Path
+) -> None:
+    everything = TWO_NODES.replace("'chatter'", "'news'").replace("listener", "talker")
+    everything = everything.replace("create_node 'talker' as talker\nsubscribe", "subscribe")
+    everything = everything.replace("generate_node talker\n\n", "")
+    maker = Session(everything.encode(), tmp_path / "maker.plastron", environ={})
+    plan, problems = maker.plan()
+    assert not problems
+    (tmp_path / "robot.py").write_bytes(plan.files[0].text)
+    it = course("", tmp_path)
+    choose(it, "change a node file that exists", declaration.purpose)
+    look = to_menu_or_review(it)
+    assert look.problems == () and look.outcome is not None
+    assert look.outcome.lines[0] == "load 'robot.py' as robot"
+    assert look.outcome.lines[-1] == "generate_node robot"
+    after = look.outcome.session
+    assert after.diagnostics == ()
+    changed, problems = after.plan()
+    assert not problems and changed.files[0].name == "robot.py"
+
+
+@pytest.fixture
+def whistle() -> Iterator[Declaration]:
+    """A statement that is added to the language."""
+
+    @statement(
+        "whistle_statement",
+        "{node} whistle {message} to {topic} of message_type {type} [at {rate} hz]",
+        summary="Let a node whistle a message.",
+        example="talker whistle greeting to 'chatter' of message_type String",
+    )
+    class Whistle(Statement):
+        node: str = slot(SlotKind.NODE, "the node that whistles")
+        message: str = slot(SlotKind.MESSAGE, "what it whistles")
+        topic: str = slot(SlotKind.TOPIC, "where it is heard")
+        type: str = slot(SlotKind.MESSAGE_TYPE, "the type of that")
+        rate: float | None = slot(SlotKind.RATE, "how often")
+
+    yield DECLARATIONS[Whistle]
+    del DECLARATIONS[Whistle]
+
+
+def test_a_statement_that_is_added_has_its_form(whistle: Declaration) -> None:
+    """No line of the wizard knows of it; only the grammar, which does not, is asked in the end."""
+    assert aim_of(whistle) is Aim.MORE
+    it = course(TWO_NODES)
+    choose(it, "give a node something more to do")
+    assert "let a node whistle a message" in [each.title for each in it.purpose_offers()]
+    filled = Filler().fill(Form(whistle), it.scene)
+    assert filled.text == (
+        "listener whistle chatter_2_message to 'chatter_2' of message_type String at 10 hz"
+    )
+    assert [spec.label for spec in _specs(filled)] == ["node", "message", "topic", "type", "rate"]
+    assert [each.form.declaration.keyword for each in filled.makers] == ["create_message"]

@@ -1,0 +1,174 @@
+"""Every way through the wizard, by keyboard alone and by mouse alone, in a small window."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from wizard_courses import NODE_FILE, TWO_NODES
+from wizard_driver import WizardDriver, way_to, wizard
+
+from plastron_tui.language import DECLARATIONS, Declaration
+from plastron_tui.session import Session
+from plastron_tui.studio.wizard.aims import Aim, aim_of
+from plastron_tui.studio.wizard.course import PageKind
+
+ALL = list(DECLARATIONS.values())
+
+
+def keyword(declaration: Declaration) -> str:
+    return declaration.keyword
+
+
+@pytest.fixture
+def file(here: Path) -> Path:
+    """A program in which every statement can be written."""
+    (here / "sonar.py").write_text(NODE_FILE)
+    path = here / "two.plastron"
+    path.write_text(TWO_NODES)
+    return path
+
+
+def program_for(declaration: Declaration, file: Path) -> str:
+    text = TWO_NODES
+    if declaration.undoes is not None:
+        text = text.replace("generate_node", "// generate_node")
+    if aim_of(declaration) is Aim.WRITE:
+        text = text.replace("generate_node listener\n", "")
+    file.write_text(text)
+    return text
+
+
+async def check_end(it: WizardDriver, declaration: Declaration, before: str, file: Path) -> None:
+    """The statement is in the program, nothing is wrong, and one step takes it out again."""
+    main = it.driver.main
+    assert it.menu[0] == "something more"
+    text = it.driver.text
+    session = Session(text.encode(), file, environ={})
+    assert session.diagnostics == ()
+    made = [one for one in session.program.statements if type(one) is declaration.type]
+    old = Session(before.encode(), file, environ={}).program.statements
+    assert len(made) == len([one for one in old if type(one) is declaration.type]) + 1
+    main.editor.action_undo()
+    assert it.driver.text == before
+    main.editor.action_redo()
+    assert it.driver.text == text
+
+
+@pytest.mark.parametrize("declaration", ALL, ids=keyword)
+async def test_by_keyboard_alone(declaration: Declaration, file: Path) -> None:
+    before = program_for(declaration, file)
+    async with wizard(file) as it:
+        ways = way_to(declaration)
+        for way in ways:
+            while it.kind is PageKind.FORM:
+                await it.press("enter")
+            await it.pick(way)
+        for _ in range(6):
+            if it.screen.is_done:
+                break
+            await it.press("enter")
+        await check_end(it, declaration, before, file)
+        await it.press("escape")
+        assert not it.is_open and it.driver.main.editor.view.has_focus
+
+
+@pytest.mark.parametrize("declaration", ALL, ids=keyword)
+async def test_by_mouse_alone(declaration: Declaration, file: Path) -> None:
+    before = program_for(declaration, file)
+    async with wizard(file) as it:
+        for way in way_to(declaration):
+            while it.kind is PageKind.FORM:
+                await it.click("#wizard-next")
+            await it.click_item(way)
+        for _ in range(6):
+            if it.screen.is_done:
+                break
+            await it.click("#wizard-next")
+        await check_end(it, declaration, before, file)
+        await it.click("#wizard-leave")
+        assert not it.is_open
+
+
+@pytest.mark.parametrize("declaration", ALL, ids=keyword)
+async def test_back_from_every_step_keeps_what_was_entered(
+    declaration: Declaration, file: Path
+) -> None:
+    program_for(declaration, file)
+    async with wizard(file) as it:
+        for way in way_to(declaration):
+            while it.kind is PageKind.FORM:
+                await it.press("enter")
+            await it.pick(way)
+        entered = {}
+        while it.kind is PageKind.FORM:
+            names = ("topic", "service", "name", "variable", "function")
+            label = next((n for n in names if n in it.rows and not it.row(n).is_fixed), None)
+            if label is not None and declaration.undoes is None:
+                await it.write(label, "mine")
+            entered[it.title, it.screen.course.at] = it.rows
+            await it.press("enter")
+        assert it.kind is PageKind.REVIEW
+        statements = it.statements
+        steps = it.screen.course.at
+        for number in range(steps):
+            # Both ways: the key, and the button.
+            if number % 2:
+                await it.click("#wizard-back")
+            else:
+                await it.press("f2")
+            place = (it.title, it.screen.course.at)
+            if place in entered:
+                assert it.rows == entered[place]
+        assert it.kind is PageKind.START
+        await it.press("f2")
+        assert it.kind is PageKind.START
+        for _ in range(steps):
+            await it.press("enter")
+        assert it.kind is PageKind.REVIEW
+        assert it.statements == statements
+
+
+@pytest.mark.parametrize("steps", range(6))
+async def test_escape_leaves_without_a_trace(file: Path, steps: int) -> None:
+    async with wizard(file) as it:
+        for _ in range(steps):
+            await it.press("enter")
+            if it.kind is PageKind.FORM:
+                await it.write("variable" if "variable" in it.rows else "topic", "other")
+        await it.press("escape")
+        assert not it.is_open
+        assert it.driver.text == TWO_NODES
+        assert not it.driver.main.open.is_changed
+        it.driver.main.editor.action_undo()
+        assert it.driver.text == TWO_NODES
+
+
+async def test_from_nothing_to_two_nodes_that_talk_in_few_keys(here: Path) -> None:
+    """From the welcome to the files, with every suggestion accepted: at most 25 keys and a name."""
+    from studio_driver import studio
+
+    async with studio(None, (80, 24), welcome=True) as driver:
+        it = WizardDriver(driver)
+        await driver.dialog("Welcome")
+        await it.press("enter")
+        await driver.until(lambda: it.is_open)
+        await it.settle()
+        for _ in range(40):
+            name = type(driver.app.screen).__name__
+            if name == "ChooseFile":
+                await it.type("two")  # a typed name
+            if name == "GenerateDialog" and driver.app.screen.is_written:  # type: ignore[attr-defined]
+                break
+            await it.press("enter")
+            if not it.is_open:
+                await driver.pilot.pause(0.2)
+        assert it.keys == 16
+        assert sorted(path.name for path in (here / "output").glob("*.py")) == [
+            "listener_sub1.py",
+            "talker_pub.py",
+        ]
+        session = Session((here / "two.plastron").read_bytes(), environ={})
+        assert session.diagnostics == ()
+        (node, other) = session.workspace.nodes.values()
+        assert set(node.publishers) == set(other.subscriptions) == {"chatter"}

@@ -1,0 +1,118 @@
+"""What the wizard lets through has no diagnostics, whatever is entered, and formats to itself."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from hypothesis import HealthCheck, assume, given, settings
+from hypothesis import strategies as st
+from wizard_courses import TWO_NODES, applied, formatted
+
+from plastron_tui.language import SlotKind
+from plastron_tui.session import Session
+from plastron_tui.studio.wizard.course import Course, Look, PageKind
+from plastron_tui.studio.wizard.form import NEW, Form
+from plastron_tui.studio.wizard.scene import Surroundings
+from plastron_tui.studio.wizard.values import Entry
+
+PROGRAMS = (
+    "",
+    "// only a remark",
+    TWO_NODES,
+    TWO_NODES.replace("generate_node talker\n", ""),
+    "create_node 'arm' as arm using rclpy\n"
+    "arm provides_service 'grip' of service_type Trigger calling on_grip\n"
+    "create_message pose of message_type Pose and input none\n"
+    "arm publish pose to '~pose' of message_type Pose\n"
+    "generate_node arm // and nothing else",
+)
+
+NASTY = (
+    "", " ", "'", '"', "//", "/* x", "*/", "a b", "x\ny", "publish", "none", "True", "talker",
+    "greeting", "Talker", "_x", "1x", "/", "~", "~/x", "/abs/olute", "a__b", "a/b", "ü", "\u202e",
+    "chatter", "switch", "String", "std_msgs/String", "std_msgs/msg/String", "Twist", "Odometry",
+    "LaserScan", "JointState", "SetBool", "Trigger", "AddTwoInts", "Goal", "Header", "std_msgs/",
+    "0", "-1", "1e9", "1e999", "nan", "0.5", "10", "1_0", "٣", "rospy", "rclpy", "roscpp", "ros2",
+    "on_chatter", "def", "x.py", "../x.py", "[1, 2]", "1, 2", "(1, 2)", "True, False", "x=1",
+    '"a", "b', "300", "-129", "1.5", "\\", "\t", "\0", "\ufeff", "🤖", NEW,
+)  # fmt: skip
+
+texts = st.one_of(
+    st.sampled_from(NASTY),
+    st.text(max_size=6),
+    st.from_regex(r"[a-z][a-z0-9_]{0,8}", fullmatch=True),
+    st.integers(-300, 300).map(str),
+    st.floats(allow_nan=False, width=32).map(str),
+)
+
+
+def fill(it: Course, form: Form, data: st.DataObject) -> Look:
+    """Enter something in some of the slots and some of the values of a form."""
+    for slot in form.declaration.slots:
+        if slot.kind is not SlotKind.INPUT and data.draw(st.booleans(), "entered"):
+            form.entered[slot.name] = data.draw(texts, slot.name)
+    look = it.look()
+    filled = look.of(form)
+    for entry in [] if filled is None else filled.entries:
+        if isinstance(entry, Entry) and data.draw(st.booleans(), "given"):
+            form.values[entry.path] = data.draw(texts, entry.name)
+    return it.look()
+
+
+def mended(it: Course, form: Form) -> bool:
+    """Take back what is refused, and what is around it where that is not enough."""
+    for _ in range(len(form.entered) + len(form.values) + 1):
+        blocking = it.blocking(it.look())
+        if not blocking:
+            return True
+        for finding in blocking:
+            if finding.path is not None:
+                form.values.pop(finding.path, None)
+            elif form.entered.pop(finding.slot, None) is None:
+                form.entered.clear()
+    return not it.blocking(it.look())
+
+
+def go_through(it: Course, data: st.DataObject) -> Look | None:
+    """Go through the pages; None where nothing but a refusal was left."""
+    look = it.look()
+    for _ in range(12):
+        page = it.page
+        if page.kind is PageKind.REVIEW:
+            return None if it.blocking(look) else look
+        if page.kind is PageKind.FORM:
+            assert page.form is not None
+            look = fill(it, page.form, data)
+            if not mended(it, page.form):
+                return None
+            look = it.look()
+            it.at += 1
+        else:
+            is_start = page.kind is PageKind.START
+            offers = it.start_offers() if is_start else it.purpose_offers()
+            open_offers = [each for each in offers if not each.closed]
+            if not open_offers:
+                return None
+            it.choose(data.draw(st.sampled_from(open_offers), "offer").declaration)
+        look = it.look()
+    raise AssertionError("the wizard has no end")
+
+
+@settings(max_examples=150, suppress_health_check=list(HealthCheck))
+@given(data=st.data(), program=st.sampled_from(PROGRAMS))
+def test_what_is_let_through_is_right(data: st.DataObject, program: str) -> None:
+    session = Session(program.encode(), environ={})
+    before = Counter(found.code for found in session.diagnostics)
+    it = Course(session, Surroundings())
+    look = go_through(it, data)
+    assume(look is not None)
+    assert look is not None and look.outcome is not None
+    after = applied(program.encode(), look.outcome.edits)
+    fresh = Session(after, environ={})
+    assert Counter(found.code for found in fresh.diagnostics) == before
+    count = len(fresh.program.statements) - len(session.program.statements)
+    assert count == len(look.outcome.lines)
+    start, end = look.outcome.span
+    written = after[start:end]
+    assert written.decode().split("\n") == list(look.outcome.lines)
+    assert formatted(written + b"\n") == written + b"\n"
