@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+import asyncio
 import os
+import signal
+import sys
 from collections.abc import Iterable, Mapping
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from typing import ClassVar
 
+from textual import work
 from textual.app import App, SystemCommand
 from textual.binding import Binding, BindingType
 from textual.screen import Screen
+from textual.worker import WorkerFailed
 
 from plastron_tui.session import Options
 
@@ -23,6 +29,8 @@ from .state import opened
 from .terminal_keys import teach
 
 DEFAULT_THEME = "textual-dark"
+_LOOKED_AFTER = 0.2
+"""Seconds after the start, when there is something to see, when the ROS is looked for."""
 _SMALL = "ansi-dark"
 """The theme of terminals that have only their own sixteen colours."""
 _SMALL_TERMINALS = frozenset({"linux", "xterm", "screen", "rxvt", "ansi", "vt100", "vt220"})
@@ -58,8 +66,10 @@ class StudioApp(App[None], inherit_bindings=False):
         self._path = path
         self._options = options or Options()
         self._first = None if first is None else f"screen.{first}"
+        self.looks_for_ros = False
         self._kept: list[Kept] = []
-        self._has_failed = False
+        self._failures: set[str] = set()
+        self.last_words = ""
 
     def get_default_screen(self) -> Screen[None]:
         """Open the program that was asked for."""
@@ -86,17 +96,36 @@ class StudioApp(App[None], inherit_bindings=False):
             self.set_keymap(self.config.keys)
         for message in self._messages:
             self.notify(message, severity="warning", timeout=10, markup=False)
+        if not self.is_headless:
+            for number in (signal.SIGTERM, signal.SIGHUP):
+                asyncio.get_running_loop().add_signal_handler(number, self._end)
         self._kept = kept_texts(self.state_folder)
         path = self.main.open.path
         own = [kept for kept in self._kept if path is None or kept.path == path.absolute()]
         if path is not None:
             self.opened(path)
+        others = sorted({kept.path.name for kept in self._kept if kept.path is not None}
+                        - {kept.path.name for kept in own if kept.path is not None})  # fmt: skip
+        if path is not None and others:
+            text = f"not saved when the studio ended: {', '.join(others)}"
+            self.notify(f"{text}\nopen it, and what was typed is offered", markup=False)
+        if self.looks_for_ros:
+            self.set_timer(_LOOKED_AFTER, self._look_for_ros)
         if own:
             self.call_after_refresh(self.main.offer_kept, own[0], self._first)
         elif self._first is not None:
             self.call_after_refresh(self.run_call, self._first)
         elif self._path is None:
             self.call_after_refresh(self.main.action_welcome)
+
+    @work(thread=True, group="ros", exit_on_error=False)
+    def _look_for_ros(self) -> None:
+        """Find the ROS that `plastron run` will use, which starts other programs."""
+        from plastron_tui.runtime.environment import find_environments
+
+        environment, _ = find_environments().choose()
+        if environment is not None:
+            self.call_from_thread(self.main.fall_back_to, environment.library)
 
     def _first_theme(self) -> str:
         wanted = self.config.theme or self.remembered.theme
@@ -133,14 +162,39 @@ class StudioApp(App[None], inherit_bindings=False):
         await self.run_action(call, self.main)
 
     def show_error(self, error: BaseException) -> None:
-        """Show an error of Plastron's own, with the place of the journal and a report."""
-        if self._has_failed:
-            return
-        self._has_failed = True
-        from .screens.failure import Failure
+        """Show an error of Plastron's own, with the place of the journal and a report; once."""
+        from .screens.failure import Failure, report_of
 
         self.main.keep_now()
-        self.push_screen(Failure(error, self.main.open.journal.file))
+        report = report_of(error)
+        if report not in self._failures:
+            self._failures.add(report)
+            self.push_screen(Failure(report, self.main.open.journal.file))
+
+    def _handle_exception(self, error: Exception) -> None:
+        """Survive what goes wrong in a worker; end with a report what ends a widget's loop."""
+        if isinstance(error, WorkerFailed):
+            self.show_error(error.error)
+            return
+        from .screens.failure import last_words
+
+        self.last_words = last_words(error, self._keep_all(), self._memory)
+        super()._handle_exception(error)
+        # Textual would show what it knows of the error: pages, with pieces of the program in it.
+        self._exit_renderables.clear()
+
+    def _keep_all(self) -> Path | None:
+        """Keep what is not saved; return where, None when all is saved or nothing is open."""
+        with suppress(Exception):
+            self.main.keep_now()
+            if self.main.open.is_changed:
+                return self.main.open.journal.file
+        return None
+
+    def _end(self) -> None:
+        """End because the system says so: the terminal has gone, or the machine goes down."""
+        self._keep_all()
+        self.exit(return_code=128 + signal.SIGTERM)
 
     def on_app_focus(self) -> None:
         """Let the editor have the keys, when the window gets the focus before anything else."""
@@ -156,7 +210,10 @@ def run(path: Path | None, options: Options | None = None, first: str | None = N
     """Run the studio in this terminal, and return the exit status."""
     teach()
     app = StudioApp(path, options, first)
+    app.looks_for_ros = True
     app.run(mouse=app.config.mouse)
+    if app.last_words:
+        print(app.last_words, file=sys.stderr)
     return app.return_code or 0
 
 

@@ -176,14 +176,14 @@ def load_remembered(folder: Path) -> Remembered:
     remembered = Remembered()
     with suppress(OSError, ValueError):
         data = json.loads((folder / _STATE_FILE).read_bytes())
-        defaults = asdict(remembered)
-        for key, value in data.items():
-            default = defaults.get(key, value)
-            if key in defaults and (default is None or isinstance(value, type(default))):
+        for key, default in asdict(remembered).items():
+            value = data.get(key) if isinstance(data, dict) else None
+            if isinstance(value, str if default is None else type(default)):
                 setattr(remembered, key, value)
     remembered.recent = [name for name in remembered.recent if isinstance(name, str)]
-    sizes = remembered.sizes
+    sizes, tabs = remembered.sizes, remembered.tabs
     remembered.sizes = {key: size for key, size in sizes.items() if isinstance(size, int)}
+    remembered.tabs = {key: tab for key, tab in tabs.items() if isinstance(tab, str)}
     return remembered
 
 

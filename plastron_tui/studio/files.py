@@ -87,6 +87,8 @@ def save_file(path: Path, text: bytes, known: OnDisk | None, *, force: bool = Fa
         return Saved(None, found=present)
     if not path.absolute().parent.is_dir():
         return Saved(None, _gone(path))
+    if _is_protected(path):
+        return Saved(None, _protected(path))
     file = OutputFile(path.name, text, is_executable=False, merged_from=present, path=path)
     plan, problems = make_plan(path.absolute().parent, [file], Manifest())
     problems = (*problems, *plan.conflicts)
@@ -108,6 +110,23 @@ def _gone(path: Path) -> Diagnostic:
     folder = path.absolute().parent
     message = f"cannot write `{path.name}`: the folder `{folder.name}` is not there"
     return Diagnostic("cannot-write", message, file=path, help="save it under another name")
+
+
+def _is_protected(path: Path) -> bool:
+    """Tell whether nobody is to write a file: a rename would, whatever its mode says."""
+    try:
+        return not path.stat().st_mode & 0o222 or not os.access(path, os.W_OK)
+    except (OSError, ValueError):
+        return False
+
+
+def _protected(path: Path) -> Diagnostic:
+    return Diagnostic(
+        "cannot-write",
+        f"cannot write `{path.name}`: it is read-only",
+        file=path,
+        help=f"save it under another name, or allow it: chmod u+w {path.name}",
+    )
 
 
 def read_again(disk: OnDisk) -> OnDisk:

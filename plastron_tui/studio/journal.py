@@ -11,6 +11,8 @@ from pathlib import Path
 from time import time
 
 _FORMAT = 1
+_LATEST = 4e9
+"""A time that every calendar has, in seconds since the epoch; a broken journal may name others."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,8 +50,9 @@ class Journal:
             path: the program's file.
         """
         self.path = path
-        name = f"new-{os.getpid()}" if path is None else _name(path)
-        self.file = folder / f"{name}.journal"
+        name = "new" if path is None else _name(path)
+        # With the process in its name no studio writes over what another one kept.
+        self.file = folder / f"{name}-{os.getpid()}.journal"
 
     def write(self, text: bytes, cursor: int) -> OSError | None:
         """Keep a text in place of the one that was kept; return why that failed."""
@@ -102,7 +105,8 @@ def _read(file: Path) -> Kept | None:
         if data["plastron-journal"] != _FORMAT or _is_open(int(data["pid"])):
             return None
         path = None if data["path"] is None else Path(data["path"])
-        return Kept(file, path, text, int(data["cursor"]), float(data["when"]))
+        when = min(max(float(data["when"]), 0.0), _LATEST)
+        return Kept(file, path, text, int(data["cursor"]), when)
     except (OSError, ValueError, TypeError, KeyError):
         return None
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import platform
 import sys
 import traceback
+from contextlib import suppress
 from pathlib import Path
 from typing import ClassVar
 
@@ -33,6 +34,20 @@ def report_of(error: BaseException) -> str:
     return head + "\n\n" + "".join(lines)
 
 
+def last_words(error: BaseException, journal: Path | None, folder: Path) -> str:
+    """Write the report to a file, and return what the terminal shows when the studio is gone."""
+    report = report_of(error)
+    file = folder / "report.txt"
+    lines = ["Plastron has made a mistake, and the studio has ended.", ""]
+    if journal is not None:
+        lines += [f"What was not saved is kept in {journal}", "and is offered at the next start."]
+    with suppress(OSError):
+        folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+        file.write_text(report, encoding="utf-8", errors="backslashreplace")
+        lines += [f"This report is in {file}, to send it:"]
+    return "\n".join([*lines, "", report])
+
+
 class Failure(ModalScreen[None]):
     """Says that something failed, and that nothing is lost."""
 
@@ -41,9 +56,9 @@ class Failure(ModalScreen[None]):
         Binding("c", "copy", "Copy the report"),
     ]
 
-    def __init__(self, error: BaseException, journal: Path) -> None:
+    def __init__(self, report: str, journal: Path) -> None:
         super().__init__()
-        self.report = report_of(error)
+        self.report = report
         self._journal = journal
 
     def compose(self) -> ComposeResult:

@@ -15,13 +15,13 @@ from plastron_tui.diagnostics import Diagnostic
 from ..analyst import Analyst
 from ..editor import ProgramEditor
 from ..files import OnDisk, Saved, open_file, read_again, save_file, with_suffix
-from ..journal import Kept
-from ..preview import difference
-from ..recipes import Recipe, place_files, recipes
+from ..journal import Kept, kept_texts
 from ..state import Open, opened
 
 if TYPE_CHECKING:
     from ..app import StudioApp
+    from ..panels.tones import Lines
+    from ..recipes import Recipe
 
 _KEEP = 0.5
 """Seconds after which what was typed is in the journal, at most."""
@@ -114,7 +114,17 @@ class Filing(Screen[None]):
         options = self.open.session.options
         self.take(opened(found.disk, self._studio.state_folder, options, text),
                   0 if kept is None else kept.cursor)  # fmt: skip
+        if kept is None:
+            self._offer_of(path)
         return True
+
+    def _offer_of(self, path: Path) -> None:
+        """Offer what was typed in a file and not saved before the studio ended."""
+        whole = path.absolute()
+        for kept in kept_texts(self._studio.state_folder):
+            if kept.path == whole and kept.file != self.open.journal.file:
+                self.offer_kept(kept)
+                return
 
     @work(exclusive=True, group="file")
     async def action_new(self) -> None:
@@ -190,7 +200,7 @@ class Filing(Screen[None]):
                 f"{path.name} holds something else on the disk",
                 [("cancel", "Cancel"), ("overwrite", "Overwrite it")],
                 text="This is what saving would change there:",
-                lines=difference(found, text),
+                lines=_difference(found, text),
             )
         )
         return answer == "overwrite"
@@ -262,6 +272,8 @@ class Filing(Screen[None]):
                     self.take_file(Path(path))
             case ("recipe", str(path)):
                 if await self.may_leave():
+                    from ..recipes import recipes
+
                     for recipe in recipes():
                         if recipe.path == Path(path):
                             await self.take_recipe(recipe)
@@ -288,6 +300,8 @@ class Filing(Screen[None]):
             assert present is not None
             if not await self._may_overwrite(path, present, recipe.text):
                 return False
+        from ..recipes import place_files
+
         placed = place_files(recipe, path.absolute().parent)
         problem = placed.problem or save_file(path, recipe.text, None, force=True).problem
         if problem is not None:
@@ -326,7 +340,7 @@ class Filing(Screen[None]):
                 f"{now.path.name} was changed by another program",
                 [("keep", "Keep my text"), ("load", "Load the file")],
                 text="This is how the file differs from the text in the editor:",
-                lines=difference(open_.text, now.text),
+                lines=_difference(open_.text, now.text),
             )
         )
         if open_ is not self.open or answer != "load":
@@ -357,13 +371,16 @@ class Filing(Screen[None]):
         name = "a new program" if kept.path is None else kept.path.name
         found = None if kept.path is None else open_file(kept.path).disk
         before = b"" if found is None or found.text is None else found.text
+        if before == kept.text:
+            kept.drop()
+            return
         when = datetime.fromtimestamp(kept.when).strftime("%H:%M on %d %B")
         answer = await self.app.push_screen_wait(
             Question(
                 f"{name} was not saved",
                 [("restore", "Restore"), ("later", "Later"), ("drop", "Forget it")],
                 text=f"The studio ended at {when} with these changes:",
-                lines=difference(before, kept.text),
+                lines=_difference(before, kept.text),
             )
         )
         if answer == "drop":
@@ -382,3 +399,9 @@ class Filing(Screen[None]):
         """Forget the old journal as soon as the new one is written."""
         if self.open.journal.write(self.open.text, kept.cursor) is None:
             kept.drop()
+
+
+def _difference(before: bytes, after: bytes) -> Lines:
+    from ..preview import difference
+
+    return difference(before, after)
