@@ -37,11 +37,11 @@ def _changes(node: Node, present: Mapping[EndpointKind, set[str]]) -> Iterator[C
                 if name in present[kind]:
                     yield Remove(kind, name, node.removed.get(name))
                 yield Add(endpoint)
-            elif _is_extended(endpoint):
+            elif is_extended(endpoint):
                 yield Add(endpoint)
 
 
-def _is_extended(endpoint: Endpoint) -> bool:
+def is_extended(endpoint: Endpoint) -> bool:
     """Tell whether the program sends more through an endpoint that it found in the file."""
     match endpoint:
         case Publisher(publications=more) | Client(requests=more):
@@ -71,5 +71,20 @@ def add_found(node: Node, found: SourceEndpoint, name: str) -> None:
             node.services.setdefault(name, Service(name, found.type, found.callback))
         case EndpointKind.CLIENT:
             node.clients.setdefault(name, Client(name, found.type))
+        case _:
+            pass
+
+
+def drop(node: Node, kind: EndpointKind, name: str) -> None:
+    """Take an endpoint out of a node."""
+    match kind:
+        case EndpointKind.PUBLISHER:
+            del node.publishers[name]
+        case EndpointKind.SUBSCRIPTION:
+            del node.subscriptions[name]
+        case EndpointKind.SERVICE:
+            del node.services[name]
+        case EndpointKind.CLIENT:
+            del node.clients[name]
         case _:
             pass

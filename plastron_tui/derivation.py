@@ -246,7 +246,7 @@ class Derivation:
         layers: Layers | None = None
         if self.author.name and not (layer.origin is None and layer.original == layer.written):
             is_clean = is_over and place.manifest.has(name, loaded)
-            layers = (*lower, replace(layer, is_clean=is_clean))
+            layers = (*lower, replace(layer, is_clean=is_clean, left=digest(layer.written)))
         elif place.manifest.layers.get(name, ()) != lower:
             layers = lower
         file = replace(file, merged_from=loaded if is_kept else None, layers=layers)

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import os
+from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.derivation import find_place, found_by
 from plastron_tui.handwork import on_disk
-from plastron_tui.model.source import Origin, SourceFile
-from plastron_tui.output.layers import Author
+from plastron_tui.model.source import EndpointKind, Origin, SourceFile
+from plastron_tui.output.layers import Author, Layer
 from plastron_tui.output.manifest import Manifest, digest
 from plastron_tui.output.three_way import replay
 from plastron_tui.targets import read_source
@@ -52,7 +53,7 @@ def find_start(
     present = found_by(place, place.index)
     if present != layer.written and not is_torn:
         visible = replay(layer.written, present, original)
-        if not _reads_as_well(path, visible, original):
+        if not _is_right(path, visible, original, layer, present):
             visible = original
     return Start(first, visible, Origin(first, original, place.real, is_torn=is_torn))
 
@@ -65,8 +66,19 @@ def chained(source: SourceFile) -> Origin:
     return known._replace(start=source.text if known.start is None else known.start)
 
 
-def _reads_as_well(path: Path, text: bytes, other: bytes) -> bool:
-    """Tell whether a text parses no worse than another."""
+def _is_right(path: Path, text: bytes, original: bytes, layer: Layer, present: bytes) -> bool:
+    """Tell whether handwork was brought into an original without what the program wrote."""
     from plastron_tui.targets.python.syntax import parse
 
-    return read_source(path, text).source is not None and parse(text).errors <= parse(other).errors
+    if parse(text).errors > parse(original).errors:
+        return False
+    found, before, written, now = (
+        _shown(path, each) for each in (text, original, layer.written, present)
+    )
+    return found == before + (now - written) - (written - now)
+
+
+def _shown(path: Path, text: bytes) -> Counter[tuple[EndpointKind, str | None]]:
+    source = read_source(path, text).source
+    nodes = () if source is None else source.nodes
+    return Counter((each.kind, each.name) for node in nodes for each in node.endpoints)

@@ -13,6 +13,7 @@ import zlib
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from hashlib import sha256
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -37,6 +38,7 @@ class Layer:
         seen: the digest of that file when it was read.
         is_clean: whether the original had no handwork when the layer was laid over it.
         text: the digest of the program's text.
+        left: the digest of the file as the program left it, with handwork.
     """
 
     program: str
@@ -47,9 +49,12 @@ class Layer:
     seen: str | None = None
     is_clean: bool = False
     text: str = ""
+    left: str = ""
 
     def shows_in(self, text: bytes) -> bool:
         """Tell whether a text has any of the lines that the program wrote, or lacks its cuts."""
+        if self.origin is not None:
+            return text != self.original
         before, after, now = (
             Counter(each.split(b"\n")) for each in (self.original, self.written, text)
         )
@@ -62,6 +67,11 @@ class Layer:
 
 
 Layers = tuple[Layer, ...]
+
+
+def digest(text: bytes) -> str:
+    """Return the digest of a file's text, as the manifest keeps it."""
+    return f"sha256:{sha256(text).hexdigest()}"
 
 
 class Author(NamedTuple):
@@ -94,7 +104,7 @@ def live_layers(layers: Layers, text: bytes | None) -> Layers:
     """
     if text is None:
         return ()
-    if layers and layers[-1].written == text:
+    if layers and (layers[-1].written == text or layers[-1].left == digest(text)):
         return layers
     dead = next((i for i, each in enumerate(layers) if not each.shows_in(text)), len(layers))
     return layers[:dead]
@@ -106,6 +116,7 @@ def layer_json(layer: Layer) -> dict[str, Any]:
     data = {
         "program": layer.program,
         "text": layer.text,
+        "left": layer.left,
         "origin": layer.origin,
         "seen": layer.seen,
         "clean": layer.is_clean,
@@ -133,5 +144,6 @@ def read_layer(data: object) -> Layer | None:
     is_named = isinstance(origin, str | None) and isinstance(seen, str | None)
     if not unpacker.eof or not 0 <= size <= len(texts) or not is_named:
         return None
-    clean, text = data.get("clean") is True, str(data.get("text", ""))
-    return Layer(program, texts[:size], texts[size:], base, origin, seen, clean, text)
+    clean, text, left = data.get("clean") is True, data.get("text", ""), data.get("left", "")
+    original, written = texts[:size], texts[size:]
+    return Layer(program, original, written, base, origin, seen, clean, str(text), str(left))

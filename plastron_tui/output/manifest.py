@@ -13,13 +13,13 @@ import json
 import re
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
-from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
 from plastron_tui.diagnostics import Diagnostic, Severity
 
 from .layers import MOST_LAYERS, Layers, layer_json, read_layer
+from .layers import digest as digest
 
 NAME = ".plastron.json"
 """The manifest's file name, in the output folder."""
@@ -115,11 +115,6 @@ class Manifest:
                 self.layers.get(name, ()) == each[-MOST_LAYERS:] for name, each in layers.items()
             )
         )
-
-
-def digest(text: bytes) -> str:
-    """Return the digest of a file's text, as the manifest keeps it."""
-    return f"sha256:{sha256(text).hexdigest()}"
 
 
 def load_manifest(folder: Path) -> tuple[Manifest, tuple[Diagnostic, ...]]:
