@@ -16,16 +16,20 @@ TONES = (
     "success",
     "warning",
     "error",
-    "keyword",
-    "string",
-    "number",
-    "name",
-    "builtin",
     "added",
     "removed",
     "dim",
 )
 """The tones; `studio.tcss` gives each its colour, as the component `tone--NAME`."""
+
+_SAME = {
+    "keyword": "primary",
+    "string": "accent",
+    "number": "error",
+    "name": "warning",
+    "builtin": "secondary",
+}
+"""What source files need has the colour of a tone: each component costs time at every start."""
 
 COMPONENTS = frozenset(f"tone--{tone}" for tone in TONES)
 
@@ -48,6 +52,8 @@ def tone_style(widget: Widget, tone: str, prefix: str = "tone") -> Style:
     """
     if not tone:
         return Style.null()
+    if prefix == "tone":
+        tone = _SAME.get(tone, tone)
     styles = widget.get_component_styles(f"{prefix}--{tone}")
     how = styles.text_style
     color, background = styles.color, styles.background
