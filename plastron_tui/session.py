@@ -51,6 +51,8 @@ class Options(NamedTuple):
         in_place: whether a loaded node is written over the file that it came from.
         force: whether a created node is written anew where its file was changed by hand.
         distribution: the distribution whose types count, for nodes of its generation of ROS.
+        fallback: the client library where neither these nor a project file nor the environment
+            says one; None for the default.
     """
 
     target: str | None = None
@@ -58,6 +60,7 @@ class Options(NamedTuple):
     in_place: bool = False
     force: bool = False
     distribution: str | None = None
+    fallback: str | None = None
 
 
 class ProgramText(NamedTuple):
@@ -159,7 +162,7 @@ class Session:
     @cached_property
     def library(self) -> str:
         """The client library of a node that names none."""
-        return self._chosen_library or DEFAULT_LIBRARY
+        return self._chosen_library or self.options.fallback or DEFAULT_LIBRARY
 
     @property
     def is_library_chosen(self) -> bool:
@@ -222,6 +225,13 @@ class Session:
             self._earlier = Lowered(earlier.document.text, earlier._program)
         if earlier._interpretation is not None:
             self._fitters = earlier._interpretation.fitters
+
+    def fall_back_to(self, library: str) -> None:
+        """Take a client library where nobody chose one."""
+        self.options = self.options._replace(fallback=library)
+        for name in ("library", "setting"):
+            self.__dict__.pop(name, None)
+        self._interpretation = None
 
     def files_changed(self) -> None:
         """Run the program anew when it is asked next: files that it loads were written."""

@@ -51,7 +51,8 @@ def _editor(name: str, title: str, keys: str, help_: str, call: str | None = Non
 
 ACTIONS: tuple[Action, ...] = (
     Action("help", "Help", "screen.help", "f1", "Help for what has the focus.", footer=True),
-    Action("run", "Run", "screen.run", "f5", "Generate the nodes and start them.", footer=True),
+    Action("run", "Run", "screen.run", "f5",
+           "Generate the nodes and start them; stop them where they run.", footer=True),
     Action("stop", "Stop the nodes", "screen.stop", "", "Stop what runs."),
     Action(
         "generate", "Generate", "screen.generate", "f6",

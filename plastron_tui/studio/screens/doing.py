@@ -195,10 +195,10 @@ class Doing(Screen[None]):
 
     @work(exclusive=True, group="run")
     async def action_run(self) -> None:
-        """Save, then start the nodes."""
+        """Save, then start the nodes; stop them where they run."""
         if self._nodes_run is not None:
-            self.notify("the nodes run already; stop them first", timeout=3)
             self.bring("output", focus=True)
+            self._nodes_run.stop()
             return
         if not await self._has_place():
             return

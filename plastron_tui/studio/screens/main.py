@@ -16,7 +16,7 @@ from textual.containers import Horizontal, Vertical
 from textual.screen import Screen
 from textual.timer import Timer
 
-from ..actions import ACTIONS, bindings
+from ..actions import ACTIONS, BY_ID, bindings
 from ..analyst import Analysed, AnalysisFailed, Analyst, Wanted
 from ..editor import ProgramEditor
 from ..editor.statement_help import help_of
@@ -257,9 +257,19 @@ class MainScreen(Arranging, Filing, Doing, Wizarding, Screen[None]):
         left = (("plastron ", "quiet"), (open_.name, "strong"), (f" {sign} ", "here"))
         right: list[tuple[str, str]] = []
         if self.runs_nodes:
-            right.append(("running  ", "here"))
+            key = self.studio.key_of("run", BY_ID["run"].keys)
+            right.append((f"running: {key} stops  ", "here"))
         right.append((self.setting_text(), "quiet"))
         self.query_one("#title", Bar).show(left, tuple(right))
+
+    def fall_back_to(self, library: str) -> None:
+        """Take the client library that can run here, where nobody chose one."""
+        session = self.open.session
+        before = session.library
+        session.fall_back_to(library)
+        if session.library != before:
+            self.show_title()
+            self.ask_anew()
 
     def setting_text(self) -> str:
         """Return the client library and the file's folder in a few words."""

@@ -49,8 +49,8 @@ STEPS = (
     Step(
         "Write it, run it",
         "F6 shows each file before anything is written; what you changed by hand is never lost. "
-        "F5 starts the nodes.\n\nF10 lists all that can be done, F1 explains where you are. "
-        "That is all: have a try.",
+        "F5 starts the nodes, and stops them.\n\nCtrl-U is the wizard, which builds statements "
+        "from menus; F10 lists all that can be done, F1 explains where you are. Have a try!",
     ),
 )
 

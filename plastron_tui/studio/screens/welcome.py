@@ -70,7 +70,7 @@ class Welcome(ModalScreen["Answer | None"]):
 
         def add(kind: str, value: str, words: str, note: str) -> None:
             self._answers.append((kind, value))
-            text = Content.assemble(f" {words:<26} ", (note, "$foreground 60%"))
+            text = Content.assemble(f" {words:<27} ", (note, "$foreground 60%"))
             options.append(Option(text, id=str(len(self._answers) - 1)))
 
         for entry in START:
