@@ -60,6 +60,7 @@ class Outcome:
         span: where the statements stand in the new text.
         findings: what is wrong with them.
         lines: the statements.
+        is_whole: whether each of them is a statement there.
     """
 
     session: Session
@@ -67,6 +68,7 @@ class Outcome:
     span: Span
     findings: tuple[Finding, ...]
     lines: tuple[str, ...]
+    is_whole: bool
 
 
 def check(session: Session, placed: Sequence[Placed], *, generates: bool = False) -> Outcome:
@@ -87,7 +89,7 @@ def check(session: Session, placed: Sequence[Placed], *, generates: bool = False
                 slot = next(s for s in declaration.slots if s.kind is SlotKind.NODE)
                 lines.append(Placed(None, sentence(declaration, {slot.name: node})))
         outcome = _checked(session, lines, at)
-        if all(finding.slot or finding.form is not None for finding in outcome.findings):
+        if outcome.is_whole:
             break
     assert outcome is not None
     return outcome
@@ -160,8 +162,10 @@ def _checked(session: Session, placed: Sequence[Placed], at: int | None) -> Outc
         offset += len(line) + 1
     edit = Edit(Span(start, end), new.decode("utf-8", "surrogatepass"))
     findings = tuple(_findings(session, candidate, placed, spans))
-    whole = Span(spans[0].start, spans[-1].end)
-    return Outcome(candidate, (edit,), whole, findings, tuple(each.text for each in placed))
+    block = Span(spans[0].start, spans[-1].end)
+    there = {each.span for each in candidate.program.statements}
+    texts = tuple(each.text for each in placed)
+    return Outcome(candidate, (edit,), block, findings, texts, there.issuperset(spans))
 
 
 def _opens_block(placed: Sequence[Placed]) -> bool:
@@ -195,8 +199,22 @@ def _findings(
             yield Finding(one.form, "", "this is no statement of the language")
     for each in found:
         # A remark about a file that is read is no mistake of the one who reads it.
-        if each.file is None or each.severity is Severity.ERROR:
+        if each.file is not None and each.severity is not Severity.ERROR:
+            continue
+        reading = _reading(placed) if each.file is not None else None
+        if reading is not None:
+            yield Finding(*reading, each.message, each.help or "")
+        else:
             yield Finding(None, "", f"another statement would be wrong: {each.message}")
+
+
+def _reading(placed: Sequence[Placed]) -> tuple[Form, str] | None:
+    """Return the form and the slot that name a file, None where none does."""
+    for each in placed:
+        slot = None if each.form is None else each.form.slot_of(SlotKind.FILE)
+        if each.form is not None and slot is not None:
+            return each.form, slot.name
+    return None
 
 
 def _key(diagnostic: Diagnostic) -> tuple[str, str, object]:

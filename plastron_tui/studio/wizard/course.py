@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum, auto
 
 from plastron_tui.language import Declaration, SlotKind
@@ -243,7 +243,7 @@ class Course:
         broken = {each.form for each in known}
         more = [
             each
-            for each in outcome.findings
+            for each in (_where_chosen(found, filled) for found in outcome.findings)
             # What a slot knows of itself is said in its own words, and nothing that follows.
             if (each.form, each.slot, each.path) not in places
             and not (broken and (each.form in broken or each.form is None))
@@ -377,3 +377,20 @@ class Course:
         anew = self._filled_anew(declaration, scene, filled)
         after = Scene(check(scene.session, anew.written).session)
         return after.lonely < scene.lonely
+
+
+def _where_chosen(finding: Finding, filled: list[Filled]) -> Finding:
+    """Return what is wrong in the form where it can be mended.
+
+    What a form takes over from the one that it makes something for is chosen there.
+    """
+    form = finding.form
+    if form is None or form.parent is None:
+        return finding
+    parent = form.parent[0]
+    known = Look(tuple(filled)).of(form)
+    slot = next((each for each in form.declaration.slots if each.name == finding.slot), None)
+    if known is None or slot is None or not known.cells[slot.name].reason:
+        return finding
+    there = parent.slot_of(slot.kind)
+    return finding if there is None else replace(finding, form=parent, slot=there.name)

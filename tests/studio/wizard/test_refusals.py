@@ -1,0 +1,208 @@
+"""What the wizard refuses, and the words that it finds for it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from wizard_courses import NODE_FILE, TWO_NODES, choose, course
+from wizard_driver import wizard
+
+from plastron_tui.studio.wizard.course import Course, PageKind
+from plastron_tui.studio.wizard.form import NEW
+
+SEND = "send something, again and again"
+REACT = "react to what others send"
+ASK = "ask a question and wait for the answer"
+ANSWER = "answer questions"
+MORE = "give a node something more to do"
+MAKE = "make a node"
+MESSAGE = "make a message"
+CHANGE = "change a node file that exists"
+
+REFUSED = [
+    ([MAKE], "name", "", "a node needs a name"),
+    ([MAKE], "name", "my talker", "white space: write my_talker"),
+    ([MAKE], "name", "1st", "starts with a letter: write node_1st"),
+    ([MAKE], "name", "talker", "a node `talker` exists already"),
+    ([MAKE], "name", "a'b", "no `'`"),
+    ([MAKE], "variable", "", "needs a name"),
+    ([MAKE], "variable", "1st", "a variable starts with a letter"),
+    ([MAKE], "variable", "a b", "and no space"),
+    ([MAKE], "variable", "publish", "a word of the language"),
+    ([MAKE], "variable", "talker", "a node is called `talker` already"),
+    ([MAKE], "variable", "greeting", "a message is called `greeting` already"),
+    ([MAKE], "library", "ros2", "there is no client library `ros2`"),
+    ([MAKE], "library", "roscpp", "plastron does not write roscpp yet"),
+    ([MORE, SEND], "node", "tolker", "there is no node `tolker`"),
+    ([MORE, SEND], "message", "gretting", "there is no message `gretting`"),
+    ([MORE, SEND], "topic", "", "a topic needs a name, such as `chatter`"),
+    ([MORE, SEND], "topic", "a topic", "white space: write a_topic"),
+    ([MORE, SEND], "type", "", "write what it is for"),
+    ([MORE, SEND], "type", "Strnig", "did you mean `String`?"),
+    ([MORE, SEND], "type", "a b", "no type is called that"),
+    ([MORE, SEND], "type", "Goal", "no message type `Goal` is known in ROS 1 noetic"),
+    ([MORE, SEND], "rate", "often", "a number of times a second"),
+    ([MORE, SEND], "rate", "0", "more than 0"),
+    ([MORE, REACT], "function", "on chatter", "and no space"),
+    ([MORE, REACT], "function", "def", "keyword of Python"),
+    ([MORE, REACT], "function", "publish", "a word of the language"),
+    ([MORE, ASK], "service", "", "a service needs a name, such as `switch`"),
+    ([MORE, ASK], "type", "String", "`String` is a message type"),
+    ([MORE, ANSWER], "service", "switch", "provides `switch` already"),
+    ([MESSAGE], "variable", "talker", "a node is called `talker` already"),
+    ([MESSAGE], "type", "SetBool", "`SetBool` is a service type"),
+    ([CHANGE], "source", "", "write the path of one"),
+    ([CHANGE], "source", "other.py", "no file `other.py` beside the program"),
+    ([CHANGE], "source", "it's.py", "no single quote"),
+    ([CHANGE], "source", "notes.txt", "imports neither rospy nor rclpy"),
+]
+
+
+@pytest.mark.parametrize(("ways", "slot", "text", "words"), REFUSED)
+def test_what_cannot_be_is_refused_with_the_reason(
+    tmp_path: Path, ways: list[str], slot: str, text: str, words: str
+) -> None:
+    (tmp_path / "sonar.py").write_text(NODE_FILE)
+    (tmp_path / "notes.txt").write_text("rospy is fine")
+    it = course(TWO_NODES, tmp_path)
+    choose(it, *ways)
+    assert it.page.form is not None and it.blocking(it.look()) == ()
+    it.page.form.entered[slot] = text
+    found = it.blocking(it.look())
+    assert [each.slot for each in found] == [slot]
+    assert words in found[0].words
+
+
+VALUES = [
+    ("Int32", ("data",), "many", "data takes a whole number, such as 5"),
+    ("Int32", ("data",), "1.5", "not a whole number"),
+    ("UInt8", ("data",), "256", "256 does not fit `uint8` (0 to 255)"),
+    ("Float64", ("data",), "fast", "data takes a number, such as 0.5"),
+    ("Float32", ("data",), "1e39", "does not fit `float32`"),
+    ("Bool", ("data",), "maybe", "either True or False"),
+    ("Twist", ("linear", "x"), "x", "x takes a number"),
+    ("LaserScan", ("ranges",), "1, far", "value 2 of the list"),
+    ("Odometry", ("pose", "covariance"), "1, 2", "`covariance` has 36 values, not 2"),
+    ("Path", ("poses",), "(1", "poses"),
+    ("TFMessage", ("transforms",), "5", "write its values in parentheses"),
+]
+
+
+@pytest.mark.parametrize(("type_", "path", "text", "words"), VALUES)
+def test_a_value_that_does_not_fit_is_refused_at_its_field(
+    type_: str, path: tuple[str, ...], text: str, words: str
+) -> None:
+    it = course("")
+    choose(it, MESSAGE)
+    form = it.page.form
+    assert form is not None
+    form.entered["type"] = type_
+    form.values[path] = text
+    found = it.blocking(it.look())
+    assert len(found) == 1
+    assert words in found[0].words or path == ("poses",)
+    assert (found[0].slot, found[0].path) in (("input", path), ("", None))
+
+
+def closed(it: Course, slot: str) -> dict[str, str]:
+    form = it.page.form
+    assert form is not None
+    filled = it.look().of(form)
+    assert filled is not None
+    choices = it.choices(filled, slot, None, "")
+    return {choice.text: choice.closed for choice in choices}
+
+
+def test_a_choice_that_another_one_closes_says_why() -> None:
+    numbers = TWO_NODES + "create_message number of message_type Int32 and input 5\n"
+    it = course(numbers)
+    choose(it, MORE, SEND)
+    form = it.page.form
+    assert form is not None
+    form.entered["topic"] = "chatter"
+    assert "`chatter` is of type `std_msgs/String` elsewhere" in closed(it, "message")["number"]
+    assert closed(it, "message")["greeting"] == ""
+    form.entered = {"message": "number"}
+    assert "is of type `std_msgs/String` elsewhere" in closed(it, "topic")["chatter"]
+    filled = it.look().of(form)
+    assert filled is not None
+    assert filled.cells["type"].text == "Int32"
+    assert filled.cells["type"].reason == "because `number` is one"
+    form.entered = {"message": NEW, "topic": "chatter"}
+    filled = it.look().of(form)
+    assert filled is not None
+    assert filled.cells["type"].reason == "because `chatter` has it already"
+
+
+def test_a_node_that_has_it_already_is_closed() -> None:
+    it = course(TWO_NODES)
+    choose(it, MORE, REACT)
+    form = it.page.form
+    assert form is not None
+    form.entered = {"node": "listener"}
+    assert closed(it, "topic")["chatter"] == "`listener` subscribes to `chatter` already"
+    form.entered = {"topic": "chatter"}
+    assert closed(it, "node")["listener"] == "`listener` subscribes to `chatter` already"
+    # Another node is suggested then.
+    filled = it.look().of(form)
+    assert filled is not None and filled.cells["node"].text == "talker"
+
+
+def test_what_would_leave_a_node_idle_is_closed() -> None:
+    it = course(TWO_NODES.replace("talker client", "// talker client"))
+    choose(it, MORE)
+    offers = {offer.title: offer.closed for offer in it.purpose_offers()}
+    assert offers["no longer ask a question"] == (
+        "`listener` has nothing of the kind that could be taken away"
+    )
+    one = "create_node 'a' as a\nsubscribe a to 'x' of message_type String\ngenerate_node a\n"
+    it = course(one)
+    choose(it, MORE)
+    offers = {offer.title: offer.closed for offer in it.purpose_offers()}
+    assert "`a` does nothing" in offers["no longer react to what others send"]
+
+
+def test_menus_say_what_is_missing() -> None:
+    offers = {offer.title: offer.closed for offer in course("").start_offers()}
+    assert offers[MORE] == "there is no node yet: make one first"
+    assert offers["write a node to its file"] == "there is no node yet: make one first"
+    assert offers[MAKE] == offers[CHANGE] == offers[MESSAGE] == ""
+
+
+async def test_next_is_refused_on_the_screen_and_says_why(here: Path) -> None:
+    async with wizard() as it:
+        await it.pick(MAKE)
+        await it.write("name", "1st")
+        assert it.help == "✗ a name starts with a letter: write node_1st"
+        await it.go_to("variable")
+        assert "what the program calls the node" in it.help
+        await it.press("enter")
+        assert it.kind is PageKind.FORM and it.form.row_here is it.row("name")
+        assert it.help.startswith("✗ a name starts with a letter")
+        await it.click("#wizard-next")
+        assert it.kind is PageKind.FORM
+        await it.write("name", "first")
+        assert it.rows["variable"] == "first"
+        await it.press("enter")
+        assert it.kind is PageKind.PURPOSE
+
+
+async def test_a_value_is_refused_on_the_screen(here: Path) -> None:
+    async with wizard() as it:
+        await it.pick(MESSAGE)
+        await it.write("type", "Int8")
+        assert it.statements == ("create_message message of message_type Int8 and input 5",)
+        await it.write("data", "200")
+        assert it.help == "✗ 200 does not fit `int8` (-128 to 127)"
+        await it.press("enter")
+        assert it.kind is PageKind.FORM
+        await it.write("data", "-7")
+        await it.press("enter")
+        assert it.statements == ("create_message message of message_type Int8 and input -7",)
+
+
+async def test_a_closed_entry_cannot_be_clicked(here: Path) -> None:
+    async with wizard() as it:
+        await it.click_item(MORE)
+        assert it.kind is PageKind.START
