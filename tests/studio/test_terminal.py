@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -25,6 +26,20 @@ generate_node node1
 """
 
 
+PATIENCE = 60
+"""Seconds after which a test gives up; nothing takes so long, however busy the machine is."""
+
+
+def until(condition: Callable[[], bool]) -> bool:
+    """Wait for something to come to pass; tell whether it has."""
+    end = time.monotonic() + PATIENCE
+    while time.monotonic() < end:
+        if condition():
+            return True
+        time.sleep(0.05)
+    return False
+
+
 class Terminal:
     """A tmux server of the test's own, with one window."""
 
@@ -36,14 +51,22 @@ class Terminal:
 
     def tmux(self, *words: str) -> str:
         command = ["tmux", "-S", self._socket, "-f", os.devnull, *words]
-        done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=20)
+        done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=PATIENCE)
         return done.stdout
 
     def start(self, *words: str) -> None:
-        settings = [
-            part for name, value in self._environ.items() for part in ("-e", f"{name}={value}")
-        ]
-        self.tmux("new-session", "-d", *self._size, *settings, "-c", str(self._folder), *words)
+        # tmux has a TERM of its own for what it starts.
+        settings = [f"{name}={value}" for name, value in self._environ.items()]
+        command = ["new-session", "-d", *self._size, "-c", str(self._folder), "env", *settings]
+
+        def is_started() -> bool:
+            # A server that is about to end takes nothing new.
+            with suppress(subprocess.CalledProcessError):
+                self.tmux(*command, *words)
+                return True
+            return False
+
+        assert until(is_started)
 
     def keys(self, *keys: str) -> None:
         self.tmux("send-keys", *keys)
@@ -58,28 +81,33 @@ class Terminal:
         return self.tmux("capture-pane", "-p")
 
     def wait(self, condition: Callable[[str], bool]) -> str:
-        end = time.monotonic() + 20
-        while time.monotonic() < end:
-            screen = self.screen
-            if condition(screen):
-                return screen
-            time.sleep(0.05)
-        raise AssertionError(f"it did not come to pass; the screen:\n{self.screen}")
+        screens = [""]
+
+        def holds() -> bool:
+            screens.append(self.screen)
+            return condition(screens[-1])
+
+        assert until(holds), f"it did not come to pass; the screen:\n{screens[-1]}"
+        return screens[-1]
+
+    def wait_below(self, line: str, offered: str) -> None:
+        """Wait until a line is there, and below it, or after it, what is offered."""
+        self.wait(
+            lambda screen: line in screen and offered in " ".join(screen.partition(line)[2].split())
+        )
 
     @property
     def pid(self) -> int:
         return int(self.tmux("display-message", "-p", "#{pane_pid}"))
 
     def wait_end(self) -> None:
-        end = time.monotonic() + 20
-        while time.monotonic() < end:
+        def has_ended() -> bool:
             try:
-                if "1" in self.tmux("list-panes", "-F", "#{pane_dead}"):
-                    return
+                return "1" in self.tmux("list-panes", "-F", "#{pane_dead}")
             except subprocess.CalledProcessError:
-                return
-            time.sleep(0.05)
-        raise AssertionError(f"the studio did not end; the screen:\n{self.screen}")
+                return True
+
+        assert until(has_ended), f"the studio did not end; the screen:\n{self.screen}"
 
 
 @pytest.fixture
@@ -88,6 +116,7 @@ def terminal(tmp_path: Path, home: Path) -> Iterator[Terminal]:
         "XDG_CONFIG_HOME": str(home / "config"),
         "XDG_STATE_HOME": str(home / "state"),
         "TERM": "tmux-256color",
+        "COLORTERM": "",
         "ROS_VERSION": "1",
     }
     terminal = Terminal(tmp_path, 80, 24, environ)
@@ -100,11 +129,7 @@ def start(terminal: Terminal, *arguments: str) -> None:
     terminal.start(sys.executable, "-m", "plastron_tui", *arguments)
 
 
-def test_a_publisher_is_typed_generated_and_right(terminal: Terminal, tmp_path: Path) -> None:
-    start(terminal, "mine.plastron")
-    terminal.wait(lambda screen: "no nodes yet" in screen)
-    terminal.type(PUBLISHER)
-    terminal.wait(lambda screen: "topic1 geometry_msgs/Point" in screen)
+def generate_and_quit(terminal: Terminal, folder: Path) -> None:
     terminal.keys("C-s")
     terminal.wait(lambda screen: "saved mine.plastron" in screen)
     terminal.keys("F6")
@@ -115,45 +140,59 @@ def test_a_publisher_is_typed_generated_and_right(terminal: Terminal, tmp_path: 
     terminal.wait(lambda screen: "Generate into" not in screen)
     terminal.keys("C-q")
     terminal.wait_end()
-    assert (tmp_path / "mine.plastron").read_text() == PUBLISHER
-    node = (tmp_path / "output" / "node1_pub.py").read_text()
-    ast.parse(node)
-    assert 'rospy.Publisher("topic1", Point' in node
-    assert "x=5.0, y=6.0, z=7.0" in node
+    node = folder / "output" / "node1_pub.py"
+    text = node.read_text()
+    ast.parse(text)
+    assert 'rospy.Publisher("topic1", Point' in text
+    assert "x=5.0, y=6.0, z=7.0" in text
+    assert os.access(node, os.X_OK)
 
 
-def test_completion_writes_most_of_it(terminal: Terminal, tmp_path: Path) -> None:
-    start(terminal, "mine.plastron")
-    terminal.wait(lambda screen: "no nodes yet" in screen)
-    for typed, offered in (
-        ("create_n", "Make a new node."),
-        (" 'node1' as node1\r", ""),
-        ("create_me", "Make a message"),
-        (" message1 of message_type Poi", "Point "),
-    ):
-        terminal.keys("-l", typed)
-        if typed.endswith("\r"):
-            continue
-        terminal.wait(lambda screen, offered=offered: offered in screen)
-        terminal.keys("Tab")
-    terminal.wait(lambda screen: "message_type Point" in screen)
-    terminal.keys("-l", " and input 5,6,7")
-    terminal.keys("Enter")
-    terminal.type(PUBLISHER.split("\n", 2)[2])
-    terminal.keys("C-s")
-    terminal.wait(lambda screen: "saved" in screen)
-    written = (tmp_path / "mine.plastron").read_text()
-    assert [line.split() for line in written.splitlines()] == [
-        line.split() for line in PUBLISHER.splitlines()
-    ]
-
-
-def test_what_was_typed_survives_a_kill(terminal: Terminal, tmp_path: Path) -> None:
+def test_a_publisher_is_typed_generated_and_right(terminal: Terminal, tmp_path: Path) -> None:
     start(terminal, "mine.plastron")
     terminal.wait(lambda screen: "no nodes yet" in screen)
     terminal.type(PUBLISHER)
-    terminal.wait(lambda screen: "generate_node node1" in screen)
-    time.sleep(1)
+    terminal.wait(lambda screen: "topic1 geometry_msgs/Point" in screen)
+    generate_and_quit(terminal, tmp_path)
+    assert (tmp_path / "mine.plastron").read_text() == PUBLISHER
+
+
+def test_completion_writes_most_of_a_publisher(terminal: Terminal, tmp_path: Path) -> None:
+    start(terminal, "mine.plastron")
+    terminal.wait(lambda screen: "no nodes yet" in screen)
+    line = ""
+    for typed, offered in (
+        ("create_n", "create_node Make a new node."),
+        (" 'node1' as n", "node1"),
+        ("\rcreate_me", "create_message Make a message"),
+        (" message1 of message_type Poi", "Point x:"),
+        (" and input 5,6,7\rnod", "node1 node 'node1'"),
+        (" pub", "publish"),
+        (" mes", "message1"),
+        (" to 'topic1' of message_ty", "message_type"),
+        (" Po", "Point x:"),
+        ("\rgenerate_n", "generate_node Write"),
+        (" no", "node1 node 'node1'"),
+    ):
+        terminal.keys("-l", typed)
+        line = (line + typed).rpartition("\r")[2]
+        terminal.wait_below(line, offered)
+        terminal.keys("Tab")
+        before, space, _ = line.rpartition(" ")
+        line = before + space + offered.split()[0]
+        terminal.wait_below(line, "")
+    terminal.keys("Enter")
+    terminal.wait(lambda screen: "topic1 geometry_msgs/Point" in screen)
+    generate_and_quit(terminal, tmp_path)
+    assert (tmp_path / "mine.plastron").read_text() == PUBLISHER
+
+
+def test_what_was_typed_survives_a_kill(terminal: Terminal, tmp_path: Path, home: Path) -> None:
+    start(terminal, "mine.plastron")
+    terminal.wait(lambda screen: "no nodes yet" in screen)
+    terminal.type(PUBLISHER)
+    journals = home / "state" / "plastron" / "journal"
+    assert until(lambda: any(PUBLISHER in file.read_text() for file in journals.glob("*.journal")))
     os.kill(terminal.pid, signal.SIGKILL)
     terminal.wait_end()
     start(terminal, "mine.plastron")
@@ -175,7 +214,7 @@ def test_it_comes_back_after_it_was_suspended(terminal: Terminal, tmp_path: Path
     terminal.keys("-l", "suspend")
     terminal.wait(lambda screen: "Suspend" in screen)
     terminal.keys("Enter")
-    terminal.wait(lambda screen: "no nodes yet" not in screen)
+    terminal.wait(lambda screen: "stopped" in screen.lower() and "no nodes yet" not in screen)
     terminal.keys("fg", "Enter")
     terminal.wait(lambda screen: "// before" in screen and "Nodes" in screen)
     terminal.tmux("resize-window", "-x", "120", "-y", "40")
@@ -192,6 +231,55 @@ def test_it_works_with_few_colours(
     (tmp_path / "mine.plastron").write_text(PUBLISHER + "nothing\n")
     start(terminal, "mine.plastron")
     terminal.wait(lambda screen: "`nothing`" in screen and "topic1 geometry_msgs/Point" in screen)
+    colours = set(re.findall(r"[34]8;[25];[0-9;]+", terminal.tmux("capture-pane", "-p", "-e")))
+    assert bool(colours) == ("TERM" not in environ)
+
+
+def test_another_editor_has_the_terminal_meanwhile(terminal: Terminal, tmp_path: Path) -> None:
+    editor = tmp_path / "editor"
+    editor.write_text('#!/bin/sh\necho what now; read answer; echo "// $answer" >>"$1"\n')
+    editor.chmod(0o755)
+    terminal._environ["EDITOR"] = str(editor)
+    (tmp_path / "mine.plastron").write_text(PUBLISHER)
+    start(terminal, "mine.plastron")
+    terminal.wait(lambda screen: "topic1 geometry_msgs/Point" in screen)
+    terminal.keys("C-e")
+    terminal.wait(lambda screen: "what now" in screen and "Nodes" not in screen)
+    terminal.keys("-l", "an answer")
+    terminal.keys("Enter")
+    terminal.wait(lambda screen: "// an answer" in screen and "Nodes" in screen)
+    terminal.keys("C-End")
+    terminal.keys("-l", "generate_")
+    terminal.wait(lambda screen: "generate_node " in screen)
+
+
+def test_an_editor_that_cannot_be_started_leaves_the_terminal_to_the_studio(
+    terminal: Terminal,
+) -> None:
+    terminal._environ["EDITOR"] = "no-such-editor"
+    start(terminal, "mine.plastron")
+    terminal.wait(lambda screen: "no nodes yet" in screen)
+    terminal.keys("C-e")
+    terminal.wait(lambda screen: "`no-such-editor` cannot be started" in screen)
+    terminal.keys("-l", "// still here")
+    terminal.wait(lambda screen: "// still here" in screen)
+
+
+def test_what_is_copied_reaches_the_clipboard_of_the_terminal(
+    terminal: Terminal, tmp_path: Path
+) -> None:
+    (tmp_path / "mine.plastron").write_text("// 日本\n")
+    start(terminal, "mine.plastron")
+    terminal.tmux("set-option", "-s", "set-clipboard", "on")
+    terminal.wait(lambda screen: "no nodes yet" in screen)
+    terminal.keys("S-End", "C-c")
+
+    def is_copied() -> bool:
+        with suppress(subprocess.CalledProcessError):
+            return terminal.tmux("show-buffer") == "// 日本"
+        return False
+
+    assert until(is_copied)
 
 
 def test_a_wrong_command_offers_the_right_one(run_plastron: Callable[..., str]) -> None:
