@@ -1,133 +1,20 @@
-"""The group of all commands; each is imported when it is first used."""
+"""Where the command line starts and ends.
+
+A program that is opened in the studio is by far the most common way to start: it needs none of
+the rest, which takes a tenth of the time.
+"""
 
 from __future__ import annotations
 
 import gc
 import os
 import sys
-from importlib import import_module
-from typing import TYPE_CHECKING, TextIO
-
-import click
-
-from plastron_tui import __version__
-
-if TYPE_CHECKING:
-    from click.shell_completion import CompletionItem
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TextIO
 
 UNREADABLE = 2
 INTERRUPTED = 130
-
-_COMMANDS = {
-    "check": "Say what is wrong with programs.",
-    "completion": "Print the completion script of a shell.",
-    "describe": "Print the ROS graph that is running as a program.",
-    "fmt": "Lay programs out.",
-    "generate": "Write the nodes of programs.",
-    "graph": "Show nodes, topics and services.",
-    "inspect": "Show what node files hold.",
-    "run": "Start the nodes of a program.",
-    "serve": "Show the studio in a browser.",
-    "shell": "Take one statement at a time.",
-    "types": "List interface types, or show one.",
-    "wizard": "Build a program from menus, step by step.",
-}
-
-_STUDIO = "studio"
-"""The command that a file's name, or nothing at all, stands for."""
-
-
-class LazyGroup(click.Group):
-    """A group that knows its commands' names and lines without importing them."""
-
-    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Open the studio where nothing is said in a terminal."""
-        if not args and not ctx.resilient_parsing and _has_terminal():
-            args = [_STUDIO]
-        return super().parse_args(ctx, args)
-
-    def list_commands(self, ctx: click.Context) -> list[str]:
-        """Return the names of the commands."""
-        return sorted(_COMMANDS)
-
-    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """Import a command; None when there is none of that name."""
-        if cmd_name not in _COMMANDS and cmd_name != _STUDIO:
-            return None
-        # Modules live as long as the process: the collector has nothing to find among them.
-        gc.disable()
-        module = import_module(f"plastron_tui.cli.{cmd_name}")
-        gc.freeze()
-        gc.enable()
-        command: click.Command = module.command
-        return command
-
-    def resolve_command(
-        self, ctx: click.Context, args: list[str]
-    ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Find the command of an argument list, and offer the nearest where there is none."""
-        name = args[0]
-        if _is_program(name):
-            args = [_STUDIO, *args]
-        elif name not in _COMMANDS and name != _STUDIO and not name.startswith("-"):
-            ctx.fail(f"no command '{name}'{_hint(name)}")
-        return super().resolve_command(ctx, args)
-
-    def invoke(self, ctx: click.Context) -> object:
-        """Run the command; that the reader of its result has gone (`| head`) is no error."""
-        try:
-            return super().invoke(ctx)
-        except BrokenPipeError:
-            _discard(sys.stdout)
-            return 0
-
-    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write the list of commands without importing them."""
-        with formatter.section("Commands"):
-            formatter.write_dl(sorted(_COMMANDS.items()))
-
-    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
-        """Complete the names of the commands without importing them."""
-        from click.shell_completion import CompletionItem
-
-        found = [
-            CompletionItem(name, help=line)
-            for name, line in sorted(_COMMANDS.items())
-            if name.startswith(incomplete)
-        ]
-        return found + click.Command.shell_complete(self, ctx, incomplete)
-
-
-def _has_terminal() -> bool:
-    return all(stream is not None and stream.isatty() for stream in (sys.stdin, sys.stdout))
-
-
-def _is_program(name: str) -> bool:
-    """Tell whether an argument in the place of a command is a program to open."""
-    if name in _COMMANDS or name.startswith("-"):
-        return False
-    return name.endswith(".plastron") or os.path.isfile(name)  # noqa: PTH113 - a name with NUL
-
-
-def _hint(name: str) -> str:
-    from plastron_tui.diagnostics import did_you_mean
-
-    hint = did_you_mean(name, _COMMANDS)
-    return "" if hint is None else f"; {hint.replace('`', chr(39))}"
-
-
-@click.group(
-    cls=LazyGroup,
-    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
-    subcommand_metavar="[FILE | COMMAND [ARGS]...]",
-    epilog="Examples: plastron talker.plastron    plastron generate talker.plastron",
-)
-@click.version_option(__version__, prog_name="plastron")
-def cli() -> None:
-    """Plastron: ROS nodes, described in sentences.
-
-    With a FILE, or alone in a terminal, it opens the studio, to write programs.
-    """
 
 
 def main() -> None:
@@ -139,24 +26,60 @@ def main() -> None:
     if sys.stdout is not None and hasattr(sys.stdout, "reconfigure"):
         # Whatever the terminal's encoding is, a result is written; a file name need be no text.
         sys.stdout.reconfigure(errors="backslashreplace")
+    arguments = sys.argv[1:]
     try:
-        status = cli.main(prog_name="plastron", standalone_mode=False)
+        status = _open_studio(arguments) if _is_for_studio(arguments) else _run_command()
         sys.stdout.flush()
-    except (click.exceptions.Abort, KeyboardInterrupt):
+    except KeyboardInterrupt:
         status = INTERRUPTED
-    except click.ClickException as error:
-        error.show()
-        status = error.exit_code
     except OSError as error:
         # What the commands do not expect: a full disk under standard output, a folder that is gone.
-        _discard(sys.stdout)
+        discard(sys.stdout)
         what = (error.strerror or str(error)).lower()
         place = "" if error.filename is None else f"`{error.filename}`: "
-        click.echo(f"error: {place}{what}", err=True)
+        print(f"error: {place}{what}", file=sys.stderr)
         status = UNREADABLE
     sys.exit(status if isinstance(status, int) else 0)
 
 
-def _discard(stream: TextIO) -> None:
+def _run_command() -> object:
+    import click
+
+    from .group import cli
+
+    try:
+        return cli.main(prog_name="plastron", standalone_mode=False)
+    except click.exceptions.Abort:
+        return INTERRUPTED
+    except click.ClickException as error:
+        error.show()
+        return error.exit_code
+
+
+def _is_for_studio(arguments: Sequence[str]) -> bool:
+    """Tell whether the arguments are those of `plastron [FILE]`, with nothing to refuse or say."""
+    if "_PLASTRON_COMPLETE" in os.environ or not has_terminal():
+        return False
+    if not arguments:
+        return True
+    name = arguments[0]
+    is_program = name.endswith(".plastron") and not name.startswith("-")
+    return is_program and len(arguments) == 1 and not Path(name).is_dir()
+
+
+def _open_studio(arguments: Sequence[str]) -> int:
+    # There is nothing to collect until the screen is there, which then says so.
+    gc.disable()
+    from plastron_tui.studio.app import run
+
+    return run(Path(arguments[0]) if arguments else None)
+
+
+def has_terminal() -> bool:
+    """Tell whether a person sits at both ends."""
+    return all(stream is not None and stream.isatty() for stream in (sys.stdin, sys.stdout))
+
+
+def discard(stream: TextIO) -> None:
     """Let what is left in a stream go nowhere: Python would fail again when it exits."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())

@@ -11,7 +11,7 @@ import pytest
 from click.testing import CliRunner
 from command_line import BROKEN, PLASTRON, TALKER, Run
 
-from plastron_tui.cli.main import cli
+from plastron_tui.cli.group import cli
 
 COMMANDS = (
     *("check", "completion", "describe", "fmt", "generate", "graph", "inspect", "run", "serve"),
@@ -21,7 +21,7 @@ COMMANDS = (
 
 def imported_by(here: Path, *arguments: str) -> set[str]:
     code = (
-        "import sys; from plastron_tui.cli.main import cli\n"
+        "import sys; from plastron_tui.cli.group import cli\n"
         "try: cli.main(sys.argv[1:], prog_name='plastron', standalone_mode=False)\n"
         "finally: print('\\n' + ' '.join(sys.modules))"
     )
@@ -50,7 +50,8 @@ def test_check_of_a_right_program_renders_nothing(here: Path) -> None:
 def test_help_and_completion_import_no_command(here: Path) -> None:
     modules = imported_by(here, "--help")
     assert not {name for name in modules if name.startswith("plastron_tui.cli.")} - {
-        "plastron_tui.cli.main"
+        "plastron_tui.cli.group",
+        "plastron_tui.cli.main",
     }
     assert "tree_sitter" not in modules
 
