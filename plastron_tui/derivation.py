@@ -15,10 +15,17 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.changes import add_found, changes_of, drop, is_extended, names_in
 from plastron_tui.diagnostics import Diagnostic
-from plastron_tui.handwork import cover, kept_handwork, of_other_program, on_disk, unmergeable
+from plastron_tui.handwork import (
+    cover,
+    kept_handwork,
+    layers_at,
+    of_other_program,
+    on_disk,
+    unmergeable,
+)
 from plastron_tui.model.source import EndpointKind, Remove, SourceFile
 from plastron_tui.model.workspace import Node
-from plastron_tui.output.layers import Author, Layer, Layers, live_layers
+from plastron_tui.output.layers import Author, Layer, Layers
 from plastron_tui.output.manifest import Manifest, digest
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.output.remembered import recall, remember
@@ -80,7 +87,7 @@ def find_place(shown: Path, author: Author, manifests: Callable[[Path], Manifest
         real = shown
     manifest = manifests(real.parent)
     present = on_disk(real)
-    layers = live_layers(manifest.layers.get(real.name, ()), present)
+    layers = layers_at(real, manifest, present)
     return Place(shown, real, present, manifest, layers, author.place(layers))
 
 
@@ -267,7 +274,8 @@ class Derivation:
             problem = unmergeable(place.shown, merged.reason)
             return Derived(replace(file, problem=problem), merged.notes)
         covered = cover(place.shown, upper, before, merged.text, place.present, force=self.force)
-        left = digest(covered.text)
+        is_as_left = covered.layers or covered.text == place.present
+        left = known.left if is_as_left else digest(covered.text)
         kept: Layers = (replace(layer, is_clean=known.is_clean, left=left),)
         if layer.origin is None and layer.original == layer.written and not covered.layers:
             kept = ()

@@ -10,9 +10,16 @@ from typing import TYPE_CHECKING
 
 from plastron_tui.derivation import Derivation
 from plastron_tui.diagnostics import Diagnostic, Severity
-from plastron_tui.handwork import cover, kept_handwork, of_other_program, on_disk, unmergeable
+from plastron_tui.handwork import (
+    cover,
+    kept_handwork,
+    layers_at,
+    of_other_program,
+    on_disk,
+    unmergeable,
+)
 from plastron_tui.model.workspace import Generation
-from plastron_tui.output.layers import Author, live_layers
+from plastron_tui.output.layers import Author
 from plastron_tui.output.manifest import Base, Manifest, load_manifest
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.output.remembered import recall, remember
@@ -173,7 +180,7 @@ class _Creation:
         """Write a node where it was before, or where nothing is."""
         path = self.output / file.name
         present = on_disk(path)
-        layers = live_layers(self.manifest.layers.get(file.name, ()), present)
+        layers = layers_at(path, self.manifest, present)
         # What programs that loaded the file made of it lies over what is to be renewed.
         before = layers[0].original if layers else present
         is_clean = self.manifest.has(file.name, before or b"")

@@ -7,7 +7,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Severity
-from plastron_tui.output.layers import Layers
+from plastron_tui.model.source import EndpointKind
+from plastron_tui.output.layers import Layer, Layers, live_layers
+from plastron_tui.output.manifest import Manifest
+from plastron_tui.ros.interfaces import InterfaceName
 
 
 def on_disk(path: Path) -> bytes | None:
@@ -16,6 +19,24 @@ def on_disk(path: Path) -> bytes | None:
         return path.read_bytes() if stat.S_ISREG(path.stat().st_mode) else None
     except (OSError, ValueError):
         return None
+
+
+def layers_at(path: Path, manifest: Manifest, text: bytes | None) -> Layers:
+    """Return what is remembered of programs that changed a file, as far as it shows it."""
+
+    def shows(layer: Layer, text: bytes) -> bool:
+        before, after, now = (_shown(path, each) for each in (layer.original, layer.written, text))
+        return any((key in now) == (key in after) for key in before ^ after)
+
+    return live_layers(manifest.layers.get(path.name, ()), text, shows)
+
+
+def _shown(path: Path, text: bytes) -> set[tuple[EndpointKind, str | None, InterfaceName | None]]:
+    from plastron_tui.targets import read_source
+
+    source = read_source(path, text).source
+    nodes = () if source is None else source.nodes
+    return {(each.kind, each.name, each.type) for node in nodes for each in node.endpoints}
 
 
 class Covered(NamedTuple):

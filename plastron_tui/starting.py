@@ -78,7 +78,9 @@ def _is_right(path: Path, text: bytes, original: bytes, layer: Layer, present: b
     return found == before + (now - written) - (written - now)
 
 
-def _shown(path: Path, text: bytes) -> Counter[tuple[EndpointKind, str | None]]:
+def _shown(path: Path, text: bytes) -> Counter[tuple[EndpointKind, str | None, str]]:
     source = read_source(path, text).source
     nodes = () if source is None else source.nodes
-    return Counter((each.kind, each.name) for node in nodes for each in node.endpoints)
+    return Counter(
+        (each.kind, each.name, str(each.type)) for node in nodes for each in node.endpoints
+    )

@@ -11,7 +11,7 @@ import base64
 import binascii
 import zlib
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from hashlib import sha256
 from pathlib import Path
@@ -96,18 +96,27 @@ class Author(NamedTuple):
         return layer.text == self.text and not (self.folder / layer.program).exists()
 
 
-def live_layers(layers: Layers, text: bytes | None) -> Layers:
+def live_layers(
+    layers: Layers, text: bytes | None, shows: Callable[[Layer, bytes], bool]
+) -> Layers:
     """Return the layers that a file still shows.
 
     A file that shows nothing of a program's work was put back to what it was, by version control
     perhaps, or is another: what it holds is an original again.
+
+    Args:
+        layers: what is remembered.
+        text: what the file holds, None where there is none.
+        shows: tells whether a text has any endpoint as the program left it, not as it found it.
     """
     if text is None:
         return ()
     if layers and (layers[-1].written == text or layers[-1].left == digest(text)):
         return layers
-    dead = next((i for i, each in enumerate(layers) if not each.shows_in(text)), len(layers))
-    return layers[:dead]
+    for index, layer in enumerate(layers):
+        if not layer.shows_in(text) and not shows(layer, text):
+            return layers[:index]
+    return layers
 
 
 def layer_json(layer: Layer) -> dict[str, Any]:
