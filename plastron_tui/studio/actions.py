@@ -1,7 +1,7 @@
 """Every action of the studio, once: keys, footer, palette and help are made from it.
 
-Terminals and tmux eat chords, so each action has a function key or is in the palette, and most
-have both. The configuration file binds other keys by the ids.
+Terminals, tmux and browsers eat chords, so each action has a key that comes through, and is in the
+palette as well. The configuration file binds other keys by the ids.
 """
 
 from __future__ import annotations
@@ -50,10 +50,11 @@ def _editor(name: str, title: str, keys: str, help_: str, call: str | None = Non
 
 
 ACTIONS: tuple[Action, ...] = (
-    Action("help", "Help", "screen.help", "f1", "Help for what has the focus.", footer=True),
+    Action("help", "Help", "screen.help", "f1,alt+question_mark",
+           "Help for what has the focus.", footer=True),
     Action("run", "Run", "screen.run", "f5",
            "Generate the nodes and start them; stop them where they run.", footer=True),
-    Action("stop", "Stop the nodes", "screen.stop", "", "Stop what runs."),
+    Action("stop", "Stop the nodes", "screen.stop", "shift+f5", "Stop what runs."),
     Action(
         "generate", "Generate", "screen.generate", "f6",
         "Show what would be written, then write it.", footer=True,
@@ -65,7 +66,7 @@ ACTIONS: tuple[Action, ...] = (
            "Make room for the text, or show the panels again."),
     Action("menu", "Menu", "app.command_palette", "f10,ctrl+p",
            "All actions, by their names.", footer=True),
-    Action("zoom", "Enlarge the panel", "screen.zoom", "ctrl+t",
+    Action("zoom", "Enlarge the panel", "screen.zoom", "ctrl+t,alt+m",
            "Let the panel have the whole window, or its place again."),
     Action("wider", "Make the panel larger", "screen.resize(4)", "alt+plus,alt+equals_sign",
            "Give the panel more room."),
@@ -89,20 +90,20 @@ ACTIONS: tuple[Action, ...] = (
            "What the nodes that run print.", "Panels"),
     Action("fix", "Mend the problem at the cursor", "screen.fix", "alt+enter",
            "Apply the remedy of the mistake on this line.", "Edit"),
-    Action("new", "New program", "screen.new", "ctrl+n", "Start an empty program.", "File"),
+    Action("new", "New program", "screen.new", "ctrl+n,alt+n", "Start an empty program.", "File"),
     Action("open", "Open", "screen.open", "ctrl+o", "Open a program.", "File", footer=True),
     Action("save", "Save", "screen.save", "ctrl+s", "Write the program to its file.", "File",
            footer=True),
-    Action("save_as", "Save as", "screen.save_as", "", "Write the program to another file.",
+    Action("save_as", "Save as", "screen.save_as", "alt+s", "Write the program to another file.",
            "File"),
     Action("welcome", "Welcome", "screen.welcome", "alt+0",
            "Recent programs, examples and the tour.", "File"),
-    Action("tour", "Take the tour", "screen.tour", "", "Two minutes around the screen."),
-    Action("theme", "Theme", "app.change_theme", "", "Choose other colours."),
-    Action("keys", "Keys", "screen.keys", "", "All keys of what has the focus."),
-    Action("config", "Edit the configuration", "screen.config", "",
+    Action("tour", "Take the tour", "screen.tour", "alt+i", "Two minutes around the screen."),
+    Action("theme", "Theme", "app.change_theme", "alt+t", "Choose other colours."),
+    Action("keys", "Keys", "screen.keys", "alt+k", "All keys of what has the focus."),
+    Action("config", "Edit the configuration", "screen.config", "alt+o",
            "Keys and other settings, in a file."),
-    Action("suspend", "Suspend", "app.suspend_process", "", "Go back to the shell; `fg` returns."),
+    Action("suspend", "Suspend", "app.suspend_process", "alt+j", "Go back to the shell; `fg` returns."),
     Action("quit", "Quit", "screen.quit", "ctrl+q", "Leave the studio.", footer=True),
     _editor("undo", "Undo", "ctrl+z", "Take the last edit back."),
     _editor("redo", "Redo", "ctrl+y", "Make the edit again."),

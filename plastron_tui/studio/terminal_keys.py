@@ -13,7 +13,14 @@ from typing import Any, NamedTuple, cast
 
 from textual._ansi_sequences import ANSI_SEQUENCES_KEYS
 
-_NAMES = {"-": "minus", "=": "equals_sign", "+": "plus", "\r": "enter", "\x7f": "backspace"}
+_NAMES = {
+    "-": "minus",
+    "=": "equals_sign",
+    "+": "plus",
+    "?": "question_mark",
+    "\r": "enter",
+    "\x7f": "backspace",
+}
 # Some terminals send these for Control and an arrow, and Textual knows that.
 _TAKEN = "bf"
 

@@ -51,37 +51,6 @@ async def test_every_action_is_in_the_palette(program: Path) -> None:
         await driver.back()
 
 
-DIALOGS = {
-    "help": "Help",
-    "generate": "GenerateDialog",
-    "open": "ChooseFile",
-    "save_as": "ChooseFile",
-    "welcome": "Welcome",
-    "tour": "Tour",
-    "menu": "CommandPalette",
-    "theme": "CommandPalette",
-}
-
-
-@pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("name", [action.id for action in ACTIONS if action.id != "suspend"])
-async def test_every_action_can_be_done(
-    program: Path, size: tuple[int, int], name: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Each leads to its dialog or stays on the main screen, and nothing fails."""
-    monkeypatch.setattr(MainScreen, "_start", lambda *_: None)
-    async with studio(program, size) as driver:
-        await driver.app.run_call(BY_ID[name].call)
-        if name == "quit":
-            await driver.until(lambda: driver.app._exit)
-            return
-        if name in DIALOGS:
-            await driver.dialog(DIALOGS[name])
-            await driver.pilot.press("escape")
-        await driver.back()
-        assert driver.app._exception is None
-
-
 async def test_keys_are_remapped_and_a_bad_configuration_is_said(program: Path, home: Path) -> None:
     config_file().parent.mkdir(parents=True)
     config_file().write_text(
