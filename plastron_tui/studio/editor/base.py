@@ -38,6 +38,10 @@ _IN_BARS = frozenset({"undo", "redo", "find", "replace", "find_next", "find_prev
 """What keys do with the text while a bar has the focus."""
 
 
+_BARS = 0.1
+"""Seconds after the start at which the bars are made."""
+
+
 class Changed(Message, namespace="program_editor"):
     """The text was edited."""
 
@@ -80,6 +84,7 @@ class EditorBase(Vertical):
         self.state = TextState(session)
         self.view = EditorView(self.state)
         self._has_bars = False
+        self._bars_timer: Timer | None = None
         self._needs_bars: list[Callable[[], object]] = []
         self.popup = self.view.popup
         self.vocabulary: Vocabulary | None = None
@@ -120,10 +125,14 @@ class EditorBase(Vertical):
         yield self.view
 
     def on_mount(self) -> None:
-        """Make the rest when there is something to see."""
-        self.call_after_refresh(self._add_bars)
+        """Make the rest when there is something to see, and the first key had its time."""
+        self._bars_timer = self.set_timer(_BARS, self._add_bars)
 
     async def _add_bars(self) -> None:
+        if self._bars_timer is None:
+            return
+        self._bars_timer.stop()
+        self._bars_timer = None
         await self.mount(self.find_bar, self.prompt_bar)
         self._has_bars = True
         for action in self._needs_bars:
@@ -136,6 +145,7 @@ class EditorBase(Vertical):
             action()
         else:
             self._needs_bars.append(action)
+            self.call_later(self._add_bars)
 
     @property
     def session(self) -> Session:

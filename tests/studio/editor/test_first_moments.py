@@ -1,0 +1,39 @@
+"""What is asked of the editor before all of it is there."""
+
+from __future__ import annotations
+
+import pytest
+from textual.app import App, ComposeResult
+
+from plastron_tui.session import Session
+from plastron_tui.studio.editor import ProgramEditor
+
+
+class _App(App[None]):
+    """Asks for a bar as soon as there is an editor."""
+
+    def __init__(self, action: str) -> None:
+        super().__init__()
+        self.editor = ProgramEditor(Session(b"n stop_service 'a'\n", environ={}))
+        self.action = action
+
+    def compose(self) -> ComposeResult:
+        yield self.editor
+
+    def on_mount(self) -> None:
+        getattr(self.editor, f"action_{self.action}")()
+
+
+@pytest.mark.parametrize("action", ["find", "replace", "go_to_line", "rename"])
+async def test_a_bar_can_be_asked_for_before_it_is_made(action: str) -> None:
+    app = _App(action)
+    async with app.run_test() as pilot:
+        editor = app.editor
+        bar = editor.find_bar if action in ("find", "replace") else editor.prompt_bar
+        for _ in range(50):
+            await pilot.pause(0.01)
+            if bar.has_focus_within:
+                break
+        assert bar.display
+        await pilot.press("x")
+        assert editor.text == b"n stop_service 'a'\n"
