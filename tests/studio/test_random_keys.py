@@ -24,7 +24,8 @@ from plastron_tui.studio.panels.dock import TabStrip
 from plastron_tui.studio.panels.key_bar import KeyBar
 
 Step = tuple[str, str]
-"""What is done, and with what: `key` a key, `type` keys all at once, `paste`, `find`, `size`."""
+"""What is done, and with what: `key` a key, `type` keys all at once, `paste`, `find`, `size`,
+`click` a place in percent of the window, `keys` keys that follow each other."""
 
 STATEMENTS = [
     "create_node 'arm' as arm\n",
@@ -61,6 +62,14 @@ PANELS = (
 )
 OTHERS = "f1 f2 f3 f6 f10 ctrl+f ctrl+g ctrl+r ctrl+s alt+z"
 FINDS = ["chatter", "t(.)", "(", "[a-c]+$", "", "\\n", "é"]
+CLICKS = ["5x10", "40x5", "60x15", "10x50", "30x55", "50x55", "90x55", "20x70", "80x70", "99x30"]
+SERIES = [
+    "f6 enter escape",
+    "f2 x enter",
+    "ctrl+g 3 enter",
+    "ctrl+s ctrl+k",
+    "ctrl+a ctrl+x ctrl+v",
+]
 SIZES = ["80x24", "120x40", "60x20", "160x50", "20x6", "200x60"]
 
 
@@ -84,6 +93,8 @@ STEPS = some.lists(
         keys(OTHERS),
         texts("find", FINDS),
         texts("size", SIZES),
+        texts("click", CLICKS),
+        texts("keys", SERIES),
     ),
     min_size=5,
     max_size=40,
@@ -109,9 +120,17 @@ async def do(driver: Driver, step: Step) -> None:
             driver.main.editor.find_bar.query_one("#find-what").value = value
             driver.main.editor.find_bar.query_one("#find-with").value = r"\1x"
             await driver.pilot.press("enter", "f3", "alt+a", "escape")
+        case "keys":
+            for key in value.split():
+                await driver.pilot.press(key)
+                await driver.pilot.pause()
+        case "click":
+            x, y = (int(part) for part in value.split("x"))
+            size = driver.app.size
+            await driver.pilot.click(offset=(size.width * x // 100, size.height * y // 100))
         case _:
-            width, _, height = value.partition("x")
-            await driver.pilot.resize_terminal(int(width), int(height))
+            width, height = (int(part) for part in value.split("x"))
+            await driver.pilot.resize_terminal(width, height)
     await driver.pilot.pause()
     while driver.app.screen is not driver.main:
         await driver.pilot.press("escape")
@@ -196,10 +215,10 @@ async def check_screen(driver: Driver) -> None:
     assert drawn(driver) == before
 
 
-async def run(steps: list[Step]) -> None:
+async def run(steps: list[Step], ending: str = "\n") -> None:
     with TemporaryDirectory() as folder:
         program = Path(folder, "talk.plastron")
-        program.write_text(PROGRAM)
+        program.write_bytes(PROGRAM.replace("\n", ending).encode())
         async with studio(program) as driver:
             check(driver)
             for step in steps:
@@ -209,7 +228,7 @@ async def run(steps: list[Step]) -> None:
             await check_screen(driver)
 
 
-@given(STEPS)
+@given(STEPS, some.sampled_from(["\n", "\r\n"]))
 @settings(
     max_examples=12,
     deadline=None,
@@ -217,5 +236,5 @@ async def run(steps: list[Step]) -> None:
     # To find fewer steps that fail as well takes longer than to read all of them.
     phases=[Phase.explicit, Phase.reuse, Phase.generate],
 )
-def test_random_keys(steps: list[Step]) -> None:
-    asyncio.run(run(steps))
+def test_random_keys(steps: list[Step], ending: str) -> None:
+    asyncio.run(run(steps, ending))

@@ -97,7 +97,8 @@ class FindBar(Vertical):
         field = self.query_one("#find-what", Input)
         if what:
             field.value = what
-        field.focus()
+        # At once: what is typed next is meant for this field.
+        self.screen.set_focus(field)
         field.select_all()
         self.post_message(self.Wanted())
 
@@ -196,7 +197,8 @@ class PromptBar(Horizontal):
         self.display = True
         field = self.query_one(Input)
         field.value = value
-        field.focus()
+        # At once: what is typed next is meant for this field.
+        self.screen.set_focus(field)
         field.select_all()
 
     def action_stay(self) -> None:

@@ -274,8 +274,15 @@ class EditorView(DrawnText, can_focus=True, inherit_bindings=False):
         """Take the characters, and the keys that are bound to the editor's own actions.
 
         Both at once and here: a key that is bound goes up to the app before its action runs, and
-        what is typed after it would come first.
+        what is typed after it would come first. What came while a key gave the focus to a bar is
+        meant for the bar.
         """
+        focused = self.screen.focused
+        if focused is not self and focused is not None:
+            event.stop()
+            event.prevent_default()
+            focused.post_message(events.Key(event.key, event.character))
+            return
         if event.is_printable and event.character is not None:
             event.stop()
             event.prevent_default()
