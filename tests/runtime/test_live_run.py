@@ -220,7 +220,7 @@ def test_a_node_that_crashes_at_its_start(ros: Ros) -> None:
     done = ros.run(nodes, 4)
     assert done.returncode == 1
     assert "plastron | crasher died with exit status 1" in done.stderr
-    assert "plastron |   ModuleNotFoundError: No module named 'no_such_module'" in done.stderr
+    assert ": ModuleNotFoundError: No module named 'no_such_module'" in done.stderr
     assert _lines(done.stdout, "listener")
 
 
