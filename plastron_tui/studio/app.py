@@ -109,23 +109,27 @@ class StudioApp(App[None], inherit_bindings=False):
         if path is not None and others:
             text = f"not saved when the studio ended: {', '.join(others)}"
             self.notify(f"{text}\nopen it, and what was typed is offered", markup=False)
+        # What is done first may depend on the ROS that is here, so that it waits for that.
+        waiting = None if own else self._first
         if self.looks_for_ros:
-            self.set_timer(_LOOKED_AFTER, self._look_for_ros)
+            self.set_timer(_LOOKED_AFTER, partial(self._look_for_ros, waiting))
         if own:
             self.call_after_refresh(self.main.offer_kept, own[0], self._first)
-        elif self._first is not None:
-            self.call_after_refresh(self.run_call, self._first)
-        elif self._path is None:
+        elif waiting is not None and not self.looks_for_ros:
+            self.call_after_refresh(self.run_call, waiting)
+        elif waiting is None and self._path is None:
             self.call_after_refresh(self.main.action_welcome)
 
     @work(thread=True, group="ros", exit_on_error=False)
-    def _look_for_ros(self) -> None:
-        """Find the ROS that `plastron run` will use, which starts other programs."""
+    def _look_for_ros(self, then: str | None) -> None:
+        """Find the ROS that `plastron run` will use, which starts other programs; do an action."""
         from plastron_tui.runtime.environment import find_environments
 
         environment, _ = find_environments().choose()
         if environment is not None:
             self.call_from_thread(self.main.fall_back_to, environment.library)
+        if then is not None:
+            self.call_from_thread(self.run_call, then)
 
     def _first_theme(self) -> str:
         wanted = self.config.theme or self.remembered.theme

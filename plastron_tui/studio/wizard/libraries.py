@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+from plastron_tui.session import DEFAULT_LIBRARY
 from plastron_tui.targets import LIBRARIES, has_target
 
 from .ask import Ask, Choice
@@ -33,12 +34,14 @@ class LibraryKind(Kind):
         default = scene.session.library
         nodes = [node for node in scene.workspace.nodes.values() if node.source is None]
         if nodes:
-            last = nodes[-1].library or default
-            return "" if last == default else last
+            last = nodes[-1].library
+            is_default = scene.session.is_library_chosen and last == default
+            return "" if last is None or is_default else last
         if scene.session.is_library_chosen or not scene.environments:
             return ""
         installed = [each.library for each in scene.environments]
-        return "" if default in installed[:1] else installed[0]
+        # The shell generates for the default, whatever the studio falls back to.
+        return "" if DEFAULT_LIBRARY in installed[:1] else installed[0]
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return the libraries, each with what is installed of it."""
