@@ -6,7 +6,6 @@ read by everybody afterwards.
 
 from __future__ import annotations
 
-import gc
 from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -24,9 +23,6 @@ from .panels.entry import Entries
 if TYPE_CHECKING:
     from .panels.picture import Picture, Size
     from .preview import Preview
-
-_LARGE = 100_000
-"""From so many bytes on, a walk of Python's cycle collector takes longer than a key may."""
 
 
 @dataclass(repr=False)
@@ -79,11 +75,7 @@ def analyse(session: Session, check: Callable[[], None]) -> Analysis:
     diagnostics = session.diagnostics
     check()
     graph = graph_of(workspace)
-    analysis = Analysis(session, session.document.text, program, workspace, graph, diagnostics)
-    if len(analysis.text) > _LARGE:
-        # The collector would walk what is new at once, and stop the event loop meanwhile.
-        gc.freeze()
-    return analysis
+    return Analysis(session, session.document.text, program, workspace, graph, diagnostics)
 
 
 def add_entries(analysis: Analysis, panel: str) -> None:

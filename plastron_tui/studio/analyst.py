@@ -5,9 +5,11 @@ It takes the newest request only, and posts what it found; it touches no widget.
 
 from __future__ import annotations
 
+import gc
 import sys
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from time import perf_counter
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -21,6 +23,12 @@ if TYPE_CHECKING:
 
 _SWITCH = 0.001
 """Seconds after which a busy thread lets the event loop go on; Python's own are five times that."""
+
+_LARGE = 100_000
+"""From so many bytes on, a walk of Python's cycle collector takes longer than a key may."""
+
+_IDLE = 0.3
+"""Seconds without a question after which what is no longer shown is let go."""
 
 
 class Wanted(NamedTuple):
@@ -72,6 +80,7 @@ class Analyst:
         self._wanted: Wanted | None = None
         self._is_stopped = False
         self._last: Analysis | None = None
+        self._old: list[Analysis] = []
         self._thread = threading.Thread(target=self._run, name="analyst", daemon=True)
         self._switch = sys.getswitchinterval()
 
@@ -102,17 +111,25 @@ class Analyst:
     def _run(self) -> None:
         while True:
             with self._condition:
-                self._condition.wait_for(lambda: self._is_stopped or self._wanted is not None)
+                self._condition.wait_for(self._has_work, _IDLE if self._old else None)
                 if self._is_stopped:
                     return
                 session, wanted = self._session, self._wanted
                 self._session = self._wanted = None
+            if wanted is None:
+                # Here and now, and not in the event loop at the next key: it takes some time.
+                self._old.clear()
+                continue
             try:
-                self._answer(session, wanted or Wanted())
+                with _without_collector(session):
+                    self._answer(session, wanted)
             except Stale:
                 continue
             except Exception as error:
                 self._post(AnalysisFailed(error))
+
+    def _has_work(self) -> bool:
+        return self._is_stopped or self._wanted is not None
 
     def _check(self) -> None:
         if self._is_stopped or self._session is not None:
@@ -124,10 +141,12 @@ class Analyst:
 
         start = perf_counter()
         if session is not None:
-            if self._last is not None:
-                session.learn_from(self._last.session)
+            last = self._last
+            if last is not None:
+                session.learn_from(last.session)
             # What else was asked for is asked again, if this gets stale.
             self._last = analyse(session, self._check)
+            self._old = [*self._old, last][-2:] if last is not None else []
         analysis = self._last
         if analysis is None:
             return
@@ -142,3 +161,23 @@ class Analyst:
         if wanted.graph is not None or wanted.preview is not None:
             self._check()
             self._post(Analysed(analysis, perf_counter() - start))
+
+
+@contextmanager
+def _without_collector(session: Session | None) -> Iterator[None]:
+    """Keep the cycle collector away from what is made of a large program.
+
+    It would walk what is new at once, stop the event loop meanwhile, and find nothing: all of it
+    is let go without its help.
+    """
+    if session is None or len(session.document.text) < _LARGE or not gc.isenabled():
+        yield
+        return
+    # What others have made so far is looked at now, while it is little.
+    gc.collect(1)
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.freeze()
+        gc.enable()
