@@ -154,6 +154,7 @@ def _checked(session: Session, placed: Sequence[Placed], at: int | None) -> Outc
     lines = [each.text.encode("utf-8", "surrogatepass") for each in placed]
     new = before + b"\n".join(lines) + after
     candidate = session.snapshot()
+    candidate.learn_from(session)
     candidate.edit(start, end, new)
     offset = start + len(before)
     spans = []

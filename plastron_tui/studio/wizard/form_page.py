@@ -67,6 +67,10 @@ def new_words(slot: Slot) -> str:
     return f"a new {slot.kind.name.lower()}"
 
 
+class Rows(VerticalScroll, inherit_bindings=False):
+    """The rows, which scroll when the focus moves: Up and Down belong to the choices."""
+
+
 class FormPage(Vertical):
     """Shows a form, the choices for the row with the focus, and what is wrong."""
 
@@ -91,7 +95,7 @@ class FormPage(Vertical):
     def compose(self) -> ComposeResult:
         """Make the parts; the rows come with what is known of them."""
         yield Label(self.form.declaration.about, id="wizard-about", markup=False)
-        yield VerticalScroll(id="wizard-rows", can_focus=False)
+        yield Rows(id="wizard-rows", can_focus=False)
         yield Label("", id="wizard-help", markup=False)
         choices = OptionList(id="wizard-choices", compact=True, markup=False)
         choices.can_focus = False
@@ -130,7 +134,7 @@ class FormPage(Vertical):
 
     async def _build(self, specs: Sequence[_Spec]) -> None:
         here = self.key_here
-        rows = self.query_one("#wizard-rows", VerticalScroll)
+        rows = self.query_one(Rows)
         made: list[Widget] = []
         self._rows = {}
         for spec in specs:

@@ -89,6 +89,7 @@ class Wizard(ModalScreen[str]):
         self.is_done = False
         self._enter = enter
         self._lock = asyncio.Lock()
+        self._going = asyncio.Lock()
         self._waiting: list[Callable[[], None]] = []
         self._is_stale = False
         self._worker: Worker[None] | None = None
@@ -397,9 +398,14 @@ class Wizard(ModalScreen[str]):
     def action_next(self) -> None:
         """Go to the next page, or say why not."""
         if not self.is_done:
-            self.run_worker(self._next(), group="next", exclusive=True)
+            self.run_worker(self._next(), group="next")
 
     async def _next(self) -> None:
+        # A second Enter counts for the page that the first one leads to.
+        async with self._going:
+            await self._go()
+
+    async def _go(self) -> None:
         look = await self.settled()
         page = self.course.page
         if page.kind in (PageKind.START, PageKind.PURPOSE) or self.is_done:
@@ -414,6 +420,7 @@ class Wizard(ModalScreen[str]):
             await self._finish(look)
         else:
             self.changed(self._forwards)
+            await self.settled()
 
     def _forwards(self) -> None:
         self.course.at += 1

@@ -1,0 +1,67 @@
+"""Nodes of the wizard, run from the wizard, on a real ROS 2."""
+
+from __future__ import annotations
+
+import os
+import random
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from studio_driver import studio
+from wizard_driver import WizardDriver
+
+from plastron_tui.studio.wizard import libraries, screen
+
+pytestmark = pytest.mark.live
+
+HAS_ROS2 = (
+    subprocess.run([sys.executable, "-c", "import rclpy, std_msgs.msg"], capture_output=True)
+).returncode == 0
+HEARD = "chatter: std_msgs.msg.String(data='hello')"
+
+
+@pytest.mark.skipif(
+    not HAS_ROS2 and not os.environ.get("CI"), reason="ROS 2 is missing: ./dev setup dev"
+)
+async def test_run_from_the_wizard_shows_the_message_arriving(
+    here: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With every suggestion accepted, from nothing to the message in the output panel."""
+    monkeypatch.setattr(screen, "installed", libraries.installed)
+    monkeypatch.setenv("ROS_DOMAIN_ID", str(random.randint(1, 100)))
+    monkeypatch.setenv("ROS_LOG_DIR", str(here / "log"))
+    async with studio(None, (80, 24), welcome=True) as driver:
+        it = WizardDriver(driver)
+        await driver.dialog("Welcome")
+        await it.press("enter")
+        await driver.until(lambda: it.is_open)
+        await it.settle()
+        await it.pick("make a node")
+        await it.press("enter")
+        assert it.statements == ("create_node 'talker' as talker using rclpy",)
+        await it.pick("send something, again and again")
+        while not it.screen.is_done:
+            await it.press("enter")
+        await it.pick("something more")
+        await it.pick("make a node")
+        await it.press("enter")
+        await it.pick("react to what others send")
+        while not it.screen.is_done:
+            await it.press("enter")
+        await it.pick("run the nodes")
+        await driver.dialog("ChooseFile")
+        await it.type("two")
+        await driver.pilot.press("enter")
+        output = driver.main.output
+        end = time.monotonic() + 40
+        while f"listener | [INFO] {HEARD}" not in output.text:
+            assert time.monotonic() < end, output.text
+            await driver.pilot.pause(0.05)
+        assert output.has_focus
+        await driver.app.run_call("screen.stop")
+        while "stopped" not in output.text:
+            assert time.monotonic() < end + 20, output.text
+            await driver.pilot.pause(0.05)
