@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from difflib import SequenceMatcher
 from typing import NamedTuple
 
-_MOST_LINES = 20_000
+_MOST_LINES = 5_000
 """Texts that differ over more lines are not compared: the time grows with their square."""
 
 _Lines = list[bytes]
