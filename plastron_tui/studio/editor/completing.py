@@ -10,7 +10,13 @@ from plastron_tui.diagnostics import Span
 from plastron_tui.language.lowering import lower
 
 from .base import EditorBase
-from .completion import Candidate, Vocabulary, candidates, detail_of
+from .completion import (
+    Candidate,
+    Vocabulary,
+    candidates,
+    candidates_by_purpose,
+    detail_of,
+)
 from .history import Selection
 
 _SMALL = 64 * 1024
@@ -76,6 +82,8 @@ class CompletingActions(EditorBase):
             return
         names, session = self.names(), self.session
         found = candidates(expected, names, session)
+        if not found and is_asked:
+            found = candidates_by_purpose(expected, names, session)
         if not found or (len(found) == 1 and found[0].text == expected.prefix):
             self.view.close_popup()
             return

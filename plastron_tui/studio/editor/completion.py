@@ -23,6 +23,14 @@ if TYPE_CHECKING:
 
 MOST_OFFERED = 200
 _MOST_FIELDS = 12
+_MOST_BY_PURPOSE = 20
+_LEAST_PURPOSE = 4
+"""Letters from which on a type is looked for by what it is for."""
+
+_KINDS = {
+    SlotKind.MESSAGE_TYPE: InterfaceKind.MESSAGE,
+    SlotKind.SERVICE_TYPE: InterfaceKind.SERVICE,
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,8 +135,26 @@ class Vocabulary:
 
 def candidates(expected: Expectation, vocabulary: Vocabulary, session: Session) -> list[Candidate]:
     """Return what may stand at a place, what fits its prefix best first."""
-    found = _offered(expected, vocabulary, session)
-    return list(islice(_ranked(found, expected.prefix.lstrip("'\"")), MOST_OFFERED))
+    prefix = expected.prefix.lstrip("'\"")
+    found = _ranked(_offered(expected, vocabulary, session), prefix)
+    return list(islice(found, MOST_OFFERED))
+
+
+def candidates_by_purpose(
+    expected: Expectation, vocabulary: Vocabulary, session: Session
+) -> list[Candidate]:
+    """Return the types that are for what was typed, such as `veloc`, the best first.
+
+    The first time it reads all types that there are: it is for when somebody asks.
+    """
+    kind = _KINDS.get(expected.slot.kind) if expected.slot is not None else None
+    if kind is None or len(expected.prefix) < _LEAST_PURPOSE:
+        return []
+    from plastron_tui.ros.search import search_types
+
+    catalog = _catalog(expected, vocabulary, session)
+    found = search_types(catalog, kind, expected.prefix, is_lenient=False)
+    return [Candidate(each.written, each.line) for each in found[:_MOST_BY_PURPOSE]]
 
 
 def _ranked(found: Iterable[Candidate], prefix: str) -> Iterator[Candidate]:
@@ -259,11 +285,7 @@ def detail_of(
     candidate: Candidate, expected: Expectation, vocabulary: Vocabulary, session: Session
 ) -> str:
     """Return what is said beside a candidate; the fields of a type are looked up only when seen."""
-    kinds = {
-        SlotKind.MESSAGE_TYPE: InterfaceKind.MESSAGE,
-        SlotKind.SERVICE_TYPE: InterfaceKind.SERVICE,
-    }
-    kind = kinds.get(expected.slot.kind) if expected.slot is not None else None
+    kind = _KINDS.get(expected.slot.kind) if expected.slot is not None else None
     if candidate.detail or kind is None:
         return candidate.detail
     return described_type(candidate.text, kind, _catalog(expected, vocabulary, session))
@@ -294,8 +316,14 @@ def _values(expected: Expectation, vocabulary: Vocabulary, session: Session) -> 
     kind = InterfaceKind.MESSAGE if is_message else InterfaceKind.SERVICE
     found = _resolver(catalog).resolve(expected.filled.get("type", ""), kind)
     fields: tuple[Field, ...] | None = getattr(found, "fields", None)
+    is_array = False
     for key in place.path:
+        if is_array and isinstance(key, int):
+            # An element of the array, which has the fields that are known already.
+            is_array = False
+            continue
         field = _field(fields, key, catalog)
+        is_array = field is not None and field.type.is_array
         fields = _fields_in(field, catalog)
     if fields is None:
         return

@@ -63,6 +63,9 @@ def texts(line: str) -> list[str]:
         ("create_message m of message_type Twist and input linear=(", ["x", "y", "z"]),
         ("create_message m of message_type Twist and input (1,2,3), (x=1, ", ["y", "z"]),
         ("create_message m of message_type Point and input x=1, ", ["y", "z"]),
+        ("create_message m of message_type Polygon and input points=[(", ["x", "y", "z"]),
+        ("create_message m of message_type Polygon and input points=[(x=1), (y=2, ", ["x", "z"]),
+        ("create_message m of message_type PoseArray and input poses=[(position=(", ["x", "y"]),
         ("talker client_requests 's' of service_type SetBool with input ", ["True", "False"]),
         ("talker client_requests 's' of service_type SetBool with input data=", ["True", "False"]),
     ],
@@ -149,6 +152,15 @@ class TestPopup:
             await at.press("tab")
             last = at.editor.text.decode().splitlines()[-1]
             assert last == "subscribe talker to 'chatter' of message_type String"
+
+    async def test_a_type_is_found_by_what_it_is_for_when_somebody_asks(self) -> None:
+        async with editing("") as at:
+            await at.type("create_message m of message_type veloc")
+            assert not at.editor.popup.is_open
+            await at.press("f4")
+            assert at.editor.popup.candidates[0].text == "Twist"
+            await at.press("tab")
+            assert at.editor.text.decode().endswith("message_type Twist")
 
     async def test_within_quotes_only_the_name_is_replaced(self) -> None:
         text = PROGRAM + "subscribe talker to 'cha' of message_type Point\n"
