@@ -115,7 +115,9 @@ CODES: dict[str, Code] = {
         ),
         Code(
             "unsupported-target",
-            "Plastron cannot do this for the client library yet. Use `rospy` or `rclpy`.",
+            "Plastron cannot do this for the client library yet: use `rospy` or `rclpy`. Or the "
+            "client library is another distribution's, which cannot be loaded; the message says "
+            "why.",
             "create_node 'a' as a using nodelet\n"
             "subscribe a to 'chatter' of message_type String\n"
             "generate_node a\n",
