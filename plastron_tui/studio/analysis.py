@@ -7,14 +7,16 @@ read by everybody afterwards.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.language import Program
 from plastron_tui.model.graph import Graph, graph_of
 from plastron_tui.model.workspace import Workspace
+from plastron_tui.ros.names import resolved_name
 from plastron_tui.session import Session
 
 from .panels import outline
@@ -34,8 +36,8 @@ class Analysis:
         text: the program.
         program: its statements.
         workspace: what it builds.
-        graph: who meets whom.
         diagnostics: what is wrong with it.
+        counts: how much is in each panel.
         entries: the entries of the panels that are in sight, by the panel's name.
         previews: the files of the nodes that were looked at, by the node's variable.
         drawing: the graph, laid out, and drawn in the sizes that were asked for.
@@ -45,11 +47,16 @@ class Analysis:
     text: bytes
     program: Program
     workspace: Workspace
-    graph: Graph
     diagnostics: tuple[Diagnostic, ...]
+    counts: Mapping[str, int]
     entries: dict[str, Entries] = field(default_factory=dict)
     previews: dict[str, tuple[Preview, ...]] = field(default_factory=dict)
     drawing: Picture | None = None
+
+    @cached_property
+    def graph(self) -> Graph:
+        """Who meets whom; only the worker asks, for the panels that show it."""
+        return graph_of(self.workspace)
 
     def node_at(self, offset: int) -> str | None:
         """Return the variable of the node that the statement on an offset's line is about."""
@@ -74,26 +81,43 @@ def analyse(session: Session, check: Callable[[], None]) -> Analysis:
     workspace = session.workspace
     diagnostics = session.diagnostics
     check()
-    graph = graph_of(workspace)
-    return Analysis(session, session.document.text, program, workspace, graph, diagnostics)
+    counts = {**_counts(workspace), "problems": len(diagnostics)}
+    return Analysis(session, session.document.text, program, workspace, diagnostics, counts)
+
+
+def _counts(workspace: Workspace) -> dict[str, int]:
+    """Return how many nodes, topics, services and messages there are."""
+    topics: set[str] = set()
+    services: set[str] = set()
+    for node in workspace.nodes.values():
+        for name in (*node.publishers, *node.subscriptions):
+            topics.add(resolved_name(node.name, name))
+        for name in (*node.services, *node.clients):
+            services.add(resolved_name(node.name, name))
+    return {
+        "nodes": len(workspace.nodes),
+        "topics": len(topics),
+        "services": len(services),
+        "messages": len(workspace.messages),
+    }
 
 
 def add_entries(analysis: Analysis, panel: str) -> None:
     """Make the entries of a panel, once."""
     if panel in analysis.entries:
         return
-    session, graph = analysis.session, analysis.graph
+    session = analysis.session
     match panel:
         case "nodes":
-            libraries = outline.libraries_of(graph.nodes, session.library)
+            libraries = outline.libraries_of(analysis.workspace, session.library)
             made = outline.node_entries(analysis.workspace, libraries)
         case "topics":
-            made = outline.topic_entries(graph)
+            made = outline.topic_entries(analysis.graph)
         case "services":
-            made = outline.service_entries(graph)
+            made = outline.service_entries(analysis.graph)
         case "messages":
             used: dict[str, list[str]] = {}
-            for topic in graph.topics:
+            for topic in analysis.graph.topics:
                 for publisher in topic.publishers:
                     for sending in publisher.sendings:
                         used.setdefault(sending.message, []).append(topic.name)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cache
 from pathlib import Path
 
 from plastron_tui.diagnostics import Diagnostic, LineIndex, Severity, Span
 from plastron_tui.model.graph import Graph, GraphNode, Missing
 from plastron_tui.model.values import MessageValue
-from plastron_tui.model.workspace import Message, Node, Workspace
+from plastron_tui.model.workspace import Endpoint, Message, Node, Workspace
 from plastron_tui.ros.interfaces import InterfaceName
 
 from .entry import Entries, Entry, Subject
@@ -23,6 +24,11 @@ SIGNS = {
     Subject.SERVICE_NAME: ("◆", "warning"),
     Subject.MESSAGE: ("✉", "accent"),
 }
+
+_ENDPOINTS = tuple(
+    (subject, subject.value, *SIGNS[subject])
+    for subject in (Subject.PUBLISHER, Subject.SUBSCRIPTION, Subject.SERVICE, Subject.CLIENT)
+)
 
 _MISSING = {
     Missing.PUBLISHER: "nobody publishes",
@@ -63,24 +69,27 @@ def _nodes(workspace: Workspace, libraries: dict[str, str | None]) -> Iterator[E
 
 
 def _endpoints(variable: str, node: Node) -> Iterator[Entry]:
-    groups = (
-        (Subject.PUBLISHER, node.publishers),
-        (Subject.SUBSCRIPTION, node.subscriptions),
-        (Subject.SERVICE, node.services),
-        (Subject.CLIENT, node.clients),
+    groups: tuple[Mapping[str, Endpoint], ...] = (
+        node.publishers,
+        node.subscriptions,
+        node.services,
+        node.clients,
     )
-    for subject, endpoints in groups:
+    for (subject, word, sign, tone), endpoints in zip(_ENDPOINTS, groups, strict=True):
         for name, endpoint in endpoints.items():
+            # In order and not by name: there may be thousands, and all are made at every key.
             yield Entry(
-                f"{subject.value} {variable} {name}",
+                f"{word} {variable} {name}",
                 name,
                 _type(endpoint.type),
-                *SIGNS[subject],
-                depth=1,
-                span=endpoint.span,
-                subject=subject,
-                node=variable,
-                name=name,
+                sign,
+                tone,
+                "",
+                1,
+                endpoint.span,
+                subject,
+                variable,
+                name,
             )
 
 
@@ -206,13 +215,20 @@ def _problem(
         yield Entry(f"help {key}", found.help, sign="=", depth=1, span=span)
 
 
+@cache
 def _type(type_: InterfaceName | None) -> str:
     return "type unknown" if type_ is None else str(type_)
 
 
-def libraries_of(nodes: Sequence[GraphNode], default: str) -> dict[str, str | None]:
-    """Return the client library of each node by its variable."""
-    return {node.variable: node.library or (None if node.is_loaded else default) for node in nodes}
+def libraries_of(workspace: Workspace, default: str) -> dict[str, str | None]:
+    """Return the client library of each node by its variable; None where only its file says it."""
+    generated = {made.node.variable: made.library for made in workspace.generations}
+    return {
+        variable: node.library
+        or generated.get(variable)
+        or (default if node.source is None else None)
+        for variable, node in workspace.nodes.items()
+    }
 
 
 def message_fields(value: MessageValue, before: str = "") -> Iterator[tuple[str, str]]:
