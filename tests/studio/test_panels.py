@@ -142,3 +142,41 @@ async def test_what_is_typed_is_understood(program: Path) -> None:
         driver.main.action_show("nodes")
         await driver.settle()
         assert driver.shown("nodes") == ["● arm rospy does nothing"]
+
+
+@pytest.mark.parametrize("size", SIZES)
+async def test_the_preview_scrolls(program: Path, size: tuple[int, int]) -> None:
+    async with studio(program, size) as driver:
+        driver.main.action_show("preview")
+        await driver.settle()
+        view = driver.main.focused
+        assert view.show_vertical_scrollbar
+        for key, rows in (("down", 1), ("pagedown", 2), ("end", view.max_scroll_y), ("home", 0)):
+            await driver.press(key)
+            await driver.until(lambda rows=rows: view.scroll_offset.y >= rows)
+        await driver.until(lambda: view.scroll_offset.y == 0)
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize(
+    "name", [*PANELS, "preview", "graph", "output"]
+)  # fmt: skip
+async def test_help_is_about_the_panel(program: Path, size: tuple[int, int], name: str) -> None:
+    async with studio(program, size) as driver:
+        driver.main.action_show(name)
+        await driver.settle()
+        await driver.pilot.press("f1")
+        dialog = await driver.dialog("Help")
+        assert str(dialog.query_one("#dialog-title").content) == name.capitalize()
+        assert "Back to the editor" in dialog.query_one("TextView").text
+
+
+async def test_a_narrow_panel_keeps_the_sign_of_a_fix(program: Path) -> None:
+    program.write_text(PROGRAM + "listener provides_service 'add' of service_type AddTwoInst\n")
+    async with studio(program, (40, 20)) as driver:
+        driver.main.action_show("problems")
+        await driver.settle()
+        panel = driver.main.lists["problems"]
+        row = panel.render_line(0).text
+        assert len(row) == 40
+        assert row.rstrip().endswith("… ⚑")

@@ -52,6 +52,7 @@ class TabStrip(Toned):
         self.active = ""
         self._places: list[tuple[int, int, str]] = []
         self._is_dragged = False
+        self._pressed_at = 0
 
     def show(self, tabs: Iterable[tuple[str, str]], active: str, counts: dict[str, str]) -> None:
         """Show tabs, by name and title, with what is counted in each."""
@@ -96,12 +97,15 @@ class TabStrip(Toned):
     def on_mouse_down(self, event: events.MouseDown) -> None:
         """Begin to drag the edge."""
         self._is_dragged = False
+        self._pressed_at = int(event.screen_y)
         self.capture_mouse()
         event.stop()
 
     def on_mouse_move(self, event: events.MouseMove) -> None:
         """Drag the edge."""
-        if self.app.mouse_captured is self and event.delta_y:
+        if self.app.mouse_captured is not self:
+            return
+        if self._is_dragged or int(event.screen_y) != self._pressed_at:
             self._is_dragged = True
             self.post_message(self.Dragged(self, int(event.screen_y)))
 

@@ -83,7 +83,7 @@ class EntryList(Toned, ScrollView, can_focus=True):
             shown.append(entry)
         self._shown = shown
         self._rows = {entry.key: row for row, entry in enumerate(shown)}
-        self.virtual_size = Size(0, len(shown))
+        self.virtual_size = Size(1, len(shown))
         self.refresh()
 
     def watch_index(self, old: int, new: int) -> None:
@@ -179,9 +179,15 @@ class EntryList(Toned, ScrollView, can_focus=True):
         parts = [(indent, ""), (f"{entry.sign} " if entry.sign else "", entry.tone)]
         parts.append((entry.text + fold, "strong" if entry.depth == 0 else ""))
         room = width - sum(cell_len(text) for text, _ in parts) - 1
-        warning = f" ⚠ {entry.warning}" if entry.warning and not entry.edits else ""
-        if entry.edits:
-            warning = f" ⚑ {entry.warning}"
+        sign = " ⚑" if entry.edits else " ⚠" if entry.warning else ""
+        warning = f"{sign} {entry.warning}" if sign else ""
+        if cell_len(warning) > room:
+            warning = sign
+            if cell_len(sign) > room:
+                text, tone = parts.pop()
+                size = max(1, cell_len(text) + room - cell_len(sign) - 1)
+                parts.append((set_cell_size(text, size).rstrip() + "…", tone))
+                room = 0
         room -= cell_len(warning)
         if entry.detail and room > 3:
             detail = entry.detail

@@ -64,9 +64,9 @@ class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
     @property
     def room(self) -> Size:
         """The size in which the picture is wanted."""
-        # Without the scroll bars, which come and go with what fits.
-        width, height = self.size
-        return Size(width, height, self._detail)
+        # The scroll bars come and go with what fits, and so must not decide what fits.
+        width, height = self.outer_size
+        return Size(width - 1, height, self._detail)
 
     @property
     def is_fitted(self) -> bool:

@@ -66,7 +66,7 @@ class Help(ModalScreen[None]):
         if rows:
             yield (Piece("Keys here", "primary"),)
             for key, what in rows:
-                yield (Piece(f"  {key:<18}", "accent"), Piece(what))
+                yield (Piece(f"  {key:<13} ", "accent"), Piece(what))
             yield ()
 
     def compose(self) -> ComposeResult:

@@ -239,15 +239,7 @@ class MainScreen(Arranging, Filing, Doing, Wizarding, Screen[None]):
         analysis = self.open.analysis
         if analysis is None:
             return
-        graph = analysis.graph
-        numbers = {
-            "nodes": len(graph.nodes),
-            "topics": len(graph.topics),
-            "services": len(graph.services),
-            "messages": len(analysis.workspace.messages),
-            "problems": len(analysis.diagnostics),
-        }
-        self.counts = {name: str(number) for name, number in numbers.items() if number}
+        self.counts = {name: str(number) for name, number in analysis.counts.items() if number}
         self.show_tabs()
 
     def show_title(self) -> None:
@@ -315,13 +307,13 @@ class MainScreen(Arranging, Filing, Doing, Wizarding, Screen[None]):
 
     def _keys_here(self) -> list[tuple[str, str]]:
         """Return the keys of the panel with the focus."""
-        rows = []
+        rows: dict[str, list[str]] = {}
         for active in self.active_bindings.values():
             binding = active.binding
             if isinstance(active.node, Dock | Acting | EntryList | PreviewPanel | TextView):
                 key = self.app.get_key_display(binding)
-                rows.append((key, binding.tooltip or binding.description))
-        return rows
+                rows.setdefault(binding.tooltip or binding.description, []).append(key)
+        return [(" ".join(keys), what) for what, keys in rows.items()]
 
     def action_keys(self) -> None:
         """Show the keys of what has the focus, at the side."""
