@@ -158,7 +158,8 @@ CODES: dict[str, Code] = {
         Code(
             "changes-undone",
             "A file that other programs had loaded and changed is made anew, without their "
-            "changes, because the program that it came from has changed. Generate the others again.",
+            "changes, because the program that it came from has changed. Generate the others "
+            "again.",
         ),
     )
 }
