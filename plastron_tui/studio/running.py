@@ -93,16 +93,15 @@ class Running:
             for line in iter(stream.readline, b""):
                 self._lines.append(line.decode("utf-8", "replace").rstrip("\r\n"))
                 self._tell()
-        status = self._process.wait()
+        self.status = self._process.wait()
+        self._is_told.clear()
+        self._tell()
         if self._guard is not None and self._guard.stdin is not None:
             # `ValueError`: it was closed.
             with suppress(OSError, ValueError):
                 self._guard.stdin.write(b"-\n")
                 self._guard.stdin.close()
             self._guard.wait()
-        self.status = status
-        self._is_told.clear()
-        self._tell()
 
     def _tell(self) -> None:
         if not self._is_told.is_set():

@@ -161,7 +161,7 @@ async def test_help_is_about_what_has_the_focus(program: Path) -> None:
 async def test_the_tour_goes_around(tmp_path: Path) -> None:
     async with studio(None, welcome=True) as driver:
         await driver.dialog("Welcome")
-        await driver.pilot.press("down", "down", "enter")
+        await driver.pilot.press("down", "down", "down", "enter")
         dialog = await driver.dialog("Tour")
         titles = []
         while driver.app.screen is dialog:
@@ -188,13 +188,13 @@ async def test_the_status_line_helps_with_the_statement(program: Path) -> None:
 async def test_an_error_of_plastrons_own_is_shown_and_the_text_is_kept(
     program: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from plastron_tui.studio import analyst
+    from plastron_tui.studio import analysis
 
     def fail(*_: object) -> None:
         raise RuntimeError("a deliberate error")
 
     async with studio(program) as driver:
-        monkeypatch.setattr(analyst, "analyse", fail)
+        monkeypatch.setattr(analysis, "analyse", fail)
         await driver.pilot.press("x")
         dialog = await driver.dialog("Failure")
         assert "a deliberate error" in dialog.report
@@ -292,7 +292,11 @@ async def test_run_shows_what_the_nodes_print_and_stops(
         "try:\n    time.sleep(60)\nexcept KeyboardInterrupt:\n    print('bye')\n"
     )
     wrapper = program.parent / "python"
-    wrapper.write_text(f'#!/bin/sh\nexec "{sys.executable}" "{script}"\n')
+    # What ends the nodes with the studio is a script of its own.
+    wrapper.write_text(
+        f'#!/bin/sh\ncase "$1" in *guard.py) exec "{sys.executable}" "$@";; esac\n'
+        f'exec "{sys.executable}" "{script}"\n'
+    )
     wrapper.chmod(0o755)
     monkeypatch.setattr(sys, "executable", str(wrapper))
     async with studio(program) as driver:

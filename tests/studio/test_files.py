@@ -79,7 +79,7 @@ async def test_nothing_replaces_a_text_that_is_not_saved(program: Path, call: st
         driver.app.call_later(driver.app.run_action, call)
         if call == "screen.welcome":
             await driver.dialog("Welcome")
-            await driver.pilot.press("enter")
+            await driver.pilot.press("down", "enter")
         await driver.dialog("Question")
         await driver.pilot.press("escape")
         await driver.back()
