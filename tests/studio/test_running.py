@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import random
 import signal
+import socket
 import subprocess
 import sys
 import time
@@ -114,6 +115,24 @@ async def test_the_messages_arrive_and_stop_ends_all(talking: Path, tmp_path: Pa
         await driver.press("f5")
         lines = await wait_shown(driver, HEARD)
         assert "stopped" not in lines
+
+
+@pytest.mark.skipif(
+    not Path("/usr/lib/python3/dist-packages/rospy").is_dir() and not os.environ.get("CI"),
+    reason="Debian's ROS 1 is missing: apt-get install python3-rospy python3-roslaunch",
+)
+async def test_they_arrive_on_ros_1_too(talking: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with socket.socket() as listener:
+        listener.bind(("127.0.0.1", 0))
+        port = listener.getsockname()[1]
+    monkeypatch.setenv("ROS_MASTER_URI", f"http://127.0.0.1:{port}")
+    monkeypatch.setenv("ROS_IP", "127.0.0.1")
+    talking.with_name("plastron.yaml").write_text("target: rospy\n")
+    async with studio(talking, (80, 24)) as driver:
+        await driver.press("f5")
+        await wait_shown(driver, "started a ROS 1 master", "listener | [INFO] chatter: ", "hello")
+        await driver.press("f5")
+        await wait_shown(driver, "\nstopped")
 
 
 @needs_ros2
