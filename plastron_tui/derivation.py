@@ -213,8 +213,9 @@ class Derivation:
         start, written = self._without_handwork(place, made)
         origin = self.source.origin
         read = origin.text if origin is not None and self._is_from(place) else start
-        first = Path(os.path.realpath(self.source.path if origin is None else origin.path))
-        is_itself = first == place.real
+        # A link stays one: what it leads to may be another file later.
+        first = (self.source.path if origin is None else origin.path).absolute()
+        is_itself = os.path.realpath(first) == os.fspath(place.real)
         return Layer(
             self.author.name,
             start,

@@ -40,8 +40,8 @@ def find_start(
         return None
     layer = place.layers[place.index]
     first, original, is_torn = path, layer.original, False
-    if layer.origin is not None and steps:
-        above = Path(os.path.normpath(place.real.parent / layer.origin))
+    above = Path(os.path.normpath(place.real.parent / (layer.origin or "")))
+    if layer.origin is not None and steps and _is_near(above, author):
         start = find_start(above, author, manifests, steps - 1)
         found = on_disk(above) if start is None else start.text
         if found is not None:
@@ -56,6 +56,12 @@ def find_start(
         if not _is_right(path, visible, original, layer, present):
             visible = original
     return Start(first, visible, Origin(first, original, place.real, is_torn=is_torn))
+
+
+def _is_near(path: Path, author: Author) -> bool:
+    """Tell whether a name may mean a file: a manifest leads to no other, whoever wrote it."""
+    folders = (author.folder.absolute(), os.path.realpath(author.folder), Path.cwd())
+    return any(path.is_relative_to(folder) for folder in folders)
 
 
 def chained(source: SourceFile) -> Origin:

@@ -18,6 +18,7 @@ unsubscribe n from 'command'
 n stop_service 'reset'
 generate_node n
 """
+PUBLISH_MORE = "n publish five to 'more' of message_type Int32\n"
 WAYS = {
     "by its name, beside the program": ("load robot as n", "robot.py", "output/robot.py", False),
     "by its name, in the output": ("load robot as n", "output/robot.py", "output/robot.py", False),
@@ -248,3 +249,32 @@ def test_memory_of_files_that_are_gone_is_dropped(bench: Bench) -> None:
     (bench.path / "output/one.py").unlink()
     bench.generate("load two as n\ngenerate_node n\n", "two.plastron")
     assert sorted(load_manifest(bench.path / "output")[0].layers) == ["two.py"]
+
+
+def test_original_behind_a_link_counts_as_it_is(bench: Bench) -> None:
+    real = bench.put("elsewhere/robot.py")
+    here = Bench(bench.path / "here", bench.library)
+    here.path.mkdir()
+    (here.path / "robot.py").symlink_to(real)
+    program = f"load robot as n\n{CHANGES}"
+    here.generate(program)
+    bench.edit("elsewhere/robot.py", "somebody", "somebody else")
+    assert here.generate(program) == (["changed"], [], [], [])
+    assert b"somebody else" in (here.path / "output/robot.py").read_bytes()
+    assert here.generate(program).states == ["identical"]
+
+
+def test_manifest_leads_to_no_file_that_a_name_cannot_mean(bench: Bench) -> None:
+    """One who shares a folder must not have another's files changed with it."""
+    outside = bench.put("outside/robot.py")
+    here = Bench(bench.path / "here", bench.library)
+    here.put("nodes/robot.py")
+    here.generate(f"load 'nodes/robot.py' as n\n{CHANGES}")
+    manifest = here.path / "output" / NAME
+    text = manifest.read_text()
+    assert "../nodes/robot.py" in text
+    manifest.write_text(text.replace("../nodes/robot.py", "../../outside/robot.py"))
+    program = f"load robot as n\n{CHANGES}".replace("generate", PUBLISH_MORE + "generate")
+    before = outside.read_bytes()
+    assert here.generate(program, in_place=True).states == ["changed"]
+    assert outside.read_bytes() == before
