@@ -69,6 +69,7 @@ SERIES = [
     "ctrl+g 3 enter",
     "ctrl+s ctrl+k",
     "ctrl+a ctrl+x ctrl+v",
+    "ctrl+a delete",
 ]
 SIZES = ["80x24", "120x40", "60x20", "160x50", "20x6", "200x60"]
 
@@ -214,11 +215,12 @@ async def check_screen(driver: Driver) -> None:
     assert drawn(driver) == before
 
 
-async def run(steps: list[Step], ending: str = "\n") -> None:
+async def run(steps: list[Step], ending: str = "\n", size: str = "120x40") -> None:
     with TemporaryDirectory() as folder:
         program = Path(folder, "talk.plastron")
         program.write_bytes(PROGRAM.replace("\n", ending).encode())
-        async with studio(program) as driver:
+        width, height = (int(part) for part in size.split("x"))
+        async with studio(program, (width, height)) as driver:
             check(driver)
             for step in steps:
                 await do(driver, step)
@@ -227,7 +229,7 @@ async def run(steps: list[Step], ending: str = "\n") -> None:
             await check_screen(driver)
 
 
-@given(STEPS, some.sampled_from(["\n", "\r\n"]))
+@given(STEPS, some.sampled_from(["\n", "\r\n"]), some.sampled_from(SIZES[:4]))
 @settings(
     max_examples=12,
     deadline=None,
@@ -235,5 +237,5 @@ async def run(steps: list[Step], ending: str = "\n") -> None:
     # To find fewer steps that fail as well takes longer than to read all of them.
     phases=[Phase.explicit, Phase.reuse, Phase.generate],
 )
-def test_random_keys(steps: list[Step], ending: str) -> None:
-    asyncio.run(run(steps, ending))
+def test_random_keys(steps: list[Step], ending: str, size: str) -> None:
+    asyncio.run(run(steps, ending, size))
