@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from hypothesis import HealthCheck, Phase, given, note, settings
+from hypothesis import HealthCheck, Phase, example, given, note, settings
 from hypothesis import strategies as some
 from rich.segment import Segment
 from studio_driver import PROGRAM, Driver, studio
@@ -229,6 +229,7 @@ async def run(steps: list[Step], ending: str = "\n", size: str = "120x40") -> No
             await check_screen(driver)
 
 
+@example([("size", "160x50"), ("keys", "ctrl+a delete"), ("key", "ctrl+z")], "\r\n", "80x24")
 @given(STEPS, some.sampled_from(["\n", "\r\n"]), some.sampled_from(SIZES[:4]))
 @settings(
     max_examples=12,
