@@ -232,15 +232,17 @@ def _finding(diagnostic: Diagnostic, placed: Placed, statement: Statement | None
     form, where = placed.form, diagnostic.span
     if form is None or statement is None or where is None:
         return Finding(form, "", message, help_)
+    # The tree of a statement may count from another place than the program does.
+    at = where.start - statement.span.start + statement.syntax.start_byte
     for slot in form.declaration.slots:
         child = statement.syntax.child_by_field_name(slot.name)
-        if child is None or not child.start_byte <= where.start < child.end_byte:
+        if child is None or not child.start_byte <= at < child.end_byte:
             continue
         path = None
         if slot.kind is SlotKind.INPUT:
             values = [each for each in child.named_children if each.kind_id not in COMMENTS]
             for entry, value in zip(placed.entries, values, strict=False):
-                if value.start_byte <= where.start < value.end_byte:
+                if value.start_byte <= at < value.end_byte:
                     path = entry.path
         return Finding(form, slot.name, message, help_, path)
     return Finding(form, "", message, help_)

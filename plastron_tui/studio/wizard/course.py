@@ -17,6 +17,12 @@ from .libraries import explained
 from .scene import Scene, Surroundings
 from .values import Entry, Path
 
+SEARCHED = (SlotKind.MESSAGE_TYPE, SlotKind.SERVICE_TYPE)
+"""The slots whose choices are what a search finds, not a list that is narrowed down."""
+
+MOST_CHOICES = 200
+"""The most choices that are listed; who has more of them writes a part of the name."""
+
 
 class PageKind(Enum):
     """What is asked on a page."""
@@ -296,7 +302,12 @@ class Course:
         found = next(each for each in filled.form.declaration.slots if each.name == slot)
         if filled.cells[slot].reason:
             return []
-        return self._filler.choices(filled, found, query)
+        choices = self._filler.choices(filled, found, query)
+        if found.kind not in SEARCHED:
+            folded = query.strip().lower()
+            fitting = [each for each in choices if folded in each.text.lower()]
+            choices = fitting or choices
+        return choices[:MOST_CHOICES]
 
     def helps(self, filled: Filled) -> dict[tuple[str, Path | None], str]:
         """Return what is said about each row of a form."""

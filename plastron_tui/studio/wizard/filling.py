@@ -29,7 +29,8 @@ class Filled:
 
     Attributes:
         form: the form.
-        scene: the program that the statement is for; what it needs is in it.
+        base: the program that the statements are for.
+        scene: the program with what the form itself needs to be made before.
         cells: what is in the slots.
         entries: the form of the values, where the statement has values and the type is known.
         given: the values of the entries; those that were not entered are suggestions.
@@ -40,6 +41,7 @@ class Filled:
     """
 
     form: Form
+    base: Scene
     scene: Scene
     cells: Cells
     around: Cells
@@ -78,7 +80,7 @@ class Filler:
     ) -> Filled:
         """Fill every slot: with what was entered, what must be there, or a suggestion."""
         cells_around = around.cells if around is not None else {}
-        filled = Filled(form, scene, {}, cells_around)
+        filled = Filled(form, scene, scene, {}, cells_around)
         later: list[Slot] = []
         for slot in form.declaration.slots:
             cell = self._cell(filled, slot, depth)
@@ -182,11 +184,11 @@ class Filler:
             if each.name == slot.name:
                 break
             before[each.name] = filled.cells[each.name]
-        shown = Filled(filled.form, filled.scene, before, filled.around)
+        shown = Filled(filled.form, filled.base, filled.scene, before, filled.around)
         return KINDS[slot.kind].choices(self.ask(shown, slot), query)
 
     def _try(self, filled: Filled, slot: Slot, text: str, depth: int) -> Trial:
-        scene = filled.scene
+        scene = filled.base
         if depth >= _DEEPEST or len(scene.text) > LARGEST_TRIED:
             return Trial(None, scene.lonely)
         form = filled.form.trial(slot.name, text, filled.cells)

@@ -229,9 +229,9 @@ class FormPage(Vertical):
         free = [number for number, each in enumerate(self.choices) if not each.closed]
         if row is None or not free:
             if by > 0:
-                self.screen.focus_next("TextBox, Switch, Button")
+                self.screen.focus_next("TextBox, Turn, Button")
             else:
-                self.screen.focus_previous("TextBox, Switch, Button")
+                self.screen.focus_previous("TextBox, Turn, Button")
             return
         options = self.query_one("#wizard-choices", OptionList)
         at = options.highlighted

@@ -185,9 +185,12 @@ class MeetingKind(Kind):
         """Return what fits the rest of the form and of the program."""
         if ask.form.declaration.undoes is not None:
             return next((each.text for each in self._taken_back(ask) if not each.closed), "")
+        # Who sends something of its own seeks who lacks it; who takes it, what there is.
+        sends = ask.form.slot_of(SlotKind.MESSAGE, SlotKind.INPUT) is not None
         for meeting in [] if ask.is_trial else self._names(ask)[:MOST_TRIALS]:
             tried = ask.try_out(meeting.name)
-            if meeting.is_lonely and tried.reason is None and tried.lonely < ask.scene.lonely:
+            helps = tried.lonely < ask.scene.lonely or not (sends or meeting.is_lonely)
+            if tried.reason is None and helps:
                 return meeting.name
         known = ask.scene.meetings(ask.interface, ask.version)
         message = ask.scene.workspace.messages.get(ask.text(SlotKind.MESSAGE))

@@ -13,7 +13,7 @@ from textual.message import Message
 from textual.widgets import Checkbox, Label, OptionList
 from textual.widgets.option_list import Option
 
-from .rows import Confirmed, Switch
+from .rows import Confirmed, Turn
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,7 +112,7 @@ class ReviewPage(Vertical):
         """Make the words, and the question whether a file is to be written."""
         yield Label(self._words, id="wizard-about", markup=False)
         if self._offer:
-            yield Switch(self._offer, self._value, compact=True, id="wizard-generates")
+            yield Turn(self._offer, self._value, compact=True, id="wizard-generates")
         yield Label("", id="wizard-help", markup=False)
 
     @on(Checkbox.Changed, "#wizard-generates")

@@ -49,7 +49,7 @@ class TextBox(Input):
             self.post_message(Reached(self.parent))
 
 
-class Switch(Checkbox, inherit_bindings=False):
+class Turn(Checkbox, inherit_bindings=False):
     """True or false: space turns it, Enter is for the form."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -113,7 +113,7 @@ class Row(Horizontal):
         if self.is_fixed:
             yield Label(self._text, classes="wizard-fixed", markup=False)
         elif self.is_switch:
-            yield Switch(self._text, self._text == "True", compact=True)
+            yield Turn(self._text, self._text == "True", compact=True)
         else:
             yield TextBox(self._text, compact=True, placeholder=self._placeholder,
                           select_on_focus=True, classes="wizard-box")  # fmt: skip
@@ -146,7 +146,7 @@ class Row(Horizontal):
     @property
     def box(self) -> Widget:
         """What takes the focus."""
-        return self.query_one("TextBox, Switch")
+        return self.query_one("TextBox, Turn")
 
     def take(self, text: str) -> None:
         """Enter a text, as if it was written."""

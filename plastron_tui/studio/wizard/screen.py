@@ -23,6 +23,7 @@ from plastron_tui.session import Session
 
 from ..panels.text_view import TextView
 from ..panels.tones import Lines
+from ..screens.question import Question
 from . import words
 from .aims import Aim, aim_of
 from .ask import Choice
@@ -72,6 +73,7 @@ class Wizard(ModalScreen[str]):
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("escape", "leave", "Leave"),
         Binding("f2,alt+left", "back", "Back", priority=True),
+        Binding("f1", "explain", "Help", priority=True),
         Binding("f3", "turn", "Code and graph", priority=True),
         Binding("enter", "next", "Next", show=False),
     ]
@@ -470,6 +472,12 @@ class Wizard(ModalScreen[str]):
         """Show the code and the graph in the place of the page, or the page again."""
         if self.has_class("-narrow"):
             self.toggle_class("-turned")
+
+    def action_explain(self) -> None:
+        """Explain the page, and the keys of the wizard."""
+        if self.app.screen is self:
+            title, text = words.explanation(self.course.page, self.is_done)
+            self.app.push_screen(Question(title, [("close", "Close")], text=text))
 
     @on(Button.Pressed, "#wizard-leave")
     def action_leave(self) -> None:

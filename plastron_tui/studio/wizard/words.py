@@ -77,3 +77,20 @@ def keys(page: Page, is_done: bool) -> str:
     if page.kind is PageKind.REVIEW:
         return "Enter finish  F2 back"
     return "Enter next  Tab field  ↑↓ choice  F2 back"
+
+
+_KEYS = """\
+Enter      the next page            Tab, Shift-Tab  the next field, the one before
+Up, Down   the choices of a field   F2, Alt-Left    the page before; nothing is lost
+F3         code and graph, in a narrow window
+Esc        leave; what was not finished leaves no trace"""
+
+
+def explanation(page: Page, is_done: bool) -> tuple[str, str]:
+    """Return the title and the text of the help for a page."""
+    text = ""
+    if page.form is not None and not is_done:
+        declaration = page.form.declaration
+        slots = "\n".join(f"{slot.name}: {slot.help}" for slot in declaration.slots)
+        text = f"{declaration.usage}\n{slots}\nFor example: {declaration.example}\n\n"
+    return title(page, is_done), text + _KEYS

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
+from pathlib import Path
 
+import pytest
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
-from wizard_courses import TWO_NODES, applied, formatted
+from wizard_courses import NODE_FILE, TWO_NODES, applied, formatted
 
 from plastron_tui.language import SlotKind
 from plastron_tui.session import Session
@@ -98,17 +100,26 @@ def go_through(it: Course, data: st.DataObject) -> Look | None:
     raise AssertionError("the wizard has no end")
 
 
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a node file beside the program."""
+    found = tmp_path_factory.mktemp("random")
+    (found / "sonar.py").write_text(NODE_FILE)
+    return found
+
+
 @settings(max_examples=150, suppress_health_check=list(HealthCheck))
 @given(data=st.data(), program=st.sampled_from(PROGRAMS))
-def test_what_is_let_through_is_right(data: st.DataObject, program: str) -> None:
-    session = Session(program.encode(), environ={})
+def test_what_is_let_through_is_right(folder: Path, data: st.DataObject, program: str) -> None:
+    path = folder / "program.plastron"
+    session = Session(program.encode(), path, environ={})
     before = Counter(found.code for found in session.diagnostics)
     it = Course(session, Surroundings())
     look = go_through(it, data)
     assume(look is not None)
     assert look is not None and look.outcome is not None
     after = applied(program.encode(), look.outcome.edits)
-    fresh = Session(after, environ={})
+    fresh = Session(after, path, environ={})
     assert Counter(found.code for found in fresh.diagnostics) == before
     count = len(fresh.program.statements) - len(session.program.statements)
     assert count == len(look.outcome.lines)

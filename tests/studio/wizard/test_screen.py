@@ -148,6 +148,77 @@ async def test_the_topic_that_is_there_comes_first_and_brings_its_type(here: Pat
         assert it.form.choices[0].about == "from eye"
 
 
+async def test_a_node_that_is_not_there_yet_has_a_page_of_its_own(here: Path) -> None:
+    path = here / "two.plastron"
+    path.write_text(TWO_NODES)
+    async with wizard(path) as it:
+        await it.pick(MORE)
+        await it.pick(REACT)
+        await it.go_to("node")
+        await it.click_choice("a new node")
+        assert it.rows["node"] == "a new node"
+        await it.press("enter")
+        assert it.title == "Make a node · node"
+        await it.write("name", "ears")
+        await it.press("enter")
+        assert it.kind is PageKind.REVIEW
+        assert it.statements == (
+            "create_node 'ears' as ears",
+            "subscribe ears to 'chatter' of message_type String",
+            "generate_node ears",
+        )
+
+
+async def test_a_message_that_is_there_needs_no_page(here: Path) -> None:
+    path = here / "two.plastron"
+    path.write_text(TWO_NODES)
+    async with wizard(path) as it:
+        await it.pick(MORE)
+        await it.pick(SEND)
+        await it.go_to("message")
+        assert it.rows["message"] == "a new message"
+        await it.press("down")
+        assert it.rows["message"] == "greeting"
+        assert it.row("type").is_fixed and it.rows["type"] == "String"
+        await it.press("enter")
+        assert it.kind is PageKind.REVIEW
+        await it.press("f2")
+        await it.go_to("message")
+        await it.press("up")
+        assert it.rows["message"] == "a new message"
+        assert not it.row("type").is_fixed
+
+
+async def test_a_part_of_a_name_narrows_the_choices_down(here: Path) -> None:
+    path = here / "two.plastron"
+    path.write_text(TWO_NODES)
+    async with wizard(path) as it:
+        await it.pick(MORE)
+        await it.pick(REACT)
+        await it.write("node", "tal")
+        assert it.choices == ["talker"]
+        await it.press("down")
+        assert it.rows["node"] == "talker"
+
+
+@pytest.mark.parametrize("steps", range(6))
+async def test_help_explains_every_page(here: Path, steps: int) -> None:
+    async with wizard() as it:
+        for _ in range(steps):
+            await it.press("enter")
+        title = it.title
+        await it.pilot.press("f1")
+        question = await it.driver.dialog("Question")
+        assert str(question.query_one("#dialog-title").content) == title
+        text = str(question.query_one("#dialog-text").content)
+        assert "leaves no trace" in text
+        if steps == 1:
+            assert "create_node 'NODE_NAME' as VARIABLE [using CLIENT_LIBRARY]" in text
+        await it.pilot.press("enter")
+        await it.settle()
+        assert it.title == title
+
+
 async def test_the_values_are_a_form_with_a_row_a_field(here: Path) -> None:
     async with wizard() as it:
         await it.pick("make a message")
@@ -162,7 +233,7 @@ async def test_the_values_are_a_form_with_a_row_a_field(here: Path) -> None:
         await it.go_to("data")
         await it.press("space")
         assert it.statements[0].endswith("and input False")
-        await it.click("Switch")
+        await it.click("Turn")
         assert it.statements[0].endswith("and input True")
         # What was entered for the other type is not forgotten.
         await it.write("type", "Twist")
