@@ -76,7 +76,9 @@ class _Terminal:
         os.close(self.file)
 
 
-def _seconds(command: list[str], home: Path, text: bytes, typed: bytes = b"") -> tuple[float, float]:
+def _seconds(
+    command: list[str], home: Path, text: bytes, typed: bytes = b""
+) -> tuple[float, float]:
     """Return when a text was readable, and when what was then typed was."""
     terminal = _Terminal(command, home)
     try:
@@ -101,8 +103,8 @@ def start_rows() -> Iterator[Row]:
         found: list[tuple[float, float, float, float, float]] = []
         for _ in range(_RUNS + 1):
             least, _ = _seconds(hello, home, b"hello world")
-            own, typed = _seconds([*studio, str(small)], home, b"create_node", b"Z")
-            long, long_typed = _seconds([*studio, str(big)], home, b"create_node", b"Z")
+            own, typed = _seconds([*studio, str(small)], home, b"create_message", b"Z")
+            long, long_typed = _seconds([*studio, str(big)], home, b"create_message", b"Z")
             found.append((least, own, typed, long, long_typed))
         del found[0]
     least, own, typed, long, _ = (median(column) for column in zip(*found, strict=True))
@@ -125,7 +127,3 @@ def start_rows() -> Iterator[Row]:
         "s",
         f"{long * 1e3:.0f} ms to readable",
     )
-
-
-def rows() -> Iterator[Row]:
-    return start_rows()

@@ -38,7 +38,7 @@ _IN_BARS = frozenset({"undo", "redo", "find", "replace", "find_next", "find_prev
 """What keys do with the text while a bar has the focus."""
 
 
-_BARS = 0.1
+_BARS = 0.3
 """Seconds after the start at which the bars are made."""
 
 

@@ -43,6 +43,9 @@ if TYPE_CHECKING:
 _PAUSE = 0.01
 """Seconds without a key after which the worker starts."""
 
+_FIRST_PAUSE = 0.05
+"""The same at the start: the worker has much to import, and the first key goes before it."""
+
 LISTS = ("nodes", "topics", "services", "messages", "problems")
 
 
@@ -111,7 +114,7 @@ class MainScreen(Arranging, Filing, Doing, Wizarding, Screen[None]):
         # What is there now stays: the collector need not walk it, and may work from here on.
         gc.freeze()
         gc.enable()
-        self.ask_anew()
+        self._pause = self.set_timer(_FIRST_PAUSE, self.ask_anew)
         self.editor.statement_help = help_of(self.editor.expected)
         self.show_status()
 
