@@ -89,7 +89,10 @@ def save_file(path: Path, text: bytes, known: OnDisk | None, *, force: bool = Fa
         return Saved(None, _gone(path))
     if _is_protected(path):
         return Saved(None, _protected(path))
-    file = OutputFile(path.name, text, is_executable=False, merged_from=present, path=path)
+    # A program is handwork: no manifest remembers it.
+    file = OutputFile(
+        path.name, text, is_executable=False, merged_from=present, path=path, has_handwork=True
+    )
     plan, problems = make_plan(path.absolute().parent, [file], Manifest())
     problems = (*problems, *plan.conflicts)
     if not problems:

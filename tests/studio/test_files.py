@@ -49,6 +49,7 @@ async def test_a_new_program_asks_where_to(tmp_path: Path, monkeypatch: pytest.M
         await driver.back()
         assert driver.main.open.path == tmp_path / "mine.plastron"
         assert "create_node 'arm' as arm" in (tmp_path / "mine.plastron").read_text()
+        assert not list(tmp_path.glob(".plastron*"))
         await driver.type("// more\n")
         await driver.press("ctrl+s")
         await driver.until(lambda: not driver.main.open.is_changed)

@@ -107,6 +107,7 @@ async def test_a_recipe_is_opened_from_the_welcome(
         assert (driver.main.open.path is None) == (not recipe.files)
     for file in recipe.files:
         assert (tmp_path / file).read_bytes() == (recipes_folder() / file).read_bytes()
+        assert [path.name for path in (tmp_path / file).parent.iterdir()] == [file.name]
 
 
 def changing() -> Recipe:
