@@ -159,6 +159,9 @@ working folder; `load 'path/to/file.py'` starts at the program's folder. A loade
 file's name, and goes into the output folder, with `--in-place` over the file it came from: what no
 statement asked to change stays as it is, byte for byte.
 
+A program may be generated as often as you like: what it loads and wrote itself stands for what it
+started from at first, with what was changed by hand since ([more](commands.md#plastron-generate)).
+
 ## Mistakes
 
 A statement with a mistake has no effect, and the rest of the program still runs; but a program with
