@@ -97,9 +97,17 @@ class TypeKind(Kind):
         """Tell why a text is no type: only then is the statement itself of use."""
         if not text:
             return "a type is needed: write what it is for, and choose one of the list"
-        if not all(part.isascii() and part.isidentifier() for part in text.split("/")):
+        is_name = all(part.isascii() and part.isidentifier() for part in text.split("/"))
+        if not is_name or self._is_purpose(ask, text):
             return "no type is called that: choose one of the list"
         return None
+
+    def _is_purpose(self, ask: Ask, text: str) -> bool:
+        """Tell whether a text says what a type is for, and leads to some."""
+        catalog, bare = ask.scene.catalog(ask.version), text.rpartition("/")[2]
+        if not text.islower() or catalog.candidates(bare, ask.interface):
+            return False
+        return bool(search_types(catalog, ask.interface, text, is_lenient=False))
 
 
 def _fields(found: FoundType) -> str:

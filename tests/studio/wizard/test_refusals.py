@@ -41,6 +41,7 @@ REFUSED = [
     ([MORE, SEND], "type", "", "write what it is for"),
     ([MORE, SEND], "type", "Strnig", "did you mean `String`?"),
     ([MORE, SEND], "type", "a b", "no type is called that"),
+    ([MORE, SEND], "type", "distance", "no type is called that: choose one of the list"),
     ([MORE, SEND], "type", "Goal", "no message type `Goal` is known in ROS 1 noetic"),
     ([MORE, SEND], "rate", "often", "a number of times a second"),
     ([MORE, SEND], "rate", "0", "more than 0"),
