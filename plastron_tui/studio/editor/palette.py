@@ -138,7 +138,7 @@ def ansi_palette() -> Palette:
         selection=Style(reverse=True),
         match=Style(underline=True, bold=True),
         bracket=Style(bold=True, underline=True),
-        cursor=Style(reverse=True),
+        cursor=Style(reverse=True, underline=True),
         cursor_away=Style(underline=True),
         tab=Style(dim=True),
         popup=Style(reverse=True),

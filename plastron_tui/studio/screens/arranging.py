@@ -129,7 +129,7 @@ class Arranging(Screen[None]):
         center.display = zoomed is None or zoomed is self.bottom
         self.query_one(KeyBar).display = self.app.size.height >= 8
         self.show_tabs()
-        self.ask_more()
+        self.follow()
 
     def _place(self, dock: Dock, place: str) -> None:
         width, height = self.app.size
@@ -203,6 +203,9 @@ class Arranging(Screen[None]):
 
     def ask_more(self) -> None:
         """Ask for what came in sight."""
+
+    def follow(self) -> None:
+        """Let what is in sight be about the statement at the cursor."""
 
     @on(TabStrip.Picked)
     def tab_picked(self, message: TabStrip.Picked) -> None:
