@@ -50,12 +50,17 @@ class Journal:
             path: the program's file.
         """
         self.path = path
+        self._drops = 0
         name = "new" if path is None else _name(path)
         # With the process in its name no studio writes over what another one kept.
         self.file = folder / f"{name}-{os.getpid()}.journal"
 
     def write(self, text: bytes, cursor: int) -> OSError | None:
-        """Keep a text in place of the one that was kept; return why that failed."""
+        """Keep a text in place of the one that was kept; return why that failed.
+
+        What is dropped while it is written, by another thread, stays dropped.
+        """
+        drops = self._drops
         head = {
             "plastron-journal": _FORMAT,
             "path": None if self.path is None else os.fspath(self.path.absolute()),
@@ -70,6 +75,8 @@ class Journal:
             with os.fdopen(descriptor, "wb") as stream:
                 stream.write(json.dumps(head).encode() + b"\n" + text)
             temporary.replace(self.file)
+            if self._drops != drops:
+                self.file.unlink()
         except OSError as error:
             with suppress(OSError):
                 temporary.unlink()
@@ -78,6 +85,7 @@ class Journal:
 
     def drop(self) -> None:
         """Forget what was kept: it is saved, or not wanted."""
+        self._drops += 1
         with suppress(OSError):
             self.file.unlink()
 

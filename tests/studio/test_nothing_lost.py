@@ -204,3 +204,18 @@ async def test_an_error_that_ends_the_studio_says_where_the_text_is(
     assert "a deliberate error" in (state_folder() / "report.txt").read_text()
     assert json.loads(journal.read_bytes().partition(b"\n")[0])["path"] == str(program)
     assert journal.read_bytes().endswith(b"// hi" + PROGRAM.encode())
+
+
+def test_what_is_dropped_while_it_is_written_stays_dropped(
+    program: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    journal = Journal(state_folder() / "journal", program)
+    replace = Path.replace
+
+    def replace_late(self: Path, target: Path) -> Path:
+        journal.drop()
+        return replace(self, target)
+
+    monkeypatch.setattr(Path, "replace", replace_late)
+    assert journal.write(b"old", 0) is None
+    assert not journal.file.exists()

@@ -9,7 +9,7 @@ from textual import on, work
 from textual.message import Message
 from textual.screen import Screen
 
-from plastron_tui.diagnostics import Edit, Severity, Span, has_errors
+from plastron_tui.diagnostics import Diagnostic, Edit, Severity, Span
 
 from ..editor import ProgramEditor
 from ..panels.acting import Asked
@@ -163,7 +163,7 @@ class Doing(Screen[None]):
         if not await self._has_place():
             return
         session = self.open.session
-        if has_errors(session.diagnostics):
+        if self._errors():
             self._say_errors()
             return
         await self.app.push_screen_wait(GenerateDialog(session))
@@ -177,9 +177,15 @@ class Doing(Screen[None]):
         self.notify("the files go beside the program: save it first", timeout=4)
         return await self.save()
 
+    def _errors(self) -> list[Diagnostic]:
+        """Return the mistakes of the text as it is now; they are mostly known already."""
+        analysis = self.open.analysis
+        is_known = analysis is not None and analysis.text == self.open.text
+        found = analysis.diagnostics if analysis and is_known else self.open.session.diagnostics
+        return [each for each in found if each.severity is Severity.ERROR]
+
     def _say_errors(self) -> None:
-        errors = [d for d in self.open.session.diagnostics if d.severity is Severity.ERROR]
-        count = len(errors)
+        count = len(self._errors())
         self.notify(
             f"{count} {'mistake has' if count == 1 else 'mistakes have'} to be mended first",
             severity="warning",
@@ -202,7 +208,7 @@ class Doing(Screen[None]):
             return
         if not await self._has_place():
             return
-        if has_errors(self.open.session.diagnostics):
+        if self._errors():
             self._say_errors()
             return
         if self.open.is_changed and not await self.save():

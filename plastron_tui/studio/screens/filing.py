@@ -1,40 +1,28 @@
-"""Opening and saving, and everything that keeps a text from being lost."""
+"""Opening, saving and leaving, and what others do to the file meanwhile."""
 
 from __future__ import annotations
 
-from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
 from textual import work
-from textual.screen import Screen
-from textual.timer import Timer
 
 from plastron_tui.diagnostics import Diagnostic
 
 from ..analyst import Analyst
-from ..editor import ProgramEditor
 from ..files import OnDisk, Saved, open_file, read_again, save_file, with_suffix
-from ..journal import Kept, kept_texts
+from ..journal import Kept
 from ..state import Open, opened
+from .keeping import Keeping, difference_of
 
 if TYPE_CHECKING:
-    from ..app import StudioApp
-    from ..panels.tones import Lines
     from ..recipes import Recipe
 
-_KEEP = 0.5
-"""Seconds after which what was typed is in the journal, at most."""
 
-
-class Filing(Screen[None]):
+class Filing(Keeping):
     """Owns the file of the program that is open."""
 
-    open: Open
-    editor: ProgramEditor
     analyst: Analyst
-    _keeping: Timer | None = None
-    _journal_failed = False
 
     # What the other parts of the screen do.
 
@@ -49,43 +37,6 @@ class Filing(Screen[None]):
 
     def remember_layout(self) -> None:
         """Remember how the screen is laid out."""
-
-    @property
-    def _studio(self) -> StudioApp:
-        return cast("StudioApp", self.app)
-
-    # The journal.
-
-    def keep_soon(self) -> None:
-        """Keep the text within half a second."""
-        if self._keeping is None:
-            self._keeping = self.set_timer(_KEEP, self._keep)
-
-    def _keep(self) -> None:
-        self._keeping = None
-        if not self.open.is_changed:
-            self.open.journal.drop()
-            return
-        self._write_journal(self.open, self.open.text, self.editor.cursor_offset)
-
-    def keep_now(self) -> None:
-        """Keep the text at once: something has gone wrong."""
-        if self.open.is_changed:
-            self.open.journal.write(self.open.text, self.editor.cursor_offset)
-
-    # Without a description Textual would make one of the whole text.
-    @work(thread=True, group="journal", exit_on_error=False, description="journal")
-    def _write_journal(self, open_: Open, text: bytes, cursor: int) -> None:
-        error = open_.journal.write(text, cursor)
-        if error is not None:
-            self.app.call_from_thread(self._journal_refused, error)
-
-    def _journal_refused(self, error: OSError) -> None:
-        if not self._journal_failed:
-            self._journal_failed = True
-            reason = (error.strerror or str(error)).lower()
-            self.notify(f"what you type is not kept: {reason}; save often", severity="warning",
-                        markup=False)  # fmt: skip
 
     # Opening.
 
@@ -115,16 +66,8 @@ class Filing(Screen[None]):
         self.take(opened(found.disk, self._studio.state_folder, options, text),
                   0 if kept is None else kept.cursor)  # fmt: skip
         if kept is None:
-            self._offer_of(path)
+            self.offer_of(path)
         return True
-
-    def _offer_of(self, path: Path) -> None:
-        """Offer what was typed in a file and not saved before the studio ended."""
-        whole = path.absolute()
-        for kept in kept_texts(self._studio.state_folder):
-            if kept.path == whole and kept.file != self.open.journal.file:
-                self.offer_kept(kept)
-                return
 
     @work(exclusive=True, group="file")
     async def action_new(self) -> None:
@@ -200,7 +143,7 @@ class Filing(Screen[None]):
                 f"{path.name} holds something else on the disk",
                 [("cancel", "Cancel"), ("overwrite", "Overwrite it")],
                 text="This is what saving would change there:",
-                lines=_difference(found, text),
+                lines=difference_of(found, text),
             )
         )
         return answer == "overwrite"
@@ -254,8 +197,7 @@ class Filing(Screen[None]):
     async def action_quit(self) -> None:
         """Leave the studio."""
         if await self.may_leave():
-            if self._keeping is not None:
-                self._keeping.stop()
+            self.keep_no_longer()
             self.remember_layout()
             self.app.exit()
 
@@ -340,7 +282,7 @@ class Filing(Screen[None]):
                 f"{now.path.name} was changed by another program",
                 [("keep", "Keep my text"), ("load", "Load the file")],
                 text="This is how the file differs from the text in the editor:",
-                lines=_difference(open_.text, now.text),
+                lines=difference_of(open_.text, now.text),
             )
         )
         if open_ is not self.open or answer != "load":
@@ -353,55 +295,3 @@ class Filing(Screen[None]):
         open_.disk = found.disk
         self.editor.replace_all(found.disk.text or b"")
         self.show_title()
-
-    # What was kept.
-
-    @work(exclusive=True, group="kept", description="kept")
-    async def offer_kept(self, kept: Kept, after: str | None = None) -> None:
-        """Offer a text that was not saved before the studio ended; then do an action."""
-        await self._offer(kept)
-        if after is not None:
-            await self.run_action(after)
-
-    async def _offer(self, kept: Kept) -> None:
-        from datetime import datetime
-
-        from .question import Question
-
-        name = "a new program" if kept.path is None else kept.path.name
-        found = None if kept.path is None else open_file(kept.path).disk
-        before = b"" if found is None or found.text is None else found.text
-        if before == kept.text:
-            kept.drop()
-            return
-        when = datetime.fromtimestamp(kept.when).strftime("%H:%M on %d %B")
-        answer = await self.app.push_screen_wait(
-            Question(
-                f"{name} was not saved",
-                [("restore", "Restore"), ("later", "Later"), ("drop", "Forget it")],
-                text=f"The studio ended at {when} with these changes:",
-                lines=_difference(before, kept.text),
-            )
-        )
-        if answer == "drop":
-            kept.drop()
-        if answer != "restore":
-            return
-        if kept.path is None:
-            folder, options = self._studio.state_folder, self.open.session.options
-            self.take(opened(None, folder, options, kept.text), kept.cursor)
-        elif not self.take_file(kept.path, kept=kept):
-            return
-        if kept.file != self.open.journal.file:
-            self.call_after_refresh(partial(self._adopt, kept))
-
-    def _adopt(self, kept: Kept) -> None:
-        """Forget the old journal as soon as the new one is written."""
-        if self.open.journal.write(self.open.text, kept.cursor) is None:
-            kept.drop()
-
-
-def _difference(before: bytes, after: bytes) -> Lines:
-    from ..preview import difference
-
-    return difference(before, after)
