@@ -129,7 +129,7 @@ class StudioApp(App[None], inherit_bindings=False):
         if environment is not None:
             self.call_from_thread(self.main.fall_back_to, environment.library)
         if then is not None:
-            self.call_from_thread(self.run_call, then)
+            self.call_from_thread(self.call_later, self.run_call, then)
 
     def _first_theme(self) -> str:
         wanted = self.config.theme or self.remembered.theme
