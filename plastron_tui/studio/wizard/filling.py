@@ -100,7 +100,7 @@ class Filler:
         form = filled.form
         given = form.given.get(slot.name)
         if given is not None:
-            return Cell(given, "the one just described")
+            return Cell(given, "just described")
         ask = self.ask(filled, slot, depth)
         kind = KINDS[slot.kind]
         fixed = kind.fixed(ask)

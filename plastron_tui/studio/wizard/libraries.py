@@ -71,13 +71,16 @@ def _why(ask: Ask, default: str) -> str:
         return "which the node is for"
     if ask.scene.session.is_library_chosen:
         return "which is chosen for this program"
-    return "which counts where nobody chose one"
+    return "what there is here; another machine may take another one"
 
 
 def installed_as(scene: Scene, library: str) -> str:
     """Return what is installed of a library; of the program's own where it is left out."""
     wanted = library or scene.session.library
-    return next((each.words for each in scene.environments if each.library == wanted), "")
+    for each in scene.environments:
+        if each.library == wanted:
+            return f"ROS {each.ros_version} {each.distribution}".rstrip()
+    return ""
 
 
 def explained(ask: Ask) -> str:

@@ -117,7 +117,8 @@ class Row(Horizontal):
         else:
             yield TextBox(self._text, compact=True, placeholder=self._placeholder,
                           select_on_focus=True, classes="wizard-box")  # fmt: skip
-        yield Label(self._note, classes="wizard-note", markup=False)
+        classes = "wizard-note -reason" if self.is_fixed else "wizard-note"
+        yield Label(self._note, classes=classes, markup=False)
 
     @property
     def text(self) -> str:

@@ -80,10 +80,12 @@ def keys(page: Page, is_done: bool) -> str:
 
 
 _KEYS = """\
-Enter      the next page            Tab, Shift-Tab  the next field, the one before
-Up, Down   the choices of a field   F2, Alt-Left    the page before; nothing is lost
-F3         code and graph, in a narrow window
-Esc        leave; what was not finished leaves no trace"""
+Enter           the next page
+Tab, Shift-Tab  the next field, the one before
+Up, Down        the choices of a field
+F2, Alt-Left    the page before; nothing is lost
+F3              code and graph, in a narrow window
+Esc             leave; what was not finished leaves no trace"""
 
 
 def explanation(page: Page, is_done: bool) -> tuple[str, str]:

@@ -385,3 +385,20 @@ def test_nothing_of_it_is_loaded_before_it_is_opened() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
+
+
+@pytest.mark.parametrize("theme", ["ansi-dark", "ansi-light", "textual-light", "nord"])
+async def test_it_works_in_other_colours(here: Path, theme: str) -> None:
+    async with studio(None) as driver:
+        driver.app.theme = theme
+        it = WizardDriver(driver)
+        await driver.pilot.press("ctrl+u")
+        await driver.until(lambda: it.is_open)
+        await it.settle()
+        await to_message(it)
+        focused = it.screen.focused
+        other = it.row("data").box
+        assert focused is not None and focused is not other
+        assert focused.rich_style != other.rich_style
+        await it.press("enter")
+        assert it.kind is PageKind.REVIEW
