@@ -229,7 +229,18 @@ async def run(steps: list[Step], ending: str = "\n", size: str = "120x40") -> No
             await check_screen(driver)
 
 
-@example([("size", "160x50"), ("keys", "ctrl+a delete"), ("key", "ctrl+z")], "\r\n", "80x24")
+@example(
+    [
+        ("size", "160x50"),
+        ("keys", "ctrl+a delete"),
+        ("key", "ctrl+z"),
+        ("size", "120x40"),
+        ("keys", "ctrl+a delete"),
+        ("size", "200x60"),
+    ],
+    "\r\n",
+    "80x24",
+)
 @given(STEPS, some.sampled_from(["\n", "\r\n"]), some.sampled_from(SIZES[:4]))
 @settings(
     max_examples=12,

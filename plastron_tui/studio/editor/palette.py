@@ -33,6 +33,11 @@ _THEMED: Mapping[str, tuple[str, str]] = {
 }
 """For each capture of the grammar's query: a colour of the theme, and how it is written."""
 
+_LEGIBLE = 4.5
+"""The least contrast of text with what is behind it that WCAG 2 asks for."""
+_QUIET = 3.0
+"""That of line numbers, which are there to be found rather than read."""
+
 _ANSI: Mapping[str, str] = {
     "primary": "blue",
     "secondary": "cyan",
@@ -76,36 +81,40 @@ def themed_palette(variables: Mapping[str, str], foreground: Color, background: 
         except (KeyError, ValueError):
             return foreground
 
-    dark = background.brightness < 0.5
+    foreground = legible(foreground, background)
     text = Style(color=foreground.rich_color, bgcolor=background.rich_color)
-    quiet = background.blend(foreground, 0.45)
+    quiet = legible(background.blend(foreground, 0.45), background, _QUIET)
     here = background.blend(foreground, 0.06)
     panel = background.blend(foreground, 0.12)
-    selected = background.blend(color("primary"), 0.4)
+    selected = _behind(foreground, background, color("primary"))
+    on_selected = legible(foreground, selected)
 
     def written(name: str, how: str) -> Style:
-        tint = _legible(color(name), background, dark) if name else foreground
+        tint = color(name) if name else foreground
         if "dim" in how:
             tint = background.blend(tint, 0.6)
+        tint = legible(tint, background)
         return Style(color=tint.rich_color) + Style.parse(how.replace("dim", "").strip() or "none")
 
-    error = _legible(color("error"), background, dark)
-    warning = _legible(color("warning"), background, dark)
+    error = legible(color("error"), background)
+    warning = legible(color("warning"), background)
     return Palette(
         text=text,
         captures={capture: written(*look) for capture, look in _THEMED.items()},
         gutter=Style(color=quiet.rich_color),
         gutter_here=Style(color=foreground.rich_color, bold=True),
         line_here=Style(bgcolor=here.rich_color),
-        selection=Style(bgcolor=selected.rich_color),
+        selection=Style(color=on_selected.rich_color, bgcolor=selected.rich_color),
         match=Style(bgcolor=background.blend(warning, 0.3).rich_color),
         bracket=Style(bgcolor=background.blend(foreground, 0.25).rich_color, bold=True),
         cursor=Style(color=background.rich_color, bgcolor=foreground.rich_color),
         cursor_away=Style(bgcolor=background.blend(foreground, 0.3).rich_color),
         tab=Style(color=background.blend(foreground, 0.3).rich_color),
-        popup=Style(color=foreground.rich_color, bgcolor=panel.rich_color),
-        popup_here=Style(color=foreground.rich_color, bgcolor=selected.rich_color, bold=True),
-        popup_quiet=Style(color=panel.blend(foreground, 0.6).rich_color, bgcolor=panel.rich_color),
+        popup=Style(color=legible(foreground, panel).rich_color, bgcolor=panel.rich_color),
+        popup_here=Style(color=on_selected.rich_color, bgcolor=selected.rich_color, bold=True),
+        popup_quiet=Style(
+            color=legible(panel.blend(foreground, 0.6), panel).rich_color, bgcolor=panel.rich_color
+        ),
         error=Style(color=error.rich_color),
         warning=Style(color=warning.rich_color),
         error_line=Style(underline=True, color=error.rich_color),
@@ -113,14 +122,38 @@ def themed_palette(variables: Mapping[str, str], foreground: Color, background: 
     )
 
 
-def _legible(color: Color, background: Color, dark: bool) -> Color:
-    """Move a colour away from the background until it can be read on it."""
-    target = Color(255, 255, 255) if dark else Color(0, 0, 0)
-    for _ in range(8):
-        if abs(color.brightness - background.brightness) >= 0.35:
-            break
-        color = color.blend(target, 0.15)
-    return color
+def legible(color: Color, background: Color, least: float = _LEGIBLE) -> Color:
+    """Move a colour away from the background until the contrast is enough to read it."""
+    target = Color(255, 255, 255) if _luminance(background) < 0.18 else Color(0, 0, 0)
+    for step in range(20):
+        moved = color.blend(target, step / 20, 1)
+        if contrast(moved, background) >= least:
+            return moved
+    return target
+
+
+def _behind(text: Color, background: Color, tint: Color) -> Color:
+    """Mix as much of a colour into the background as leaves the text on it legible."""
+    for tenths in (4, 3, 2, 1):
+        mixed = background.blend(tint, tenths / 10, 1)
+        if contrast(text, mixed) >= _LEGIBLE:
+            return mixed
+    return background.blend(text, 0.15, 1)
+
+
+def contrast(one: Color, other: Color) -> float:
+    """Return the contrast of two colours, from 1 to 21, as WCAG 2 defines it."""
+    low, high = sorted((_luminance(one), _luminance(other)))
+    return (high + 0.05) / (low + 0.05)
+
+
+def _luminance(color: Color) -> float:
+    """Return the relative luminance of a colour, from 0 to 1, as WCAG 2 defines it."""
+    parts = (part / 255 for part in color.rgb)
+    linear = [
+        part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts
+    ]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
 
 
 def ansi_palette() -> Palette:

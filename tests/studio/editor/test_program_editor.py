@@ -7,12 +7,14 @@ from pathlib import Path
 
 import pytest
 from editor_host import editing
+from textual.color import Color
 from textual.events import Key, Paste
 from textual.geometry import Offset
 from textual.widgets import Label
 
 from plastron_tui.diagnostics import Edit, Span
 from plastron_tui.session import Session
+from plastron_tui.studio.editor.palette import contrast
 
 PROGRAM = """\
 create_node 'talker' as talker
@@ -421,6 +423,26 @@ async def test_the_editor_follows_the_theme() -> None:
             style = at.editor.view.palette.captures["keyword"]
             looks.add((str(style.color), str(at.editor.view.palette.text.bgcolor)))
         assert len(looks) == 4
+
+
+async def test_all_can_be_read_in_every_theme() -> None:
+    async with editing(PROGRAM) as at:
+        for theme in at.app.available_themes.values():
+            if theme.ansi:
+                continue
+            at.app.theme = theme.name
+            await at.pilot.pause()
+            palette = at.editor.view.palette
+            looks = dict(palette.captures)
+            looks |= {name: getattr(palette, name) for name in ("text", "error", "warning")}
+            looks |= {name: getattr(palette, name) for name in ("selection", "popup_quiet")}
+            looks |= {name: getattr(palette, name) for name in ("popup", "popup_here", "cursor")}
+            for name, look in looks.items():
+                whole = palette.text + look
+                assert whole.color is not None
+                assert whole.bgcolor is not None
+                found = contrast(*map(Color.from_rich_color, (whole.color, whole.bgcolor)))
+                assert found >= 4.4, (theme.name, name)
 
 
 async def test_sixteen_colours_are_the_terminals_own() -> None:
