@@ -78,7 +78,8 @@ PICTURES = (
     Picture(
         "studio-problems", "Problems",
         "A mistake is underlined where it is, explained beside the line, and mended with one key.",
-        _TALKER, (110, 30), ["ctrl+end", "unsubscribe listner from 'chatter'", "escape", "alt+7"], "nord",
+        _TALKER, (110, 30),
+        ["ctrl+end", "unsubscribe listner from 'chatter'", "escape", "alt+7"], "nord",
     ),
     Picture(
         "studio-graph", "Graph",
@@ -99,7 +100,8 @@ PICTURES = (
     Picture(
         "studio-wizard-type", "The wizard: types by what they are for",
         "Who does not know that a distance is a `Range` finds it by writing `distance`.",
-        None, (110, 32), [*_WIZARD, "enter", "enter", "enter", "down", "tab", "tab", "distance"],
+        None, (110, 32),
+        [*_WIZARD, "enter", "enter", "enter", "tab", "tab", "distance", "down"],
     ),
     Picture(
         "studio-generate", "Generate",
