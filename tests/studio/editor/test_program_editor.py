@@ -297,6 +297,17 @@ class TestFinding:
                 assert at.editor.text == b"ab\nab\n"
                 assert at.editor.view.has_focus
 
+    async def test_the_buttons_leave_the_focus_where_one_types(self) -> None:
+        async with editing("ab a.\n") as at:
+            await at.press("ctrl+r", "a", "full_stop")
+            await at.pilot.click("#find-regex")
+            await at.press("tab", "x")
+            await at.pilot.click("#find-all")
+            await at.pilot.pause()
+            assert at.editor.text == b"x x\n"
+            await at.press("y", "escape")
+            assert at.editor.find_bar.replacement == "xy"
+
     async def test_a_wrong_expression_is_said(self) -> None:
         async with editing("ab\n") as at:
             await at.press("ctrl+f", "alt+r", "left_parenthesis")
