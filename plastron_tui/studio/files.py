@@ -23,7 +23,7 @@ class OnDisk:
     @property
     def is_changed(self) -> bool:
         """Whether somebody else has touched the file since."""
-        return _stamp(self.path) != self.stamp
+        return stamp_of(self.path) != self.stamp
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +49,8 @@ class Saved:
     found: bytes | None = None
 
 
-def _stamp(path: Path) -> tuple[int, int, int] | None:
+def stamp_of(path: Path) -> tuple[int, int, int] | None:
+    """Return what tells a file from what it was before, None where there is none."""
     try:
         status = path.stat()
     except (OSError, ValueError):
@@ -59,7 +60,7 @@ def _stamp(path: Path) -> tuple[int, int, int] | None:
 
 def open_file(path: Path) -> Opened:
     """Read a program; a file that is not there yet is an empty one."""
-    stamp = _stamp(path)
+    stamp = stamp_of(path)
     if stamp is None and not os.path.lexists(path):
         return Opened(OnDisk(path, None, None))
     read = read_program(path)
@@ -99,7 +100,7 @@ def save_file(path: Path, text: bytes, known: OnDisk | None, *, force: bool = Fa
         problems = write(plan).diagnostics
     if problems:
         return Saved(None, problems[0])
-    return Saved(OnDisk(path, text, _stamp(path)))
+    return Saved(OnDisk(path, text, stamp_of(path)))
 
 
 def _present(path: Path) -> bytes | None:
@@ -134,7 +135,7 @@ def _protected(path: Path) -> Diagnostic:
 
 def read_again(disk: OnDisk) -> OnDisk:
     """Return what the file holds now."""
-    return OnDisk(disk.path, _present(disk.path), _stamp(disk.path))
+    return OnDisk(disk.path, _present(disk.path), stamp_of(disk.path))
 
 
 def with_suffix(path: Path) -> Path:

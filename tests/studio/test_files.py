@@ -167,6 +167,25 @@ async def test_a_file_that_others_change_is_asked_about(program: Path, key: str,
         assert driver.app.screen is driver.main
 
 
+async def test_a_file_that_the_program_loads_is_read_again_when_it_changes(program: Path) -> None:
+    program.write_text("load 'old.py' as old\n")
+    node = program.with_name("old.py")
+    head = "import rospy\nfrom std_msgs.msg import String\nrospy.init_node('old')\n"
+    async with studio(program) as driver:
+        driver.main.look_at_disk()
+        node.write_text(head)
+        driver.main.look_at_disk()
+        await driver.until(lambda: driver.shown("nodes") == ["● old old.py does nothing"])
+        driver.main.look_at_disk()
+        node.write_text(head + "rospy.Publisher('chatter', String, queue_size=1)\n")
+        driver.main.look_at_disk()
+        await driver.until(lambda: "↑ chatter std_msgs/String" in driver.shown("nodes"))
+        node.unlink()
+        driver.main.look_at_disk()
+        await driver.until(lambda: driver.shown("nodes") == [])
+        assert driver.text == "load 'old.py' as old\n"
+
+
 async def test_saving_does_not_overwrite_what_others_wrote(
     program: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

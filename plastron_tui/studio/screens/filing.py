@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from textual import work
@@ -10,7 +12,7 @@ from textual import work
 from plastron_tui.diagnostics import Diagnostic
 
 from ..analyst import Analyst
-from ..files import OnDisk, Saved, open_file, read_again, save_file, with_suffix
+from ..files import OnDisk, Saved, open_file, read_again, save_file, stamp_of, with_suffix
 from ..journal import Kept
 from ..state import Open, opened
 from .keeping import Keeping, difference_of
@@ -23,6 +25,7 @@ class Filing(Keeping):
     """Owns the file of the program that is open."""
 
     analyst: Analyst
+    _stamps: Mapping[Path, object] = MappingProxyType({})
 
     # What the other parts of the screen do.
 
@@ -255,8 +258,24 @@ class Filing(Keeping):
 
     # Others who write the file.
 
+    def _look_at_loaded(self) -> None:
+        """Run the program anew when a file that it loads, or would load, is another one."""
+        analysis, session = self.open.analysis, self.open.session
+        if analysis is None or analysis.text != self.open.text:
+            return
+        sources = (node.source for node in analysis.workspace.nodes.values())
+        paths = [source.path for source in sources if source is not None]
+        if any(found.code == "file-not-found" for found in analysis.diagnostics):
+            paths += [session.folder, session.output]
+        stamps = {path: stamp_of(path) for path in paths}
+        before, self._stamps = self._stamps, stamps
+        if before.keys() == stamps.keys() and before != stamps:
+            session.files_changed()
+            self.ask_anew()
+
     def look_at_disk(self) -> None:
-        """Ask, when somebody else has written the file."""
+        """Ask, when somebody else has written the file; read anew what the program loads."""
+        self._look_at_loaded()
         disk = self.open.disk
         if disk is None or not disk.is_changed or self.app.screen is not self:
             return
