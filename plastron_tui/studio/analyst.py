@@ -30,6 +30,10 @@ _LARGE = 100_000
 _IDLE = 0.3
 """Seconds without a question after which what is no longer shown is let go."""
 
+_REST, _MOST_FROZEN = 3.0, 50
+"""Seconds without a question, and answers about a large program since the last time, after which
+the collector looks at everything. It takes some tenths of a second, in which no key is drawn."""
+
 
 class Wanted(NamedTuple):
     """What is in sight, and so has to be known.
@@ -81,6 +85,7 @@ class Analyst:
         self._is_stopped = False
         self._last: Analysis | None = None
         self._old: list[Analysis] = []
+        self._frozen = 0
         self._thread = threading.Thread(target=self._run, name="analyst", daemon=True)
         self._switch = sys.getswitchinterval()
 
@@ -111,22 +116,43 @@ class Analyst:
     def _run(self) -> None:
         while True:
             with self._condition:
-                self._condition.wait_for(self._has_work, _IDLE if self._old else None)
+                self._condition.wait_for(self._has_work, self._patience)
                 if self._is_stopped:
                     return
                 session, wanted = self._session, self._wanted
                 self._session = self._wanted = None
             if wanted is None:
-                # Here and now, and not in the event loop at the next key: it takes some time.
-                self._old.clear()
+                self._tidy_up()
                 continue
             try:
-                with _without_collector(session):
+                if session is not None and len(session.document.text) >= _LARGE:
+                    self._frozen += 1
+                    with _without_collector():
+                        self._answer(session, wanted)
+                else:
                     self._answer(session, wanted)
             except Stale:
                 continue
             except Exception as error:
                 self._post(AnalysisFailed(error))
+
+    @property
+    def _patience(self) -> float | None:
+        """For how long to wait for work before there is something else to do."""
+        if self._old:
+            return _IDLE
+        return _REST if self._frozen >= _MOST_FROZEN else None
+
+    def _tidy_up(self) -> None:
+        """Let go what is no longer needed: here and now, not in the event loop at the next key."""
+        if self._old:
+            self._old.clear()
+        elif gc.isenabled():
+            # What the event loop made meanwhile was frozen too, and some of it was garbage.
+            self._frozen = 0
+            gc.unfreeze()
+            gc.collect()
+            gc.freeze()
 
     def _has_work(self) -> bool:
         return self._is_stopped or self._wanted is not None
@@ -164,13 +190,13 @@ class Analyst:
 
 
 @contextmanager
-def _without_collector(session: Session | None) -> Iterator[None]:
+def _without_collector() -> Iterator[None]:
     """Keep the cycle collector away from what is made of a large program.
 
     It would walk what is new at once, stop the event loop meanwhile, and find nothing: all of it
     is let go without its help.
     """
-    if session is None or len(session.document.text) < _LARGE or not gc.isenabled():
+    if not gc.isenabled():
         yield
         return
     # What others have made so far is looked at now, while it is little.

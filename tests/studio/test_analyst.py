@@ -1,0 +1,64 @@
+"""The worker that finds out what a program means."""
+
+from __future__ import annotations
+
+import weakref
+from collections.abc import Callable
+from time import monotonic, sleep
+
+from textual.message import Message
+
+from plastron_tui.session import Session
+from plastron_tui.studio.analyst import Analysed, Analyst, Wanted
+
+PROGRAM = b"create_node 'talker' as talker\ngenerate_node talker\n"
+
+
+def until(condition: Callable[[], bool]) -> None:
+    end = monotonic() + 10
+    while not condition():
+        assert monotonic() < end
+        sleep(0.01)
+
+
+def test_an_answer_after_an_edit_is_that_of_the_new_text_alone() -> None:
+    found: list[Message] = []
+    analyst = Analyst(found.append)
+    analyst.start()
+    session = Session(PROGRAM, environ={})
+    analyst.ask(Wanted(("nodes", "problems")), session.snapshot())
+    until(lambda: len(found) == 1)
+    session.edit(0, 0, b"create_node 'other' as other\n")
+    analyst.ask(Wanted(("nodes", "problems")), session.snapshot())
+    until(lambda: len(found) == 2)
+    analyst.stop()
+    analyst.join(5)
+    last = found[-1]
+    assert isinstance(last, Analysed)
+    alone = Session(session.document.text, environ={})
+    assert last.analysis.diagnostics == alone.diagnostics
+    assert last.analysis.workspace == alone.workspace
+    assert last.analysis.node_at(0) == "other"
+    assert last.analysis.node_at(session.document.text.index(b"generate_node")) == "talker"
+    assert [entry.text for entry in last.analysis.entries["nodes"].all] == ["other", "talker"]
+
+
+def test_what_is_no_longer_shown_is_let_go_by_the_worker() -> None:
+    found: list[Message] = []
+    analyst = Analyst(found.append)
+    analyst.start()
+    session = Session(PROGRAM, environ={})
+    analyst.ask(Wanted(), session.snapshot())
+    until(lambda: len(found) == 1)
+    first = found[0]
+    assert isinstance(first, Analysed)
+    seen = weakref.ref(first.analysis)
+    session.edit(0, 0, b"\n")
+    analyst.ask(Wanted(), session.snapshot())
+    until(lambda: len(found) == 2)
+    found.clear()
+    del first
+    assert seen() is not None
+    until(lambda: seen() is None)
+    analyst.stop()
+    analyst.join(5)
