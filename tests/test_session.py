@@ -174,3 +174,30 @@ def test_path_that_is_none(tmp_path: Path) -> None:
     (found,) = read_program(Path("a\0b")).diagnostics
     assert found.code == "unreadable-file"
     assert check_text(None, "grüße\r\n".encode()).diagnostics == ()
+
+
+@pytest.mark.parametrize(
+    ("options", "environ", "library"),
+    [
+        (Options(), {}, "rclpy"),
+        (Options(target="rospy"), {}, "rospy"),
+        (Options(), {"ROS_VERSION": "1"}, "rospy"),
+    ],
+)
+def test_a_library_to_fall_back_to_counts_where_nobody_chose(
+    options: Options, environ: dict[str, str], library: str
+) -> None:
+    text = (
+        b"create_node 'arm' as arm\n"
+        b"subscribe arm to 'move' of message_type Point\n"
+        b"generate_node arm\n"
+    )
+    session = Session(text, None, options, environ)
+    assert session.workspace.generations[0].library == "rospy"
+    before = session.snapshot()
+    session.fall_back_to("rclpy")
+    assert session.library == session.workspace.generations[0].library == library
+    assert session.is_library_chosen == (library == "rospy")
+    assert before.library == "rospy"
+    again = Session(b"", None, session.options, environ)
+    assert again.library == library

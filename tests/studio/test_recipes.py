@@ -110,6 +110,18 @@ async def test_a_recipe_is_opened_from_the_welcome(
         assert [path.name for path in (tmp_path / file).parent.iterdir()] == [file.name]
 
 
+async def test_a_recipe_is_opened_with_the_mouse() -> None:
+    async with studio(None, (80, 24), welcome=True) as driver:
+        dialog = await driver.dialog("Welcome")
+        lines = [
+            "".join(segment.text for segment in line) for line in dialog._compositor.render_strips()
+        ]
+        (row,) = (row for row, line in enumerate(lines) if RECIPES[2].title in line)
+        await driver.pilot.click(offset=(lines[row].index(RECIPES[2].title), row))
+        await driver.back()
+        assert driver.main.open.text == RECIPES[2].text
+
+
 def changing() -> Recipe:
     return next(recipe for recipe in RECIPES if recipe.path.stem == "change_node")
 
