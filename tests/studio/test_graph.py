@@ -114,6 +114,8 @@ async def test_a_box_is_gone_to_with_keys_and_leads_to_its_statement(
 ) -> None:
     async with studio(program, size) as driver:
         await graph(driver)
+        assert lit(driver) == "talker"
+        assert "Rename" in driver.main.query_one("KeyBar").text
         editor = driver.main.editor
         await driver.press("home")
         assert lit(driver) == "talker"

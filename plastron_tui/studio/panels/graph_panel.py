@@ -21,6 +21,8 @@ from .picture import Fitted, Picture, Size
 from .tones import COMPONENTS, Lines, Toned
 
 _EMPTY = Fitted((), 0, {}, 0)
+_SMALL = 40
+"""So many boxes are drawn within a few milliseconds."""
 
 
 class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
@@ -94,11 +96,12 @@ class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
             self._cursor = self._cursor_in(picture)
             self._here = None
             self.picture = picture
-        if self.is_fitted:
-            self._fitted = picture.fitted(self.room)
-        elif picture == Picture():
             self._fitted = _EMPTY
+        # A small one is drawn at once; a large one is drawn by the worker before it comes here.
+        if self.is_fitted or 0 < len(picture.entries) <= _SMALL:
+            self._fitted = picture.fitted(self.room)
         self.virtual_size = Extent(self._fitted.width + 1, len(self._fitted.lines))
+        self._begin()
         self.refresh()
 
     def _cursor_in(self, picture: Picture) -> int | None:
@@ -203,9 +206,15 @@ class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
 
     def on_focus(self) -> None:
         """Show the cursor."""
-        if self._cursor is None and self._fitted.places:
-            self._cursor = min(self._fitted.places)
+        self._begin()
         self.refresh()
+
+    def _begin(self) -> None:
+        """Put the cursor on a box, when there is one and the panel has the focus."""
+        if self.has_focus and self._cursor is None and self._fitted.places:
+            here = self._here
+            self._cursor = here if here is not None else min(self._fitted.places)
+            self.refresh_bindings()
 
     def on_blur(self) -> None:
         """Show that the cursor is elsewhere."""
