@@ -25,7 +25,7 @@ from plastron_tui.handwork import (
 )
 from plastron_tui.model.source import EndpointKind, Remove, SourceFile
 from plastron_tui.model.workspace import Node
-from plastron_tui.output.layers import Author, Layer, Layers
+from plastron_tui.output.layers import Author, Layer, Layers, are_untouched
 from plastron_tui.output.manifest import Manifest, digest
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.output.remembered import recall, remember
@@ -68,8 +68,8 @@ class Place:
 
     @property
     def has_handwork(self) -> bool:
-        """Whether the file differs from what the last program made of it."""
-        return bool(self.layers) and self.layers[-1].written != self.present
+        """Whether the file was changed by hand since the program at hand wrote it."""
+        return not are_untouched(self.layers[self.index or 0 :], self.present)
 
     def owner(self) -> str | None:
         """Return the program that the file was written by last, None where nothing tells."""

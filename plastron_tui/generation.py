@@ -19,7 +19,7 @@ from plastron_tui.handwork import (
     unmergeable,
 )
 from plastron_tui.model.workspace import Generation
-from plastron_tui.output.layers import Author
+from plastron_tui.output.layers import Author, are_untouched
 from plastron_tui.output.manifest import Base, Manifest, load_manifest
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.output.remembered import recall, remember
@@ -183,6 +183,10 @@ class _Creation:
         layers = layers_at(path, self.manifest, present)
         # What programs that loaded the file made of it lies over what is to be renewed.
         before = layers[0].original if layers else present
+        is_foreign = before != file.text and file.name not in self.manifest
+        if layers and layers[0].origin is None and is_foreign:
+            # Programs that loaded somebody's file do not make it one of Plastron's.
+            return Generated(self.generation, replace(file, layers=()), notes)
         is_clean = self.manifest.has(file.name, before or b"")
         is_own = before in (None, file.text) or is_clean or any(x.is_clean for x in layers[:1])
         if not (self.force or is_own or before is None or file.name not in self.manifest):
@@ -194,7 +198,7 @@ class _Creation:
             notes = (*notes, kept_handwork(path, file.name), *merged.notes)
         if layers and before is not None and present is not None:
             covered = cover(path, layers, before, file.text, present, force=self.force)
-            is_renewed = self.force and layers[-1].written != present
+            is_renewed = self.force and not (is_own and are_untouched(layers, present))
             file = replace(
                 file,
                 text=covered.text,

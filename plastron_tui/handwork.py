@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.model.source import EndpointKind
-from plastron_tui.output.layers import Layer, Layers, live_layers
+from plastron_tui.output.layers import Layer, Layers, are_untouched, live_layers
 from plastron_tui.output.manifest import Manifest
 from plastron_tui.ros.interfaces import InterfaceName
 
@@ -73,7 +73,7 @@ def cover(
     if text == before and not force:
         return Covered(present, upper)
     programs = " and ".join(f"`{layer.program}`" for layer in upper)
-    if present == upper[-1].written or force:
+    if force or are_untouched(upper, present):
         return Covered(text, (), (_undone(path, programs),))
     return Covered(text, upper, problem=unmergeable(path, f"by {programs} too"))
 

@@ -119,6 +119,19 @@ def live_layers(
     return layers
 
 
+def are_untouched(layers: Layers, text: bytes | None) -> bool:
+    """Tell whether nothing was changed by hand since the first of some programs wrote a file.
+
+    Handwork between two programs is in what the second found, and the last one's text has it.
+
+    Args:
+        layers: what the programs made of it, one after the other.
+        text: what the file holds.
+    """
+    found = (*(layer.original for layer in layers[1:]), text)
+    return all(layer.written == after for layer, after in zip(layers, found, strict=True))
+
+
 def layer_json(layer: Layer) -> dict[str, Any]:
     """Return a layer as the manifest keeps it; its two texts are much alike, and packed as one."""
     texts = zlib.compress(layer.original + layer.written, 9)

@@ -197,3 +197,62 @@ def test_output_of_an_unknown_program_that_hides_a_file(bench: Bench) -> None:
     hidden = bench.path / "robot.py"
     assert (found.code, found.severity.value) == ("hidden-file", "warning")
     assert found.message == f"`robot.py` is the one of the output folder, and hides `{hidden}`"
+
+
+def mark(bench: Bench) -> None:
+    """Change the file by hand."""
+    bench.edit(FILE, "def main(", "# mine\ndef main(")
+
+
+def test_handwork_over_the_first_of_two_is_kept(bench: Bench) -> None:
+    """The second has nothing of its own on top, but what it found was changed by hand."""
+    run(bench, "create", CREATE)
+    run(bench, "listen", f"{LOAD}{SUBSCRIBE}{END}")
+    mark(bench)
+    run(bench, "serve", f"{LOAD}{PROVIDE}{END}")
+    before = bench.files()
+    for program, text in (
+        ("create", CREATE.replace("chatter", "chat")),
+        ("listen", f"{LOAD}{SUBSCRIBE.replace('numbers', 'digits')}{END}"),
+    ):
+        states = bench.generate(text, f"{program}.plastron").states
+        if program == "create":
+            assert states == ["conflict"]
+            assert bench.files() == before
+    assert b"# mine" in (bench.path / FILE).read_bytes()
+
+
+@pytest.mark.parametrize("marked", [1, 2, 3])
+@pytest.mark.parametrize("forced", ["create", "listen"])
+def test_forced_a_backup_is_kept_of_handwork_between_programs(
+    bench: Bench, marked: int, forced: str
+) -> None:
+    programs = {
+        "create": CREATE, "listen": f"{LOAD}{SUBSCRIBE}{END}", "serve": f"{LOAD}{PROVIDE}{END}",
+    }  # fmt: skip
+    for number, (program, text) in enumerate(programs.items(), 1):
+        run(bench, program, text)
+        if number == marked:
+            mark(bench)
+    mine = (bench.path / FILE).read_bytes()
+    text = programs[forced].replace("chatter", "chat").replace("numbers", "digits")
+    assert bench.generate(text, f"{forced}.plastron", force=True).errors == []
+    now = (bench.path / FILE).read_bytes()
+    assert b"# mine" in now or (bench.path / f"{FILE}.bak").read_bytes() == mine
+
+
+@pytest.mark.parametrize("creating", ["one", "two"])
+def test_hand_written_file_that_a_program_loaded_is_not_written_over(
+    bench: Bench, creating: str
+) -> None:
+    bench.put(FILE)
+    run(bench, "one", f"{LOAD}{SUBSCRIBE}{END}")
+    before = bench.files()
+    outcome = bench.generate(CREATE, f"{creating}.plastron")
+    assert [each.split(" and ")[-1] for each in outcome.conflicts] == [
+        "was not written by plastron"
+    ]
+    assert bench.files() == before
+    bench.generate(CREATE, f"{creating}.plastron", force=True)
+    assert (bench.path / f"{FILE}.bak").read_bytes() == before[FILE]
+    assert bench.generate(CREATE, f"{creating}.plastron").states == ["identical"]
