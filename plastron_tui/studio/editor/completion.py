@@ -60,6 +60,7 @@ class Vocabulary:
         topics: dict[str, str] = {}
         services: dict[str, str] = {}
         libraries: dict[str, str] = {}
+        known_topics, known_services = self._known
         for statement in self._program.statements:
             match statement:
                 case st.CreateNode(name=name, variable=variable, library=library):
@@ -70,14 +71,30 @@ class Vocabulary:
                     nodes[variable] = f"node from {source}"
                 case st.CreateMessage(variable=variable, type=type_):
                     messages[variable] = type_
-                case st.Subscribe(topic=topic, type=type_):
-                    topics.setdefault(topic, type_)
-                case st.Publish(topic=topic, type=type_):
-                    topics.setdefault(topic, type_)
-                case st.ProvidesService(service=service, type=type_):
-                    services.setdefault(service, type_)
-                case st.ClientRequests(service=service, type=type_):
-                    services.setdefault(service, type_)
+                case st.Subscribe(topic=topic, type=type_) | st.Publish(topic=topic, type=type_):
+                    if _agrees(type_, known_topics.get(topic)):
+                        topics.setdefault(topic, type_)
+                case (
+                    st.ProvidesService(service=service, type=type_)
+                    | st.ClientRequests(service=service, type=type_)
+                ):
+                    if _agrees(type_, known_services.get(service)):
+                        services.setdefault(service, type_)
+        topics = {**known_topics, **topics}
+        services = {**known_services, **services}
+        return {
+            "nodes": nodes,
+            "messages": messages,
+            "topics": topics,
+            "services": services,
+            "libraries": libraries,
+        }
+
+    @property
+    def _known(self) -> tuple[dict[str, str], dict[str, str]]:
+        """The topics and the services that have effect, by their full types."""
+        topics: dict[str, str] = {}
+        services: dict[str, str] = {}
         for node in self._workspace.nodes.values():
             for publisher in node.publishers.values():
                 topics.setdefault(publisher.topic, str(publisher.type or ""))
@@ -87,13 +104,7 @@ class Vocabulary:
                 services.setdefault(provided.name, str(provided.type or ""))
             for client in node.clients.values():
                 services.setdefault(client.name, str(client.type or ""))
-        return {
-            "nodes": nodes,
-            "messages": messages,
-            "topics": topics,
-            "services": services,
-            "libraries": libraries,
-        }
+        return topics, services
 
     @property
     def nodes(self) -> dict[str, str]:
@@ -131,6 +142,11 @@ class Vocabulary:
             "stop_service": node.services,
         }
         return ends.get(keyword, ())
+
+
+def _agrees(written: str, known: str | None) -> bool:
+    """Tell whether a type as it is written is the one that is known; a half-typed one is not."""
+    return not known or written.rpartition("/")[2] == known.rpartition("/")[2]
 
 
 def candidates(expected: Expectation, vocabulary: Vocabulary, session: Session) -> list[Candidate]:
@@ -254,8 +270,9 @@ def _types(
         or vocabulary.services.get(filled.get("service", "").strip("'"))
         or vocabulary.messages.get(filled.get("message", ""))
     )
-    if first is not None:
-        yield Candidate(first, described_type(first, kind, catalog))
+    fields = described_type(first, kind, catalog) if first else ""
+    if first and fields:
+        yield Candidate(first, fields)
     qualified = "/" in expected.prefix
     for name in catalog.names(kind):
         alone = not qualified and len(catalog.candidates(name.name, kind)) == 1

@@ -162,6 +162,15 @@ class TestPopup:
             await at.press("tab")
             assert at.editor.text.decode().endswith("message_type Twist")
 
+    async def test_a_half_typed_type_is_no_type_of_the_topic(self) -> None:
+        line = "subscribe talker to 'chatter' of message_type Str\n"
+        for text in (line + PROGRAM, PROGRAM + line, line.replace("chatter", "new")):
+            async with editing(text, cursor=text.index("Str\n") + 3) as at:
+                await at.understand()
+                await at.press("f4", "tab")
+                assert "message_type String\n" in at.editor.text.decode()
+                assert "message_type Str\n" not in at.editor.text.decode()
+
     async def test_within_quotes_only_the_name_is_replaced(self) -> None:
         text = PROGRAM + "subscribe talker to 'cha' of message_type Point\n"
         async with editing(text, cursor=text.index("cha'") + 3) as at:
