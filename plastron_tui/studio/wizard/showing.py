@@ -16,11 +16,11 @@ from ..preview import previews_of
 def code_of(session: Session, node: str | None) -> tuple[str, Lines]:
     """Return the name and the lines of the file that a node becomes."""
     if node is None or node not in session.workspace.nodes:
-        return "", ((Piece("no node yet", "quiet"),),)
+        return "", ((Piece("it comes with a node", "quiet"),),)
     analysis = analyse(session, lambda: None)
     previews = previews_of(analysis, node)
     if not previews:
-        return "", ((Piece("no node yet", "quiet"),),)
+        return "", ((Piece("it comes with a node", "quiet"),),)
     preview = previews[-1]
     if preview.problems and not preview.lines:
         return preview.name, tuple((Piece(each.message, "warning"),) for each in preview.problems)
