@@ -15,6 +15,8 @@ from pathlib import Path
 
 _CHUNK = 1 << 16
 _LONGEST_LINE = 1 << 16
+# No pipe holds more than this, unless the superuser says so (pipe(7), pipe-max-size).
+_MOST_LEFT = 1 << 20
 _TAIL = 10
 
 
@@ -194,7 +196,10 @@ class Child:
         assert self._popen.stdout is not None
         with contextlib.suppress(ProcessLookupError, PermissionError):
             os.killpg(self.pid, signal.SIGKILL)
-        while chunk := self._chunk():
+        left = _MOST_LEFT
+        # What left the group may hold the pipe still, and write into it without end.
+        while left > 0 and (chunk := self._chunk()):
+            left -= len(chunk)
             yield from self._lines(chunk)
         if self._partial:
             yield from self._lines(b"\n")

@@ -89,6 +89,12 @@ def test_what_a_dead_node_started_does_not_stay(nodes: Nodes) -> None:
     all_gone(nodes.pid("helper"))
 
 
+def test_output_without_end_from_elsewhere_keeps_no_run_from_ending(nodes: Nodes) -> None:
+    """What a node started in a session of its own is out of reach, and holds the pipe."""
+    code = "subprocess.Popen(['yes'], start_new_session=True)\ntime.sleep(0.3)"
+    assert run([nodes.python("one", code)]).returncode == 0
+
+
 def test_a_node_that_closes_its_output_is_waited_for(nodes: Nodes) -> None:
     done = run([nodes.python("one", "os.close(1); os.close(2); time.sleep(0.5); os._exit(3)")])
     assert (done.returncode, done.stderr) == (1, "plastron | one died with exit status 3\n")
