@@ -1,0 +1,209 @@
+"""What is around a page of the wizard: the statements, the code, the graph, the buttons."""
+
+from __future__ import annotations
+
+import asyncio
+from dataclasses import dataclass
+
+from textual import events
+from textual.app import ComposeResult
+from textual.containers import Horizontal, Vertical
+from textual.screen import ModalScreen
+from textual.widget import Widget
+from textual.widgets import Button, Label
+
+from ..panels.text_view import TextView
+from ..panels.tones import Lines
+from . import words
+from .ask import Choice
+from .course import Course, Look, Offer, Page, PageKind
+from .form import Form
+from .form_page import FormPage, Key
+from .menu_page import Item, MenuPage, ReviewPage
+from .showing import arrows_of, changed_rows, code_of, drawing_of
+from .statement_view import StatementView
+
+NARROW = 76
+"""With fewer columns the code and the graph have a page of their own."""
+WIDE = 116
+"""From so many columns on, the graph is a picture."""
+LOW = 22
+"""With fewer rows the form does without the sentence above it."""
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """What was found out, in a thread."""
+
+    look: Look
+    helps: dict[Key, str]
+    choices: list[Choice]
+    offers: list[Offer]
+
+
+class Frame(ModalScreen[str]):
+    """Shows what was found out.
+
+    Attributes:
+        course: the state of the wizard.
+        look: all that follows from it, as it is shown.
+        is_done: whether the statements are in the program.
+    """
+
+    course: Course
+    look: Look
+    is_done: bool
+
+    def __init__(self) -> None:
+        super().__init__()
+        # Who holds it is the only one to look at the course, or to change it.
+        self._lock = asyncio.Lock()
+        self._is_stale = False
+        self._offers: list[Offer] = []
+        self._items: list[Item] = []
+        self._code: Lines = ()
+        self._shown: tuple[bool, Page] | None = None
+
+    def changed(self) -> None:
+        """Find out what follows from a change."""
+
+    def compose(self) -> ComposeResult:
+        """Make the parts that all pages share."""
+        with Horizontal(id="wizard-head"):
+            yield Label("", id="wizard-title", markup=False)
+            yield Label("", id="wizard-step", markup=False)
+        with Horizontal(id="wizard-body"):
+            yield Vertical(id="wizard-page")
+            with Vertical(id="wizard-side"):
+                yield Label("Who sends what to whom", classes="wizard-caption", markup=False)
+                yield TextView(id="wizard-graph")
+                yield Label("", id="wizard-file", classes="wizard-caption", markup=False)
+                yield TextView(id="wizard-code")
+        yield StatementView(id="wizard-statements")
+        with Horizontal(id="wizard-buttons"):
+            yield Button("Back", id="wizard-back", compact=True)
+            yield Button("Next", id="wizard-next", variant="primary", compact=True)
+            yield Button("Code", id="wizard-turn", compact=True)
+            yield Button("Leave", id="wizard-leave", compact=True)
+            yield Label("", id="wizard-keys", markup=False)
+
+    @property
+    def _form_page(self) -> FormPage | None:
+        found = self.query(FormPage)
+        return found.first() if found else None
+
+    async def _show(self, view: View) -> None:
+        self.look = view.look
+        page = self.course.page
+        wanted = (self.is_done, page)
+        if wanted != self._shown:
+            self._shown = wanted
+            await self._turn_to(page, view)
+            if page.kind is PageKind.REVIEW and not self.is_done:
+                self.query_one("#wizard-next", Button).focus()
+            if page.form is not None and not self.is_done:
+                self._is_stale = True
+        form_page = self._form_page
+        if form_page is not None and page.form is not None:
+            filled = view.look.of(page.form)
+            if filled is not None:
+                await form_page.show(filled, view.look.problems, view.helps)
+                form_page.show_choices(view.choices)
+        self._show_frame(page, view.look)
+
+    async def _turn_to(self, page: Page, view: View) -> None:
+        place = self.query_one("#wizard-page", Vertical)
+        await place.remove_children()
+        await place.mount(self._page_widget(page, view))
+
+    def _page_widget(self, page: Page, view: View) -> Widget:
+        course = self.course
+        if self.is_done:
+            self._items = words.done_items(course.session)
+            return MenuPage(words.DONE, self._items)
+        if page.kind is PageKind.FORM and page.form is not None:
+            return FormPage(page.form)
+        if page.kind is PageKind.REVIEW:
+            offer = f"write {view.look.node} to its file, too" if view.look.can_generate else ""
+            return ReviewPage(words.review(view.look), offer, course.generates)
+        self._offers = view.offers
+        self._items = [Item(o.title, o.term, o.about, o.closed, o.is_advised) for o in view.offers]
+        here = next((n for n, o in enumerate(view.offers) if course.is_chosen(o)), None)
+        return MenuPage(words.question(page, view.look), self._items, here)
+
+    def _show_frame(self, page: Page, look: Look) -> None:
+        """Show what is around the page."""
+        pages = self.course.pages(look)
+        self.query_one("#wizard-title", Label).update(words.title(page, self.is_done))
+        step = "" if self.is_done or page.kind is PageKind.START else f"step {self.course.at}"
+        self.query_one("#wizard-step", Label).update(step)
+        is_menu = self.is_done or page.kind in (PageKind.START, PageKind.PURPOSE)
+        is_last = page.kind is PageKind.REVIEW
+        back = self.query_one("#wizard-back", Button)
+        back.display = not self.is_done and self.course.at > 0
+        following = self.query_one("#wizard-next", Button)
+        following.display = not is_menu
+        following.label = "Finish" if is_last else "Next"
+        turn = self.query_one("#wizard-turn", Button)
+        turn.display = self.has_class("-narrow") and look.outcome is not None
+        self.query_one("#wizard-leave", Button).label = "Close" if self.is_done else "Leave"
+        self.query_one("#wizard-keys", Label).update(words.keys(page, self.is_done))
+        outcome = look.outcome
+        self.set_class(outcome is None, "-empty")
+        shown = self.query_one("#wizard-statements", StatementView)
+        if outcome is not None:
+            here = [
+                number
+                for number, line in enumerate(outcome.lines)
+                if page.form is not None and line == self._text_of(page.form, look)
+            ]
+            shown.show(outcome.lines, frozenset(here[:1]))
+        if is_last and not self.is_done and pages:
+            review = self.query(ReviewPage)
+            if review:
+                problem = look.problems[0].words if look.problems else ""
+                review.first().say(problem)
+
+    def _text_of(self, form: Form, look: Look) -> str:
+        filled = look.of(form)
+        return "" if filled is None else filled.text
+
+    async def _show_result(self, look: Look) -> None:
+        """Show the code and the graph; it takes longer than the rest, and comes after it."""
+        outcome = look.outcome
+        # As long as something is wrong, what was right before it stays in view.
+        if outcome is None or (look.problems and self._code):
+            return
+        is_wide = self.app.size.width >= WIDE
+        session = self.course.session
+        side = self.query_one("#wizard-side").size
+        room = side.width - 3, side.height // 3
+
+        def find() -> tuple[str, Lines, Lines]:
+            name, lines = code_of(outcome.session, look.node)
+            if is_wide:
+                return name, lines, drawing_of(session, outcome.session, *room)
+            return name, lines, arrows_of(session, outcome.session)
+
+        async with self._lock:
+            name, lines, graph = await asyncio.to_thread(find)
+        if look is not self.look or not self.is_attached:
+            return
+        self.query_one("#wizard-graph", TextView).show(graph)
+        self.query_one("#wizard-file", Label).update(name or "The file of the node")
+        code = self.query_one("#wizard-code", TextView)
+        rows = changed_rows(self._code, lines) if self._code else range(0)
+        code.show(lines)
+        if rows:
+            middle = rows.start + min(len(rows), code.size.height) // 2
+            top = max(0, middle - code.size.height // 2)
+            self.call_after_refresh(code.scroll_to, y=top, animate=False)
+        self._code = lines
+
+    def on_resize(self, event: events.Resize) -> None:
+        """Make the best of another size."""
+        self.set_class(event.size.width < NARROW, "-narrow")
+        self.set_class(event.size.height < LOW, "-low")
+        if event.size.width >= NARROW:
+            self.remove_class("-turned")
+        self.changed()
