@@ -15,6 +15,7 @@ from plastron_tui.output.layers import Author, Layer
 from plastron_tui.output.manifest import Manifest, digest
 from plastron_tui.output.three_way import replay
 from plastron_tui.targets import read_source
+from plastron_tui.targets.compiling import syntax_error
 
 _MOST_STEPS = 4
 """How often a file may be made from one that the program made as well."""
@@ -77,6 +78,9 @@ def _is_right(path: Path, text: bytes, original: bytes, layer: Layer, present: b
     from plastron_tui.targets.python.syntax import parse
 
     if parse(text).errors > parse(original).errors:
+        return False
+    # Tabs and blanks mixed up are no error to tree-sitter.
+    if syntax_error(text) is not None and syntax_error(original) is None:
         return False
     found, before, written, now = (
         _shown(path, each) for each in (text, original, layer.written, present)

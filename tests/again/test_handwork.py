@@ -215,3 +215,17 @@ def test_without_a_memory_nothing_is_lost(tmp_path: Path, library: str, how: str
     assert hand.shown("subscriptions") == ["command", "more", "numbers"]
     assert before != hand.text
     assert hand.generate(MORE) == (["identical"], [])
+
+
+@pytest.mark.parametrize("library", LIBRARIES)
+def test_file_that_is_indented_anew(tmp_path: Path, library: str) -> None:
+    """Lines of both indents together are no Python, and no start for a second run."""
+    hand = Hand(tmp_path, library, "in the output")
+    hand.original.write_text(hand.text.replace("    ", "\t"))
+    assert hand.generate(UNSUBSCRIBE) == (["changed"], [])
+    hand.original.write_text(hand.text.expandtabs(4))
+    for statements in ((PUBLISH,), ("n stop_publishing to 'status'\n", SUBSCRIBE)):
+        assert hand.generate(*statements) == (["changed"], [KEPT])
+        assert "\t" not in hand.text
+        compile(hand.text, "robot.py", "exec")
+        assert hand.generate(*statements)[0] == ["identical"]
