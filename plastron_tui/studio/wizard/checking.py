@@ -206,7 +206,14 @@ def _findings(
         if reading is not None:
             yield Finding(*reading, each.message, each.help or "")
         else:
-            yield Finding(None, "", f"another statement would be wrong: {each.message}")
+            yield Finding(None, "", _elsewhere(each))
+
+
+def _elsewhere(diagnostic: Diagnostic) -> str:
+    """Say what would be wrong with another statement."""
+    if diagnostic.code == "idle-node":
+        return "the node would have nothing left to do, and could not be written to its file"
+    return f"another statement would be wrong: {diagnostic.message}"
 
 
 def _reading(placed: Sequence[Placed]) -> tuple[Form, str] | None:

@@ -226,8 +226,14 @@ class MeetingKind(Kind):
             if ask.form.declaration.undoes is not None:
                 for choice in (each for each in self._taken_back(ask) if each.closed):
                     return f"`{choice.text}` has to stay: {choice.closed}"
-                who = f"`{ask.node}` has" if ask.node else "there is"
-                return f"{who} nothing of the kind that could be taken away"
+                slot = ask.form.slot_of(SlotKind.NODE)
+                is_asked = slot is not None and slot.name in {
+                    **ask.form.entered,
+                    **ask.form.given,
+                }
+                if not is_asked:
+                    return "no node does that, so there is nothing to take away"
+                return f"`{ask.node}` does not do that, so there is nothing to take away"
             what, example = ("service", "switch") if is_service else ("topic", "chatter")
             return f"a {what} needs a name, such as `{example}`"
         check = check_service_name if is_service else check_topic_name

@@ -155,13 +155,16 @@ def test_what_would_leave_a_node_idle_is_closed() -> None:
     choose(it, MORE)
     offers = {offer.title: offer.closed for offer in it.purpose_offers()}
     assert offers["no longer ask a question"] == (
-        "`listener` has nothing of the kind that could be taken away"
+        "no node does that, so there is nothing to take away"
     )
     one = "create_node 'a' as a\nsubscribe a to 'x' of message_type String\ngenerate_node a\n"
     it = course(one)
     choose(it, MORE)
     offers = {offer.title: offer.closed for offer in it.purpose_offers()}
-    assert "`a` does nothing" in offers["no longer react to what others send"]
+    assert offers["no longer react to what others send"] == (
+        "`x` has to stay: "
+        "the node would have nothing left to do, and could not be written to its file"
+    )
 
 
 def test_menus_say_what_is_missing() -> None:
