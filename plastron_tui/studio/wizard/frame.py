@@ -198,6 +198,8 @@ class Frame(ModalScreen[str]):
             middle = rows.start + min(len(rows), code.size.height) // 2
             top = max(0, middle - code.size.height // 2)
             self.call_after_refresh(code.scroll_to, y=top, animate=False)
+        elif not self._code:
+            self.call_after_refresh(code.scroll_home, animate=False)
         self._code = lines
 
     def on_resize(self, event: events.Resize) -> None:
