@@ -78,8 +78,7 @@ class Adder:
 
     def tick(self, event=None):
         point = PointStamped()
-        # port by hand: rospy.Time.now
-        point.header.stamp = rospy.Time.now()
+        point.header.stamp = node.get_clock().now().to_msg()
         # port by hand: .secs
         if point.header.stamp.secs > 5:
             self.points.publish(point)
@@ -203,7 +202,8 @@ TO_RCLPY = [
     (
         "rospy.Service('s', Trigger, lambda r: (True, ''))",
         "node.create_service(Trigger, 's', "
-        "lambda request, response: (lambda r: (True, ''))(request))",
+        "lambda request, response: "
+        "(lambda r: Trigger.Response(success=True, message=''))(request))",
     ),
     (
         "rospy.Timer(rospy.Duration(secs=2), lambda e: print(e))",
@@ -220,15 +220,6 @@ TO_RCLPY = [
     (
         "t = rospy.Time.now().to_sec()",
         f"{MARK}.to_sec; rospy.Time.now\nt = rospy.Time.now().to_sec()",
-    ),
-    (
-        "pub = rospy.Publisher('t', String, queue_size=1)\npub.publish('hello')",
-        "pub = node.create_publisher(String, 't', 1)\n"
-        f"{MARK}publish takes a message\npub.publish('hello')",
-    ),
-    (
-        "s = String('hello')",
-        f"{MARK}String takes keywords only\ns = String('hello')",
     ),
     (
         "p = rospy.ServiceProxy('s', Trigger)\nanswer = p()",

@@ -2,27 +2,17 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 
 from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.targets.python.conventions import target_name
-from plastron_tui.targets.python.scopes import BindingKind
 
 from .work import Work, walk
 
 _IMPORTS = frozenset({"import_statement", "import_from_statement", "future_import_statement"})
-# What `publish` and a call of a service take in rospy, but no message and no request of rclpy.
-_PLAIN_VALUES = frozenset(
-    {"string", "concatenated_string", "integer", "float", "binary_operator", "true", "false"}
-    | {"unary_operator", "list", "dictionary", "comparison_operator", "boolean_operator"}
-    | {"not_operator"}
-)
-_CLIENT = re.compile(r"client|proxy|service|srv", re.IGNORECASE)
 _OF_TIMERS = frozenset({"cancel", "reset", "is_canceled", "time_until_next_call"})
-_BUILT_IN = frozenset({"str", "int", "float", "bool", "len", "abs", "round", "max", "min", "sum"})
 
 
 def mark_leftovers(
@@ -139,61 +129,4 @@ def _has_parent(node: Node, types: frozenset[str]) -> bool:
         if current.type in types:
             return True
         current = current.parent
-    return False
-
-
-def mark_plain_publishing(work: Work) -> None:
-    """Mark what rospy makes messages of by itself: `publish("text")`, `Point(1, 2, 3)`."""
-    for call in work.analysis.captures.get("call", []):
-        callee = call.child_by_field_name("function")
-        arguments = call.child_by_field_name("arguments")
-        if callee is None or arguments is None or work.is_gone(call):
-            continue
-        given = [each for each in arguments.named_children if each.type != "comment"]
-        text = work.slice(callee)
-        if _is_client(work, callee):
-            work.mark(call, f"the call of {text}", "`call_async` a request, and take its future")
-        elif text.endswith(".publish") and _is_plain(work, given):
-            work.mark(call, "publish takes a message", "make the message first")
-        elif given and given[0].type != "keyword_argument" and _is_message(work, callee):
-            work.mark(call, f"{text} takes keywords only", "name the fields")
-
-
-def _is_client(work: Work, callee: Node) -> bool:
-    """Tell whether a callee is a client, which rospy calls as a function."""
-    found = work.analysis.resolver.instance(callee, work.scope(callee))
-    if found is not None:
-        return found.qualified.endswith(".ServiceProxy")
-    # A function that is handed a client: nothing else tells what its parameter is.
-    name = work.slice(callee)
-    has_clients = any(s.endpoint.kind is EndpointKind.CLIENT for s in work.analysis.sites)
-    bound = work.scope(callee).lookup(name) if has_clients and _CLIENT.search(name) else None
-    return bound is not None and any(each.kind is BindingKind.PARAMETER for each in bound[1])
-
-
-def _is_plain(work: Work, given: list[Node]) -> bool:
-    if len(given) != 1 or given[0].type == "keyword_argument":
-        return bool(given)
-    [value] = given
-    if value.type == "identifier":
-        found = work.scope(value).lookup(work.slice(value))
-        values = [each.value for each in found[1]] if found is not None else []
-        return any(each is not None and _is_plain_value(work, each) for each in values)
-    return _is_plain_value(work, value)
-
-
-def _is_plain_value(work: Work, value: Node) -> bool:
-    callee = value.child_by_field_name("function") if value.type == "call" else None
-    if callee is not None and work.slice(callee) in _BUILT_IN:
-        return True
-    return value.type in _PLAIN_VALUES
-
-
-def _is_message(work: Work, callee: Node) -> bool:
-    """Tell whether a callee is the class of a message, a request or a response."""
-    for name in work.qualified(callee):
-        package, _, rest = name.partition(".")
-        kind, _, type_name = rest.partition(".")
-        if package and kind in ("msg", "srv") and type_name[:1].isupper():
-            return True
     return False

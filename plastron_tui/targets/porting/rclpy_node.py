@@ -48,13 +48,14 @@ def port_running(work: Work, node: str) -> bool:
     calls: dict[str, list[Node]] = {"rospy.spin": [], "rospy.is_shutdown": [], "rospy.Rate": []}
     for call in work.analysis.captures.get("call", []):
         callee = call.child_by_field_name("function")
-        if callee is not None and not work.is_in_callback(call):
+        if callee is not None:
+            is_free = not work.is_in_callback(call)
             for name in work.qualified(callee):
                 found = name.replace("rospy.client.", "rospy.").replace("rospy.core.", "rospy.")
                 found = found.replace("rospy.timer.", "rospy.")
-                if found in calls:
+                if found in calls and (is_free or found == "rospy.is_shutdown"):
                     calls[found].append(call)
-            if "roslib.load_manifest" in work.qualified(callee):
+            if is_free and "roslib.load_manifest" in work.qualified(callee):
                 work.delete(statement_of(call))
     listens = {EndpointKind.SUBSCRIPTION, EndpointKind.SERVICE, EndpointKind.TIMER}
     is_listening = any(site.endpoint.kind in listens for site in work.analysis.sites)
@@ -161,6 +162,30 @@ def _anchor(work: Work, init: NodeSite) -> Node:
     if body is not None and body.named_child_count:
         return first_statement(body)
     return first_call(work, top)
+
+
+def has_node(work: Work, place: Node) -> bool:
+    """Tell whether the node is made for sure where a place of the file is run.
+
+    A function is taken to run behind it, where it does not make the node itself; so is a node
+    that no line of the file makes.
+    """
+    function = work.scope(place).enclosing("function")
+    inits = [each for each in work.analysis.nodes if each.call is not None]
+    anchors = []
+    for init in inits:
+        assert init.call is not None
+        can_move = len(inits) == 1 and init.name is not None
+        anchors.append(_anchor(work, init) if can_move else statement_of(init.call))
+    if function is None and work.scope(place).enclosing("lambda") is not None:
+        return True
+    if function is not None:
+        anchors = [each for each in anchors if function.start <= each.start_byte < function.end]
+        return all(each.start_byte <= place.start_byte for each in anchors)
+    return any(
+        work.scope(each).enclosing("function") is None and each.start_byte <= place.start_byte
+        for each in anchors
+    )
 
 
 def _module_sites(work: Work, init: NodeSite) -> list[Node]:

@@ -12,8 +12,9 @@ from plastron_tui.targets.python.analysis import Site
 from plastron_tui.targets.python.calls import Argument
 from plastron_tui.targets.python.scopes import Scope
 
-from .leftovers import mark_leftovers, mark_plain_publishing, port_ending
+from .leftovers import mark_leftovers, port_ending
 from .placing import add_header
+from .plain import port_plain
 from .rclpy_node import make_node, port_running
 from .rewriting import (
     Writer,
@@ -24,6 +25,7 @@ from .rewriting import (
     port_sites,
 )
 from .types import port_imports
+from .words import port_words
 from .work import Work, walk
 
 _GONE = frozenset({"rospy", "roslib"})
@@ -55,9 +57,10 @@ def port_to_rclpy(work: Work) -> None:
     if old := _OLD_PYTHON.match(work.analysis.syntax.text):
         work.insert(old.end(1), "3")
     runs_in_thread = port_running(work, node)
+    port_words(work, node)
+    port_plain(work)
     port_sites(work, _writers(node), _private_name)
     make_node(work, node, in_thread=runs_in_thread)
-    mark_plain_publishing(work)
     port_ending(work, {"shutdown": "cancel"}, _ENDING)
     mark_leftovers(work, _LEFT, _ATTRIBUTES, _remedies(node))
     work.imports.add("import rclpy")
@@ -152,7 +155,6 @@ def _service(node: str, work: Work, site: Site, name: str) -> str | None:
         called = f"lambda request, response: {callable_text(called)}(request)"
     else:
         _take_response(work, function)
-        _mark_returns(work, function)
     return f"{node}.create_service({_type(work, site)}, {name}, {called})"
 
 
@@ -245,32 +247,3 @@ def _mark_event(work: Work, function: Scope, event: str) -> None:
         holder = node.child_by_field_name("object") if node.type == "attribute" else None
         if holder is not None and work.slice(holder) == event:
             work.mark(node, work.slice(node), "a timer of ROS 2 hands over no event")
-
-
-def _mark_returns(work: Work, function: Scope) -> None:
-    """Mark what a handler returns, where it is no response for sure."""
-    pending = list(function.node.named_children)
-    made = {
-        name
-        for name, bindings in function.bindings.items()
-        if bindings and all(_is_response(work, each.value) for each in bindings)
-    }
-    while pending:
-        node = pending.pop()
-        if node.type in ("function_definition", "lambda", "class_definition"):
-            continue
-        if node.type == "return_statement":
-            value = node.named_children[0] if node.named_child_count else None
-            is_named = value is not None and work.slice(value) in made
-            if not is_named and not _is_response(work, value):
-                work.mark(node, "return a response", "a handler of rclpy returns a response")
-        pending.extend(node.named_children)
-
-
-def _is_response(work: Work, value: Node | None) -> bool:
-    callee = value.child_by_field_name("function") if value is not None else None
-    if callee is None:
-        return False
-    return any(
-        ".srv." in f".{name}" and name.endswith("Response") for name in work.qualified(callee)
-    )

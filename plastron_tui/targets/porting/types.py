@@ -6,7 +6,7 @@ from collections import defaultdict
 
 from tree_sitter import Node
 
-from plastron_tui.ros.catalog import Catalog, moved
+from plastron_tui.ros.catalog import moved
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 
 from .work import Work, walk
@@ -87,8 +87,7 @@ def _port_types(work: Work, node: Node, module: str) -> None:
 def _port_star(work: Work, node: Node, module: str) -> None:
     """Rewrite `from package.srv import *`, where its types moved or their sides are named anew."""
     package, _, kind = module.partition(".")
-    before = Catalog(work.analysis.library.distribution)
-    known = [each for each in before.names(_KINDS[kind]) if each.package == package]
+    known = [each for each in work.before.names(_KINDS[kind]) if each.package == package]
     pairs = [(each, target_type(work, each, _KINDS[kind])) for each in known]
     moves = {each: found for each, (found, _) in pairs if found is not None and found != each}
     if moves and len(moves) == len(known):
@@ -141,7 +140,7 @@ def target_type(
     instead = moved(type_, work.catalog.ros_version)
     if isinstance(instead, InterfaceName) and work.catalog.find(instead, kind) is not None:
         return instead, None
-    if Catalog(work.analysis.library.distribution).find(type_, kind) is None:
+    if work.before.find(type_, kind) is None:
         return type_, None
     return None, instead if isinstance(
         instead, str

@@ -61,6 +61,7 @@ class Work:
         constants: lines that go behind the imports at the top of the file.
         helpers: functions that go behind them.
         callbacks: the functions that the endpoints call.
+        before: the types of the distribution that it comes from.
     """
 
     analysis: Analysis
@@ -71,10 +72,12 @@ class Work:
     constants: list[str] = field(default_factory=list)
     helpers: list[str] = field(default_factory=list)
     callbacks: dict[int, Scope] = field(default_factory=dict)
+    before: Catalog = field(init=False)
     _splices: list[Splice] = field(default_factory=list)
     _deleted: list[Node] = field(default_factory=list)
 
     def __post_init__(self) -> None:
+        self.before = Catalog(self.analysis.library.distribution)
         for site in self.analysis.sites:
             function = self.callback_of(site)
             if function is not None:

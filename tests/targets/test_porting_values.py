@@ -1,0 +1,270 @@
+"""What rospy makes messages of by itself, brought to rclpy, which does not: before → after."""
+
+from __future__ import annotations
+
+import ast
+import textwrap
+
+import pytest
+from ported_nodes import MARK, ported
+
+HEAD = """\
+import rospy
+import std_msgs.msg
+from geometry_msgs.msg import Point, PointStamped, Twist
+from std_msgs.msg import Bool, Byte, Float32MultiArray, Float64, Header, Int32, String
+from std_srvs.srv import Empty, SetBool, Trigger, TriggerResponse
+from rospy_tutorials.srv import AddTwoInts, AddTwoIntsResponse
+
+rospy.init_node('n')
+text = rospy.Publisher('text', String, queue_size=1)
+number = rospy.Publisher('number', Float64, queue_size=1)
+whole = rospy.Publisher('whole', Int32, queue_size=1)
+flag = rospy.Publisher('flag', Bool, queue_size=1)
+octet = rospy.Publisher('octet', Byte, queue_size=1)
+point = rospy.Publisher('point', Point, queue_size=1)
+stamped = rospy.Publisher('stamped', PointStamped, queue_size=1)
+numbers = rospy.Publisher('numbers', Float32MultiArray, queue_size=1)
+dotted = rospy.Publisher('dotted', std_msgs.msg.String, queue_size=1)
+"""
+PUBLISH = f"{MARK}publish takes a message\n"
+RETURN = f"{MARK}return a response\n"
+
+PUBLISHED = [
+    ("text.publish('hello')", "text.publish(String(data='hello'))"),
+    ("text.publish(f'hello {x}')", "text.publish(String(data=f'hello {x}'))"),
+    ("text.publish('a %s' % x)", "text.publish(String(data='a %s' % x))"),
+    ("text.publish('a' + x)", "text.publish(String(data='a' + x))"),
+    ("text.publish('a {}'.format(x))", "text.publish(String(data='a {}'.format(x)))"),
+    ("text.publish(str(x))", "text.publish(String(data=str(x)))"),
+    ("text.publish(data=x)", "text.publish(String(data=x))"),
+    ("text.publish()", "text.publish(String())"),
+    ("text.publish(\n    'hello',\n)", "text.publish(\n    String(data='hello'),\n)"),
+    ("dotted.publish('hello')", "dotted.publish(std_msgs.msg.String(data='hello'))"),
+    (
+        "rospy.Publisher('t', String, queue_size=1).publish('x')",
+        "node.create_publisher(String, 't', 1).publish(String(data='x'))",
+    ),
+    ("number.publish(5)", "number.publish(Float64(data=5.0))"),
+    ("number.publish(-5)", "number.publish(Float64(data=-5.0))"),
+    ("number.publish(5.5)", "number.publish(Float64(data=5.5))"),
+    ("number.publish(0x10)", "number.publish(Float64(data=float(0x10)))"),
+    ("number.publish(2 * x)", "number.publish(Float64(data=float(2 * x)))"),
+    ("number.publish(0.5 * x)", "number.publish(Float64(data=0.5 * x))"),
+    ("number.publish(int(x))", "number.publish(Float64(data=float(int(x))))"),
+    ("number.publish(data=5)", "number.publish(Float64(data=5.0))"),
+    ("whole.publish(5)", "whole.publish(Int32(data=5))"),
+    ("whole.publish(2 * 3 + 1)", "whole.publish(Int32(data=2 * 3 + 1))"),
+    ("flag.publish(True)", "flag.publish(Bool(data=True))"),
+    ("flag.publish(1)", "flag.publish(Bool(data=bool(1)))"),
+    ("flag.publish(a > b)", "flag.publish(Bool(data=a > b))"),
+    ("octet.publish(5)", 'octet.publish(Byte(data=b"\\x05"))'),
+    ("octet.publish(int(x))", f"{PUBLISH}octet.publish(int(x))"),
+    ("point.publish(1, x, 3.5)", "point.publish(Point(x=1.0, y=float(x), z=3.5))"),
+    ("point.publish(x=1, z=a)", "point.publish(Point(x=1.0, z=float(a)))"),
+    (
+        "stamped.publish(Header(), Point(1, 2, 3))",
+        "stamped.publish(PointStamped(header=Header(), point=Point(x=1.0, y=2.0, z=3.0)))",
+    ),
+    (
+        "numbers.publish(data=[1, 2.5, x])",
+        "numbers.publish(Float32MultiArray(data=[1.0, 2.5, float(x)]))",
+    ),
+    (
+        "numbers.publish(data=[each for each in x])",
+        f"{PUBLISH}numbers.publish(data=[each for each in x])",
+    ),
+    # Nobody knows what it is, or it is no message of the topic's type in rospy either.
+    ("text.publish(message)", "text.publish(message)"),
+    ("text.publish(make(1))", "text.publish(make(1))"),
+    ("text.publish(String(data='x'))", "text.publish(String(data='x'))"),
+    ("text.publish(*parts)", f"{PUBLISH}text.publish(*parts)"),
+    ("text.publish(5)", f"{PUBLISH}text.publish(5)"),
+    ("point.publish(1, 2)", f"{PUBLISH}point.publish(1, 2)"),
+    ("point.publish(w=1)", f"{PUBLISH}point.publish(w=1)"),
+    ("pubs['a'].publish('x')", f"{PUBLISH}pubs['a'].publish('x')"),
+    # A name is what it is bound to.
+    ("x = 'a'\ntext.publish(x)", "x = 'a'\ntext.publish(String(data=x))"),
+    (
+        "count = 0\ncount += 1\nwhole.publish(count)",
+        "count = 0\ncount += 1\nwhole.publish(Int32(data=count))",
+    ),
+    (
+        "for i in range(3):\n    number.publish(i)",
+        "for i in range(3):\n    number.publish(Float64(data=float(i)))",
+    ),
+    ("x = String()\ntext.publish(x)", "x = String()\ntext.publish(x)"),
+    ("x = 'a'\nx = make()\ntext.publish(x)", f"x = 'a'\nx = make()\n{PUBLISH}text.publish(x)"),
+    # The class of a message takes no positions, and no whole number for another.
+    ("x = String('a')", "x = String(data='a')"),
+    ("x = Point(1, 2, 3)", "x = Point(x=1.0, y=2.0, z=3.0)"),
+    ("x = Float64(data=5)", "x = Float64(data=5.0)"),
+    ("x = Float64(5)", "x = Float64(data=5.0)"),
+    ("x = Header(0, now, 'map')", f"{MARK}Header takes keywords only\nx = Header(0, now, 'map')"),
+    ("x = Twist()", "x = Twist()"),
+]
+
+
+def after_head(before: str) -> str:
+    text, _ = ported(HEAD + before + "\n", "rospy")
+    ast.parse(text)
+    return text
+
+
+@pytest.mark.parametrize(("before", "after"), PUBLISHED)
+def test_what_is_published(before: str, after: str) -> None:
+    text = after_head(before)
+    assert text.endswith(f"\n{after}\n")
+    assert text.count(MARK) == after.count(MARK)
+
+
+HEARD = [
+    ("text.publish(msg)", "text.publish(msg)"),
+    ("text.publish(msg.data)", "text.publish(String(data=msg.data))"),
+    ("number.publish(len(msg.data))", "number.publish(Float64(data=float(len(msg.data))))"),
+    ("text.publish('heard ' + msg.data)", "text.publish(String(data='heard ' + msg.data))"),
+]
+
+
+@pytest.mark.parametrize(("before", "after"), HEARD)
+def test_what_a_callback_publishes(before: str, after: str) -> None:
+    text = after_head(f"def hear(msg):\n    {before}\n\n\nrospy.Subscriber('s', String, hear)")
+    assert f"def hear(msg):\n    {after}\n" in text
+    assert MARK not in text
+
+
+def test_an_attribute_holds_what_its_class_puts_in() -> None:
+    before = """
+        class Counter:
+            def __init__(self):
+                self.count = 0
+                self.pub = rospy.Publisher('count', Int32, queue_size=1)
+                rospy.Timer(rospy.Duration(1), self.tick)
+
+            def tick(self, event):
+                self.count += 1
+                self.pub.publish(self.count)
+        """
+    text = after_head(textwrap.dedent(before) + "\nCounter()")
+    assert "        self.pub.publish(Int32(data=self.count))\n" in text
+    assert MARK not in text
+
+
+def test_a_type_that_the_place_does_not_see_is_marked() -> None:
+    before = (
+        "def make():\n    from std_msgs.msg import UInt8 as Small\n"
+        "    return 1\n\n\ndef other():\n    global small\n"
+        "    from std_msgs.msg import UInt8 as Small\n"
+        "    small = rospy.Publisher('small', Small, queue_size=1)\n\n\n"
+        "def send():\n    small.publish(5)"
+    )
+    assert f"    {MARK}publish takes a message\n    small.publish(5)\n" in after_head(before)
+
+
+RETURNED = [
+    ("AddTwoInts", "return 5", "return AddTwoInts.Response(sum=5)"),
+    ("AddTwoInts", "return req.a + req.b", "return AddTwoInts.Response(sum=req.a + req.b)"),
+    ("AddTwoInts", "return [5]", "return AddTwoInts.Response(sum=5)"),
+    ("AddTwoInts", "return [req.a + req.b]", "return AddTwoInts.Response(sum=req.a + req.b)"),
+    ("AddTwoInts", "return {'sum': 5}", "return AddTwoInts.Response(sum=5)"),
+    ("AddTwoInts", "return AddTwoIntsResponse(5)", "return AddTwoIntsResponse(sum=5)"),
+    ("AddTwoInts", "x = req.a\n    return x", "x = req.a\n    return AddTwoInts.Response(sum=x)"),
+    ("Trigger", "return True, 'on'", "return Trigger.Response(success=True, message='on')"),
+    ("Trigger", "return (True, 'on')", "return Trigger.Response(success=True, message='on')"),
+    ("Trigger", "return [1, 'on']", "return Trigger.Response(success=bool(1), message='on')"),
+    (
+        "Trigger",
+        "return {\n        'success': True,\n        'message': x,\n    }",
+        "return Trigger.Response(\n        success=True,\n        message=x,\n    )",
+    ),
+    (
+        "Trigger",
+        "return TriggerResponse(True, 'on')",
+        "return TriggerResponse(success=True, message='on')",
+    ),
+    ("Trigger", "x = TriggerResponse()\n    return x", "x = TriggerResponse()\n    return x"),
+    ("Empty", "return []", "return Empty.Response()"),
+    ("Empty", "return {}", "return Empty.Response()"),
+    ("Trigger", "return make()", f"{RETURN}    return make()"),
+    ("Trigger", "return 5", f"{RETURN}    return 5"),
+    ("Trigger", "return (True,)", f"{RETURN}    return (True,)"),
+    ("Trigger", "return {'good': True}", f"{RETURN}    return {{'good': True}}"),
+    ("Trigger", "return", f"{RETURN}    return"),
+]
+
+
+@pytest.mark.parametrize(("type_", "before", "after"), RETURNED)
+def test_what_a_handler_returns(type_: str, before: str, after: str) -> None:
+    text = after_head(f"def handle(req):\n    {before}\n\n\nrospy.Service('s', {type_}, handle)")
+    assert f"def handle(req, response=None):\n    {after}\n" in text
+    assert text.count(MARK) == after.count(MARK)
+
+
+CALLED = ["proxy(5, 6)", "proxy(a=5, b=6)", "proxy.call(5, 6)", "proxy()"]
+
+
+@pytest.mark.parametrize("call", CALLED)
+def test_a_call_of_a_client_is_marked(call: str) -> None:
+    text = after_head(f"proxy = rospy.ServiceProxy('s', AddTwoInts)\nanswer = {call}")
+    name = call.partition("(")[0]
+    assert text.endswith(f"\n{MARK}the call of {name}\nanswer = {call}\n")
+
+
+WORDS = [
+    ("rospy.loginfo('hello')", "node.get_logger().info('hello')"),
+    ("rospy.loginfo('100%')", "node.get_logger().info('100%')"),
+    ("rospy.loginfo('a %s', x)", "node.get_logger().info(f'a {x}')"),
+    ("rospy.logwarn('%s is %s', x, y.z)", "node.get_logger().warning(f'{x} is {y.z}')"),
+    ("rospy.logerr('a %d', x)", "node.get_logger().error('a %d' % (x,))"),
+    ("rospy.logfatal('%s %s', f(x), y)", "node.get_logger().fatal('%s %s' % (f(x), y))"),
+    ("rospy.logdebug('{} %s', x)", "node.get_logger().debug('{} %s' % (x,))"),
+    ("rospy.loginfo('a' 'b %s', x)", "node.get_logger().info('a' 'b %s' % (x,))"),
+    ("rospy.loginfo('5%% of %.2f', x)", "node.get_logger().info('5%% of %.2f' % (x,))"),
+    ("rospy.loginfo('a %s' % x)", "node.get_logger().info('a %s' % x)"),
+    ("rospy.loginfo(x)", "node.get_logger().info(str(x))"),
+    (
+        "rospy.loginfo('at %s', rospy.get_time())",
+        "node.get_logger().info('at %s' % (node.get_clock().now().nanoseconds / 1e9,))",
+    ),
+    ("rospy.loginfo(rospy.get_name())", "node.get_logger().info(node.get_fully_qualified_name())"),
+    ("name = rospy.get_name() + 'x'", "name = node.get_fully_qualified_name() + 'x'"),
+    ("rospy.loginfo('a %s')", "node.get_logger().info('a %s')"),
+    ("rospy.loginfo('a', x)", f"{MARK}rospy.loginfo\nrospy.loginfo('a', x)"),
+    ("rospy.loginfo('%(a)s', x)", f"{MARK}rospy.loginfo\nrospy.loginfo('%(a)s', x)"),
+    ("rospy.loginfo('%*d', 1, x)", f"{MARK}rospy.loginfo\nrospy.loginfo('%*d', 1, x)"),
+    ("rospy.loginfo(x, y)", f"{MARK}rospy.loginfo\nrospy.loginfo(x, y)"),
+    ("rospy.loginfo(*x)", f"{MARK}rospy.loginfo\nrospy.loginfo(*x)"),
+    (
+        "rospy.loginfo('a', exc_info=True)",
+        f"{MARK}rospy.loginfo\nrospy.loginfo('a', exc_info=True)",
+    ),
+    ("x = rospy.is_shutdown() or y", "x = (not rclpy.ok()) or y"),
+    ("x = not rospy.is_shutdown() and y", "x = rclpy.ok() and y"),
+    ("x.header.stamp = rospy.Time.now()", "x.header.stamp = node.get_clock().now().to_msg()"),
+    ("x = Header(stamp=rospy.Time.now())", "x = Header(stamp=node.get_clock().now().to_msg())"),
+    ("x = rospy.Time.now()", f"{MARK}rospy.Time.now\nx = rospy.Time.now()"),
+    (
+        "text.publish('it is %s' % rospy.get_time())",
+        "text.publish(String(data='it is %s' % (node.get_clock().now().nanoseconds / 1e9)))",
+    ),
+]
+
+
+@pytest.mark.parametrize(("before", "after"), WORDS)
+def test_what_a_node_says_and_asks(before: str, after: str) -> None:
+    text = after_head(before)
+    assert text.endswith(f"\n{after}\n")
+    assert text.count(MARK) == after.count(MARK)
+
+
+@pytest.mark.parametrize(("before", "after"), WORDS)
+def test_a_callback_says_the_same(before: str, after: str) -> None:
+    text = after_head(f"def hear(msg):\n    {before}\n\n\nrospy.Subscriber('s', String, hear)")
+    assert f"def hear(msg):\n{textwrap.indent(after, '    ')}\n" in text
+
+
+def test_what_stands_before_the_node_is_made_is_marked() -> None:
+    text, _ = ported("import rospy\n\n\ndef main(name):\n    rospy.loginfo('a')\n"
+                     "    rospy.init_node(name)\n    rospy.loginfo('b')\n", "rospy")  # fmt: skip
+    assert f"    {MARK}rospy.loginfo\n    rospy.loginfo('a')\n" in text
+    assert "    node.get_logger().info('b')\n" in text
