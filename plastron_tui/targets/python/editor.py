@@ -15,6 +15,7 @@ from plastron_tui.targets.dialect import Dialect
 from .adding import plan_addition
 from .analysis import Analysis
 from .calls import LIBRARIES
+from .imports import restore_imports
 from .messages import CannotAddError
 from .removal import find_sites, plan_removal
 from .sites import analyze
@@ -53,6 +54,9 @@ def edit_python(
         except UnicodeEncodeError as error:
             return Rendered(None, (not_encodable(source, error),))
         analysis = analyze(text, library)
+    restored = apply(analysis.syntax.text, restore_imports(before, analysis))
+    if restored != analysis.syntax.text:
+        analysis = analyze(restored, library)
     problem = _problem(before, analysis, expected)
     if problem is not None:
         message = f"the change of `{source.path.name}` would {problem}"

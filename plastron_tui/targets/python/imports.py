@@ -127,3 +127,45 @@ def _delete_names(statement: Node, items: list[Node], analysis: Analysis) -> lis
         splices.append(delete_item(text, remaining, item))
         remaining = [other for other in remaining if other.id != item.id]
     return splices
+
+
+def restore_imports(before: Analysis, after: Analysis) -> list[Splice]:
+    """Write the imports as they were, where an edit took names out that it needed again.
+
+    Where the edit needed other names too, they stand behind those that were there, and a line
+    that it moved stays where it is.
+    """
+    old, new = _top_imports(before), _top_imports(after)
+    meanings = sorted(_meaning(each, after) for each in new)
+    if sorted(_meaning(each, before) for each in old) == meanings:
+        return [_rewritten(now, was, []) for was, now in zip(old, new, strict=True)]
+    splices = []
+    for was in old:
+        module, names = _meaning(was, before)
+        alike = [each for each in new if _meaning(each, after)[0] == module]
+        is_only = len(alike) == 1 == sum(_meaning(each, before)[0] == module for each in old)
+        if not names or not module or not is_only:
+            continue
+        found = [after.syntax.slice(each) for each in alike[0].children_by_field_name("name")]
+        more = [each for each in found if each not in names]
+        is_line = b"(" not in (was.text or b"") and b"\\" not in (was.text or b"")
+        if len(found) == len(names) + len(more) and (is_line or not more):
+            splices.append(_rewritten(alike[0], was, [after.syntax.encode(each) for each in more]))
+    return splices
+
+
+def _rewritten(now: Node, was: Node, more: list[bytes]) -> Splice:
+    return Splice(now.start_byte, now.end_byte, b", ".join([was.text or b"", *more]))
+
+
+def _top_imports(analysis: Analysis) -> list[Node]:
+    kinds = ("import_statement", "import_from_statement")
+    return [each for each in analysis.syntax.root.named_children if each.type in kinds]
+
+
+def _meaning(statement: Node, analysis: Analysis) -> tuple[str, list[str]]:
+    """Return the module of an import statement, and the names that it brings in."""
+    module = statement.child_by_field_name("module_name")
+    names = statement.children_by_field_name("name")
+    listed = sorted(analysis.syntax.slice(each) for each in names)
+    return analysis.syntax.slice(module) if module is not None else "", listed
