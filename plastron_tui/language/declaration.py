@@ -98,6 +98,7 @@ class Declaration:
         ros_term: what ROS calls it, "" where ROS has no word for it.
         about: one sentence for somebody who does not know that word.
         undoes: the statement that it takes back.
+        writes_file: whether it writes a node of the program to its file.
     """
 
     type: type[Statement]
@@ -109,6 +110,7 @@ class Declaration:
     ros_term: str = ""
     about: str = ""
     undoes: StatementType | None = None
+    writes_file: bool = False
 
     @property
     def keyword(self) -> str:
@@ -190,6 +192,7 @@ def statement(
     ros_term: str = "",
     about: str = "",
     undoes: type[Statement] | None = None,
+    writes_file: bool = False,
 ) -> Callable[[type[S]], type[S]]:
     """Declare a statement.
 
@@ -214,6 +217,7 @@ def statement(
             ros_term,
             about or summary,
             undoes,
+            writes_file,
         )
         return made
 

@@ -223,6 +223,7 @@ class StopService(Statement):
     purpose="write a node to its file",
     ros_term="source file",
     about="The file is Python that you can read, run and go on with by hand.",
+    writes_file=True,
 )
 class GenerateNode(Statement):
     """Write a node to its source file."""

@@ -23,7 +23,9 @@ MORE_ABOUT = "Let a node of the program send, listen, ask or answer; or let it d
 
 
 def aim_of(declaration: Declaration) -> Aim:
-    """Tell what a statement is wanted for, by the slots that it has."""
+    """Tell what a statement is wanted for, by what it makes or writes."""
+    if declaration.writes_file:
+        return Aim.WRITE
     kinds = {slot.kind for slot in declaration.slots}
     if SlotKind.FILE in kinds:
         return Aim.CHANGE
@@ -31,8 +33,6 @@ def aim_of(declaration: Declaration) -> Aim:
         return Aim.NODE
     if SlotKind.NEW_MESSAGE in kinds:
         return Aim.MESSAGE
-    if SlotKind.NODE in kinds and kinds <= {SlotKind.NODE, SlotKind.LIBRARY}:
-        return Aim.WRITE
     return Aim.MORE
 
 
@@ -62,4 +62,4 @@ def maker_of(kind: SlotKind) -> Declaration | None:
 
 def generating() -> Declaration | None:
     """Return the statement that writes a node to its file."""
-    return next(iter(declarations_of(Aim.WRITE)), None)
+    return next((each for each in DECLARATIONS.values() if each.writes_file), None)

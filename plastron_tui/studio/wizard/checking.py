@@ -12,7 +12,7 @@ from plastron_tui.language.declaration import Statement
 from plastron_tui.language.inputs import COMMENTS
 from plastron_tui.session import Session
 
-from .aims import Aim, aim_of, generating
+from .aims import generating
 from .form import Form, sentence
 from .values import Entry, Path
 
@@ -109,9 +109,7 @@ def node_of(session: Session, placed: Sequence[Placed]) -> str | None:
 
 
 def _generates(placed: Sequence[Placed]) -> bool:
-    return any(
-        each.form is not None and aim_of(each.form.declaration) is Aim.WRITE for each in placed
-    )
+    return any(each.form is not None and each.form.declaration.writes_file for each in placed)
 
 
 def _is_generated(session: Session, node: str) -> bool:

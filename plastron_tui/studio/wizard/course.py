@@ -363,7 +363,7 @@ class Course:
         if scene is None:
             closed = self._closed(declaration, self.scene, [])
             # A file's path can be written where none was found.
-            if aim_of(declaration) is not Aim.WRITE:
+            if not declaration.writes_file:
                 closed = ""
             return Offer(declaration, title, term, about, closed)
         closed = self._closed(declaration, scene, filled or [])

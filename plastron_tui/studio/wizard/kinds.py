@@ -14,7 +14,7 @@ from plastron_tui.ros.names import (
     mended_node_name,
 )
 
-from .aims import Aim, aim_of, maker_of
+from .aims import maker_of
 from .ask import Ask, Choice
 from .form import NEW
 from .kind import Kind
@@ -126,7 +126,7 @@ class NodeKind(Kind):
 def _last_first(ask: Ask) -> list[str]:
     """Return the nodes, the last one first; of those to be written, the ones that are not yet."""
     nodes = list(reversed(ask.scene.workspace.nodes))
-    if aim_of(ask.form.declaration) is not Aim.WRITE:
+    if not ask.form.declaration.writes_file:
         return nodes
     generated = {made.node.variable for made in ask.scene.workspace.generations}
     return sorted(nodes, key=lambda variable: variable in generated)

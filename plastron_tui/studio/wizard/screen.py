@@ -20,7 +20,6 @@ from plastron_tui.session import Session
 from ..panels.text_view import TextView
 from ..screens.question import Question
 from . import words
-from .aims import Aim, aim_of
 from .ask import Choice
 from .checking import Finding
 from .course import Course, Look, Offer, PageKind
@@ -194,7 +193,7 @@ class Wizard(Frame):
 
     def _writes_at_once(self, offer: Offer) -> bool:
         """Tell whether all that could be generated is: then the files can be written."""
-        if offer.declaration is None or aim_of(offer.declaration) is not Aim.WRITE:
+        if offer.declaration is None or not offer.declaration.writes_file:
             return False
         workspace = self.course.session.workspace
         generated = {made.node.variable for made in workspace.generations}
@@ -244,7 +243,7 @@ class Wizard(Frame):
             look = await self.settled()
         blocking = self.course.blocking(look)
         if blocking:
-            self._refuse(blocking[0], look)
+            self._insist_on(blocking[0], look)
         elif page.kind is PageKind.REVIEW:
             await self._finish(look)
         else:
@@ -260,7 +259,7 @@ class Wizard(Frame):
         except asyncio.TimeoutError:
             self._environments.set()
 
-    def _refuse(self, finding: Finding, look: Look) -> None:
+    def _insist_on(self, finding: Finding, look: Look) -> None:
         self.app.bell()
         page = self.course.page
         if finding.form is not None and finding.form is not page.form:

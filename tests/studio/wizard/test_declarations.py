@@ -120,6 +120,41 @@ def whistle() -> Iterator[Declaration]:
     del DECLARATIONS[Whistle]
 
 
+@pytest.fixture
+def watch() -> Iterator[Declaration]:
+    """Another one, in which only nodes are named."""
+
+    @statement(
+        "watch_statement",
+        "watch {node} with {other}",
+        summary="Let a node watch another one.",
+        example="watch talker with listener",
+    )
+    class Watch(Statement):
+        node: str = slot(SlotKind.NODE, "the node that is watched")
+        other: str = slot(SlotKind.NODE, "the node that watches")
+
+    yield DECLARATIONS[Watch]
+    del DECLARATIONS[Watch]
+
+
+def test_a_statement_about_nodes_alone_is_something_that_a_node_does(watch: Declaration) -> None:
+    assert aim_of(watch) is Aim.MORE
+    assert watch not in declarations_of(Aim.WRITE)
+    it = course(TWO_NODES)
+    choose(it, "give a node something more to do")
+    assert "let a node watch another one" in [each.title for each in it.purpose_offers()]
+    filled = Filler().fill(Form(watch), it.scene)
+    assert filled.text == "watch listener with listener"
+    assert [spec.label for spec in _specs(filled)] == ["node", "other"]
+
+
+def test_a_statement_says_that_it_writes_a_file() -> None:
+    said = [declaration.keyword for declaration in ALL if declaration.writes_file]
+    assert said == ["generate_node"]
+    assert [each.keyword for each in declarations_of(Aim.WRITE)] == said
+
+
 def test_a_statement_that_is_added_has_its_form(whistle: Declaration) -> None:
     """No line of the wizard knows of it; only the grammar, which does not, is asked in the end."""
     assert aim_of(whistle) is Aim.MORE
