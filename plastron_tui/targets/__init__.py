@@ -59,7 +59,7 @@ is installed.
 def find_target(name: str, template_folder: Path | None = None) -> Target | None:
     """Return the target of a client library, None when there is none of that name.
 
-    A target of another distribution that cannot be loaded says so, whatever it is asked.
+    A target of another distribution that cannot be loaded, or that fails, says so.
 
     Args:
         name: the client library, such as `rospy`.
@@ -69,11 +69,9 @@ def find_target(name: str, template_folder: Path | None = None) -> Target | None
         module, attribute = _OWN[name]
         factory = getattr(import_module(module), attribute)
     else:
-        from .plugins import factory_of
+        from .plugins import make_target
 
-        factory = factory_of(name)
-        if factory is None:
-            return None
+        return make_target(name, template_folder)
     target: Target = factory(template_folder)
     return target
 

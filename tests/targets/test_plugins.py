@@ -122,6 +122,12 @@ def test_a_registered_target_is_listed_where_a_name_is_wrong(tmp_path: Path) -> 
         ("RoslispTarget = 5", "roslisp_target:RoslispTarget", "is no class of a target"),
         (MODULE.format(ros_version=3), "roslisp_target:RoslispTarget", "neither 1 nor 2"),
         (MODULE.format(ros_version=1), "roslisp_target:NoSuchTarget", "AttributeError"),
+        ("import sys; sys.exit(3)", "roslisp_target:RoslispTarget", "SystemExit: 3"),
+        (
+            MODULE.format(ros_version=1).replace(", template_folder=None", ""),
+            "roslisp_target:RoslispTarget",
+            "TypeError",
+        ),
         (
             MODULE.format(ros_version=1).replace('"roslisp"', '"roseus"'),
             "roslisp_target:RoslispTarget",
@@ -138,6 +144,35 @@ def test_a_target_that_cannot_be_loaded_is_a_diagnostic(
     assert result.returncode == 1
     assert "error[unsupported-target]: the target `roslisp` cannot be used" in result.stderr
     assert reason in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "reason"),
+    [
+        ("return Rendered(text.encode())", "raise KeyError('broken')", "KeyError: 'broken'"),
+        ("return Rendered(text.encode())", "raise SystemExit(1)", "SystemExit: 1"),
+        ("return Rendered(text.encode())", "pass", "it gives a NoneType, and no Rendered"),
+        ("text.encode()", "text", "the text that it gives is no bytes"),
+    ],
+)
+def test_a_target_that_fails_is_a_diagnostic(
+    tmp_path: Path, old: str, new: str, reason: str
+) -> None:
+    install(tmp_path / "site", MODULE.format(ros_version=1).replace(old, new))
+    program(tmp_path, " using roslisp")
+    result = plastron(tmp_path, "generate", "a.plastron")
+    assert result.returncode == 1
+    assert f"error[unsupported-target]: the target `roslisp` failed: {reason}" in result.stderr
+
+
+def test_a_target_that_fails_keeps_no_file_of_others_from_being_read(tmp_path: Path) -> None:
+    module = MODULE.format(ros_version=1).replace('".lisp"', '".py"')
+    install(
+        tmp_path / "site", module.replace("name = text", "raise ValueError\n        name = text")
+    )
+    tmp_path.joinpath("driver.py").write_text("print('no node')\n")
+    result = plastron(tmp_path, "inspect", "driver.py")
+    assert "error[no-node]: the file imports neither rospy nor rclpy" in result.stderr
 
 
 def test_plastrons_own_names_look_up_no_entry_points(tmp_path: Path) -> None:
