@@ -23,7 +23,8 @@ def main() -> None:
     0: done; 1: a program or a file has errors; 2: wrong usage, or a file that cannot be read or
     written; 130: interrupted.
     """
-    if sys.stdout is not None and hasattr(sys.stdout, "reconfigure"):
+    _open_closed_streams()
+    if hasattr(sys.stdout, "reconfigure"):
         # Whatever the terminal's encoding is, a result is written; a file name need be no text.
         sys.stdout.reconfigure(errors="backslashreplace")
     arguments = sys.argv[1:]
@@ -40,6 +41,16 @@ def main() -> None:
         print(f"error: {place}{what}", file=sys.stderr)
         status = UNREADABLE
     sys.exit(status if isinstance(status, int) else 0)
+
+
+def _open_closed_streams() -> None:
+    """Let what goes to a stream that was closed (`>&-`) go nowhere.
+
+    Files that are opened later would take its number, and get what is written to it.
+    """
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+        if getattr(sys, name) is None:
+            setattr(sys, name, Path(os.devnull).open(mode))  # noqa: SIM115
 
 
 def _run_command() -> object:

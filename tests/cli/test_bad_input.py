@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import random
 import subprocess
+import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -262,3 +263,25 @@ def test_noise_through_the_process(run: Run, here: Path) -> None:
         assert result.returncode == 2
     for seed in range(40):
         assert run("check", "-", stdin=noise(seed)).returncode in (0, 1, 2)
+
+
+@pytest.mark.parametrize(
+    ("command", "status"),
+    [("check", 0), ("generate", 0), ("graph", 0), ("inspect", 1), ("--help", 0), ("shell", 0)],
+)
+@pytest.mark.parametrize("closed", [">&-", "2>&-", ">&- 2>&- <&-"])
+def test_closed_streams(here: Path, command: str, status: int, closed: str) -> None:
+    here.joinpath("talker.plastron").write_text(TALKER)
+    file = "talker.plastron" if command[0].islower() and command != "shell" else ""
+    code = "from plastron_tui.cli import main; main()"
+    done = subprocess.run(
+        f"'{sys.executable}' -c '{code}' {command} {file} {closed}",
+        shell=True,
+        cwd=here,
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    assert "Traceback" not in done.stderr
+    assert done.returncode == status
