@@ -28,6 +28,9 @@ from .workspace import Message, Node, Workspace
 _HIGHEST_RATE = 1e6
 """More than any node sends, in hertz; a typing error."""
 
+_LOWEST_RATE = 1e-9
+"""The lowest rate, in hertz: ROS 1 counts the seconds between two messages in 31 bits (genpy)."""
+
 _LIBRARY_OF_ROS = {"ros1": "rospy", "ros2": "rclpy"} | {
     name: "rospy" if version == 1 else "rclpy" for name, version in DISTRIBUTIONS.items()
 }
@@ -233,13 +236,14 @@ class Checks:
         return value
 
     def _rate(self, statement: Statement, rate: int | float) -> float:
-        if 0 < rate <= _HIGHEST_RATE:
+        if _LOWEST_RATE <= rate <= _HIGHEST_RATE:
             return float(rate)
-        where, is_negative = statement.span_of("rate"), -_HIGHEST_RATE <= rate < 0
+        where = statement.span_of("rate")
+        is_negative = _LOWEST_RATE <= -rate <= _HIGHEST_RATE
         raise Mistake(
             Diagnostic(
                 "invalid-rate",
-                f"a rate is more than 0 and at most {_HIGHEST_RATE:g} hz",
+                f"a rate is at least {_LOWEST_RATE:g} and at most {_HIGHEST_RATE:g} hz",
                 where,
                 help=f"write `at {-rate:g} hz`" if is_negative else None,
                 fix=write(f"{-rate:g}", where) if is_negative else None,

@@ -64,6 +64,12 @@ MISTAKES: list[tuple[str, str, str, str | None]] = [
     ("n publish m to 'a' of message_type String at -1 hz", "invalid-rate", "-1", "write `at 1 hz`"),
     ("n publish m to 'a' of message_type String at 1e7 hz", "invalid-rate", "1e7", None),
     ("n publish m to 'a' of message_type String at 1e999 hz", "invalid-rate", "1e999", None),
+    (
+        "n publish m to 'a' of message_type String at 0.0000000001 hz",
+        "invalid-rate",
+        "0.0000000001",
+        None,
+    ),
     ("n publish m to 'a' of message_type String at 1e-999 hz", "invalid-rate", "1e-999", None),
     ("n publish m to 'chatter' of message_type String", "already-publishing", "'chatter'", None),
     ("n stop_publishing to 'chater'", "not-publishing", "'chater'", "did you mean `chatter`?"),
