@@ -117,6 +117,111 @@ if __name__ == "__main__":
     main()
 '''
 
+PLAIN = '''\
+#!/usr/bin/env python
+import rospy
+from geometry_msgs.msg import Point, PointStamped
+from std_msgs.msg import Bool, Float32MultiArray, Float64, Header, Int32, String
+from std_srvs.srv import SetBool, SetBoolResponse, Trigger
+
+flag = rospy.Publisher("flag", Bool, queue_size=10)
+numbers = rospy.Publisher("numbers", Float32MultiArray, queue_size=10)
+
+
+class Plain:
+    """Sends what rospy makes messages of."""
+
+    def __init__(self):
+        self.count = 0
+        self.text = rospy.Publisher("text", String, queue_size=10)
+        self.number = rospy.Publisher("number", Float64, queue_size=10)
+        self.counted = rospy.Publisher("counted", Int32, queue_size=10)
+        self.point = rospy.Publisher("point", Point, queue_size=10)
+        self.stamped = rospy.Publisher("stamped", PointStamped, queue_size=10)
+        self.repeated = rospy.Publisher("repeated", String, queue_size=10)
+        rospy.Subscriber("text", String, self.hear)
+        rospy.Service("pair", Trigger, self.pair)
+        rospy.Service("named", SetBool, self.named)
+        rospy.Service("made", SetBool, lambda req: (1, "made %s" % req.data))
+        rospy.Timer(rospy.Duration(0.05), self.tick)
+
+    def hear(self, message):
+        rospy.loginfo("chatter: %s", message)
+        rospy.logwarn("%d of %s", self.count, rospy.get_name())
+        rospy.loginfo(self.count)
+        if not rospy.is_shutdown() and message.data:
+            self.repeated.publish(message.data)
+
+    def pair(self, req):
+        return True, "paired"
+
+    def named(self, req):
+        if not req.data:
+            return SetBoolResponse(False, "off")
+        return {"success": req.data, "message": "named"}
+
+    def tick(self, event):
+        self.count += 1
+        self.text.publish("hello %s" % rospy.get_name())
+        self.number.publish(5)
+        self.counted.publish(self.count)
+        flag.publish(1)
+        self.point.publish(1, 2, 3)
+        numbers.publish(data=[1, 2.5, self.count])
+        point = PointStamped(Header(stamp=rospy.Time.now()), Point(1, -2, 3))
+        point.header.frame_id = "map"
+        point.point.z = 4
+        self.stamped.publish(point)
+
+
+if __name__ == "__main__":
+    rospy.init_node("plain")
+    rospy.loginfo("started at %.1f", rospy.get_time())
+    Plain()
+    rospy.spin()
+'''
+
+
+def test_a_ported_node_sends_what_rospy_makes_messages_of(graph: Graph, tmp_path: Path) -> None:
+    (tmp_path / "plain.py").write_text(PLAIN)
+    program = tmp_path / "port.plastron"
+    program.write_text(f"load plain as node\ngenerate_node node using {graph.target}\n")
+    done = subprocess.run(
+        [PLASTRON, "generate", program], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    assert "port-by-hand" not in done.stderr
+    node = graph.run(tmp_path / "output" / "plain.py")
+    topics = {
+        "/text": "std_msgs/String",
+        "/repeated": "std_msgs/String",
+        "/number": "std_msgs/Float64",
+        "/counted": "std_msgs/Int32",
+        "/flag": "std_msgs/Bool",
+        "/point": "geometry_msgs/Point",
+        "/stamped": "geometry_msgs/PointStamped",
+        "/numbers": "std_msgs/Float32MultiArray",
+    }
+    received = {name: each[-1].message for name, each in graph.listen(topics, 1).items()}
+    assert received["/text"] == received["/repeated"] == {"data": "hello /plain"}
+    assert received["/number"] == {"data": 5.0}
+    assert received["/flag"] == {"data": True}
+    assert received["/point"] == {"x": 1.0, "y": 2.0, "z": 3.0}
+    assert received["/stamped"]["point"] == {"x": 1.0, "y": -2.0, "z": 4.0}
+    assert received["/stamped"]["header"]["frame_id"] == "map"
+    assert any(received["/stamped"]["header"]["stamp"].values())
+    assert received["/numbers"]["data"][:2] == [1.0, 2.5]
+    assert received["/counted"]["data"] > 10
+    pair = graph.call("/pair", "std_srvs/Trigger", {})
+    assert pair == {"success": True, "message": "paired"}
+    assert graph.call("/named", "std_srvs/SetBool", {"data": True})["message"] == "named"
+    assert graph.call("/named", "std_srvs/SetBool", {"data": False})["message"] == "off"
+    assert graph.call("/made", "std_srvs/SetBool", {"data": True})["message"] == "made True"
+    assert node.interrupt() == 0
+    assert "Traceback" not in node.output
+    assert "chatter: " in node.output
+    assert " of /plain" in node.output
+
 
 def test_a_ported_node_talks(graph: Graph, tmp_path: Path) -> None:
     source = RCLPY if graph.target == "rospy" else ROSPY

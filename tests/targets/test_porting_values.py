@@ -101,7 +101,16 @@ PUBLISHED = [
     ("x = Float64(data=5)", "x = Float64(data=5.0)"),
     ("x = Float64(5)", "x = Float64(data=5.0)"),
     ("x = Header(0, now, 'map')", f"{MARK}Header takes keywords only\nx = Header(0, now, 'map')"),
+    ("x = Header(seq=0)", f"{MARK}seq of Header\nx = Header(seq=0)"),
+    ("x = Float64(data=unknown)", "x = Float64(data=unknown)"),
+    ("x = Point(x=1, y=unknown)", "x = Point(x=1.0, y=unknown)"),
     ("x = Twist()", "x = Twist()"),
+    ("x = Twist()\nx.linear.x = 1", "x = Twist()\nx.linear.x = 1.0"),
+    ("x = Twist()\nx.linear.x = x.linear.y = -1", "x = Twist()\nx.linear.x = x.linear.y = -1.0"),
+    ("x = Twist()\nx.linear.x = 2 * y", "x = Twist()\nx.linear.x = float(2 * y)"),
+    ("x = Twist()\nx.linear.x = y", "x = Twist()\nx.linear.x = y"),
+    ("x = Int32()\nx.data = 1", "x = Int32()\nx.data = 1"),
+    ("x = make()\nx.linear.x = 1", "x = make()\nx.linear.x = 1"),
 ]
 
 

@@ -35,8 +35,17 @@ def fields_of(work: Work, type_: InterfaceName, kind: InterfaceKind, side: str) 
     return {each.name: types.get(each.name) for each in listed}
 
 
-def write_fields(work: Work, given: Given, fields: Fields) -> list[Splice] | None:
+def write_fields(
+    work: Work, given: Given, fields: Fields, *, is_sure: bool = True
+) -> list[Splice] | None:
     """Name each value's field, and make it of the type that the field has.
+
+    Args:
+        work: the file.
+        given: the values.
+        fields: the fields.
+        is_sure: whether a value of which nothing is known is made sure of; a message that
+            the file makes by keywords itself stays as it is there.
 
     Returns:
         what to insert; None where a value may not be what the field takes, or their number is
@@ -50,16 +59,30 @@ def write_fields(work: Work, given: Given, fields: Fields) -> list[Splice] | Non
         return None
     for (name, value), field in zip(given, [*fields, *[""] * len(given)], strict=False):
         type_ = fields.get(name or field)
-        found = _value(work, value, type_) if type_ is not None else None
+        if type_ is None:
+            return None
+        found = write_value(work, value, type_, "" if name is not None else f"{field}=", is_sure)
         if found is None:
             return None
-        before, inside, behind = found
-        prefix = before if name is not None else f"{field}={before}"
-        encode = work.analysis.syntax.encode
-        splices.append(Splice(value.start_byte, value.start_byte, encode(prefix)))
-        splices += inside
-        splices.append(Splice(value.end_byte, value.end_byte, encode(behind)))
+        splices += found
     return splices
+
+
+def write_value(
+    work: Work, value: Node, type_: FieldType, prefix: str = "", is_sure: bool = False
+) -> list[Splice] | None:
+    """Make a value of the type that a field has; None where it may not be what it takes."""
+    is_open = not is_sure and kind_of(work, value) is None and value.type not in ("list", "tuple")
+    found = _AS_IT_IS if is_open else _value(work, value, type_)
+    if found is None:
+        return None if is_sure else []
+    before, inside, behind = found
+    encode = work.analysis.syntax.encode
+    return [
+        Splice(value.start_byte, value.start_byte, encode(prefix + before)),
+        *inside,
+        Splice(value.end_byte, value.end_byte, encode(behind)),
+    ]
 
 
 _Written = tuple[str, list[Splice], str]

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
-from plastron_tui.ros.interfaces import FieldType, Interface, InterfaceKind, InterfaceName
+from plastron_tui.ros.interfaces import FieldType, InterfaceKind, InterfaceName, Section
 from plastron_tui.targets.python.analysis import Site
 from plastron_tui.targets.python.constants import MOST_DEEP, operands, without_none
 from plastron_tui.targets.python.scopes import Binding, BindingKind, Scope
@@ -156,7 +156,7 @@ def _of_call(work: Work, call: Node, depth: int) -> str | None:
 
 def _of_name(work: Work, node: Node, depth: int) -> str | None:
     type_ = typed(work, node)
-    if isinstance(type_, Interface):
+    if isinstance(type_, Section):
         return MESSAGE
     if type_ is not None:
         return _of_field(type_)
@@ -231,40 +231,49 @@ def constructed(work: Work, callee: Node) -> tuple[InterfaceName, InterfaceKind,
     return None
 
 
-def typed(work: Work, node: Node) -> Interface | FieldType | None:
-    """Return the type of a message that the file knows, or of a field of it."""
+def typed(work: Work, node: Node, depth: int = 0) -> Section | FieldType | None:
+    """Return the fields of a message that the file knows, or the type of a field of it."""
+    if depth > MOST_DEEP:
+        return None
     if node.type == "attribute":
         holder, part = node.child_by_field_name("object"), node.child_by_field_name("attribute")
         if holder is None or part is None:
             return None
-        outer = typed(work, holder)
+        outer = typed(work, holder, depth + 1)
         if isinstance(outer, FieldType):
             if outer.message is None or outer.is_array:
                 return None
-            outer = _find(work, outer.message, InterfaceKind.MESSAGE)
-        if outer is None:
-            return None
-        fields = {each.name: each.type for each in outer.fields}
-        return fields.get(work.slice(part))
-    if node.type != "identifier":
+            outer = _section(work, outer.message, InterfaceKind.MESSAGE, "")
+        if outer is not None:
+            fields = {each.name: each.type for each in outer.fields}
+            return fields.get(work.slice(part))
+        bindings = work.analysis.resolver.attribute_bindings(node, work.scope(node))
+    elif node.type == "identifier":
+        found = work.scope(node).lookup(work.slice(node))
+        bindings = found[1] if found is not None else []
+    else:
         return None
-    found = work.scope(node).lookup(work.slice(node))
-    types = [_of_bound(work, each) for each in found[1]] if found is not None else []
+    types = [_of_bound(work, each, depth) for each in without_none(bindings)]
     return types[0] if types and all(each == types[0] for each in types) else None
 
 
-def _of_bound(work: Work, binding: Binding) -> Interface | None:
+def _of_bound(work: Work, binding: Binding, depth: int) -> Section | None:
     """Return the message that a name is bound to: one that came in, or one that is made."""
     if binding.kind is BindingKind.PARAMETER and binding.owner is not None:
         return _of_parameter(work, binding, binding.owner)
-    callee = binding.value.child_by_field_name("function") if binding.value is not None else None
-    made = constructed(work, callee) if callee is not None else None
-    if made is None or made[2]:
+    if binding.value is None:
         return None
-    return _find(work, made[0], made[1])
+    callee = binding.value.child_by_field_name("function")
+    if callee is not None:
+        made = constructed(work, callee)
+        return _section(work, *made) if made is not None else None
+    found = typed(work, binding.value, depth + 1)
+    if isinstance(found, FieldType) and found.message is not None and not found.is_array:
+        return _section(work, found.message, InterfaceKind.MESSAGE, "")
+    return found if isinstance(found, Section) else None
 
 
-def _of_parameter(work: Work, binding: Binding, function: Scope) -> Interface | None:
+def _of_parameter(work: Work, binding: Binding, function: Scope) -> Section | None:
     if binding.index != bool(function.self_name):
         return None
     callers = _callers(work, function)
@@ -272,7 +281,7 @@ def _of_parameter(work: Work, binding: Binding, function: Scope) -> Interface | 
     if len(types) != 1:
         return None
     [(name, kind)] = types
-    return _find(work, name, kind) if name is not None else None
+    return _section(work, name, kind, "") if name is not None else None
 
 
 def _callers(work: Work, function: Scope) -> Iterator[Site]:
@@ -281,7 +290,9 @@ def _callers(work: Work, function: Scope) -> Iterator[Site]:
             yield site
 
 
-def _find(work: Work, name: InterfaceName, kind: InterfaceKind) -> Interface | None:
+def _section(work: Work, name: InterfaceName, kind: InterfaceKind, side: str) -> Section | None:
+    """Return the fields of a message, or of a service's side, in ROS 1."""
     target, _ = target_type(work, name, kind)
     new = work.catalog.find(target, kind) if target is not None else None
-    return work.before.find(name, kind) or new
+    found = work.before.find(name, kind) or new
+    return found.sections[int(side == "Response")] if found is not None else None

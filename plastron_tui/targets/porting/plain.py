@@ -7,15 +7,15 @@ import re
 from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
-from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.interfaces import FieldType, InterfaceKind
 from plastron_tui.targets.python.analysis import Site
 from plastron_tui.targets.python.callbacks import callback_target
 from plastron_tui.targets.python.constants import operands, without_none
 from plastron_tui.targets.python.scopes import BindingKind, Scope
 from plastron_tui.targets.python.splices import Splice
 
-from .fields import Given, fields_of, write_fields
-from .kinds import LIST, constructed, is_plain, kind_of, some_plain
+from .fields import Given, fields_of, write_fields, write_value
+from .kinds import LIST, constructed, is_plain, kind_of, some_plain, typed
 from .work import Work
 
 _CLIENT = re.compile(r"client|proxy|service|srv", re.IGNORECASE)
@@ -38,6 +38,8 @@ def port_plain(work: Work) -> None:
             _port_publish(work, call, callee, arguments)
         else:
             _port_message(work, call, callee, arguments)
+    for node in work.analysis.captures.get("assignment", []):
+        _port_assignment(work, node)
     for site in work.analysis.sites:
         if site.endpoint.kind is EndpointKind.SERVICE:
             _port_handler(work, site)
@@ -67,12 +69,31 @@ def _port_message(work: Work, call: Node, callee: Node, arguments: Node) -> None
     if made is None or given == []:
         return
     fields = fields_of(work, *made)
-    splices = write_fields(work, given, fields) if fields is not None and given else None
-    is_positional = given is None or given[0][0] is None
+    if given is None or given[0][0] is None:
+        splices = write_fields(work, given, fields) if fields is not None and given else None
+        if splices is not None:
+            _put(work, splices)
+        elif any(each.type != "dictionary_splat" for each in operands(arguments)):
+            work.mark(call, f"{work.slice(callee)} takes keywords only", "name the fields")
+        return
+    splices = write_fields(work, given, fields, is_sure=False) if fields is not None else []
     if splices is not None:
         _put(work, splices)
-    elif is_positional and any(each.type != "dictionary_splat" for each in operands(arguments)):
-        work.mark(call, f"{work.slice(callee)} takes keywords only", "name the fields")
+        return
+    missing = [name for name, _ in given if name is not None and not (fields or {}).get(name)]
+    for name in missing:
+        remedy = f"{made[0]} of ROS 2 has no field `{name}`"
+        work.mark(call, f"{name} of {work.slice(callee)}", remedy)
+
+
+def _port_assignment(work: Work, node: Node) -> None:
+    """Make a number what the field of a message asserts: `twist.linear.x = 1`."""
+    left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
+    if left is None or right is None or left.type != "attribute" or right.type == "assignment":
+        return
+    type_ = typed(work, left)
+    if isinstance(type_, FieldType) and not type_.is_array:
+        _put(work, write_value(work, right, type_) or [])
 
 
 def _port_publish(work: Work, call: Node, callee: Node, arguments: Node) -> None:
