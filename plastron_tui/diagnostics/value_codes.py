@@ -63,7 +63,8 @@ VALUE_CODES = (
     ),
     Code(
         "invalid-rate",
-        "A message is to be sent at a rate that no clock of ROS can keep: below 1e-9 or beyond a million hertz.",
+        "A message is to be sent at a rate that no clock of ROS can keep: less than 1e-9 hertz, or "
+        "more than a million.",
         bad="create_node 'talker' as talker\n"
         "create_message greeting of message_type String and input none\n"
         "talker publish greeting to 'chatter' of message_type String at 0 hz\n",
