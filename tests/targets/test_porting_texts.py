@@ -149,8 +149,7 @@ class Robot:
         rospy.Timer(rospy.Duration(0.5), self.tick)
 
     def on_order(self, message):
-        # port by hand: .get_logger
-        self.get_logger().info(message.data)
+        rospy.loginfo(message.data)
 
     def on_power(self, request):
         """Switch it."""

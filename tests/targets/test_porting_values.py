@@ -250,6 +250,14 @@ WORDS = [
     ("x = rospy.is_shutdown() or y", "x = (not rclpy.ok()) or y"),
     ("x = not rospy.is_shutdown() and y", "x = rclpy.ok() and y"),
     ("x.header.stamp = rospy.Time.now()", "x.header.stamp = node.get_clock().now().to_msg()"),
+    (
+        "x = Header()\nx.stamp = rospy.Time.now()",
+        "x = Header()\nx.stamp = node.get_clock().now().to_msg()",
+    ),
+    (
+        "myheader.stamp = rospy.Time.now()",
+        f"{MARK}rospy.Time.now\nmyheader.stamp = rospy.Time.now()",
+    ),
     ("x = Header(stamp=rospy.Time.now())", "x = Header(stamp=node.get_clock().now().to_msg())"),
     ("x = rospy.Time.now()", f"{MARK}rospy.Time.now\nx = rospy.Time.now()"),
     (
@@ -277,3 +285,48 @@ def test_what_stands_before_the_node_is_made_is_marked() -> None:
                      "    rospy.init_node(name)\n    rospy.loginfo('b')\n", "rospy")  # fmt: skip
     assert f"    {MARK}rospy.loginfo\n    rospy.loginfo('a')\n" in text
     assert "    node.get_logger().info('b')\n" in text
+
+
+BACK_HEAD = """\
+import rclpy
+from std_msgs.msg import Header, String
+from std_srvs.srv import SetBool
+
+rclpy.init()
+node = rclpy.create_node('n')
+client = node.create_client(SetBool, 's')
+"""
+BACK = [
+    ("node.get_logger().info('a')", "rospy.loginfo('a')"),
+    ("node.get_logger().warning(f'a {x}')", "rospy.logwarn(f'a {x}')"),
+    ("node.get_logger().error(\n    x\n)", "rospy.logerr(\n    x\n)"),
+    (
+        "node.get_logger().info('a', once=True)",
+        f"{MARK}.get_logger\nnode.get_logger().info('a', once=True)",
+    ),
+    ("log = node.get_logger()", f"{MARK}.get_logger\nlog = node.get_logger()"),
+    ("x = rclpy.ok() and y", "x = (not rospy.is_shutdown()) and y"),
+    ("x.header.stamp = node.get_clock().now().to_msg()", "x.header.stamp = rospy.Time.now()"),
+    ("x = Header(stamp=node.get_clock().now().to_msg())", "x = Header(stamp=rospy.Time.now())"),
+    (
+        "x = node.get_clock().now().to_msg()",
+        f"{MARK}.get_clock\nx = node.get_clock().now().to_msg()",
+    ),
+    ("x = SetBool.Request(data=True)", "x = SetBoolRequest(data=True)"),
+    ("x = client.call(SetBool.Request())", "x = client.call(SetBoolRequest())"),
+    (
+        "x = client.call_async(SetBool.Request())",
+        f"{MARK}.call_async\nx = client.call_async(SetBoolRequest())",
+    ),
+]
+
+
+@pytest.mark.parametrize(("before", "after"), BACK)
+def test_the_way_back(before: str, after: str) -> None:
+    callback = f"\n\ndef hear(msg):\n{textwrap.indent(before, '    ')}\n\n\n"
+    made = "node.create_subscription(String, 's', hear, 10)\n"
+    text, _ = ported(f"{BACK_HEAD}{callback}{made}{before}\n", "rclpy")
+    ast.parse(text)
+    assert text.endswith(f"\n{after}\n")
+    assert f"def hear(msg):\n{textwrap.indent(after, '    ')}\n" in text
+    assert ("import SetBoolRequest\n" in text) == ("SetBoolRequest" in after)

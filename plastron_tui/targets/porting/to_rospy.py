@@ -25,8 +25,8 @@ from .rewriting import (
     parameters_of,
     port_sites,
     put_before,
-    replace_by_opposite,
 )
+from .rospy_words import port_rospy_words
 from .types import port_imports, target_type
 from .work import Work, walk
 
@@ -91,6 +91,7 @@ def port_to_rospy(work: Work) -> None:
     port_imports(work, _GONE)
     _port_running(work)
     _mark_coroutines(work)
+    port_rospy_words(work)
     port_sites(work, _WRITERS, _private_name)
     _port_nodes(work)
     port_ending(work, {"cancel": "shutdown"}, _ENDING)
@@ -241,8 +242,6 @@ def _port_running(work: Work) -> None:
             _port_spin(work, call, statement if is_alone else None)
         elif names & {"rclpy.shutdown", "rclpy.try_shutdown"}:
             work.replace(call, 'rospy.signal_shutdown("the node is done")')
-        elif names & {"rclpy.ok"}:
-            replace_by_opposite(work, call, "rospy.is_shutdown()")
         elif callee.type == "attribute":
             _port_method(work, call, callee, statement if is_alone else None)
     for node in walk(work.analysis.syntax.root):

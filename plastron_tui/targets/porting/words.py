@@ -7,10 +7,11 @@ from collections.abc import Mapping
 
 from tree_sitter import Node
 
+from plastron_tui.ros.interfaces import FieldType
 from plastron_tui.targets.python.constants import operands
 from plastron_tui.targets.python.splices import Splice
 
-from .kinds import kind_of
+from .kinds import kind_of, typed
 from .rclpy_node import has_node
 from .work import Work
 
@@ -58,7 +59,7 @@ def _port_question(work: Work, call: Node, name: str, node: str) -> None:
     elif name == "rospy.get_time":
         seconds = f"{node}.get_clock().now().nanoseconds / 1e9"
         work.replace(call, seconds if _stands_alone(call) else f"({seconds})")
-    elif _is_stamp(work, call):
+    elif is_stamp(work, call):
         work.replace(call, f"{node}.get_clock().now().to_msg()")
 
 
@@ -67,14 +68,17 @@ def _stands_alone(call: Node) -> bool:
     return call.parent is not None and call.parent.type in ("assignment", "argument_list")
 
 
-def _is_stamp(work: Work, call: Node) -> bool:
+def is_stamp(work: Work, call: Node) -> bool:
     """Tell whether the time goes into the stamp of a header, as it is."""
     parent = call.parent
     if parent is None:
         return False
     if parent.type == "assignment":
         left = parent.child_by_field_name("left")
-        return left is not None and work.slice(left).endswith((".header.stamp", "header.stamp"))
+        type_ = typed(work, left) if left is not None else None
+        if isinstance(type_, FieldType):
+            return type_.name in ("time", "Time") and not type_.is_array
+        return left is not None and f".{work.slice(left)}".endswith(".header.stamp")
     if parent.type != "keyword_argument" or parent.parent is None or parent.parent.parent is None:
         return False
     name = parent.child_by_field_name("name")
