@@ -276,7 +276,8 @@ def test_what_a_node_says_and_asks(before: str, after: str) -> None:
 
 @pytest.mark.parametrize(("before", "after"), WORDS)
 def test_a_callback_says_the_same(before: str, after: str) -> None:
-    text = after_head(f"def hear(msg):\n    {before}\n\n\nrospy.Subscriber('s', String, hear)")
+    body = textwrap.indent(before, "    ")
+    text = after_head(f"def hear(msg):\n{body}\n\n\nrospy.Subscriber('s', String, hear)")
     assert f"def hear(msg):\n{textwrap.indent(after, '    ')}\n" in text
 
 
