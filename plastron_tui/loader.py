@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -11,9 +13,11 @@ from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.model.setting import Loaded, LoadRequest
 from plastron_tui.model.workspace import Generation
+from plastron_tui.output.stamps import Stamp, stamp_of
 
 if TYPE_CHECKING:
     from plastron_tui.model.source import Origin, SourceFile
+    from plastron_tui.output.layers import Author
 
 LARGEST_FILE = 4 * 1024 * 1024
 """The largest node file that is read, in bytes; a node is a few kilobytes."""
@@ -22,8 +26,21 @@ _SUFFIXES = (".py", ".cpp")
 _MANIFEST = ".plastron.json"
 
 
+@dataclass(frozen=True, slots=True)
+class FilesRead:
+    """What was made of files until now, for loaders to come.
+
+    Attributes:
+        nodes: what was read from a file, by its path and stamp.
+        starts: what a program started from when it wrote a file, by that file's path.
+    """
+
+    nodes: dict[tuple[Path, Stamp | None], Loaded] = field(default_factory=dict)
+    starts: dict[Path, _Known] = field(default_factory=dict)
+
+
 class NodeLoader:
-    """Reads node files for the interpreter, each only once.
+    """Reads node files for one interpretation of a program, each file only once.
 
     A bare name is looked for in what the program generates, in the output folder, in the
     program's folder and in the working folder; a path is relative to the program's folder.
@@ -38,7 +55,8 @@ class NodeLoader:
         output: Path,
         rendered: Callable[[Generation], tuple[Path, bytes] | None],
         program: str = "",
-        program_text: Callable[[], bytes] = bytes,
+        text: bytes = b"",
+        files: FilesRead | None = None,
     ) -> None:
         """Set where files are looked for.
 
@@ -47,15 +65,15 @@ class NodeLoader:
             output: the output folder.
             rendered: makes the file of an earlier `generate_node` of the program.
             program: the name of the program's file, "" where it has none.
-            program_text: gives the program's text, as it is now.
+            text: the program.
+            files: what earlier loaders have read.
         """
         self._folder = folder
         self._output = output
         self._rendered = rendered
         self._program = program
-        self._program_text = program_text
-        self._read: dict[tuple[Path, int], Loaded] = {}
-        self._starts: dict[Path, _Known] = {}
+        self._text = text
+        self._files = files or FilesRead()
 
     def __call__(self, request: LoadRequest) -> Loaded:
         """Read the file that a `load` asks for."""
@@ -121,10 +139,10 @@ class NodeLoader:
             started = self._started(path)
             if started is not None:
                 return started
-            key = (path, status.st_mtime_ns)
-            if key not in self._read:
-                self._read[key] = read_node(path, path.read_bytes())
-            return self._read[key]
+            key, nodes = (path, stamp_of(path)), self._files.nodes
+            if key not in nodes:
+                nodes[key] = read_node(path, path.read_bytes())
+            return nodes[key]
         except OSError as error:
             reason = (error.strerror or str(error)).lower()
             return _failed("unreadable-file", f"`{path.name}` cannot be read: {reason}")
@@ -134,22 +152,28 @@ class NodeLoader:
         manifest = Path(os.path.realpath(path)).parent / _MANIFEST
         if not self._program or not manifest.is_file():
             return None
-        known = self._starts.get(path)
-        if known is not None and known.is_current():
+        known = self._files.starts.get(path)
+        if known is not None and known.is_current(self._author):
             return known.loaded
-        from plastron_tui.output.layers import Author
-        from plastron_tui.output.manifest import digest, load_manifest
+        from plastron_tui.output.manifest import load_manifest
         from plastron_tui.starting import find_start
 
-        author = Author(self._program, digest(self._program_text()), self._folder)
-        start = find_start(path, author, lambda folder: load_manifest(folder)[0])
+        start = find_start(path, self._author, lambda folder: load_manifest(folder)[0])
         files = [path, manifest]
         loaded = None
         if start is not None:
             files += [start.path, start.path.parent / _MANIFEST]
             loaded = _with_origin(read_node(start.path, start.text), start.origin)
-        self._starts[path] = _Known(loaded, {file: _age(file) for file in files})
+        stamps = {file: stamp_of(file) for file in files}
+        self._files.starts[path] = _Known(loaded, self._author, stamps)
         return loaded
+
+    @cached_property
+    def _author(self) -> Author:
+        from plastron_tui.output.layers import Author
+        from plastron_tui.output.manifest import digest
+
+        return Author(self._program, digest(self._text), self._folder)
 
     def _not_found(self, request: LoadRequest) -> Loaded:
         if request.is_path:
@@ -172,13 +196,17 @@ class NodeLoader:
 
 
 class _Known(NamedTuple):
-    """What was made of files, and how old each was then."""
+    """What was made of files for a program, and each file's stamp then."""
 
     loaded: Loaded | None
-    ages: dict[Path, int | None]
+    author: Author
+    stamps: dict[Path, Stamp | None]
 
-    def is_current(self) -> bool:
-        return all(_age(path) == age for path, age in self.ages.items())
+    def is_current(self, author: Author) -> bool:
+        """Tell whether it is what would be made of the files now."""
+        return author == self.author and all(
+            stamp_of(path) == stamp for path, stamp in self.stamps.items()
+        )
 
 
 def read_node(path: Path, text: bytes) -> Loaded:
@@ -198,13 +226,6 @@ def _chained(source: SourceFile) -> Origin:
     from plastron_tui.starting import chained
 
     return chained(source)
-
-
-def _age(path: Path) -> int | None:
-    try:
-        return path.stat().st_mtime_ns
-    except OSError:
-        return None
 
 
 def _names(folder: Path, *, full: bool = False) -> list[str]:

@@ -23,6 +23,7 @@ from plastron_tui.targets import LIBRARIES, has_target
 if TYPE_CHECKING:
     # What a program means is found out when its text is there to see: the studio starts sooner.
     from plastron_tui.generation import Generated
+    from plastron_tui.loader import FilesRead
     from plastron_tui.model.fitting import Fitter
     from plastron_tui.model.interpreter import Interpretation
     from plastron_tui.model.setting import Setting
@@ -208,7 +209,7 @@ class Session:
         What a session reads once (the project file, interface types, targets) both share; it is
         the other thread's as long as it works.
         """
-        _ = self.setting
+        _ = self.folder, self.library, self._files
         other = copy(self)
         other.document = self.document.snapshot()
         return other
@@ -229,8 +230,7 @@ class Session:
     def fall_back_to(self, library: str) -> None:
         """Take a client library where nobody chose one."""
         self.options = self.options._replace(fallback=library)
-        for name in ("library", "setting"):
-            self.__dict__.pop(name, None)
+        self.__dict__.pop("library", None)
         self._interpretation = None
 
     def files_changed(self) -> None:
@@ -256,14 +256,20 @@ class Session:
         return self._interpretation
 
     @cached_property
+    def _files(self) -> FilesRead:
+        from plastron_tui.loader import FilesRead
+
+        return FilesRead()
+
+    @property
     def setting(self) -> Setting:
-        """What the program is interpreted in."""
+        """What the program is interpreted in, as it is now; it asks this session alone."""
         from plastron_tui.loader import NodeLoader
         from plastron_tui.model.setting import Setting
 
-        loader = NodeLoader(
-            self.folder, self.output, self._rendered, self._name, lambda: self.document.text
-        )
+        # Not kept here: it would be a cycle, and the collector rests while programs are edited.
+        program = self._name, self.document.text
+        loader = NodeLoader(self.folder, self.output, self._rendered, *program, self._files)
         return Setting(self.library, LIBRARIES, self.catalog, loader, self.is_library_chosen)
 
     @property
@@ -322,7 +328,8 @@ class Session:
         from plastron_tui.generation import Manifests, last_of_each
 
         manifests = Manifests()
-        made = [self._generate(generation, manifests) for generation in self._last_generations()]
+        last = {(each.node.variable, each.library): each for each in self.workspace.generations}
+        made = [self._generate(generation, manifests) for generation in last.values()]
         kept = last_of_each(made, self.output)
         if manifests.problems and kept:
             found = (*manifests.problems, *kept[0].diagnostics)
@@ -334,12 +341,6 @@ class Session:
         from plastron_tui.generation import Manifests
 
         return self._generate(generation, Manifests())
-
-    def _last_generations(self) -> list[Generation]:
-        last: dict[tuple[str, str], Generation] = {}
-        for generation in self.workspace.generations:
-            last[generation.node.variable, generation.library] = generation
-        return list(last.values())
 
     def _generate(self, generation: Generation, manifests: Callable[[Path], Manifest]) -> Generated:
         from plastron_tui.generation import Generated, generate

@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
+import gc
 from pathlib import Path
+from weakref import ref
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from plastron_tui.session import Session
+from plastron_tui.output.writer import write
+from plastron_tui.session import Options, Session
+
+TALKER = b"""\
+create_node 'talker' as talker
+create_message greeting of message_type String and input "hello"
+talker publish greeting to 'chatter' of message_type String
+generate_node talker
+"""
 
 PROGRAM = """\
 create_node 'talker' as talker
@@ -66,3 +76,70 @@ def test_what_is_learnt_from_an_earlier_text_changes_nothing(
         assert snapshot.diagnostics == alone.diagnostics
         assert snapshot.workspace == alone.workspace
         earlier = snapshot
+
+
+def test_a_snapshot_never_asks_the_session_that_is_edited_meanwhile(tmp_path: Path) -> None:
+    """A program that loads what it generates: the loader asks for text, targets and types."""
+    text = b"""\
+create_node 'a' as a
+subscribe a to 'x' of message_type String
+generate_node a
+load a_sub1 as b
+"""
+    live = Session(text, tmp_path / "program.plastron", environ={})
+    snapshot = live.snapshot()
+
+    def asked(*_: object) -> None:
+        raise AssertionError("the snapshot asks the live session")
+
+    for name in ("_rendered", "catalog", "_target", "_generate"):
+        setattr(live, name, asked)
+    live.edit(0, len(text), b"$")
+    assert snapshot.diagnostics == ()
+    assert list(snapshot.workspace.nodes) == ["a", "b"]
+    assert snapshot.document.text == text
+
+
+def test_a_snapshot_is_gone_when_nobody_needs_it(tmp_path: Path) -> None:
+    """The collector rests while a program is edited: a cycle would keep every interpretation."""
+    live = Session("".join(PROGRAM).encode(), tmp_path / "program.plastron", environ={})
+    snapshot = live.snapshot()
+    assert snapshot.diagnostics
+    gone = ref(snapshot)
+    gc.disable()
+    try:
+        del snapshot
+        assert gone() is None
+    finally:
+        gc.enable()
+
+
+CHANGE = b"""\
+load 'talker.py' as talker
+subscribe talker to 'heard' of message_type String
+generate_node talker
+"""
+
+
+def test_a_renamed_program_is_known_by_the_text_that_it_has_now(tmp_path: Path) -> None:
+    """What it wrote under its old name is its own, until the program is another."""
+    made = TALKER, tmp_path / "make.plastron", Options(output=tmp_path)
+    write(Session(*made, environ={}).plan()[0])
+    (tmp_path / "talker_pub.py").rename(tmp_path / "talker.py")
+    in_place = Options(in_place=True)
+    old = Session(CHANGE, tmp_path / "old.plastron", in_place, environ={})
+    assert old.diagnostics == ()
+    write(old.plan()[0])
+
+    renamed = Session(CHANGE, tmp_path / "new.plastron", in_place, environ={})
+    for text in (CHANGE, CHANGE.replace(b"heard", b"told"), CHANGE):
+        renamed.edit(0, len(renamed.document.text), text)
+        alone = Session(text, tmp_path / "new.plastron", in_place, environ={})
+        assert _starts(renamed) == _starts(alone)
+        assert (b"heard" not in _starts(renamed)) == (text == CHANGE)
+
+
+def _starts(session: Session) -> bytes:
+    source = session.workspace.nodes["talker"].source
+    assert source is not None
+    return source.text

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.output.stamps import Stamp, stamp_of
 from plastron_tui.session import read_program
 
 SUFFIX = ".plastron"
@@ -18,7 +19,7 @@ class OnDisk:
 
     path: Path
     text: bytes | None
-    stamp: tuple[int, int, int] | None
+    stamp: Stamp | None
 
     @property
     def is_changed(self) -> bool:
@@ -47,15 +48,6 @@ class Saved:
     disk: OnDisk | None
     problem: Diagnostic | None = None
     found: bytes | None = None
-
-
-def stamp_of(path: Path) -> tuple[int, int, int] | None:
-    """Return what tells a file from what it was before, None where there is none."""
-    try:
-        status = path.stat()
-    except (OSError, ValueError):
-        return None
-    return status.st_mtime_ns, status.st_size, status.st_ino
 
 
 def open_file(path: Path) -> Opened:

@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING
 from textual import work
 
 from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.output.stamps import stamp_of
 
 from ..analyst import Analyst
-from ..files import OnDisk, Saved, open_file, read_again, save_file, stamp_of, with_suffix
+from ..files import OnDisk, Saved, open_file, read_again, save_file, with_suffix
 from ..journal import Kept
 from ..state import Open, opened
 from .keeping import Keeping, difference_of
