@@ -99,6 +99,8 @@ def ensure_master(
     """
     named = environ.get("ROS_MASTER_URI", "")
     diagnostics: list[Diagnostic] = []
+    if named and not _is_address(named):
+        return None, [_no_address(named)]
     if named and not network and not is_local(named):
         diagnostics.append(_remote(named))
         named = ""
@@ -160,6 +162,15 @@ def _has_any(uri: str, node_names: Iterable[str]) -> bool:
     return False
 
 
+def _is_address(uri: str) -> bool:
+    """Tell whether something could answer at an address."""
+    try:
+        parts = urlsplit(uri)
+        return bool(parts.scheme and parts.hostname) and parts.port != 0
+    except ValueError:  # as in `http://[::1` or `http://host:99999`
+        return False
+
+
 def _is_here(uri: str) -> bool:
     """Tell whether a master at this address would be on this machine."""
     host = urlsplit(uri).hostname or ""
@@ -189,6 +200,14 @@ def _remote(uri: str) -> Diagnostic:
         f"ROS_MASTER_URI names a master on another machine, {uri}; it is not used",
         help="give `--network` to let the nodes speak to other machines",
         severity=Severity.WARNING,
+    )
+
+
+def _no_address(uri: str) -> Diagnostic:
+    return Diagnostic(
+        "no-master",
+        f"ROS_MASTER_URI is no address of a master: {uri}",
+        help="write it like http://127.0.0.1:11311, or unset it to get a master on this machine",
     )
 
 
