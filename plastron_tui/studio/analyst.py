@@ -30,9 +30,14 @@ _LARGE = 100_000
 _IDLE = 0.3
 """Seconds without a question after which what is no longer shown is let go."""
 
-_REST, _MOST_FROZEN = 3.0, 50
-"""Seconds without a question, and answers about a large program since the last time, after which
-the collector looks at everything. It takes some tenths of a second, in which no key is drawn."""
+_REST, _DUE, _OVERDUE, _MOST = 3.0, 50, 250, 500
+"""Seconds without a question after which the collector looks at everything, if that is due. With a
+large program it takes some tenths of a second, in which no key is drawn. The numbers count answers
+about a large program: from the first on it is due, from the second on a shorter rest is enough,
+and from the third on none is needed."""
+
+_NEVER = 1_000_000_000
+"""Looks at young objects after which the collector looks at all of its own accord."""
 
 
 class Wanted(NamedTuple):
@@ -85,9 +90,11 @@ class Analyst:
         self._is_stopped = False
         self._last: Analysis | None = None
         self._old: list[Analysis] = []
-        self._frozen = 0
         self._thread = threading.Thread(target=self._run, name="analyst", daemon=True)
         self._switch = sys.getswitchinterval()
+        self._thresholds = gc.get_threshold()
+        self._is_spared = False
+        self._answers = 0
 
     def start(self) -> None:
         """Start the thread."""
@@ -100,6 +107,7 @@ class Analyst:
             self._is_stopped = True
             self._condition.notify()
         sys.setswitchinterval(self._switch)
+        gc.set_threshold(*self._thresholds)
 
     def join(self, seconds: float) -> None:
         """Wait for the thread to end, so long at most."""
@@ -126,9 +134,11 @@ class Analyst:
                 continue
             try:
                 if session is not None and len(session.document.text) >= _LARGE:
-                    self._frozen += 1
+                    self._spare()
                     with _without_collector():
                         self._answer(session, wanted)
+                    if self._garbage >= _MOST:
+                        self._collect()
                 else:
                     self._answer(session, wanted)
             except Stale:
@@ -136,23 +146,38 @@ class Analyst:
             except Exception as error:
                 self._post(AnalysisFailed(error))
 
+    def _spare(self) -> None:
+        """Let the collector look at all of a large program at a time that is chosen here only."""
+        self._answers += 1
+        if not self._is_spared:
+            self._is_spared = True
+            # Python would look again after each ten of its looks at what is young.
+            gc.set_threshold(*self._thresholds[:2], _NEVER)
+
     @property
     def _patience(self) -> float | None:
         """For how long to wait for work before there is something else to do."""
         if self._old:
             return _IDLE
-        return _REST if self._frozen >= _MOST_FROZEN else None
+        if not self._is_spared:
+            return None
+        return _REST if self._garbage < _OVERDUE else _IDLE
+
+    @property
+    def _garbage(self) -> int:
+        """How often something became old unseen: by answers, or by Python's own looks since."""
+        return self._answers + gc.get_count()[2]
+
+    def _collect(self) -> None:
+        self._answers = 0
+        gc.collect()
 
     def _tidy_up(self) -> None:
         """Let go what is no longer needed: here and now, not in the event loop at the next key."""
         if self._old:
             self._old.clear()
-        elif gc.isenabled():
-            # What the event loop made meanwhile was frozen too, and some of it was garbage.
-            self._frozen = 0
-            gc.unfreeze()
-            gc.collect()
-            gc.freeze()
+        elif gc.isenabled() and self._garbage >= _DUE:
+            self._collect()
 
     def _has_work(self) -> bool:
         return self._is_stopped or self._wanted is not None
@@ -194,7 +219,8 @@ def _without_collector() -> Iterator[None]:
     """Keep the cycle collector away from what is made of a large program.
 
     It would walk what is new at once, stop the event loop meanwhile, and find nothing: all of it
-    is let go without its help.
+    is let go without its help. What the event loop made meanwhile goes with it to the oldest
+    generation, and is looked at when nobody types: Textual leaves cycles behind at each drawing.
     """
     if not gc.isenabled():
         yield
@@ -206,4 +232,5 @@ def _without_collector() -> Iterator[None]:
         yield
     finally:
         gc.freeze()
+        gc.unfreeze()
         gc.enable()

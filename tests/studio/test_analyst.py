@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import gc
 import weakref
 from collections.abc import Callable
 from time import monotonic, sleep
 
+import pytest
 from textual.message import Message
 
 from plastron_tui.session import Session
+from plastron_tui.studio import analyst as module
 from plastron_tui.studio.analyst import Analysed, Analyst, Wanted
 
 PROGRAM = b"create_node 'talker' as talker\ngenerate_node talker\n"
@@ -62,3 +65,40 @@ def test_what_is_no_longer_shown_is_let_go_by_the_worker() -> None:
     until(lambda: seen() is None)
     analyst.stop()
     analyst.join(5)
+
+
+class Cycle:
+    """What only the collector can let go: it holds itself."""
+
+    def __init__(self) -> None:
+        self.own = self
+
+
+def test_garbage_made_beside_the_analysis_of_a_large_program_is_let_go(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(module, "_LARGE", 0)
+    monkeypatch.setattr(module, "_REST", 0.05)
+    monkeypatch.setattr(module, "_DUE", 3)
+    made: list[weakref.ref[Cycle]] = []
+    thresholds = gc.get_threshold()
+    gc.unfreeze()
+
+    def post(_: Message) -> None:
+        # The analyst's thread has the collector off here: so does the event loop meanwhile.
+        assert not gc.isenabled()
+        made.append(weakref.ref(Cycle()))
+
+    analyst = Analyst(post)
+    analyst.start()
+    session = Session(PROGRAM, environ={})
+    for count in range(1, 9):
+        session.edit(0, 0, b"\n")
+        analyst.ask(Wanted(("nodes",)), session.snapshot())
+        until(lambda count=count: len(made) == count)
+    until(gc.isenabled)
+    assert gc.get_freeze_count() == 0
+    until(lambda: all(each() is None for each in made))
+    analyst.stop()
+    analyst.join(5)
+    assert gc.get_threshold() == thresholds
