@@ -86,13 +86,14 @@ class Repeater(Node):
         self.create_timer(0.05, self.tick)
 
     def hear(self, msg):
-        if self.is_on:
+        if self.is_on and rclpy.ok():
+            self.get_logger().info(f"100% of {msg.data}")
             self.repeated.publish(String(data=msg.data.upper() + "!"))
 
     def switch(self, request, response):
         self.is_on = request.data
-        response.success = True
-        response.message = str(request.data)
+        if not request.data:
+            return SetBool.Response(success=True, message=str(request.data))
         return response
 
     def tick(self):

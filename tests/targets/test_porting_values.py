@@ -209,6 +209,19 @@ def test_what_a_handler_returns(type_: str, before: str, after: str) -> None:
     assert text.count(MARK) == after.count(MARK)
 
 
+def test_a_handler_of_two_types_is_marked() -> None:
+    text = after_head(
+        "def handle(req):\n    return True, 'on'\n\n\n"
+        "rospy.Service('a', Trigger, handle)\nrospy.Service('b', SetBool, handle)"
+    )
+    assert f"    {RETURN}    return True, 'on'\n" in text
+
+
+def test_names_that_are_bound_to_each_other_come_to_an_end() -> None:
+    tangle = "".join(f"x = y + x.a{i}\ny = x.b{i} or y\n" for i in range(40))
+    assert after_head(f"x = y = Twist()\n{tangle}text.publish(x)\nx.linear.x = 1")
+
+
 CALLED = ["proxy(5, 6)", "proxy(a=5, b=6)", "proxy.call(5, 6)", "proxy()"]
 
 

@@ -9,7 +9,7 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import FieldType, InterfaceKind, InterfaceName, Section
 from plastron_tui.targets.python.analysis import Site
-from plastron_tui.targets.python.constants import MOST_DEEP, operands, without_none
+from plastron_tui.targets.python.constants import operands, without_none
 from plastron_tui.targets.python.scopes import Binding, BindingKind, Scope
 
 from .types import target_type
@@ -75,13 +75,21 @@ def is_plain(kind: str | None) -> bool:
     return kind is not None and kind != MESSAGE
 
 
-def kind_of(work: Work, node: Node | None, depth: int = 0) -> str | None:
+def kind_of(work: Work, node: Node | None) -> str | None:
     """Return what an expression gives, None where the file does not say it.
 
     It is `str`, `bytes`, `int`, `float`, `bool`, `dict`, `NUMBER`, `LIST`, `MESSAGE` or `PLAIN`.
     """
-    if node is None or depth > MOST_DEEP:
+    if node is None:
         return None
+    if node.id not in work.kinds:
+        # What depends on itself, as in `x = x + 1`, is not known while it is looked at.
+        work.kinds[node.id] = None
+        work.kinds[node.id] = _kind(work, node)
+    return work.kinds[node.id]
+
+
+def _kind(work: Work, node: Node) -> str | None:
     if node.type in _LITERALS:
         return _LITERALS[node.type]
     match node.type:
@@ -89,19 +97,19 @@ def kind_of(work: Work, node: Node | None, depth: int = 0) -> str | None:
             prefix = work.slice(node).partition('"')[0].partition("'")[0].lower()
             return "bytes" if "b" in prefix else "str"
         case "parenthesized_expression":
-            return kind_of(work, node.named_children[0], depth + 1)
+            return kind_of(work, node.named_children[0])
         case "unary_operator":
-            kind = kind_of(work, node.child_by_field_name("argument"), depth + 1)
+            kind = kind_of(work, node.child_by_field_name("argument"))
             return kind if kind in ("int", "float") else NUMBER
         case "conditional_expression" | "boolean_operator":
             parts = operands(node)
-            return _common([kind_of(work, each, depth + 1) for each in (parts[0], parts[-1])])
+            return _common([kind_of(work, each) for each in (parts[0], parts[-1])])
         case "binary_operator":
-            return _of_operator(work, node, depth)
+            return _of_operator(work, node)
         case "call":
-            return _of_call(work, node, depth)
+            return _of_call(work, node)
         case "identifier" | "attribute":
-            return _of_name(work, node, depth)
+            return _of_name(work, node)
     return None
 
 
@@ -117,10 +125,10 @@ def _common(kinds: list[str | None]) -> str | None:
     return None if MESSAGE in found else PLAIN
 
 
-def _of_operator(work: Work, node: Node, depth: int) -> str:
+def _of_operator(work: Work, node: Node) -> str:
     """Return what an operator gives; messages have none."""
-    left = kind_of(work, node.child_by_field_name("left"), depth + 1)
-    right = kind_of(work, node.child_by_field_name("right"), depth + 1)
+    left = kind_of(work, node.child_by_field_name("left"))
+    right = kind_of(work, node.child_by_field_name("right"))
     operator = node.child_by_field_name("operator")
     sign = work.slice(operator) if operator is not None else ""
     if left == "str" and sign == "%":
@@ -136,7 +144,7 @@ def _of_operator(work: Work, node: Node, depth: int) -> str:
     return NUMBER if left in _NUMBERS and right in _NUMBERS else PLAIN
 
 
-def _of_call(work: Work, call: Node, depth: int) -> str | None:
+def _of_call(work: Work, call: Node) -> str | None:
     callee = call.child_by_field_name("function")
     if callee is None:
         return None
@@ -150,11 +158,11 @@ def _of_call(work: Work, call: Node, depth: int) -> str | None:
         return MESSAGE
     part, holder = callee.child_by_field_name("attribute"), callee.child_by_field_name("object")
     if part is not None and holder is not None and work.slice(part) in _OF_TEXT:
-        return "str" if kind_of(work, holder, depth + 1) == "str" else None
+        return "str" if kind_of(work, holder) == "str" else None
     return None
 
 
-def _of_name(work: Work, node: Node, depth: int) -> str | None:
+def _of_name(work: Work, node: Node) -> str | None:
     type_ = typed(work, node)
     if isinstance(type_, Section):
         return MESSAGE
@@ -166,7 +174,7 @@ def _of_name(work: Work, node: Node, depth: int) -> str | None:
     else:
         bindings = work.analysis.resolver.attribute_bindings(node, work.scope(node))
     given = [each for each in without_none(bindings) if not _augments(each)]
-    return _common([_of_binding(work, each, depth) for each in given])
+    return _common([_of_binding(work, each) for each in given])
 
 
 def _of_field(type_: FieldType) -> str | None:
@@ -185,9 +193,9 @@ def _augments(binding: Binding) -> bool:
     return binding.node.type == "augmented_assignment"
 
 
-def _of_binding(work: Work, binding: Binding, depth: int) -> str | None:
+def _of_binding(work: Work, binding: Binding) -> str | None:
     if binding.kind is BindingKind.VALUE:
-        return kind_of(work, binding.value, depth + 1)
+        return kind_of(work, binding.value)
     if binding.node.type == "for_statement":
         items = binding.node.child_by_field_name("right")
         left = binding.node.child_by_field_name("left")
@@ -197,7 +205,7 @@ def _of_binding(work: Work, binding: Binding, depth: int) -> str | None:
         if callee is not None and work.slice(callee) in ("range", "xrange"):
             return "int"
         if items.type in ("list", "tuple"):
-            return _common([kind_of(work, each, depth + 1) for each in operands(items)])
+            return _common([kind_of(work, each) for each in operands(items)])
     return None
 
 
@@ -208,7 +216,7 @@ def some_plain(work: Work, node: Node) -> bool:
     if node.type == "identifier":
         found = work.scope(node).lookup(work.slice(node))
         values = [each.value for each in found[1]] if found is not None else []
-        return any(is_plain(kind_of(work, each, MOST_DEEP - 4)) for each in values if each)
+        return any(is_plain(kind_of(work, each)) for each in values if each)
     if node.type in ("conditional_expression", "boolean_operator"):
         parts = operands(node)
         return any(is_plain(kind_of(work, each)) for each in (parts[0], parts[-1]))
@@ -231,15 +239,20 @@ def constructed(work: Work, callee: Node) -> tuple[InterfaceName, InterfaceKind,
     return None
 
 
-def typed(work: Work, node: Node, depth: int = 0) -> Section | FieldType | None:
+def typed(work: Work, node: Node) -> Section | FieldType | None:
     """Return the fields of a message that the file knows, or the type of a field of it."""
-    if depth > MOST_DEEP:
-        return None
+    if node.id not in work.types:
+        work.types[node.id] = None
+        work.types[node.id] = _type(work, node)
+    return work.types[node.id]
+
+
+def _type(work: Work, node: Node) -> Section | FieldType | None:
     if node.type == "attribute":
         holder, part = node.child_by_field_name("object"), node.child_by_field_name("attribute")
         if holder is None or part is None:
             return None
-        outer = typed(work, holder, depth + 1)
+        outer = typed(work, holder)
         if isinstance(outer, FieldType):
             if outer.message is None or outer.is_array:
                 return None
@@ -253,11 +266,11 @@ def typed(work: Work, node: Node, depth: int = 0) -> Section | FieldType | None:
         bindings = found[1] if found is not None else []
     else:
         return None
-    types = [_of_bound(work, each, depth) for each in without_none(bindings)]
+    types = [_of_bound(work, each) for each in without_none(bindings)]
     return types[0] if types and all(each == types[0] for each in types) else None
 
 
-def _of_bound(work: Work, binding: Binding, depth: int) -> Section | None:
+def _of_bound(work: Work, binding: Binding) -> Section | None:
     """Return the message that a name is bound to: one that came in, or one that is made."""
     if binding.kind is BindingKind.PARAMETER and binding.owner is not None:
         return _of_parameter(work, binding, binding.owner)
@@ -267,7 +280,7 @@ def _of_bound(work: Work, binding: Binding, depth: int) -> Section | None:
     if callee is not None:
         made = constructed(work, callee)
         return _section(work, *made) if made is not None else None
-    found = typed(work, binding.value, depth + 1)
+    found = typed(work, binding.value)
     if isinstance(found, FieldType) and found.message is not None and not found.is_array:
         return _section(work, found.message, InterfaceKind.MESSAGE, "")
     return found if isinstance(found, Section) else None

@@ -19,6 +19,7 @@ from .kinds import LIST, constructed, is_plain, kind_of, some_plain, typed
 from .work import Work
 
 _CLIENT = re.compile(r"client|proxy|service|srv", re.IGNORECASE)
+_RESPONSE = "a handler of rclpy returns a response"
 _FUNCTIONS = ("function_definition", "lambda", "class_definition")
 
 
@@ -214,6 +215,11 @@ def _port_handler(work: Work, site: Site) -> None:
     if function is None or function.node.id in work.done:
         return
     work.done.add(function.node.id)
+    is_shared = any(
+        work.callback_of(other) is function
+        and (other.endpoint.kind, other.endpoint.type) != (site.endpoint.kind, site.endpoint.type)
+        for other in work.analysis.sites
+    )
     pending = list(function.node.named_children)
     while pending:
         node = pending.pop()
@@ -221,7 +227,10 @@ def _port_handler(work: Work, site: Site) -> None:
             continue
         if node.type == "return_statement":
             value = next(iter(operands(node)), None)
-            _port_return(work, site, node, value)
+            if not is_shared:
+                _port_return(work, site, node, value)
+            elif value is None or not _is_response(work, value):
+                work.mark(node, "return a response", _RESPONSE)
         pending.extend(node.named_children)
 
 
@@ -246,7 +255,7 @@ def _port_return(work: Work, site: Site, statement: Node, value: Node | None) ->
     if given is not None and fields is not None:
         splices = write_fields(work, given, fields)
     if value is None or class_ is None or splices is None:
-        work.mark(statement, "return a response", "a handler of rclpy returns a response")
+        work.mark(statement, "return a response", _RESPONSE)
         return
     made = f"{class_}.Response("
     if value.type not in ("list", "tuple", "dictionary", "expression_list"):

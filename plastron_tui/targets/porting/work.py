@@ -10,6 +10,7 @@ from tree_sitter import Node
 
 from plastron_tui.model.numbering import numbered
 from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import FieldType, Section
 from plastron_tui.targets.python.analysis import Analysis, Site
 from plastron_tui.targets.python.callbacks import callback_target
 from plastron_tui.targets.python.references import STATEMENT_PARENTS
@@ -62,6 +63,8 @@ class Work:
         helpers: functions that go behind them.
         callbacks: the functions that the endpoints call.
         before: the types of the distribution that it comes from.
+        kinds: what expressions give, by the ids of their nodes.
+        types: the types of messages and their fields, by the ids of the expressions.
     """
 
     analysis: Analysis
@@ -73,6 +76,8 @@ class Work:
     helpers: list[str] = field(default_factory=list)
     callbacks: dict[int, Scope] = field(default_factory=dict)
     before: Catalog = field(init=False)
+    kinds: dict[int, str | None] = field(default_factory=dict)
+    types: dict[int, Section | FieldType | None] = field(default_factory=dict)
     _splices: list[Splice] = field(default_factory=list)
     _deleted: list[Node] = field(default_factory=list)
 
