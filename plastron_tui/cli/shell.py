@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import click
 
 from plastron_tui.diagnostics import Diagnostic, LineIndex, Span, did_you_mean, has_errors
 from plastron_tui.diagnostics.render import printable
+from plastron_tui.generation import Generated
+from plastron_tui.handwork import on_disk
 from plastron_tui.language import DECLARATIONS, Document, lower
 from plastron_tui.model.interpreter import Interpreter
 from plastron_tui.model.workspace import Generation
@@ -65,6 +68,7 @@ class Shell:
         self._done = 0
         self._said: list[bytes] = []
         self._length = 0
+        self._wrote: dict[Path, tuple[str, bytes]] = {}
         report.add(session.project_problems, session.lines)
 
     def take(self, line: bytes) -> None:
@@ -86,11 +90,15 @@ class Shell:
         self._done = len(generations)
 
     def _generate(self, generation: Generation, start: int) -> None:
-        plan, diagnostics = self._session.plan_of([self._session.generate(generation)])
+        made = self._over_own(self._session.generate(generation))
+        plan, diagnostics = self._session.plan_of([made])
         diagnostics = (*diagnostics, *plan.conflicts)
         if not has_errors(diagnostics):
             show_plan(plan)
-            diagnostics = (*diagnostics, *write(plan).diagnostics)
+            result = write(plan)
+            diagnostics = (*diagnostics, *result.diagnostics)
+            for file in plan.files if not result.diagnostics else ():
+                self._wrote[file.path] = generation.node.variable, file.text
         # Another place than the statement's own is in a line that was said before.
         self._add(
             [
@@ -99,6 +107,20 @@ class Shell:
             ],
             start,
         )
+
+    def _over_own(self, made: Generated) -> Generated:
+        """Let a loaded node be written again over what was made of it a few lines before.
+
+        The node is still what was loaded; only a file that differs from both was changed by hand.
+        """
+        node, file = made.generation.node, made.file
+        if file is None or node.source is None or file.problem is not None:
+            return made
+        path = (file.path or self._session.output / file.name).resolve()
+        present = on_disk(path)
+        if present is None or self._wrote.get(path) != (node.variable, present):
+            return made
+        return replace(made, file=replace(file, merged_from=present))
 
     def _add(self, diagnostics: Iterable[Diagnostic], start: int) -> None:
         """Report what is wrong with the last line, at its place among all lines."""

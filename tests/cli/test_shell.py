@@ -13,6 +13,10 @@ from pathlib import Path
 import pytest
 from command_line import PLASTRON, TALKER, Run
 
+from plastron_tui.cli.common import Report
+from plastron_tui.cli.shell import Shell
+from plastron_tui.session import Session
+
 
 def test_pipe_generates_at_once(run: Run, here: Path) -> None:
     result = run("shell", stdin=TALKER.encode())
@@ -77,6 +81,58 @@ def test_conflict_is_reported(run: Run, here: Path) -> None:
     result = run("shell", stdin=TALKER.encode())
     assert (result.returncode, b"error[file-conflict]" in result.stderr) == (1, True)
     assert (here / "output" / "talker_pub.py").read_text() == "mine"
+
+
+NODE = """\
+import rospy
+from std_msgs.msg import String
+
+rospy.init_node("robot")
+rospy.Subscriber("command", String, print)
+rospy.spin()
+"""
+TWICE = """\
+load robot as n
+subscribe n to 'a' of message_type String
+generate_node n
+subscribe n to 'b' of message_type String
+generate_node n
+"""
+
+
+def test_loaded_node_is_generated_over_itself_again(run: Run, here: Path) -> None:
+    (here / "output").mkdir()
+    written = here / "output" / "robot.py"
+    written.write_text(NODE)
+    result = run("shell", stdin=TWICE.encode())
+    assert (result.stderr, result.returncode) == (b"", 0)
+    assert [line.split()[0] for line in result.stdout.splitlines()] == [b"changed", b"changed"]
+    assert all(f'Subscriber("{name}"' in written.read_text() for name in ("command", "a", "b"))
+
+
+def test_what_another_variable_made_of_a_file_is_not_written_over(run: Run, here: Path) -> None:
+    (here / "output").mkdir()
+    written = here / "output" / "robot.py"
+    written.write_text(NODE)
+    text = f"load robot as m\nsubscribe m to 'c' of message_type String\n{TWICE}generate_node m\n"
+    result = run("shell", stdin=text.encode())
+    assert (result.returncode, b"error[file-conflict]" in result.stderr) == (1, True)
+    assert 'Subscriber("b"' in written.read_text()
+
+
+def test_what_was_changed_by_hand_meanwhile_is_kept(here: Path) -> None:
+    (here / "output").mkdir()
+    written = here / "output" / "robot.py"
+    written.write_text(NODE)
+    report = Report()
+    shell = Shell(Session(), report)
+    for line in TWICE.splitlines()[:4]:
+        shell.take(line.encode())
+    mine = written.read_text() + "# mine\n"
+    written.write_text(mine)
+    shell.take(b"generate_node n")
+    assert report.status == 1
+    assert written.read_text() == mine
 
 
 @pytest.mark.parametrize(
