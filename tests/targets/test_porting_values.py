@@ -159,6 +159,24 @@ def test_an_attribute_holds_what_its_class_puts_in() -> None:
     assert MARK not in text
 
 
+def test_a_parameter_that_is_a_whole_number_by_default() -> None:
+    text = after_head("def drive(speed=1):\n    x = Twist()\n    x.linear.x = speed")
+    assert "    x.linear.x = float(speed)\n" in text
+
+
+def test_all_types_of_a_tutorial() -> None:
+    text, _ = ported(
+        "import rospy\nfrom beginner_tutorials.srv import *\n\n\n"
+        "def add(req):\n    return AddTwoIntsResponse(req.a + req.b)\n\n\n"
+        "rospy.init_node('n')\nrospy.Service('add', AddTwoInts, add)\nrospy.spin()\n",
+        "rospy",
+    )
+    assert "\nfrom example_interfaces.srv import AddTwoInts\n" in text
+    assert "\nAddTwoIntsResponse = AddTwoInts.Response\n" in text
+    assert "    return AddTwoIntsResponse(sum=req.a + req.b)\n" in text
+    assert "beginner_tutorials" not in text
+
+
 def test_a_type_that_the_place_does_not_see_is_marked() -> None:
     before = (
         "def make():\n    from std_msgs.msg import UInt8 as Small\n"
@@ -194,6 +212,11 @@ RETURNED = [
     ("Trigger", "x = TriggerResponse()\n    return x", "x = TriggerResponse()\n    return x"),
     ("Empty", "return []", "return Empty.Response()"),
     ("Empty", "return {}", "return Empty.Response()"),
+    (
+        "Trigger",
+        "return TriggerResponse(True, 'a') if x else TriggerResponse()",
+        "return TriggerResponse(success=True, message='a') if x else TriggerResponse()",
+    ),
     ("Trigger", "return make()", f"{RETURN}    return make()"),
     ("Trigger", "return 5", f"{RETURN}    return 5"),
     ("Trigger", "return (True,)", f"{RETURN}    return (True,)"),

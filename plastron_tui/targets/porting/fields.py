@@ -11,7 +11,7 @@ from plastron_tui.targets import literals
 from plastron_tui.targets.python.constants import operands
 from plastron_tui.targets.python.splices import Splice
 
-from .kinds import LIST, MESSAGE, PLAIN, is_plain, kind_of
+from .kinds import LIST, MESSAGE, PLAIN, is_plain, kind_of, some_plain
 from .types import target_type
 from .work import Work
 
@@ -72,7 +72,7 @@ def write_value(
     work: Work, value: Node, type_: FieldType, prefix: str = "", is_sure: bool = False
 ) -> list[Splice] | None:
     """Make a value of the type that a field has; None where it may not be what it takes."""
-    is_open = not is_sure and kind_of(work, value) is None and value.type not in ("list", "tuple")
+    is_open = not is_sure and not some_plain(work, value) and value.type not in ("list", "tuple")
     found = _AS_IT_IS if is_open else _value(work, value, type_)
     if found is None:
         return None if is_sure else []

@@ -307,6 +307,9 @@ def _is_response(work: Work, value: Node) -> bool:
     """Tell whether an expression is a response for sure: one that is made, or a name of one."""
     if value.type == "parenthesized_expression":
         return _is_response(work, value.named_children[0])
+    if value.type == "conditional_expression":
+        parts = operands(value)
+        return _is_response(work, parts[0]) and _is_response(work, parts[-1])
     callee = value.child_by_field_name("function")
     if callee is not None:
         return any(

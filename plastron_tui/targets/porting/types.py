@@ -88,6 +88,11 @@ def _port_star(work: Work, node: Node, module: str) -> None:
     """Rewrite `from package.srv import *`, where its types moved or their sides are named anew."""
     package, _, kind = module.partition(".")
     known = [each for each in work.before.names(_KINDS[kind]) if each.package == package]
+    # A package of the tutorials, which no distribution has, is known by what the file uses.
+    used = {site.endpoint.type for site in work.analysis.sites if site.endpoint.type is not None}
+    known += sorted(
+        each for each in used - set(known) if each.package == package and _is_moved(work, each)
+    )
     pairs = [(each, target_type(work, each, _KINDS[kind])) for each in known]
     moves = {each: found for each, (found, _) in pairs if found is not None and found != each}
     if moves and len(moves) == len(known):
@@ -103,6 +108,10 @@ def _port_star(work: Work, node: Node, module: str) -> None:
                 if _is_used(work, each.name + side):
                     name = moves.get(each, each).name
                     work.constants.append(f"{each.name}{side} = {name}.{side}")
+
+
+def _is_moved(work: Work, type_: InterfaceName) -> bool:
+    return isinstance(moved(type_, work.catalog.ros_version), InterfaceName)
 
 
 def _is_used(work: Work, name: str) -> bool:
