@@ -27,6 +27,7 @@ from .journal import Kept, kept_texts
 from .screens.main import MainScreen
 from .state import opened
 from .terminal_keys import teach
+from .undocumented import Failing
 
 DEFAULT_THEME = "textual-dark"
 _LOOKED_AFTER = 0.2
@@ -36,7 +37,7 @@ _SMALL = "ansi-dark"
 _SMALL_TERMINALS = frozenset({"linux", "xterm", "screen", "rxvt", "ansi", "vt100", "vt220"})
 
 
-class StudioApp(App[None], inherit_bindings=False):
+class StudioApp(Failing, inherit_bindings=False):
     """Opens a program, and keeps what lasts longer than it."""
 
     TITLE = "plastron"
@@ -175,17 +176,15 @@ class StudioApp(App[None], inherit_bindings=False):
             self._failures.add(report)
             self.push_screen(Failure(report, self.main.open.journal.file))
 
-    def _handle_exception(self, error: Exception) -> None:
+    def survives(self, error: Exception) -> bool:
         """Survive what goes wrong in a worker; end with a report what ends a widget's loop."""
         if isinstance(error, WorkerFailed):
             self.show_error(error.error)
-            return
+            return True
         from .screens.failure import last_words
 
         self.last_words = last_words(error, self._keep_all(), self._memory)
-        super()._handle_exception(error)
-        # Textual would show what it knows of the error: pages, with pieces of the program in it.
-        self._exit_renderables.clear()
+        return False
 
     def _keep_all(self) -> Path | None:
         """Keep what is not saved; return where, None when all is saved or nothing is open."""

@@ -7,11 +7,10 @@ would reach its binding.
 
 from __future__ import annotations
 
-from collections.abc import MutableMapping
 from string import ascii_lowercase, digits
-from typing import Any, NamedTuple, cast
+from typing import NamedTuple
 
-from textual._ansi_sequences import ANSI_SEQUENCES_KEYS
+from .undocumented import known_sequences
 
 _NAMES = {
     "-": "minus",
@@ -32,8 +31,10 @@ class _Chord(NamedTuple):
 
 
 def teach() -> None:
-    """Let Textual tell the chords apart from characters."""
-    known = cast("MutableMapping[str, Any]", ANSI_SEQUENCES_KEYS)
+    """Let Textual tell the chords apart from characters, where it can be told."""
+    known = known_sequences()
+    if known is None:
+        return
     for character in (*digits, *ascii_lowercase, *_NAMES):
         if character not in _TAKEN:
             known[f"\x1b{character}"] = (_Chord(f"alt+{_NAMES.get(character, character)}"),)

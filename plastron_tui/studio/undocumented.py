@@ -1,0 +1,46 @@
+"""All that the studio uses of Textual without Textual's word for it.
+
+A version of Textual that has it no longer takes away what is said here, and nothing else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import MutableMapping
+from typing import Any, cast
+
+from textual.app import App
+
+
+def known_sequences() -> MutableMapping[str, Any] | None:
+    """Return what terminals send for keys, as Textual's parser looks it up; None if unknown.
+
+    Without it chords with Alt arrive as far as Textual itself tells them from characters.
+    """
+    try:
+        from textual._ansi_sequences import ANSI_SEQUENCES_KEYS
+    except ImportError:
+        return None
+    if not isinstance(ANSI_SEQUENCES_KEYS, MutableMapping):
+        return None
+    return cast("MutableMapping[str, Any]", ANSI_SEQUENCES_KEYS)
+
+
+class Failing(App[None], inherit_bindings=False):
+    """An app that is told what went wrong in it.
+
+    Without Textual's `_handle_exception` an error ends the studio with a traceback; what was typed
+    is in the journal. Without `_exit_renderables` a traceback follows the studio's last words.
+    """
+
+    def survives(self, error: Exception) -> bool:
+        """Take note of an error; tell whether the app goes on."""
+        return False
+
+    def _handle_exception(self, error: Exception) -> None:
+        if self.survives(error):
+            return
+        super()._handle_exception(error)
+        # Textual would show what it knows of the error: pages, with pieces of the program in it.
+        pages = getattr(self, "_exit_renderables", None)
+        if isinstance(pages, list):
+            pages.clear()

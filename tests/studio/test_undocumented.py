@@ -1,0 +1,51 @@
+"""What the studio uses of Textual without Textual's word for it: there now, and can be missing."""
+
+from __future__ import annotations
+
+import sys
+
+import pytest
+from textual.app import App
+from textual.worker import WorkerFailed
+
+from plastron_tui.studio.app import StudioApp
+from plastron_tui.studio.terminal_keys import teach
+from plastron_tui.studio.undocumented import known_sequences
+
+
+def test_this_version_of_textual_has_it() -> None:
+    known = known_sequences()
+    assert known is not None
+    assert "\x1bOP" in known
+    assert callable(App._handle_exception)
+    assert isinstance(App[None]()._exit_renderables, list)
+
+
+@pytest.mark.parametrize("module", [None, type(sys)("without")])
+def test_without_the_table_of_sequences_no_chord_is_taught(
+    module: object, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "textual._ansi_sequences", module)
+    assert known_sequences() is None
+    teach()
+
+
+def test_without_the_pages_of_an_error_the_studio_ends_with_its_own_words(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    app = StudioApp()
+    del app._exit_renderables
+    monkeypatch.setattr(App, "_handle_exception", lambda self, error: None)
+    app._handle_exception(RuntimeError("a deliberate error"))
+    assert "a deliberate error" in app.last_words
+
+
+async def test_without_a_word_of_errors_the_studio_starts(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delattr(StudioApp.__mro__[1], "_handle_exception")
+    shown = []
+    monkeypatch.setattr(StudioApp, "show_error", lambda self, error: shown.append(error))
+    app = StudioApp()
+    async with app.run_test(size=(80, 24)) as pilot:
+        await pilot.pause()
+        assert app.survives(WorkerFailed(RuntimeError("a deliberate error")))
+    assert len(shown) == 1
