@@ -66,6 +66,16 @@ class Ask:
         slot = self.form.slot_of(*kinds)
         return None if slot is None else self.cells.get(slot.name)
 
+    @property
+    def held(self) -> frozenset[str]:
+        """What is in the other slots of this kind."""
+        same = (each for each in self.form.declaration.slots if each.kind is self.slot.kind)
+        return frozenset(
+            self.cells[each.name].text
+            for each in same
+            if each.name != self.slot.name and each.name in self.cells
+        )
+
     def text(self, *kinds: SlotKind) -> str:
         """Return the text in the first slot of some kinds, "" where there is none."""
         cell = self.cell(*kinds)

@@ -4,26 +4,32 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from plastron_tui.diagnostics import Diagnostic, Edit, Severity, Span
+from plastron_tui.diagnostics import Diagnostic, Edit, Severity, Span, has_errors
 from plastron_tui.language import SlotKind
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.inputs import COMMENTS
-from plastron_tui.session import Session
+from plastron_tui.language.keywords import KEYWORDS
+from plastron_tui.session import DEFAULT_LIBRARY, Session
 
 from .aims import generating
-from .form import Form, sentence
+from .form import Form, is_variable, sentence
+from .scene import is_guess, say_library
 from .values import Entry, Path
 
 
 @dataclass(frozen=True, slots=True)
 class Placed:
-    """A statement for the program: its form (None for one that follows), text, and values."""
+    """A statement for the program: its form (None for one that follows), text, and values.
+
+    `node` is what stands where it names its node, "" where it names none.
+    """
 
     form: Form | None
     text: str
     entries: tuple[Entry, ...] = ()
+    node: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +88,7 @@ def check(session: Session, placed: Sequence[Placed], *, generates: bool = False
     outcome = None
     for at, is_late in _places(session, placed):
         lines = list(placed)
-        node = node_of(session, placed)
+        node = node_of(placed)
         if node is not None and (is_late or (generates and not _is_generated(session, node))):
             declaration = generating()
             if declaration is not None and not _generates(placed):
@@ -95,17 +101,10 @@ def check(session: Session, placed: Sequence[Placed], *, generates: bool = False
     return outcome
 
 
-def node_of(session: Session, placed: Sequence[Placed]) -> str | None:
+def node_of(placed: Sequence[Placed]) -> str | None:
     """Return the variable of the node that statements are about, None where it is not known."""
-    last = placed[-1]
-    if last.form is None:
-        return None
-    slot = last.form.slot_of(SlotKind.NODE, SlotKind.NEW_NODE)
-    if slot is None:
-        return None
-    alone = Session(last.text.encode("utf-8", "surrogatepass"))
-    statement = next(iter(alone.program.statements), None)
-    return None if statement is None else getattr(statement, slot.name)
+    name = placed[-1].node
+    return name if is_variable(name) and name not in KEYWORDS else None
 
 
 def _generates(placed: Sequence[Placed]) -> bool:
@@ -121,7 +120,7 @@ def _places(session: Session, placed: Sequence[Placed]) -> Iterator[tuple[int | 
 
     The second part tells whether a node would have to be generated anew there.
     """
-    node = node_of(session, placed)
+    node = node_of(placed)
     made = [each for each in session.workspace.generations if each.node.variable == node]
     if not made or _generates(placed):
         yield None, False
@@ -161,10 +160,30 @@ def _checked(session: Session, placed: Sequence[Placed], at: int | None) -> Outc
         offset += len(line) + 1
     edit = Edit(Span(start, end), new.decode("utf-8", "surrogatepass"))
     findings = tuple(_findings(session, candidate, placed, spans))
+    if not findings:
+        findings = tuple(_shell_findings(session, candidate, placed, spans))
     block = Span(spans[0].start, spans[-1].end)
     there = {each.span for each in candidate.program.statements}
     texts = tuple(each.text for each in placed)
     return Outcome(candidate, (edit,), block, findings, texts, there.issuperset(spans))
+
+
+def _shell_findings(
+    session: Session, candidate: Session, placed: Sequence[Placed], spans: Sequence[Span]
+) -> Iterator[Finding]:
+    """Yield what the shell would find wrong, where nobody chose a library and the studio has one.
+
+    A program that the shell does not take as it is stays the studio's.
+    """
+    if not is_guess(session):
+        return
+    before, after = session.snapshot(), candidate.snapshot()
+    for each in (before, after):
+        each.fall_back_to(DEFAULT_LIBRARY)
+    if has_errors(before.diagnostics):
+        return
+    for found in _findings(before, after, placed, spans):
+        yield replace(found, help=say_library(session.library))
 
 
 def _opens_block(placed: Sequence[Placed]) -> bool:

@@ -238,7 +238,7 @@ class Course:
         if not filled:
             return Look()
         placed = [each for one in filled for each in one.written]
-        node = node_of(self.session, placed)
+        node = node_of(placed)
         has_work = self.main_form is not None
         outcome = check(self.session, placed, generates=has_work and self.generates)
         can = has_work and self._can_generate(placed, node, outcome)

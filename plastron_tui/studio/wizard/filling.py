@@ -61,7 +61,9 @@ class Filled:
     def written(self) -> list[Placed]:
         """The statements in the order of the program."""
         before = [each for maker in self.makers for each in maker.written]
-        return [*before, Placed(self.form, self.text, tuple(self.used))]
+        slot = self.form.slot_of(SlotKind.NODE, SlotKind.NEW_NODE)
+        node = "" if slot is None else self.cells[slot.name].text
+        return [*before, Placed(self.form, self.text, tuple(self.used), node)]
 
     @property
     def all_problems(self) -> list[Finding]:

@@ -129,6 +129,11 @@ def _quoted(kind: SlotKind, text: str) -> str:
     return text
 
 
+def is_variable(text: str) -> bool:
+    """Tell whether a text has the form of a variable."""
+    return text.isascii() and text.isidentifier() and text[0].isalpha()
+
+
 def is_module(text: str) -> bool:
     """Tell whether a file is named without quotes: by a bare name."""
     from plastron_tui.language.keywords import KEYWORDS

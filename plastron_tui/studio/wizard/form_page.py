@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import takewhile
 from typing import ClassVar, NamedTuple
 
 from textual import on
@@ -89,7 +90,6 @@ class FormPage(Vertical):
         self._shapes: list[tuple[object, ...]] = []
         self._rows: dict[Key, Row] = {}
         self._help: dict[Key, str] = {}
-        self._wanted: Key | None = None
         self._insists = False
 
     def compose(self) -> ComposeResult:
@@ -112,15 +112,13 @@ class FormPage(Vertical):
         self.problems = tuple(each for each in problems if each.form is self.form)
         shapes = [spec.shape for spec in specs]
         if shapes != self._shapes:
-            self._shapes = shapes
-            await self._build(specs)
-        else:
-            for spec in specs:
-                if spec.key is not None:
-                    row = self._rows[spec.key]
-                    # What is being written is not written over.
-                    text = row.text if self._is_being_written(row, spec) else spec.text
-                    row.show(text, spec.note)
+            await self._build(specs, shapes)
+        for spec in specs:
+            if spec.key is not None:
+                row = self._rows[spec.key]
+                # What is being written is not written over.
+                text = row.text if self._is_being_written(row, spec) else spec.text
+                row.show(text, spec.note)
         wrong = {(each.slot, each.path) for each in self.problems}
         for key, row in self._rows.items():
             row.set_class(key in wrong, "-wrong")
@@ -132,12 +130,17 @@ class FormPage(Vertical):
             return has_focus and spec.entry.path in self.form.values
         return has_focus and row.slot.name in self.form.entered
 
-    async def _build(self, specs: Sequence[_Spec]) -> None:
+    async def _build(self, specs: Sequence[_Spec], shapes: list[tuple[object, ...]]) -> None:
+        """Make the rows from the first one on that is another than before."""
         here = self.key_here
+        pairs = zip(self._shapes, shapes, strict=False)
+        kept = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
+        self._shapes = shapes
         rows = self.query_one(Rows)
         made: list[Widget] = []
-        self._rows = {}
-        for spec in specs:
+        there = [spec.key for spec in specs[:kept] if spec.key is not None]
+        self._rows = {key: self._rows[key] for key in there}
+        for spec in specs[kept:]:
             if spec.key is None or spec.slot is None:
                 words = f"{spec.label}  {spec.note}" if spec.note else spec.label
                 made.append(Label(words, classes="wizard-heading", markup=False))
@@ -153,12 +156,12 @@ class FormPage(Vertical):
             )
             self._rows[spec.key] = row
             made.append(row)
-        await rows.remove_children()
+        await rows.remove_children(list(rows.children)[kept:])
         await rows.mount_all(made)
-        wanted = self._wanted or here
-        self._wanted = None
+        if here in there:
+            return
         free = [row for row in self._rows.values() if not row.is_fixed]
-        found = self._rows.get(wanted) if wanted is not None else None
+        found = self._rows.get(here) if here is not None else None
         if found is None or found.is_fixed:
             found = free[0] if free else None
         if found is not None:
@@ -319,11 +322,6 @@ def _value_specs(slot: Slot, filled: Filled) -> list[_Spec]:
         text = filled.given.get(each.path, "")
         key = (slot.name, each.path)
         label = indent + each.path[-1]
-        specs.append(_Spec(key, slot, each, label, text, str(each.type), False, _default(each)))
+        note = str(each.type).rpartition("/")[2]
+        specs.append(_Spec(key, slot, each, label, text, note, False, each.default))
     return specs
-
-
-def _default(entry: Entry) -> str:
-    if entry.type.is_array:
-        return "none" if entry.type.length is None else f"{entry.type.length} zeros"
-    return {bool: "False", int: "0", float: "0.0", str: ""}.get(entry.python or str, "")

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from plastron_tui.language import SlotKind
 from plastron_tui.language.keywords import KEYWORDS
+from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.names import (
     NameProblem,
     check_node_name,
@@ -16,7 +17,7 @@ from plastron_tui.ros.names import (
 
 from .aims import maker_of
 from .ask import Ask, Choice
-from .form import NEW
+from .form import NEW, is_variable
 from .kind import Kind
 from .libraries import LibraryKind
 from .node_files import FileKind
@@ -63,7 +64,7 @@ class NewVariableKind(Kind):
             topic = ask.parent_text(SlotKind.TOPIC).strip("~/").rpartition("/")[2]
             name = f"{topic}_message" if topic else ""
         wanted = mended_node_name(name.removesuffix(".py"), 1) or name.removesuffix(".py")
-        if not _is_variable(wanted):
+        if not is_variable(wanted):
             wanted = "message" if ask.slot.kind is SlotKind.NEW_MESSAGE else "node"
         return ask.scene.free(f"{wanted}_node" if wanted in KEYWORDS else wanted)
 
@@ -73,7 +74,7 @@ class NewVariableKind(Kind):
             return "it needs a name by which the program can speak of it"
         if not text[0].isascii() or not text[0].isalpha():
             return "a variable starts with a letter"
-        if not _is_variable(text):
+        if not is_variable(text):
             return "a variable has letters, digits and `_`, and no space"
         if text in KEYWORDS:
             return f"`{text}` is a word of the language: choose another one"
@@ -84,8 +85,19 @@ class NewVariableKind(Kind):
         return None
 
 
-def _is_variable(text: str) -> bool:
-    return text.isascii() and text.isidentifier() and text[0].isalpha()
+def closed_by(ask: Ask, names: Sequence[str]) -> dict[str, str]:
+    """Return why some of the choices for a slot cannot be taken.
+
+    What was entered in another slot, and is wrong whatever is taken here, closes nothing.
+    """
+    tried = {name: ask.try_out(name) for name in names[:MOST_TRIALS]}
+    common = {(each.reason, each.slot) for each in tried.values()}
+    if len(common) == 1:
+        ((reason, slot),) = common
+        is_entered = slot != ask.slot.name and slot in ask.form.entered
+        if reason is not None and is_entered and not any(f"`{name}`" in reason for name in tried):
+            return {}
+    return {name: each.reason for name, each in tried.items() if each.reason is not None}
 
 
 class NodeKind(Kind):
@@ -93,7 +105,8 @@ class NodeKind(Kind):
 
     def suggest(self, ask: Ask) -> str:
         """Return what fits the rest of the form and of the program."""
-        nodes = _last_first(ask)
+        held = ask.held
+        nodes = sorted(_last_first(ask), key=lambda variable: variable in held)
         for variable in nodes[:MOST_TRIALS]:
             if ask.try_out(variable).reason is None:
                 return variable
@@ -104,10 +117,11 @@ class NodeKind(Kind):
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return what there is, and what is closed."""
         found = []
-        for number, variable in enumerate(_last_first(ask)):
+        nodes = _last_first(ask)
+        reasons = closed_by(ask, nodes)
+        for variable in nodes:
             node = ask.scene.workspace.nodes[variable]
-            tried = ask.try_out(variable) if number < MOST_TRIALS else None
-            closed = (tried.reason or "") if tried is not None else ""
+            closed = reasons.get(variable, "")
             note = f"'{node.name}'" if node.source is None else node.source.path.name
             found.append(Choice(variable, note, closed=closed))
         if _can_make(ask):
@@ -116,8 +130,10 @@ class NodeKind(Kind):
 
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell why a text cannot stand there."""
-        if not text:
+        if not ask.scene.workspace.nodes:
             return "there is no node yet: make one first"
+        if not text:
+            return "a node is needed: choose one of the list"
         if text not in ask.scene.workspace.nodes:
             return f"there is no node `{text}`: choose one of the list"
         return None
@@ -159,18 +175,23 @@ class MessageKind(Kind):
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return what there is, and what is closed."""
         found = [Choice(NEW, "", "a later screen asks for its values", label="a new message")]
-        messages = reversed(ask.scene.workspace.messages.items())
-        for number, (variable, message) in enumerate(messages):
-            tried = ask.try_out(variable) if number < MOST_TRIALS else None
-            closed = (tried.reason or "") if tried is not None else ""
-            found.append(Choice(variable, str(message.value.type), closed=closed))
+        messages = ask.scene.workspace.messages
+        names = list(reversed(messages))
+        reasons = closed_by(ask, names)
+        for variable in names:
+            type_ = str(messages[variable].value.type)
+            found.append(Choice(variable, type_, closed=reasons.get(variable, "")))
         return found
 
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell why a text cannot stand there."""
-        if text not in ask.scene.workspace.messages:
-            return f"there is no message `{text}`: choose one of the list"
-        return None
+        if text in ask.scene.workspace.messages:
+            return None
+        if ask.scene.resolve(text, InterfaceKind.MESSAGE, ask.version) is not None:
+            return f"`{text}` is a type: take `a new message` here, and the type comes further down"
+        if not text or not ask.scene.workspace.messages:
+            return "a message is needed: take `a new message`, or another one of the list"
+        return f"there is no message `{text}`: choose one of the list"
 
 
 class MeetingKind(Kind):
@@ -187,7 +208,9 @@ class MeetingKind(Kind):
             return next((each.text for each in self._taken_back(ask) if not each.closed), "")
         # Who sends something of its own seeks who lacks it; who takes it, what there is.
         sends = ask.form.slot_of(SlotKind.MESSAGE, SlotKind.INPUT) is not None
-        for meeting in [] if ask.is_trial else self._names(ask)[:MOST_TRIALS]:
+        held = ask.held
+        there = [each for each in self._names(ask) if each.name not in held]
+        for meeting in [] if ask.is_trial else there[:MOST_TRIALS]:
             tried = ask.try_out(meeting.name)
             helps = tried.lonely < ask.scene.lonely or not (sends or meeting.is_lonely)
             if tried.reason is None and helps:
@@ -195,7 +218,7 @@ class MeetingKind(Kind):
         known = ask.scene.meetings(ask.interface, ask.version)
         message = ask.scene.workspace.messages.get(ask.text(SlotKind.MESSAGE))
         wanted = name_for_type(ask.interface, None if message is None else message.value.type)
-        return free_name(wanted, {name.strip("/") for name in known})
+        return free_name(wanted, {name.strip("/") for name in (*known, *held)})
 
     def _taken_back(self, ask: Ask) -> list[Choice]:
         """Return what the node has of the kind that the statement takes away."""
@@ -211,10 +234,10 @@ class MeetingKind(Kind):
         if ask.form.declaration.undoes is not None:
             return self._taken_back(ask)
         found = []
-        for number, meeting in enumerate(self._names(ask)):
-            closed = ""
-            if number < MOST_TRIALS:
-                closed = ask.try_out(meeting.name).reason or ""
+        names = self._names(ask)
+        reasons = closed_by(ask, [each.name for each in names])
+        for meeting in names:
+            closed = reasons.get(meeting.name, "")
             type_ = "" if meeting.type is None else str(meeting.type)
             found.append(Choice(meeting.name, type_, _who(meeting), closed))
         return found

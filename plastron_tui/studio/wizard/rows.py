@@ -67,13 +67,23 @@ class Turn(Checkbox, inherit_bindings=False):
             self.post_message(Reached(self.parent))
 
 
+class ValueTurn(Turn):
+    """True, false or no value, in the row of a field."""
+
+    def toggle(self) -> ValueTurn:
+        """Turn it on."""
+        if isinstance(self.parent, Row):
+            self.parent.turn()
+        return self
+
+
 class Row(Horizontal):
     """A name and what is entered for it.
 
     Attributes:
         slot: the slot of the statement.
         entry: the field of the values, None for the slot itself.
-        query: what was written, while a choice is looked at.
+        query_text: what was written, while a choice is looked at.
     """
 
     def __init__(
@@ -113,12 +123,20 @@ class Row(Horizontal):
         if self.is_fixed:
             yield Label(self._text, classes="wizard-fixed", markup=False)
         elif self.is_switch:
-            yield Turn(self._text, self._text == "True", compact=True)
+            yield ValueTurn(self._switch_words, self._text == "True", compact=True)
         else:
             yield TextBox(self._text, compact=True, placeholder=self._placeholder,
                           select_on_focus=True, classes="wizard-box")  # fmt: skip
         classes = "wizard-note -reason" if self.is_fixed else "wizard-note"
         yield Label(self._note, classes=classes, markup=False)
+
+    @property
+    def _switch_words(self) -> str:
+        return self._text or f"{self._placeholder} (default)"
+
+    def turn(self) -> None:
+        """Go on to the next of: no value, true, false."""
+        self.take({"": "True", "True": "False"}.get(self._text, ""))
 
     @property
     def text(self) -> str:
@@ -140,7 +158,7 @@ class Row(Horizontal):
         with box.prevent(Input.Changed, Checkbox.Changed):
             if isinstance(box, Checkbox):
                 box.value = text == "True"
-                box.label = text or "False"
+                box.label = self._switch_words
             elif isinstance(box, Input):
                 box.value = text
 
@@ -163,15 +181,6 @@ class Row(Horizontal):
         if event.value != self._text:
             self._text = self.query_text = event.value
             self.post_message(Entered(self, event.value))
-
-    def on_checkbox_changed(self, event: Checkbox.Changed) -> None:
-        """Tell what was turned."""
-        event.stop()
-        text = "True" if event.value else "False"
-        if text != self._text:
-            self._text = text
-            event.checkbox.label = text
-            self.post_message(Entered(self, text))
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Go on."""

@@ -14,7 +14,7 @@ from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.names import resolved_name
-from plastron_tui.session import Session
+from plastron_tui.session import DEFAULT_LIBRARY, Session
 from plastron_tui.targets import LIBRARIES
 
 if TYPE_CHECKING:
@@ -107,6 +107,18 @@ class Scene:
         """Return the types of a generation of ROS."""
         return self.session.catalog(version)
 
+    def why_not(self, name: InterfaceName, kind: InterfaceKind, version: int) -> str:
+        """Tell why a type of a generation of ROS is none of the program's yet, "" where it is."""
+        session = self.session
+        default = LIBRARIES[DEFAULT_LIBRARY]
+        if not is_guess(session) or version == default:
+            return ""
+        if any(LIBRARIES.get(n.library or "") == version for n in self.workspace.nodes.values()):
+            return ""
+        if self.catalog(default).find(name, kind) is not None:
+            return ""
+        return f"ROS {default} has none: {say_library(session.library)}"
+
     def resolve(self, text: str, kind: InterfaceKind, version: int) -> Interface | None:
         """Return the type that a text means, None where it means none."""
         found = TypeResolver(self.catalog(version)).resolve(text, kind)
@@ -170,6 +182,19 @@ class Scene:
             return []
         ends = (node.publishers, node.subscriptions, node.services, node.clients)
         return list(dict.fromkeys(name for end in ends for name in end))
+
+
+def is_guess(session: Session) -> bool:
+    """Tell whether the studio alone reads a program for its client library, and no shell does.
+
+    Nobody chose one, and what is installed here is another one than the default.
+    """
+    return not session.is_library_chosen and session.library != DEFAULT_LIBRARY
+
+
+def say_library(library: str) -> str:
+    """Say how a program that names no client library is made one for it."""
+    return f"for ROS {LIBRARIES.get(library, 1)}, make a node `using {library}` first"
 
 
 def free_name(wanted: str, taken: Iterable[str]) -> str:

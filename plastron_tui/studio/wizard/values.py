@@ -31,6 +31,8 @@ MOST_FIELDS = 200
 _DEEPEST = 8
 _HEADER = InterfaceName("std_msgs", "Header")
 _NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?", re.ASCII)
+_TEXT = re.compile(r'"(?:[^"\\]|\\.)*"')
+_LONGEST_SHOWN = 40
 _PIECE = re.compile(r'\s*("(?:[^"\\]|\\.)*"|[^,]*?)\s*(?:,|$)')
 _TRUE = frozenset({"true", "yes", "on", "1"})
 _FALSE = frozenset({"false", "no", "off", "0"})
@@ -48,6 +50,7 @@ class Entry:
         note: its type, range and default in a few words.
         comment: what the definition says about it.
         constants: the constants of the message that it may be meant to hold.
+        default: its value where none is entered, in words.
     """
 
     path: Path
@@ -56,6 +59,7 @@ class Entry:
     note: str
     comment: str = ""
     constants: tuple[Constant, ...] = ()
+    default: str = ""
 
     @property
     def name(self) -> str:
@@ -117,7 +121,8 @@ def _entry(field: Field, path: Path, constants: tuple[Constant, ...], ros_versio
     if type_.package is not None:
         is_time = not type_.is_array
         note = f"{type_}, in seconds" if is_time else f"{type_}: (…), (…)"
-        return Entry(path, type_, float if is_time else None, note, field.comment)
+        kind = float if is_time else None
+        return Entry(path, type_, kind, note, field.comment, (), _default(type_, kind))
     known = primitive(type_.name, ros_version)
     assert known is not None, type_
     parts = [str(type_) + (", in seconds" if known.parts else "")]
@@ -128,7 +133,14 @@ def _entry(field: Field, path: Path, constants: tuple[Constant, ...], ros_versio
     if field.default is not None:
         parts.append(f"{_shown(field.default)} without a value")
     fitting = () if type_.is_array else _fitting(field, constants, known.kind)
-    return Entry(path, type_, known.kind, ", ".join(parts), field.comment, fitting)
+    default = _default(type_, known.kind) if field.default is None else _shown(field.default)
+    return Entry(path, type_, known.kind, ", ".join(parts), field.comment, fitting, default)
+
+
+def _default(type_: FieldType, kind: Python | None) -> str:
+    if type_.is_array:
+        return "none" if type_.length is None else f"{type_.length} zeros"
+    return {bool: "False", int: "0", float: "0.0", str: ""}.get(kind or str, "")
 
 
 def _fitting(field: Field, constants: tuple[Constant, ...], kind: type) -> tuple[Constant, ...]:
@@ -204,10 +216,10 @@ def _scalar(entry: Entry, text: str, *, is_item: bool = False) -> str:
 def problem_of(entry: Entry, text: str, ros_version: int) -> str | None:
     """Tell why what was entered does not fit its field, None where it does, as far as is known.
 
-    Messages within an array are looked at only as a part of the statement.
+    Of messages within an array only the parentheses are looked at here.
     """
     if entry.python is None:
-        return None
+        return _parentheses_problem(text)
     if not entry.type.is_array:
         return _scalar_problem(entry, text, ros_version)
     inner = text.strip().removeprefix("[").removesuffix("]")
@@ -222,6 +234,22 @@ def problem_of(entry: Entry, text: str, ros_version: int) -> str | None:
     if type_.bound is not None and count > type_.bound:
         return f"`{entry.path[-1]}` has at most {type_.bound} values, not {count}"
     return None
+
+
+def _parentheses_problem(text: str) -> str | None:
+    """Tell why a text is no list of messages, each in parentheses."""
+    inner = text.strip()
+    if inner.startswith("["):
+        inner = inner.removeprefix("[").removesuffix("]").strip()
+    depth = 0
+    for character in _TEXT.sub("", inner):
+        depth += {"(": 1, ")": -1}.get(character, 0)
+        if depth < 0:
+            return "there is one `)` more than `(`"
+        if depth == 0 and character not in "), ":
+            shown = inner if len(inner) <= _LONGEST_SHOWN and "(" not in inner else "field=value"
+            return f"write each message in parentheses, with commas between: ({shown}), (…)"
+    return "a `)` is missing at the end" if depth else None
 
 
 def _scalar_problem(entry: Entry, text: str, ros_version: int) -> str | None:

@@ -145,8 +145,33 @@ def test_a_statement_about_nodes_alone_is_something_that_a_node_does(watch: Decl
     choose(it, "give a node something more to do")
     assert "let a node watch another one" in [each.title for each in it.purpose_offers()]
     filled = Filler().fill(Form(watch), it.scene)
-    assert filled.text == "watch listener with listener"
+    assert filled.text == "watch listener with talker"
     assert [spec.label for spec in _specs(filled)] == ["node", "other"]
+
+
+@pytest.fixture
+def relay() -> Iterator[Declaration]:
+    """One in which two topics are named."""
+
+    @statement(
+        "relay_statement",
+        "{node} relay {topic} into {other}",
+        summary="Let a node send on what it hears.",
+        example="talker relay 'chatter' into 'echo'",
+    )
+    class Relay(Statement):
+        node: str = slot(SlotKind.NODE, "the node that relays")
+        topic: str = slot(SlotKind.TOPIC, "where it listens")
+        other: str = slot(SlotKind.TOPIC, "where it sends")
+
+    yield DECLARATIONS[Relay]
+    del DECLARATIONS[Relay]
+
+
+def test_two_slots_of_a_kind_are_not_filled_alike(relay: Declaration) -> None:
+    filled = Filler().fill(Form(relay), course(TWO_NODES).scene)
+    topics = [filled.cells[name].text for name in ("topic", "other")]
+    assert len(set(topics)) == 2 and all(topics)
 
 
 def test_a_statement_says_that_it_writes_a_file() -> None:

@@ -8,8 +8,10 @@ import pytest
 from wizard_courses import NODE_FILE, TWO_NODES, choose, course
 from wizard_driver import wizard
 
+from plastron_tui.session import Options, Session
 from plastron_tui.studio.wizard.course import Course, PageKind
 from plastron_tui.studio.wizard.form import NEW
+from plastron_tui.studio.wizard.scene import Surroundings
 
 SEND = "send something, again and again"
 REACT = "react to what others send"
@@ -34,6 +36,9 @@ REFUSED = [
     ([MAKE], "variable", "greeting", "a message is called `greeting` already"),
     ([MAKE], "library", "ros2", "there is no client library `ros2`"),
     ([MAKE], "library", "roscpp", "plastron does not write roscpp yet"),
+    ([MORE, SEND], "node", "", "choose one of the list"),
+    ([MORE, SEND], "message", "Bool", "`Bool` is a type: take `a new message` here"),
+    ([MORE, SEND], "message", "", "take `a new message`"),
     ([MORE, SEND], "node", "tolker", "there is no node `tolker`"),
     ([MORE, SEND], "message", "gretting", "there is no message `gretting`"),
     ([MORE, SEND], "topic", "", "a topic needs a name, such as `chatter`"),
@@ -85,8 +90,16 @@ VALUES = [
     ("Twist", ("linear", "x"), "x", "x takes a number"),
     ("LaserScan", ("ranges",), "1, far", "value 2 of the list"),
     ("Odometry", ("pose", "covariance"), "1, 2", "`covariance` has 36 values, not 2"),
-    ("Path", ("poses",), "(1", "poses"),
-    ("TFMessage", ("transforms",), "5", "write its values in parentheses"),
+    ("Path", ("poses",), "(1", "a `)` is missing at the end"),
+    ("Path", ("poses",), "(1))", "one `)` more"),
+    ("Path", ("poses",), '[header.frame_id=")"]', "in parentheses, with commas between: (header"),
+    ("Path", ("poses",), "(seq=1), 5", "parentheses, with commas between: (field=value), (…)"),
+    (
+        "TFMessage",
+        ("transforms",),
+        "5",
+        "write each message in parentheses, with commas between: (5), (…)",
+    ),
 ]
 
 
@@ -102,7 +115,7 @@ def test_a_value_that_does_not_fit_is_refused_at_its_field(
     form.values[path] = text
     found = it.blocking(it.look())
     assert len(found) == 1
-    assert words in found[0].words or path == ("poses",)
+    assert words in found[0].words
     assert (found[0].slot, found[0].path) in (("input", path), ("", None))
 
 
@@ -148,6 +161,58 @@ def test_a_node_that_has_it_already_is_closed() -> None:
     # Another node is suggested then.
     filled = it.look().of(form)
     assert filled is not None and filled.cells["node"].text == "talker"
+
+
+def test_a_mistake_in_another_row_closes_nothing() -> None:
+    it = course(TWO_NODES)
+    choose(it, MORE, SEND)
+    form = it.page.form
+    assert form is not None
+    form.entered = {"message": "NavSatFix"}
+    assert closed(it, "node") == {"listener": "", "talker": ""}
+    # What is closed by the choice itself stays closed, though it is the only one.
+    form.entered = {"topic": "chatter"}
+    it = course("create_message number of message_type Int32 and input 5\n" + TWO_NODES)
+    choose(it, MORE, SEND)
+    form = it.page.form
+    assert form is not None
+    form.entered = {"topic": "chatter"}
+    assert "`chatter` is of type" in closed(it, "message")["number"]
+
+
+GUESS = Options(fallback="rclpy")
+
+
+@pytest.mark.parametrize(
+    ("before", "type_", "is_refused"),
+    [
+        ("", "Parameter", True),
+        ("", "String", False),
+        ("create_node 'a' as a using rclpy\n", "Parameter", False),
+    ],
+)
+def test_a_type_that_the_shell_would_not_know_is_refused(
+    before: str, type_: str, is_refused: bool
+) -> None:
+    """The studio takes the ROS that is there where nobody chose one; the shell does not."""
+    it = Course(Session(before.encode(), None, GUESS, environ={}), Surroundings())
+    choose(it, MESSAGE)
+    form = it.page.form
+    assert form is not None
+    form.entered["type"] = type_
+    look = it.look()
+    filled = look.of(form)
+    assert filled is not None and look.outcome is not None
+    (choice,) = [each for each in it.choices(filled, "type", None, type_) if each.text == type_]
+    refused = [each.words for each in it.blocking(look)]
+    text = look.outcome.session.document.text
+    shell = [
+        each.message for each in Session(text, environ={}).diagnostics if type_ in each.message
+    ]
+    assert bool(refused) == bool(choice.closed) == bool(shell) == is_refused
+    assert all(
+        "make a node `using rclpy` first" in words for words in (*refused, choice.closed) if words
+    )
 
 
 def test_what_would_leave_a_node_idle_is_closed() -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from studio_driver import studio
+from textual.widgets import Checkbox
 from wizard_courses import NODE_FILE, TWO_NODES
 from wizard_driver import WizardDriver, wizard
 
@@ -234,6 +235,9 @@ async def test_the_values_are_a_form_with_a_row_a_field(here: Path) -> None:
         await it.press("space")
         assert it.statements[0].endswith("and input False")
         await it.click("Turn")
+        assert it.statements[0].endswith("and input none")
+        assert str(it.row("data").query_one(Checkbox).label) == "False (default)"
+        await it.click("Turn")
         assert it.statements[0].endswith("and input True")
         # What was entered for the other type is not forgotten.
         await it.write("type", "Twist")
@@ -402,3 +406,29 @@ async def test_it_works_in_other_colours(here: Path, theme: str) -> None:
         assert focused.rich_style != other.rich_style
         await it.press("enter")
         assert it.kind is PageKind.REVIEW
+
+
+async def test_what_was_searched_for_stays_when_the_rows_change(here: Path) -> None:
+    """A name that is a type by itself brings its fields; the rest of the name goes on after it."""
+    async with wizard() as it:
+        await it.pick("make a message")
+        await it.go_to("type")
+        for character in "Pose":
+            await it.type(character)
+        assert "w" in it.rows and it.form.row_here is it.row("type")
+        assert it.choices[0] == "Pose" and "Bool" not in it.choices
+        for character in "Stamped":
+            await it.type(character)
+        assert it.rows["type"] == "PoseStamped" and "frame_id" in it.rows
+        assert "PoseStamped" in it.choices and "Bool" not in it.choices
+
+
+async def test_the_node_is_named_though_something_else_is_wrong(here: Path) -> None:
+    async with wizard() as it:
+        await it.pick(MAKE)
+        await it.press("enter")
+        await it.pick(SEND)
+        await it.write("rate", "often")
+        await it.press("f2")
+        about = it.screen.query_one("#wizard-about")
+        assert str(about.content) == "Choose what `talker` shall do."  # type: ignore[attr-defined]
