@@ -9,8 +9,9 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable
+from functools import cache
 from operator import attrgetter
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span
 
@@ -22,10 +23,11 @@ from .pause import collection_paused
 _MOST_BROKEN = 200
 """With more broken lines than this, most of the work is to explain them, and all is done anew."""
 
-_VALUES = {
-    type_: attrgetter("syntax", *(slot.name for slot in declaration.slots))
-    for type_, declaration in DECLARATIONS.items()
-}
+
+@cache
+def _values(type_: type[Statement]) -> Callable[[Statement], tuple[Any, ...]]:
+    """Return what takes all but its place from a statement, in the order that makes one."""
+    return attrgetter("syntax", *(slot.name for slot in DECLARATIONS[type_].slots))
 
 
 class Lowered(NamedTuple):
@@ -104,9 +106,10 @@ def _start(statement: Statement) -> int:
 
 def _moved(statement: Statement, by: int) -> Statement:
     """Return a statement that stands elsewhere."""
-    type_ = type(statement)
+    type_: Any = type(statement)  # which mypy takes for not hashable
     start, end = statement.span
-    return type_(Span(start + by, end + by), *_VALUES[type_](statement))
+    made: Statement = type_(Span(start + by, end + by), *_values(type_)(statement))
+    return made
 
 
 def _line(text: bytes, found: Diagnostic) -> Span:

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from contextlib import suppress
+from itertools import product
 from typing import Any, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Label, Severity, Span, has_errors, write
 from plastron_tui.language import statements as st
-from plastron_tui.language.declaration import Statement
+from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
 from plastron_tui.language.lowering import Program
 from plastron_tui.language.pause import collection_paused
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
@@ -85,18 +86,9 @@ class Interpreter(Checks):
         # Functions, not methods of this object: a cycle would keep each interpretation alive
         # until the collector comes, which passes of this size keep away.
         self._run: dict[type[Statement], Callable[[Interpreter, Any], None]] = {
-            st.CreateNode: Interpreter._create_node,
-            st.Load: Interpreter._load,
-            st.CreateMessage: Interpreter._create_message,
-            st.Subscribe: Interpreter._subscribe,
-            st.Unsubscribe: Interpreter._unsubscribe,
-            st.Publish: Interpreter._publish,
-            st.StopPublishing: Interpreter._stop_publishing,
-            st.ClientRequests: Interpreter._client_requests,
-            st.StopRequest: Interpreter._stop_request,
-            st.ProvidesService: Interpreter._provides_service,
-            st.StopService: Interpreter._stop_service,
-            st.GenerateNode: Interpreter._generate_node,
+            # The method of a `publish_statement` is `_publish`.
+            type_: getattr(Interpreter, f"_{declaration.kind.removesuffix('_statement')}")
+            for type_, declaration in DECLARATIONS.items()
         }
 
     def run(self, program: Program) -> tuple[Diagnostic, ...]:
@@ -129,15 +121,14 @@ class Interpreter(Checks):
 
     def _fail(self, statement: Statement) -> None:
         """Remember what a statement without effect was to make: it is broken, not missing."""
-        match statement:
-            case st.CreateNode() | st.Load() | st.CreateMessage():
-                self._broken.add(statement.variable)
-            case st.Subscribe() | st.Publish():
-                self._failed.add((statement.node, statement.topic))
-                self._failed_nodes.add(statement.node)
-            case st.ClientRequests() | st.ProvidesService():
-                self._failed.add((statement.node, statement.service))
-                self._failed_nodes.add(statement.node)
+        declaration = DECLARATIONS[type(statement)]
+        filled = [(slot.kind, getattr(statement, slot.name)) for slot in declaration.slots]
+        self._broken.update(text for kind, text in filled if kind.makes is not None)
+        names = [text for kind, text in filled if kind in (SlotKind.TOPIC, SlotKind.SERVICE)]
+        if names and declaration.undoes is None:
+            nodes = [text for kind, text in filled if kind is SlotKind.NODE]
+            self._failed.update(product(nodes, names))
+            self._failed_nodes.update(nodes)
 
     def _create_node(self, statement: st.CreateNode) -> None:
         self._check_new_variable(statement, statement.variable)

@@ -2,27 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from functools import cache
+from typing import Any, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Label, Severity, Span
-from plastron_tui.language import statements as st
-from plastron_tui.language.declaration import Statement
+from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
 from plastron_tui.language.lowering import Program
 
 from .workspace import Generation, Workspace
 
-_CHANGES = frozenset(
-    {
-        st.Subscribe,
-        st.Unsubscribe,
-        st.Publish,
-        st.StopPublishing,
-        st.ClientRequests,
-        st.StopRequest,
-        st.ProvidesService,
-        st.StopService,
-    }
-)
+
+class _Named(NamedTuple):
+    """The slots of a statement that name the nodes it changes, and the messages for that."""
+
+    nodes: tuple[str, ...]
+    messages: tuple[str, ...]
+
+
+@cache
+def _named(type_: type[Statement]) -> _Named:
+    """Return what a statement names: one that makes a node, or writes it, changes none."""
+    declaration = DECLARATIONS[type_]
+    kinds = {slot.kind for slot in declaration.slots}
+    if declaration.writes_file or SlotKind.NEW_NODE in kinds:
+        return _Named((), ())
+    nodes, messages = (
+        tuple(slot.name for slot in declaration.slots if slot.kind is kind)
+        for kind in (SlotKind.NODE, SlotKind.MESSAGE)
+    )
+    return _Named(nodes, messages)
 
 
 def late_changes(program: Program, workspace: Workspace) -> Iterator[Diagnostic]:
@@ -33,16 +42,15 @@ def late_changes(program: Program, workspace: Workspace) -> Iterator[Diagnostic]
     if not last:
         return
     for statement in program.statements:
-        if type(statement) not in _CHANGES:
+        type_: Any = type(statement)  # which mypy takes for not hashable
+        named = _named(type_)
+        generation = next(_generations(statement, named, last), None)
+        if generation is None:
             continue
-        variable: str = statement.node  # type: ignore[attr-defined]
-        generation = last.get(variable)
-        if generation is None or statement.span.start < generation.span.start:
-            continue
+        variable = generation.node.variable
+        messages = [workspace.messages[getattr(statement, name)] for name in named.messages]
         fix = None
-        if not isinstance(statement, st.Publish) or (
-            workspace.messages[statement.message].span.start < generation.span.start
-        ):
+        if all(message.span.start < generation.span.start for message in messages):
             fix = _moved(statement, generation)
         yield Diagnostic(
             "changed-after-generating",
@@ -53,6 +61,16 @@ def late_changes(program: Program, workspace: Workspace) -> Iterator[Diagnostic]
             labels=(Label(generation.span, "generated here"),),
             severity=Severity.WARNING,
         )
+
+
+def _generations(
+    statement: Statement, named: _Named, last: Mapping[str, Generation]
+) -> Iterator[Generation]:
+    """Yield the last time that a node was written before a statement changes it."""
+    for name in named.nodes:
+        generation = last.get(getattr(statement, name))
+        if generation is not None and generation.span.start <= statement.span.start:
+            yield generation
 
 
 def _moved(statement: Statement, generation: Generation) -> Fix | None:

@@ -8,6 +8,9 @@ import pytest
 import tree_sitter_plastron
 from tree_sitter import Language, Parser, Query, QueryCursor
 
+from plastron_tui.language import DECLARATIONS, Declaration, SlotKind
+from plastron_tui.language.keywords import KEYWORDS
+
 from .statements import STATEMENTS
 
 LANGUAGE = Language(tree_sitter_plastron.language())
@@ -48,6 +51,47 @@ def test_highlights_are_disjoint() -> None:
     assert len(spans) > 200
     for (_, end), (start, _) in pairwise(spans):
         assert end <= start
+
+
+def captured(query: str, text: str) -> dict[str, list[str]]:
+    """Return what is captured in a text, by capture."""
+    root = Parser(LANGUAGE).parse(text.encode()).root_node
+    captures = QueryCursor(Query(LANGUAGE, query)).captures(root)
+    return {
+        name: [(node.text or b"").decode() for node in nodes] for name, nodes in captures.items()
+    }
+
+
+def test_every_keyword_is_highlighted() -> None:
+    text = "\n".join(text for texts in STATEMENTS.values() for text in texts)
+    words = "keyword", "keyword.function", "constant.builtin", "boolean"
+    found = captured(tree_sitter_plastron.HIGHLIGHTS_QUERY, text + " , False")
+    assert {text for word in words for text in found[word]} == KEYWORDS
+    firsts = {declaration.keyword for declaration in DECLARATIONS.values()}
+    assert set(found["keyword.function"]) == firsts
+
+
+@pytest.mark.parametrize(
+    "declaration", DECLARATIONS.values(), ids=[each.kind for each in DECLARATIONS.values()]
+)
+def test_every_variable_is_defined_or_referred_to(declaration: Declaration) -> None:
+    """A declaration's variables, as its example has them, are what queries for editors find."""
+    root = Parser(LANGUAGE).parse(declaration.example.encode()).root_node.children[0]
+    assert root.type == declaration.kind
+    variables: dict[bool, list[str]] = {True: [], False: []}
+    calls = []
+    for slot in declaration.slots:
+        node = root.child_by_field_name(slot.name)
+        text = "" if node is None or node.text is None else node.text.decode()
+        if slot.kind.is_variable:
+            variables[slot.kind.makes is not None].append(text)
+        elif slot.kind is SlotKind.FUNCTION and text:
+            calls.append(text)
+    found = captured(tree_sitter_plastron.LOCALS_QUERY, declaration.example)
+    assert found.get("local.definition", []) == variables[True]
+    assert sorted(found.get("local.reference", [])) == sorted(variables[False])
+    tags = captured(tree_sitter_plastron.TAGS_QUERY, declaration.example)["name"]
+    assert set(tags) >= {*variables[True], *variables[False], *calls}
 
 
 @pytest.mark.parametrize("opening", ["(", "[", "x=(", "(1,"])

@@ -3,6 +3,8 @@ from __future__ import annotations
 import pytest
 from workspaces import marked, run
 
+from plastron_tui.language import DECLARATIONS, SlotKind
+
 EARS = "create_node 'ears' as n\nsubscribe n to 'a' of message_type String\n"
 HEAR = "subscribe n to 'b' of message_type String\n"
 GENERATE = "generate_node n\n"
@@ -36,6 +38,36 @@ def test_a_statement_after_the_last_generate_is_in_no_file(program: str, late: l
     for each in found:
         assert each.severity.value == "warning"
         assert marked(program, each._replace(span=each.labels[0].span)) == GENERATE.strip()
+
+
+CHANGES = """\
+subscribe n to 'b' of message_type String
+unsubscribe n from 'a'
+n publish m to 'q' of message_type String
+n stop_publishing to 'p'
+n client_requests 'd' of service_type Trigger with input none
+n stop_request 'c'
+n provides_service 't' of service_type Trigger
+n stop_service 's'
+"""
+
+
+def test_every_statement_that_changes_a_node_may_come_too_late() -> None:
+    program = f"""\
+{EARS}{MESSAGE}n publish m to 'p' of message_type String
+n client_requests 'c' of service_type Trigger with input none
+n provides_service 's' of service_type Trigger
+{GENERATE}{CHANGES}"""
+    found = run(program).diagnostics
+    assert {each.code for each in found} == {"changed-after-generating"}
+    assert [marked(program, each) for each in found] == CHANGES.splitlines()
+    changing = {
+        declaration.keyword
+        for declaration in DECLARATIONS.values()
+        if any(slot.kind is SlotKind.NODE for slot in declaration.slots)
+        and not declaration.writes_file
+    }
+    assert changing <= set(CHANGES.split())
 
 
 def test_a_late_statement_with_a_mistake_has_one_diagnostic() -> None:
