@@ -56,6 +56,20 @@ def test_a_name_is_free_however_many_are_taken() -> None:
     assert "\n_ros_node_3 = rclpy.create_node(" in text
 
 
+def test_the_helpers_stand_before_a_line_that_follows_the_imports_at_once() -> None:
+    text = ported(
+        "import rospy\nfrom std_msgs.msg import String\n"
+        "rospy.Subscriber('s', String, print)\nrospy.init_node('n')\n",
+        "rospy",
+        "rclpy",
+    )
+    assert text.index("def spin_in_thread():") < text.index("\nspin_in_thread()")
+    assert text.endswith(
+        '\n\n\nrclpy.init()\nnode = rclpy.create_node("n")\nspin_in_thread()\n'
+        "node.create_subscription(String, 's', print, 10)\n"
+    )
+
+
 HEAD_1 = (
     "import rospy\nfrom std_msgs.msg import String\n\n\ndef tick(event):\n    {inside}\n\n\n"
     "rospy.init_node('n')\ntimer = rospy.Timer(rospy.Duration(1), tick)\n"

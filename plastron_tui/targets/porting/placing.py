@@ -78,7 +78,7 @@ def add_header(work: Work) -> None:
         lines = following[: len(following) - len(following.lstrip())].count(b"\n")
         wanted_lines = 2 if work.helpers else 1
         missing = wanted_lines - lines if following.strip() else 0
-        work.insert(end, "".join(helpers) + "\n" * max(missing, 0))
+        work.insert_first(end, "".join(helpers) + "\n" * max(missing, 0))
 
 
 def _client_import(work: Work, otherwise: int) -> int:

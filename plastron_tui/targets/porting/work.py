@@ -124,6 +124,10 @@ class Work:
         """Insert text."""
         self._put(offset, offset, text)
 
+    def insert_first(self, offset: int, text: str) -> None:
+        """Insert text before all else that is inserted at the place."""
+        self._splices.insert(0, Splice(offset, offset, self.analysis.syntax.encode(text)))
+
     def cut(self, splice: Splice) -> None:
         """Take text away."""
         self._splices.append(splice)
