@@ -167,6 +167,27 @@ async def test_a_file_that_others_change_is_asked_about(program: Path, key: str,
         assert driver.app.screen is driver.main
 
 
+async def test_what_was_kept_in_place_of_the_file_is_saved_without_another_question(
+    program: Path,
+) -> None:
+    async with studio(program) as driver:
+        program.write_text("// theirs\n" + PROGRAM)
+        driver.main.look_at_disk()
+        await driver.dialog("Question")
+        await driver.pilot.press("k")
+        await driver.back()
+        assert driver.main.open.is_changed
+        await driver.until(lambda: driver.main.open.journal.file.exists())
+        await driver.press("ctrl+s")
+        await driver.until(lambda: program.read_text() == PROGRAM)
+        assert driver.app.screen is driver.main
+        program.write_text("// others\n" + PROGRAM)
+        await driver.type("// mine")
+        await driver.press("ctrl+s")
+        await driver.dialog("Question")
+        assert program.read_text() == "// others\n" + PROGRAM
+
+
 async def test_a_file_that_the_program_loads_is_read_again_when_it_changes(program: Path) -> None:
     program.write_text("load 'old.py' as old\n")
     node = program.with_name("old.py")

@@ -217,16 +217,20 @@ class Filing(Keeping):
                 if await self.may_leave():
                     self.take_file(Path(path))
             case ("recipe", str(path)):
-                if await self.may_leave():
-                    from ..recipes import recipes
-
-                    for recipe in recipes():
-                        if recipe.path == Path(path):
-                            await self.take_recipe(recipe)
+                self.action_start_from(path)
             case ("action", str(call)):
                 await self.run_action(call)
             case _:
                 self.editor.focus()
+
+    @work(exclusive=True, group="recipe")
+    async def action_start_from(self, path: str) -> None:
+        """Open the recipe of a path in the place of the program at hand."""
+        from ..recipes import recipes
+
+        for recipe in recipes():
+            if recipe.path == Path(path) and await self.may_leave():
+                await self.take_recipe(recipe)
 
     async def take_recipe(self, recipe: Recipe) -> bool:
         """Open a recipe as a new program; one that brings files along gets its place first.
@@ -305,7 +309,14 @@ class Filing(Keeping):
                 lines=difference_of(open_.text, now.text),
             )
         )
-        if open_ is not self.open or answer != "load":
+        if open_ is not self.open:
+            return
+        if answer == "keep":
+            # What is there now is known, and may be saved over.
+            open_.disk = now
+            self.show_title()
+            self.keep_soon()
+        if answer != "load":
             return
         found = open_file(now.path)
         if found.problem is not None or found.disk is None:
