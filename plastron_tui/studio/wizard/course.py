@@ -14,6 +14,7 @@ from .checking import Finding, Outcome, Placed, check, node_of
 from .filling import Filled, Filler
 from .form import Form
 from .libraries import explained
+from .offers import RECIPES, Offer
 from .scene import Scene, Surroundings
 from .values import Entry, Path
 
@@ -29,6 +30,7 @@ class PageKind(Enum):
 
     START = auto()
     PURPOSE = auto()
+    RECIPES = auto()
     FORM = auto()
     REVIEW = auto()
 
@@ -39,27 +41,6 @@ class Page:
 
     kind: PageKind
     form: Form | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Offer:
-    """An entry of a menu.
-
-    Attributes:
-        declaration: the statement, None for the entry that leads to a menu of its own.
-        title: what one wants.
-        term: what ROS calls it.
-        about: a sentence about it.
-        closed: why it cannot be had now, "" where it can.
-        is_advised: whether it is what most would do next.
-    """
-
-    declaration: Declaration | None
-    title: str
-    term: str
-    about: str
-    closed: str = ""
-    is_advised: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,6 +89,7 @@ class Course:
         self.head: Declaration | None = None
         self.purpose: Declaration | None = None
         self._is_more = False
+        self._is_recipes = False
         self._forms: dict[tuple[Declaration | None, Declaration], Form] = {}
         self._filler = Filler()
 
@@ -121,6 +103,7 @@ class Course:
     def choose(self, declaration: Declaration | None) -> None:
         """Take an entry of the menu that is shown, and go on."""
         if self.page.kind is PageKind.START:
+            self._is_recipes = False
             self._is_more = declaration is None
             if declaration != self.head:
                 self.purpose = None
@@ -130,10 +113,18 @@ class Course:
             self.purpose = declaration
         self.at += 1
 
+    def choose_recipes(self) -> None:
+        """Go on to the programs that work."""
+        self._is_recipes, self._is_more = True, False
+        self.head = self.purpose = None
+        self.at = 1
+
     def is_chosen(self, offer: Offer) -> bool:
         """Tell whether an entry of the menu that is shown was taken before."""
         if self.page.kind is PageKind.PURPOSE:
             return offer.declaration is self.purpose
+        if offer is RECIPES:
+            return self._is_recipes
         if offer.declaration is None:
             return self._is_more
         return offer.declaration is self.head
@@ -176,6 +167,8 @@ class Course:
         """Return the pages, as far as it is known which there will be."""
         pages = [Page(PageKind.START)]
         head, main = self.head_form, self.main_form
+        if self._is_recipes:
+            return [*pages, Page(PageKind.RECIPES)]
         if head is None and not self._is_more:
             return pages
         if head is not None:
@@ -336,7 +329,7 @@ class Course:
                 offers.append(Offer(None, MORE_TITLE, "", about, closed))
                 continue
             offers += [self._offer(each, None) for each in declarations_of(aim)]
-        return offers
+        return [*offers, RECIPES]
 
     def purpose_offers(self) -> list[Offer]:
         """Return what a node can do, what most would do next first in mind."""

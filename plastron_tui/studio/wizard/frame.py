@@ -16,10 +16,11 @@ from ..panels.text_view import TextView
 from ..panels.tones import Lines
 from . import words
 from .ask import Choice
-from .course import Course, Look, Offer, Page, PageKind
+from .course import Course, Look, Page, PageKind
 from .form import Form
 from .form_page import FormPage, Key
 from .menu_page import Item, MenuPage, ReviewPage
+from .offers import Offer
 from .showing import arrows_of, changed_rows, code_of, drawing_of
 from .statement_view import StatementView
 
@@ -27,6 +28,8 @@ NARROW = 76
 """With fewer columns the code and the graph have a page of their own."""
 WIDE = 116
 """From so many columns on, the graph is a picture."""
+MENUS = (PageKind.START, PageKind.PURPOSE, PageKind.RECIPES)
+"""The pages on which an entry is chosen."""
 LOW = 22
 """With fewer rows the form does without the sentence above it."""
 
@@ -110,6 +113,10 @@ class Frame(ModalScreen[str]):
                 await form_page.show(filled, view.look.problems, view.helps)
                 form_page.show_choices(view.choices)
         self._show_frame(page, view.look)
+        self.page_is_up()
+
+    def page_is_up(self) -> None:
+        """Tell that the page that was asked for is shown."""
 
     async def _turn_to(self, page: Page, view: View) -> None:
         place = self.query_one("#wizard-page", Vertical)
@@ -137,7 +144,7 @@ class Frame(ModalScreen[str]):
         self.query_one("#wizard-title", Label).update(words.title(page, self.is_done))
         step = "" if self.is_done or page.kind is PageKind.START else f"step {self.course.at}"
         self.query_one("#wizard-step", Label).update(step)
-        is_menu = self.is_done or page.kind in (PageKind.START, PageKind.PURPOSE)
+        is_menu = self.is_done or page.kind in MENUS
         is_last = page.kind is PageKind.REVIEW
         back = self.query_one("#wizard-back", Button)
         back.display = not self.is_done and self.course.at > 0

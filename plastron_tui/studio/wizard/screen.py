@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import ClassVar
 
-from textual import on
+from textual import events, on
 from textual.binding import Binding, BindingType
 from textual.widgets import Button
 from textual.worker import Worker
@@ -22,12 +22,13 @@ from ..screens.question import Question
 from . import words
 from .ask import Choice
 from .checking import Finding
-from .course import Course, Look, Offer, PageKind
+from .course import Course, Look, PageKind
 from .form import Form
 from .form_page import Key, Looked, Put
-from .frame import Frame, View
+from .frame import MENUS, Frame, View
 from .libraries import installed
 from .menu_page import Generates, Picked
+from .offers import RECIPES, Offer, recipe_offers
 from .rows import Confirmed
 from .values import Path
 
@@ -66,6 +67,8 @@ class Wizard(Frame):
         self.is_done = False
         self._enter = enter
         self._going = asyncio.Lock()
+        self._is_picking = False
+        self._held: list[events.Key] = []
         self._waiting: list[Callable[[], None]] = []
         self._worker: Worker[None] | None = None
         self._environments = asyncio.Event()
@@ -142,6 +145,8 @@ class Wizard(Frame):
             offers = course.start_offers()
         elif page.kind is PageKind.PURPOSE:
             offers = course.purpose_offers()
+        elif page.kind is PageKind.RECIPES:
+            offers = recipe_offers()
         elif page.form is not None:
             filled = look.of(page.form)
             if filled is not None:
@@ -189,7 +194,13 @@ class Wizard(Frame):
         if self._writes_at_once(offer):
             self.dismiss("screen.generate")
             return
-        self.changed(lambda: self.course.choose(offer.declaration))
+        self._is_picking = True
+        if offer is RECIPES:
+            self.changed(self.course.choose_recipes)
+        elif offer.recipe is not None:
+            self.dismiss(f"screen.start_from({str(offer.recipe)!r})")
+        else:
+            self.changed(lambda: self.course.choose(offer.declaration))
 
     def _writes_at_once(self, offer: Offer) -> bool:
         """Tell whether all that could be generated is: then the files can be written."""
@@ -206,6 +217,7 @@ class Wizard(Frame):
         self._start_anew()
 
     def _start_anew(self) -> None:
+        self._is_picking = True
         around = replace(self.course.surroundings, files=None)
 
         def do() -> None:
@@ -232,11 +244,38 @@ class Wizard(Frame):
         # A second Enter counts for the page that the first one leads to.
         async with self._going:
             await self._go()
+        self._let_go()
+
+    # Keys that come before the page that they are for.
+
+    @property
+    def _is_turning(self) -> bool:
+        return self._shown is None or self._is_picking or self._going.locked()
+
+    def on_key(self, event: events.Key) -> None:
+        """Keep a key for the page that is on its way."""
+        if self._is_turning and event.key != "escape":
+            event.stop()
+            event.prevent_default()
+            self._held.append(events.Key(event.key, event.character))
+
+    def page_is_up(self) -> None:
+        """Let the keys that were kept have the page."""
+        if not self._waiting:
+            self._is_picking = False
+        self._let_go()
+
+    def _let_go(self) -> None:
+        if self._is_turning:
+            return
+        held, self._held = self._held, []
+        for key in held:
+            self.app.post_message(key)
 
     async def _go(self) -> None:
         look = await self.settled()
         page = self.course.page
-        if page.kind in (PageKind.START, PageKind.PURPOSE) or self.is_done:
+        if page.kind in MENUS or self.is_done:
             return
         if page.form is not None and page.form.slot_of(SlotKind.LIBRARY) is not None:
             await self._wait_for_ros()

@@ -40,6 +40,8 @@ def title(page: Page, is_done: bool) -> str:
         return "What do you want?"
     if page.kind is PageKind.PURPOSE:
         return "What shall it do?"
+    if page.kind is PageKind.RECIPES:
+        return "Start from a program that works"
     if page.form is None:
         return "This is what will be written"
     declaration = page.form.declaration
@@ -54,6 +56,8 @@ def question(page: Page, look: Look) -> str:
             "The wizard writes statements, the same that you could type: "
             "you see them grow, and the code that they become."
         )
+    if page.kind is PageKind.RECIPES:
+        return "Each is a whole program: take one, run it, then change it."
     return f"Choose what `{look.node}` shall do." if look.node else "Choose what shall be done."
 
 
@@ -72,7 +76,7 @@ def keys(page: Page, is_done: bool) -> str:
         return "↑↓ Enter choose"
     if page.kind is PageKind.START:
         return "↑↓ Enter choose  Esc leave"
-    if page.kind is PageKind.PURPOSE:
+    if page.kind in (PageKind.PURPOSE, PageKind.RECIPES):
         return "↑↓ Enter choose  F2 back"
     if page.kind is PageKind.REVIEW:
         return "Enter finish  F2 back"

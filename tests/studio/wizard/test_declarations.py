@@ -19,6 +19,7 @@ from wizard_driver import way_to
 
 from plastron_tui.language import DECLARATIONS, Declaration, SlotKind, Statement
 from plastron_tui.language.declaration import slot, statement
+from plastron_tui.model.interpreter import Interpreter
 from plastron_tui.session import Session
 from plastron_tui.studio.wizard.aims import Aim, aim_of, declarations_of
 from plastron_tui.studio.wizard.course import PageKind
@@ -100,7 +101,7 @@ def test_a_file_that_is_loaded_can_be_changed_in_every_way(
 
 
 @pytest.fixture
-def whistle() -> Iterator[Declaration]:
+def whistle(monkeypatch: pytest.MonkeyPatch) -> Iterator[Declaration]:
     """A statement that is added to the language."""
 
     @statement(
@@ -116,12 +117,13 @@ def whistle() -> Iterator[Declaration]:
         type: str = slot(SlotKind.MESSAGE_TYPE, "the type of that")
         rate: float | None = slot(SlotKind.RATE, "how often")
 
+    monkeypatch.setattr(Interpreter, "_whistle", lambda *_: None, raising=False)
     yield DECLARATIONS[Whistle]
     del DECLARATIONS[Whistle]
 
 
 @pytest.fixture
-def watch() -> Iterator[Declaration]:
+def watch(monkeypatch: pytest.MonkeyPatch) -> Iterator[Declaration]:
     """Another one, in which only nodes are named."""
 
     @statement(
@@ -134,6 +136,7 @@ def watch() -> Iterator[Declaration]:
         node: str = slot(SlotKind.NODE, "the node that is watched")
         other: str = slot(SlotKind.NODE, "the node that watches")
 
+    monkeypatch.setattr(Interpreter, "_watch", lambda *_: None, raising=False)
     yield DECLARATIONS[Watch]
     del DECLARATIONS[Watch]
 
@@ -150,7 +153,7 @@ def test_a_statement_about_nodes_alone_is_something_that_a_node_does(watch: Decl
 
 
 @pytest.fixture
-def relay() -> Iterator[Declaration]:
+def relay(monkeypatch: pytest.MonkeyPatch) -> Iterator[Declaration]:
     """One in which two topics are named."""
 
     @statement(
@@ -164,6 +167,7 @@ def relay() -> Iterator[Declaration]:
         topic: str = slot(SlotKind.TOPIC, "where it listens")
         other: str = slot(SlotKind.TOPIC, "where it sends")
 
+    monkeypatch.setattr(Interpreter, "_relay", lambda *_: None, raising=False)
     yield DECLARATIONS[Relay]
     del DECLARATIONS[Relay]
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from studio_driver import studio
+from textual.events import Key
 from textual.widgets import Checkbox
 from wizard_courses import NODE_FILE, TWO_NODES
 from wizard_driver import WizardDriver, wizard
@@ -432,3 +433,31 @@ async def test_the_node_is_named_though_something_else_is_wrong(here: Path) -> N
         await it.press("f2")
         about = it.screen.query_one("#wizard-about")
         assert str(about.content) == "Choose what `talker` shall do."  # type: ignore[attr-defined]
+
+
+async def test_a_recipe_starts_from_the_first_menu(here: Path) -> None:
+    from plastron_tui.studio.recipes import recipes
+
+    recipe = recipes()[1]
+    assert not recipe.files
+    async with wizard() as it:
+        await it.pick("start from a program that works")
+        assert it.menu == [each.title for each in recipes()]
+        await it.press("f2")
+        assert it.kind is PageKind.START and it.here == "start from a program that works"
+        await it.press("enter")
+        await it.click_item(recipe.title)
+        await it.driver.until(lambda: it.driver.text == recipe.text.decode())
+        assert not it.is_open
+
+
+async def test_keys_that_come_too_early_are_for_the_page_to_come(here: Path) -> None:
+    async with studio(None, (80, 24)) as driver:
+        it = WizardDriver(driver)
+        await driver.pilot.press("ctrl+u")
+        await driver.until(lambda: it.is_open)
+        for key in ("down", "enter"):
+            driver.app.post_message(Key(key, None))
+        await driver.until(lambda: it.screen.course.at == 1)
+        await it.settle()
+        assert it.title.startswith("Change a node file")

@@ -1,0 +1,49 @@
+"""The entries of the wizard's menus."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from plastron_tui.language import Declaration
+
+from ..recipes import recipes
+
+
+@dataclass(frozen=True, slots=True)
+class Offer:
+    """An entry of a menu.
+
+    Attributes:
+        declaration: the statement, None for the entry that leads to a menu of its own.
+        title: what one wants.
+        term: what ROS calls it.
+        about: a sentence about it.
+        closed: why it cannot be had now, "" where it can.
+        is_advised: whether it is what most would do next.
+        recipe: the program that it starts from.
+    """
+
+    declaration: Declaration | None
+    title: str
+    term: str
+    about: str
+    closed: str = ""
+    is_advised: bool = False
+    recipe: Path | None = None
+
+
+RECIPES = Offer(
+    None,
+    "start from a program that works",
+    "recipe",
+    "Opens a whole program, to be run and changed; the one at hand is closed.",
+)
+"""The entry that leads to the recipes."""
+
+
+def recipe_offers() -> list[Offer]:
+    """Return the programs that one can start from."""
+    return [
+        Offer(None, each.title, "", f"{each.description}.", recipe=each.path) for each in recipes()
+    ]
