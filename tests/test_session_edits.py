@@ -42,13 +42,62 @@ LINES = st.sampled_from(
     [*PROGRAM, "\n", "create_node 'x' as\n", "subscribe talker too 'a'\n", "$\n"]
 )
 WORDS = st.sampled_from(
-    ["talker", "listener", "text", "'chatter'", "Point", "1", '"', "x=", " ", "é"]
+    ["talker", "listener", "text", "'chatter'", "Point", "1", '"', "x=", " ", "é", ",", "(", "-"]
+)
+INPUTS = st.sampled_from(
+    [
+        "none", "1", "-1", "300", "2.5", '"a"', '"3"', "True", "1, 2", "1, 2, 3", "x=1, y=2",
+        "y=True", "z=1, z=2", "(1, 2, 3)", "(1, 2, 3), (0, 0, 1)", "linear=(1, 2, 3)",
+        "linear.x=1, angular.z=2",
+        "linear.w=1", "[]", "[1, 2.5, 3]", "[(1, 2, 3), (4, 5)]", "data=[1, -2]", "data=1e400",
+        "header.frame_id=\"map\", pose.position=(1, 2, 3)", "a=5, b=6", "5, 6", "((1", "x=",
+    ]
+)  # fmt: skip
+TYPES = st.sampled_from(
+    [
+        "String",
+        "Int8",
+        "Float64",
+        "Bool",
+        "Point",
+        "Twist",
+        "PoseStamped",
+        "Polygon",
+        "Empty",
+        "Float64MultiArray",
+        "geometry_msgs/msg/Point",
+        "Strng",
+        "Duration",
+        "Image",
+    ]
 )
 
 
 @st.composite
+def values(draw: st.DrawFn) -> str:
+    """Make a line that is all about its values; names and types come again, as they do."""
+    if draw(st.booleans()):
+        type_ = draw(st.sampled_from(["AddTwoInts", "SetBool", "Empty", "Trigger", "Trigge"]))
+        node = draw(st.sampled_from(["talker", "listener"]))
+        name = draw(st.sampled_from("abc"))
+        inputs = draw(INPUTS)
+        return f"{node} client_requests '{name}' of service_type {type_} with input {inputs}\n"
+    variable = draw(st.sampled_from(["m1", "m2", "m3", "m4", "m5", "m6"]))
+    made = f"create_message {variable} of message_type {draw(TYPES)} and input {draw(INPUTS)}\n"
+    node, type_ = draw(st.sampled_from(["talker", "listener"])), draw(TYPES)
+    sent = (
+        f"{node} publish {variable} to '{draw(st.sampled_from('xyz'))}' of message_type {type_}\n"
+    )
+    return draw(st.sampled_from([made, made + sent]))
+
+
+@st.composite
 def edits(draw: st.DrawFn) -> tuple[float, float, str]:
-    return draw(st.floats(0, 1)), draw(st.sampled_from([0.0, 0.01, 0.1])), draw(LINES | WORDS)
+    return (
+        draw(st.floats(0, 1)),
+        draw(st.sampled_from([0.0, 0.01, 0.1])),
+        draw(LINES | WORDS | values() | INPUTS),
+    )
 
 
 def _boundary(text: bytes, share: float) -> int:
@@ -59,7 +108,7 @@ def _boundary(text: bytes, share: float) -> int:
 
 
 @settings(max_examples=100, deadline=None)
-@given(st.lists(LINES, max_size=25), st.lists(edits(), min_size=1, max_size=8))
+@given(st.lists(LINES | values(), max_size=25), st.lists(edits(), min_size=1, max_size=8))
 def test_what_is_learnt_from_an_earlier_text_changes_nothing(
     lines: list[str], found: list[tuple[float, float, str]]
 ) -> None:
