@@ -51,8 +51,8 @@ class _Libraries(Mapping[str, int]):
 LIBRARIES: Mapping[str, int] = _Libraries()
 """The client libraries that a program may name, each with its generation of ROS.
 
-To ask for one of Plastron's own costs nothing; to list them, or to ask for another, looks at what
-is installed.
+To ask for one of Plastron's own costs nothing. To list them, or to ask whether there is another,
+looks at what is installed; to ask for another's generation of ROS loads it.
 """
 
 

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
-from typing import ClassVar, TypeVar
+from typing import ClassVar, TypeVar, cast
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.source import Change, SourceFile
@@ -25,6 +25,7 @@ GROUP = "plastron.targets"
 _T = TypeVar("_T")
 
 Factory = Callable[[Path | None], Target]
+"""The class of a target, which is made with a folder of the user's templates, or None."""
 
 
 @cache
@@ -72,9 +73,13 @@ def make_target(name: str, template_folder: Path | None) -> Target | None:
 
 
 def ros_version_of(name: str) -> int | None:
-    """Return the generation of ROS that a registered target is for, None where there is none."""
+    """Return the generation of ROS that a registered target is for, None where there is none.
+
+    It loads the target. One that cannot be loaded counts as ROS 1, so that a program that names
+    it is still checked; that it cannot be used is told where a node is generated for it.
+    """
     factory = factory_of(name)
-    return None if factory is None else getattr(factory, "ros_version", 1)
+    return None if factory is None else cast("type[Target]", factory).ros_version
 
 
 class _Guarded(Target):
@@ -128,6 +133,7 @@ class _Unusable(Target):
         del template_folder
 
     def _cannot(self, what: str) -> Diagnostic:
+        del what  # the reason is the same for all
         return Diagnostic(
             "unsupported-target", f"the target `{self.name}` cannot be used: {self.reason}"
         )
