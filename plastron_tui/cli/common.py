@@ -12,7 +12,14 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from plastron_tui.diagnostics import Diagnostic, Severity
-from plastron_tui.session import LARGEST_PROGRAM, Options, Session, check_text, read_program
+from plastron_tui.session import (
+    LARGEST_PROGRAM,
+    Options,
+    ProgramText,
+    Session,
+    check_text,
+    read_program,
+)
 from plastron_tui.targets import LIBRARIES
 
 if TYPE_CHECKING:
@@ -182,12 +189,33 @@ def open_session(file: Path, report: Report, options: Options | None = None) -> 
         read = check_text(None, sys.stdin.buffer.read(LARGEST_PROGRAM + 1))
         path = None
     else:
-        read = read_program(file)
+        read = ProgramText(None, (_node_file(file),)) if _is_python(file) else read_program(file)
         path = file
     if read.text is None:
-        report.unreadable(read.diagnostics)
+        report.unreadable(_with_suffix_hint(found, file) for found in read.diagnostics)
         return None
     return Session(read.text, path, options)
+
+
+def _is_python(file: Path) -> bool:
+    return file.suffix == ".py" and file.is_file()
+
+
+def _node_file(file: Path) -> Diagnostic:
+    return Diagnostic(
+        "unreadable-file",
+        f"`{file.name}` is Python, not a program",
+        file=file,
+        help="`plastron inspect` shows what a node file holds, and `load` changes it in a program",
+    )
+
+
+def _with_suffix_hint(found: Diagnostic, file: Path) -> Diagnostic:
+    """Offer the program that a name without its suffix may mean."""
+    meant = file.with_name(f"{file.name}.plastron") if file.name else file
+    if found.help is not None or file.exists() or not meant.is_file():
+        return found
+    return found._replace(help=f"did you mean `{meant.name}`?")
 
 
 def open_sessions(

@@ -54,6 +54,9 @@ def _read(file: Path, report: Report) -> SourceFile | None:
         limit = LARGEST_FILE // (1024 * 1024)
         report.unreadable([_unreadable(file, f"the file is larger than {limit} MB")])
         return None
+    if file.suffix == ".plastron":
+        report.add([_program(file)], lambda _: None)
+        return None
     loaded = read_node(file, text)
     report.add(loaded.diagnostics, lambda _: LineIndex(text), file)
     return loaded.source
@@ -61,3 +64,12 @@ def _read(file: Path, report: Report) -> SourceFile | None:
 
 def _unreadable(file: Path, message: str) -> Diagnostic:
     return Diagnostic("unreadable-file", message, file=file)
+
+
+def _program(file: Path) -> Diagnostic:
+    return Diagnostic(
+        "no-node",
+        f"`{file.name}` is a program, not a node file",
+        file=file,
+        help="`plastron check` and `plastron graph` read programs",
+    )

@@ -33,9 +33,9 @@ _HELP = ("help", "?")
 def command(output: Path | None, target: str | None) -> None:
     """Take one statement at a time, at a prompt or from a pipe.
 
-    A statement with a mistake has no effect. `generate_node` writes its file at once. At the
-    prompt `help` lists the statements, `help WORD` explains one, Ctrl-C drops a line, and `exit`
-    or Ctrl-D leaves.
+    A statement with a mistake has no effect. `generate_node` writes its file at once. `help` lists
+    the statements, `help WORD` explains one, and `exit` leaves; so does Ctrl-D at the prompt,
+    where Ctrl-C drops a line.
     """
     report = Report()
     shell = Shell(Session(options=Options(target, output)), report)
@@ -47,10 +47,10 @@ def command(output: Path | None, target: str | None) -> None:
         _prepare_line_editing()
     lines: Iterable[bytes] = _typed() if is_terminal else sys.stdin.buffer
     for line in lines:
-        words = line.decode(errors="replace").split() if is_terminal else []
+        words = line.decode(errors="replace").split()
         if len(words) == 1 and words[0] in _LEAVE:
             break
-        if words and words[0] in _HELP:
+        if 0 < len(words) <= 2 and words[0] in _HELP:
             _show_help(words[1:])
             continue
         shell.take(line)

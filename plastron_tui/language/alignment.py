@@ -313,7 +313,7 @@ class Alignment:
         return self._instead(token, f"`{_shown(token.text)}` is no value", f'"{text}"')
 
     def _instead(self, token: Token, message: str, right: str) -> Diagnostic:
-        what = f"text is written in double quotes: {_shown(right)}"
+        what = f"a number is written in digits, text in double quotes: {_shown(right)}"
         return Diagnostic(
             "syntax-error",
             message,

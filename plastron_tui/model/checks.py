@@ -111,6 +111,11 @@ class Checks:
         remedy, fix = guess(variable, self.workspace.nodes, where)
         if variable in self.workspace.messages:
             remedy, fix = f"`{variable}` is a message", None
+        if remedy is None:
+            remedy = f"make it first: `create_node '{variable}' as {variable}`"
+        if fix is not None:
+            # The node that is meant lacks this statement: it is not to be called idle.
+            self._failed_nodes.update(edit.text for edit in fix.edits)
         raise Mistake(
             Diagnostic("unknown-node", f"no node `{variable}`", where, help=remedy, fix=fix)
         )
@@ -126,6 +131,9 @@ class Checks:
         remedy, fix = guess(variable, self.workspace.messages, where)
         if variable in self.workspace.nodes:
             remedy, fix = f"`{variable}` is a node", None
+        if remedy is None:
+            made = f"create_message {variable} of message_type {statement.type} and input"
+            remedy = f"make it first: `{made} ...`, with its values"
         raise Mistake(
             Diagnostic("unknown-message", f"no message `{variable}`", where, help=remedy, fix=fix)
         )

@@ -285,3 +285,22 @@ def test_closed_streams(here: Path, command: str, status: int, closed: str) -> N
     )
     assert "Traceback" not in done.stderr
     assert done.returncode == status
+
+
+def test_files_of_the_other_kind(run: Run, here: Path) -> None:
+    here.joinpath("talker.plastron").write_text(TALKER)
+    here.joinpath("node.py").write_text("import rospy\n")
+    for command in ("check", "generate", "graph", "fmt"):
+        result = run(command, "node.py")
+        assert result.returncode == 2
+        assert b"`node.py` is Python, not a program" in result.stderr
+        assert b"found 1 error" in result.stderr
+    result = run("inspect", "talker.plastron")
+    assert result.returncode == 1
+    assert b"`plastron check` and `plastron graph` read programs" in result.stderr
+
+
+def test_a_name_without_its_suffix(run: Run, here: Path) -> None:
+    here.joinpath("talker.plastron").write_text(TALKER)
+    assert b"did you mean `talker.plastron`?" in run("check", "talker").stderr
+    assert b"did you mean" not in run("check", "other").stderr

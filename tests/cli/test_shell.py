@@ -250,3 +250,9 @@ def test_terminal_completes_keywords(terminal: Terminal) -> None:
     terminal.expect("create_node 'a' as a")
     terminal.expect(">> ", 2)
     assert "error" not in terminal.shown
+
+
+def test_a_pipe_may_ask_for_help_and_leave(run: Run) -> None:
+    result = run("shell", stdin=b"help load\nexit\nnonsense\n")
+    assert b"Example: load 'scripts/driver.py' as driver" in result.stdout
+    assert (result.returncode, result.stderr) == (0, b"")

@@ -55,7 +55,13 @@ MISTAKES: list[tuple[str, str, str, str | None]] = [
     ("n provides_service 'a//b' of service_type Trigger", "invalid-name", "//", None),
     ("subscribe nn to 'a' of message_type String", "unknown-node", "nn", "did you mean `n`?"),
     ("subscribe m to 'a' of message_type String", "unknown-node", "m", "`m` is a message"),
-    ("generate_node zzz", "unknown-node", "zzz", None),
+    ("generate_node zzz", "unknown-node", "zzz", "`create_node 'zzz' as zzz`"),
+    (
+        "n publish zzz to 'a' of message_type String",
+        "unknown-message",
+        "zzz",
+        "`create_message zzz of message_type String and input ...`",
+    ),
     ("n publish mm to 'a' of message_type String", "unknown-message", "mm", "did you mean `m`?"),
     ("n publish n to 'a' of message_type String", "unknown-message", "n", "`n` is a node"),
     ("n publish m to 'a' of message_type Strin", "unknown-type", "Strin", "`String`"),
@@ -98,6 +104,11 @@ def test_a_statement_with_a_mistake_has_no_effect(case: tuple[str, str, str, str
     for kind in ("publishers", "subscriptions", "services", "clients"):
         assert getattr(after.nodes["n"], kind).keys() == getattr(before.nodes["n"], kind).keys()
     assert len(after.nodes["n"].publishers["chatter"].publications) == 1
+
+
+def test_a_node_is_not_called_idle_for_a_misspelt_name() -> None:
+    text = NODE + "subscribe nn to 'a' of message_type String\ngenerate_node n\n"
+    assert codes(text) == ["unknown-node"]
 
 
 def test_an_idle_node_is_not_generated() -> None:
