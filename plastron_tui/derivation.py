@@ -155,6 +155,12 @@ class Derivation:
     def _is_ported(self) -> bool:
         return self.source.library != self.target.name
 
+    @property
+    def _is_mixed(self) -> bool:
+        """Whether the program loads what it made of a file that has handwork in it."""
+        origin = self.source.origin
+        return origin is not None and origin.start not in (None, origin.text)
+
     def _made(self, source: SourceFile) -> Rendered:
         """Make the program's changes in a text, and bring it to the target's client library."""
         changes = changes_of(self.node)
@@ -275,6 +281,15 @@ class Derivation:
             problem = unmergeable(place.shown, merged.reason)
             return Derived(replace(file, problem=problem), merged.notes)
         covered = cover(place.shown, upper, before, merged.text, place.present, force=self.force)
+        if self._is_mixed:
+            # What is the program's and what is not can no longer be told apart in what it loads.
+            if covered.text == place.present and not self.force:
+                known_still = replace(file, text=place.present, merged_from=place.present)
+                file = replace(known_still, has_handwork=True, layers=place.layers)
+                return Derived(file, merged.notes)
+            covered = covered._replace(
+                problem=unmergeable(place.shown, "the program changes what it loads of its own")
+            )
         is_as_left = covered.layers or covered.text == place.present
         left = known.left if is_as_left else digest(covered.text)
         kept: Layers = (replace(layer, is_clean=known.is_clean, left=left),)

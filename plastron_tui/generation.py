@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from plastron_tui.changes import changes_of
 from plastron_tui.derivation import Derivation
 from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.handwork import (
@@ -66,7 +67,12 @@ class Manifests:
 
 
 def last_of_each(made: Sequence[Generated], output: Path) -> list[Generated]:
-    """Leave out the files that the program loads after it generated them, and generates again."""
+    """Leave out the files that the program loads after it generated them, and generates again.
+
+    Of two that are one file the last is kept; or the first, which knows of handwork in what it
+    created, where the last neither changes nor changed anything.
+    """
+    made = [each for at, each in enumerate(made) if not _is_copy(each, made[:at], output)]
     kept = []
     for index, each in enumerate(made):
         is_created = each.generation.node.source is None
@@ -79,6 +85,22 @@ def last_of_each(made: Sequence[Generated], output: Path) -> list[Generated]:
         if path is None or all(source is None or source.path != path for source in sources):
             kept.append(each)
     return kept
+
+
+def _is_copy(made: Generated, before: Sequence[Generated], output: Path) -> bool:
+    """Tell whether a node is what the program itself creates, loaded and left as it was."""
+    node, file = made.generation.node, made.file
+    if node.source is None or file is None or file.path is not None or file.layers is not None:
+        return False
+    if node.source.library != made.generation.library or changes_of(node):
+        return False
+    return any(
+        other.generation.node.source is None
+        and other.file is not None
+        and other.file.name == file.name
+        and output / file.name == node.source.path
+        for other in before
+    )
 
 
 def _is_chained(made: Generated) -> bool:

@@ -229,3 +229,42 @@ def test_file_that_is_indented_anew(tmp_path: Path, library: str) -> None:
         assert "\t" not in hand.text
         compile(hand.text, "robot.py", "exec")
         assert hand.generate(*statements)[0] == ["identical"]
+
+
+@pytest.mark.parametrize("library", LIBRARIES)
+def test_node_that_is_created_and_loaded_and_no_longer_changed(
+    tmp_path: Path, library: str
+) -> None:
+    bench = Bench(tmp_path, library)
+    create = "create_node 'a' as a\na publish hello to 'x' of message_type String\n"
+    start = f"{create}generate_node a\nload a_pub as n\n"
+    assert bench.generate(f"{start}{SUBSCRIBE}{END}").states == ["create"]
+    bench.edit("output/a_pub.py", "def main(", "# mine\ndef main(")
+    kept = KEPT.replace("robot", "a_pub")
+    assert bench.generate(f"{start}{END}") == (["changed"], [kept], [], [])
+    before = bench.files()
+    assert b"# mine" in before["output/a_pub.py"]
+    for _ in range(2):
+        assert bench.generate(f"{start}{END}") == (["identical"], [kept], [], [])
+        assert bench.files()["output/a_pub.py"] == before["output/a_pub.py"]
+    bench.generate(f"{start}{SUBSCRIBE}{END}")
+    assert b"# mine" in bench.files()["output/a_pub.py"]
+
+
+@pytest.mark.parametrize("library", LIBRARIES)
+@pytest.mark.parametrize("force", [False, True])
+def test_node_that_is_generated_loaded_and_generated(
+    tmp_path: Path, library: str, force: bool
+) -> None:
+    bench = Bench(tmp_path, library)
+    original = bench.put("robot.py").read_text()
+    start = f"load robot as n\n{UNSUBSCRIBE}{END}load robot as m\n"
+    texts = [f"{start}{each.replace('n ', 'm ', 1)}generate_node m\n" for each in (PUBLISH, "")]
+    bench.generate(texts[0])
+    bench.edit("output/robot.py", "def main(", "# mine\ndef main(")
+    for number, text in enumerate([texts[0], texts[0], texts[1], texts[0]]):
+        outcome = bench.generate(text, force=force and number > 1)
+        assert number > 1 or outcome.states == ["identical"]
+        bench.put("robot.py", original + "\n" * number)
+        kept = [each for name, each in bench.files().items() if not name.endswith(".json")]
+        assert any(b"# mine" in each for each in kept)
