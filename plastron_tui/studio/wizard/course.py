@@ -13,7 +13,7 @@ from .ask import Choice
 from .checking import Finding, Outcome, Placed, check, node_of
 from .filling import Filled, Filler
 from .form import Form
-from .libraries import explained
+from .helps import helps_of
 from .offers import RECIPES, Offer
 from .scene import Scene, Surroundings
 from .values import Entry, Path
@@ -304,17 +304,7 @@ class Course:
 
     def helps(self, filled: Filled) -> dict[tuple[str, Path | None], str]:
         """Return what is said about each row of a form."""
-        said: dict[tuple[str, Path | None], str] = {}
-        for slot in filled.form.declaration.slots:
-            said[slot.name, None] = slot.help
-            if slot.kind is SlotKind.LIBRARY:
-                said[slot.name, None] = explained(self._filler.ask(filled, slot))
-            if slot.kind is SlotKind.INPUT:
-                for each in filled.entries:
-                    if isinstance(each, Entry):
-                        about = f": {each.comment}" if each.comment else ""
-                        said[slot.name, each.path] = f"{each.name} ({each.note}){about}"
-        return said
+        return helps_of(filled, lambda slot: self._filler.ask(filled, slot))
 
     # Menus.
 

@@ -84,7 +84,10 @@ class Frame(ModalScreen[str]):
                 yield TextView(id="wizard-code")
         yield StatementView(id="wizard-statements")
         with Horizontal(id="wizard-buttons"):
-            yield Button("Back", id="wizard-back", compact=True)
+            back = Button("Back", id="wizard-back", compact=True)
+            # Tab leads from the last field on, and F2 back.
+            back.can_focus = False
+            yield back
             yield Button("Next", id="wizard-next", variant="primary", compact=True)
             yield Button("Code", id="wizard-turn", compact=True)
             yield Button("Leave", id="wizard-leave", compact=True)

@@ -28,6 +28,8 @@ MOST_TRIALS = 12
 """So many choices are tried out before they are offered; the rest is checked when it is taken."""
 
 
+_LOWEST_RATE, _HIGHEST_RATE = 1e-9, 1e6
+"""The rates that the language has, in hertz; a longer period fits no clock of ROS 2."""
 _NODE_NAMES = ("talker", "listener", "watcher", "helper")
 
 
@@ -209,7 +211,12 @@ class MeetingKind(Kind):
         # Who sends something of its own seeks who lacks it; who takes it, what there is.
         sends = ask.form.slot_of(SlotKind.MESSAGE, SlotKind.INPUT) is not None
         held = ask.held
-        there = [each for each in self._names(ask) if each.name not in held]
+        # What a node has itself it is not to hear, or to ask, of its own accord.
+        there = [
+            each
+            for each in self._names(ask)
+            if each.name not in held and ask.node not in (*each.senders, *each.takers)
+        ]
         for meeting in [] if ask.is_trial else there[:MOST_TRIALS]:
             tried = ask.try_out(meeting.name)
             helps = tried.lonely < ask.scene.lonely or not (sends or meeting.is_lonely)
@@ -263,6 +270,14 @@ class MeetingKind(Kind):
         return _name_problem(check(text, ask.version))
 
 
+def unanswered(ask: Ask) -> str:
+    """Return what is said of a service that would be asked and that nobody answers, or ""."""
+    meeting = ask.meeting
+    if ask.form.slot_of(SlotKind.INPUT) is None or (meeting is not None and meeting.takers):
+        return ""
+    return "; no node of the program answers it yet: let another one answer questions"
+
+
 def _who(meeting: Meeting) -> str:
     parts = []
     if meeting.senders:
@@ -294,8 +309,10 @@ class RateKind(Kind):
             rate = float(text) if text.isascii() and "_" not in text else 0.0
         except ValueError:
             return "it is a number of times a second, such as 10 or 0.5"
-        if not 0 < rate <= 1e6:
+        if rate <= 0 or rate > _HIGHEST_RATE:
             return "it is more than 0, and at most a million, times a second"
+        if rate < _LOWEST_RATE:
+            return "so seldom that it would never be: it is once in thirty years at least"
         return None
 
 

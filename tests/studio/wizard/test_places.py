@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from wizard_courses import applied, choose, course, to_menu_or_review
+from wizard_courses import TWO_NODES, applied, choose, course, to_menu_or_review
 
 from plastron_tui.session import Session
 
@@ -109,3 +109,13 @@ def test_nodes_of_one_ros_are_kept_together() -> None:
     assert filled is not None
     assert filled.cells["library"].text == "rclpy"
     assert "do not hear each other" in it.helps(filled)["library", None]
+
+
+def test_no_topic_of_its_own_is_suggested_to_a_node() -> None:
+    one = TWO_NODES.partition("create_node 'listener'")[0]
+    it = course(one)
+    choose(it, "give a node something more to do", "react to what others send")
+    assert it.page.form is not None
+    filled = it.look().of(it.page.form)
+    assert filled is not None
+    assert filled.cells["node"].text == "talker" and filled.cells["topic"].text != "chatter"

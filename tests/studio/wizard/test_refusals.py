@@ -50,6 +50,7 @@ REFUSED = [
     ([MORE, SEND], "type", "Goal", "no message type `Goal` is known in ROS 1 noetic"),
     ([MORE, SEND], "rate", "often", "a number of times a second"),
     ([MORE, SEND], "rate", "0", "more than 0"),
+    ([MORE, SEND], "rate", "0.0000000001", "once in thirty years"),
     ([MORE, REACT], "function", "on chatter", "and no space"),
     ([MORE, REACT], "function", "def", "keyword of Python"),
     ([MORE, REACT], "function", "publish", "a word of the language"),

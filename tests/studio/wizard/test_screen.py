@@ -99,7 +99,7 @@ async def test_of_a_file_that_exists_the_change_is_shown(here: Path) -> None:
         await it.press("enter")
         await it.pick(REACT)
         lines = it.view("code").split("\n")
-        assert "+rospy.Subscriber('range', String, on_range)" in lines
+        assert "+rospy.Subscriber('chatter', String, on_chatter)" in lines
         assert not [line for line in lines if line.startswith("-")]
 
 
@@ -461,3 +461,27 @@ async def test_keys_that_come_too_early_are_for_the_page_to_come(here: Path) -> 
         await driver.until(lambda: it.screen.course.at == 1)
         await it.settle()
         assert it.title.startswith("Change a node file")
+
+
+async def test_tab_leads_from_the_last_field_on(here: Path) -> None:
+    async with wizard() as it:
+        await it.pick(MAKE)
+        await it.go_to("library")
+        await it.press("tab", "enter")
+        assert it.kind is PageKind.PURPOSE
+
+
+async def test_a_service_that_nobody_answers_is_told(here: Path) -> None:
+    async with wizard() as it:
+        await it.pick(MAKE)
+        await it.press("enter")
+        await it.pick("ask a question and wait for the answer")
+        await it.go_to("service")
+        assert "no node of the program answers it yet" in it.help
+        path = here / "two.plastron"
+        path.write_text(TWO_NODES)
+    async with wizard(path) as it:
+        await it.pick(MORE)
+        await it.pick("ask a question and wait for the answer")
+        await it.write("service", "switch")
+        assert "answers it yet" not in it.help

@@ -1,0 +1,30 @@
+"""What is said about each row of a form."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from plastron_tui.language import Slot, SlotKind
+
+from .ask import Ask
+from .filling import Filled
+from .kinds import unanswered
+from .libraries import explained
+from .values import Entry, Path
+
+
+def helps_of(filled: Filled, ask: Callable[[Slot], Ask]) -> dict[tuple[str, Path | None], str]:
+    """Return what is said about the slots of a form, and about the fields of its values."""
+    said: dict[tuple[str, Path | None], str] = {}
+    for slot in filled.form.declaration.slots:
+        said[slot.name, None] = slot.help
+        if slot.kind is SlotKind.SERVICE:
+            said[slot.name, None] += unanswered(ask(slot))
+        if slot.kind is SlotKind.LIBRARY:
+            said[slot.name, None] = explained(ask(slot))
+        if slot.kind is SlotKind.INPUT:
+            for each in filled.entries:
+                if isinstance(each, Entry):
+                    about = f": {each.comment}" if each.comment else ""
+                    said[slot.name, each.path] = f"{each.name} ({each.note}){about}"
+    return said
