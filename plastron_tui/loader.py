@@ -182,7 +182,7 @@ class NodeLoader:
             folder = request.source[: len(request.source) - len(path.name)]
             return _not_there(
                 f"no file `{request.source}` beside the program",
-                name,
+                f"did you mean `{folder}{name}`?" if name else f"it is looked for as `{path}`",
                 None if name is None or "'" in name else f"'{folder}{name}'",
             )
         known = {name for folder in (self._output, self._folder) for name in _names(folder)}
@@ -190,7 +190,7 @@ class NodeLoader:
         return _not_there(
             f"no file `{request.source}.py` or `{request.source}.cpp` in the output folder, the "
             "program's folder or the working folder",
-            name,
+            None if name is None else f"did you mean `{name}`?",
             name if name is not None and name.isidentifier() and name.isascii() else None,
         )
 
@@ -240,7 +240,6 @@ def _failed(code: str, message: str, remedy: str | None = None) -> Loaded:
     return Loaded(None, (Diagnostic(code, message, help=remedy),))
 
 
-def _not_there(message: str, name: str | None, right: str | None) -> Loaded:
-    """Say that no file has a name, and which one may be meant: its name, and how it is written."""
-    remedy = None if name is None else f"did you mean `{name}`?"
+def _not_there(message: str, remedy: str | None, right: str | None) -> Loaded:
+    """Say that no file has a name, what may help, and how the one that may be meant is written."""
     return Loaded(None, (Diagnostic("file-not-found", message, help=remedy),), right)

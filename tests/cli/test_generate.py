@@ -338,7 +338,7 @@ def test_folders_are_searched_in_order(run: Run, here: Path) -> None:
     ("source", "code", "remedy"),
     [
         ("listner_sub1", "file-not-found", "did you mean `listener_sub1`?"),
-        ("'output/listener_sub.py'", "file-not-found", "did you mean `listener_sub1.py`?"),
+        ("'output/listener_sub.py'", "file-not-found", "did you mean `output/listener_sub1.py`?"),
         ("'output'", "unreadable-file", None),
         ("node", "unsupported-target", None),
         ("'/dev/null'", "file-not-found", None),
