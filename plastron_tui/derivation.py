@@ -32,7 +32,6 @@ from plastron_tui.output.remembered import recall, remember
 from plastron_tui.output.three_way import merge_lines
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets.base import Rendered
-from plastron_tui.targets.compiling import syntax_error
 
 if TYPE_CHECKING:
     from plastron_tui.merging import Merged
@@ -352,8 +351,7 @@ class Derivation:
         from plastron_tui.merging import call_sites
 
         sources = [self.target.read(path, each).source for each in (text, before, mine)]
-        was_sound = all(syntax_error(each) is None for each in (before, mine))
-        if was_sound and syntax_error(text) is not None:
+        if self.target.is_worse(text, before, mine):
             return False
         if self._is_ported:
             return sources[0] is not None

@@ -25,7 +25,6 @@ from plastron_tui.model.workspace import (
 )
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets.base import Target
-from plastron_tui.targets.python.words import definitions, lines_of_code, mentions
 
 _ANCHOR = "plastron_holds_this_place"
 _KINDS = frozenset(
@@ -129,9 +128,10 @@ class _Merge:
         """Refuse a text in which a callback that holds handwork has got a twin."""
         for change in self.swaps:
             name = _calling(change.endpoint) if isinstance(change, Add) else None
-            if name is not None and definitions(text, name) > max(
-                1, definitions(self.source.text, name)
-            ):
+            if name is None:
+                continue
+            before = self.target.definitions(self.source.text, name)
+            if self.target.definitions(text, name) > max(1, before):
                 raise _RefusedError(f"`{name}` cannot be called from where endpoints are added")
 
     def _edited(self, changes: list[Change]) -> bytes:
@@ -248,6 +248,7 @@ class _Merge:
         without = self._without(self.source, key)
         if without is None:
             return False
+        lines_of_code = self.target.lines_of_code
         there = lines_of_code(self.source.text) - lines_of_code(without.text)
         types = [each.type for each in self.base.endpoints.values()]
         # A node that was loaded may have what cannot be written anew.
@@ -271,7 +272,7 @@ class _Merge:
     def _stays(self, callback: str, remove: Remove) -> bool:
         """Tell whether a callback outlives its endpoint: then it is more than a stub."""
         text = self.target.edit(self.source, [remove], self.catalog).text
-        return text is not None and mentions(text, callback)
+        return text is not None and self.target.mentions(text, callback)
 
     def _orphans(self, text: bytes) -> Iterator[Diagnostic]:
         """Tell of callbacks that are kept for what is written in them, and called no more."""
@@ -281,7 +282,9 @@ class _Merge:
         read = self._read(text)
         used = {each.callback for node in read.nodes for each in node.endpoints} if read else set()
         for each in self.cut:
-            if each.callback in callbacks - used and mentions(text, each.callback or ""):
+            if each.callback in callbacks - used and self.target.mentions(
+                text, each.callback or ""
+            ):
                 message = f"`{each.callback}` is kept, but no longer called"
                 yield self._note(message, each, "call it from elsewhere, or remove it by hand")
 

@@ -14,8 +14,7 @@ from plastron_tui.model.source import EndpointKind, Origin, SourceFile
 from plastron_tui.output.layers import Author, Layer
 from plastron_tui.output.manifest import Manifest, digest
 from plastron_tui.output.three_way import replay
-from plastron_tui.targets import read_source
-from plastron_tui.targets.compiling import syntax_error
+from plastron_tui.targets import find_target, read_source
 
 _MOST_STEPS = 4
 """How often a file may be made from one that the program made as well."""
@@ -75,12 +74,9 @@ def chained(source: SourceFile) -> Origin:
 
 def _is_right(path: Path, text: bytes, original: bytes, layer: Layer, present: bytes) -> bool:
     """Tell whether handwork was brought into an original without what the program wrote."""
-    from plastron_tui.targets.python.syntax import parse
-
-    if parse(text).errors > parse(original).errors:
-        return False
-    # Tabs and blanks mixed up are no error to tree-sitter.
-    if syntax_error(text) is not None and syntax_error(original) is None:
+    source = read_source(path, original).source
+    target = find_target(str(layer.base.get("library")) if source is None else source.library)
+    if target is not None and target.is_worse(text, original):
         return False
     found, before, written, now = (
         _shown(path, each) for each in (text, original, layer.written, present)

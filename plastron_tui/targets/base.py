@@ -7,6 +7,7 @@ diagnostic, never an exception.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -76,6 +77,27 @@ class Target:
     def port(self, node: Node, source: SourceFile, catalog: Catalog) -> Rendered:
         """Write a node that was loaded from a file of another client library."""
         return Rendered(None, (self._cannot(f"bring a node of `{source.library}` to"),))
+
+    def is_worse(self, text: bytes, *others: bytes) -> bool:
+        """Tell whether a text breaks the rules of its language, which none of the others does.
+
+        A target that cannot tell leaves it to whether the text can be read.
+        """
+        del text, others
+        return False
+
+    def definitions(self, text: bytes, name: str) -> int:
+        """Count the functions of a name that a text defines; 0 as well where that is not known."""
+        del text, name
+        return 0
+
+    def mentions(self, text: bytes, name: str) -> bool:
+        """Tell whether the code of a text has a name; by default any mention counts."""
+        return name.encode() in text
+
+    def lines_of_code(self, text: bytes) -> Counter[bytes]:
+        """Return the lines of a text, without their indent, that tell what it does."""
+        return Counter(line.strip() for line in text.splitlines() if line.strip())
 
     def _cannot(self, what: str) -> Diagnostic:
         return Diagnostic("unsupported-target", f"plastron cannot {what} `{self.name}` yet")

@@ -6,6 +6,7 @@ and only where a name is not Plastron's own, or where names are listed.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from importlib.metadata import EntryPoint, entry_points
@@ -104,6 +105,23 @@ class _Guarded(Target):
 
     def port(self, node: Node, source: SourceFile, catalog: Catalog) -> Rendered:
         return self._rendered(lambda: self._target.port(node, source, catalog))
+
+    def is_worse(self, text: bytes, *others: bytes) -> bool:
+        # What cannot be judged is not trusted.
+        result, _ = self._ask(lambda: self._target.is_worse(text, *others), bool)
+        return result is not False
+
+    def definitions(self, text: bytes, name: str) -> int:
+        result, _ = self._ask(lambda: self._target.definitions(text, name), int)
+        return super().definitions(text, name) if result is None else result
+
+    def mentions(self, text: bytes, name: str) -> bool:
+        result, _ = self._ask(lambda: self._target.mentions(text, name), bool)
+        return super().mentions(text, name) if result is None else result
+
+    def lines_of_code(self, text: bytes) -> Counter[bytes]:
+        result, _ = self._ask(lambda: self._target.lines_of_code(text), Counter)
+        return super().lines_of_code(text) if result is None else result
 
     def _rendered(self, asked: Callable[[], Rendered]) -> Rendered:
         result, problem = self._ask(asked, Rendered)

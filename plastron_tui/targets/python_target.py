@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 from typing import ClassVar
@@ -48,3 +49,32 @@ class PythonTarget(Target):
         from .porting import port_python  # loads tree-sitter-python
 
         return port_python(source, catalog, self.name)
+
+    def is_worse(self, text: bytes, *others: bytes) -> bool:
+        """Tell whether a text is no Python, or breaks more of it, than each of the others."""
+        from .compiling import syntax_error
+        from .python.syntax import parse
+
+        if parse(text).errors > max((parse(other).errors for other in others), default=0):
+            return True
+        # Tabs and blanks mixed up are no error to tree-sitter.
+        is_broken = syntax_error(text) is not None
+        return is_broken and all(syntax_error(other) is None for other in others)
+
+    def definitions(self, text: bytes, name: str) -> int:
+        """Count the functions and methods of a name that a Python text defines."""
+        from .python.words import definitions
+
+        return definitions(text, name)
+
+    def mentions(self, text: bytes, name: str) -> bool:
+        """Tell whether Python code has a name; strings and comments are no code."""
+        from .python.words import mentions
+
+        return mentions(text, name)
+
+    def lines_of_code(self, text: bytes) -> Counter[bytes]:
+        """Return the lines of a Python text without blank lines and imports."""
+        from .python.words import lines_of_code
+
+        return lines_of_code(text)
