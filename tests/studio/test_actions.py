@@ -174,6 +174,24 @@ async def test_the_tour_goes_around(tmp_path: Path) -> None:
         assert driver.app.remembered.toured
 
 
+@pytest.mark.parametrize("size", [(80, 24), (120, 40), (200, 50)])
+async def test_the_tour_does_not_hide_what_it_is_about(
+    program: Path, size: tuple[int, int]
+) -> None:
+    async with studio(program, size) as driver:
+        driver.main.action_tour()
+        dialog = await driver.dialog("Tour")
+        for panel in [None, "nodes", "preview", "graph", "problems", None]:
+            await driver.settle()
+            if panel is not None:
+                about = driver.main.dock_of(panel).region
+                await driver.until(
+                    lambda about=about: not about.overlaps(dialog.query_one("#tour").region)
+                )
+            await driver.pilot.press("enter")
+        await driver.back()
+
+
 async def test_the_status_line_helps_with_the_statement(program: Path) -> None:
     async with studio(program) as driver:
         status = driver.main.query_one("#status")

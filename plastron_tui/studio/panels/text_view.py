@@ -62,23 +62,28 @@ class TextView(Toned, ScrollView, can_focus=True):
         return "\n".join("".join(piece.text for piece in line) for line in self.lines)
 
     @property
+    def rows(self) -> Lines:
+        """The lines as they are drawn."""
+        return self.lines
+
+    @property
     def _margin(self) -> int:
         return max(3, len(str(len(self.lines)))) + 1 if self.numbers else 0
 
     def _fit(self) -> None:
-        widest = max((sum(cell_len(p.text) for p in line) for line in self.lines), default=0)
-        self.virtual_size = Size(widest + self._margin + 1, len(self.lines))
+        widest = max((sum(cell_len(p.text) for p in line) for line in self.rows), default=0)
+        self.virtual_size = Size(widest + self._margin + 1, len(self.rows))
 
     def render_line(self, y: int) -> Strip:
         """Draw a line."""
         width = self.scrollable_content_region.width
-        base = self.rich_style
+        base, rows = self.rich_style, self.rows
         x, top = self.scroll_offset
         row = top + y
-        if row >= len(self.lines):
+        if row >= len(rows):
             return Strip.blank(width, base)
         margin = self._margin
-        pieces = self.lines[row] or (Piece(""),)
+        pieces = rows[row] or (Piece(""),)
         line = Strip([Segment(text, base + self.tone(tone)) for text, tone in pieces])
         line = line.crop(x, x + width - margin).extend_cell_length(width - margin, base)
         if not margin:

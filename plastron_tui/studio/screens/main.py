@@ -27,6 +27,7 @@ from ..panels.entry import Entries
 from ..panels.entry_list import EntryList
 from ..panels.graph_panel import GraphPanel
 from ..panels.key_bar import KeyBar
+from ..panels.log_view import LogView
 from ..panels.picture import Picture
 from ..panels.preview_panel import PreviewPanel
 from ..panels.program_panel import ProgramPanel
@@ -63,7 +64,7 @@ class MainScreen(Arranging, Filing, Doing, Wizarding, Screen[None]):
         self.lists = {name: ProgramPanel(id=name) for name in LISTS}
         self.preview = PreviewPanel(id="preview")
         self.graph = GraphPanel(id="graph")
-        self.output = TextView(id="output")
+        self.output = LogView(id="output")
         self.outline = Dock(
             "outline",
             [(name, name.capitalize(), self.lists[name]) for name in LISTS if name != "problems"],

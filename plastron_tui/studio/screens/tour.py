@@ -7,6 +7,8 @@ from typing import ClassVar, NamedTuple
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
+from textual.css.types import AlignHorizontal, AlignVertical
+from textual.geometry import Region
 from textual.screen import ModalScreen
 from textual.widgets import Label
 
@@ -54,6 +56,13 @@ STEPS = (
     ),
 )
 
+_CORNERS: tuple[tuple[AlignHorizontal, AlignVertical], ...] = (
+    ("right", "bottom"),
+    ("right", "top"),
+    ("left", "bottom"),
+    ("left", "top"),
+)
+
 
 class Tour(ModalScreen[None]):
     """Goes through the steps; the screen behind it shows what each is about."""
@@ -94,6 +103,29 @@ class Tour(ModalScreen[None]):
             main = self.app.screen_stack[0]
             assert isinstance(main, MainScreen)
             main.bring(step.panel)
+        # Its size and the panel's are known when both are laid out.
+        self.call_after_refresh(self.call_after_refresh, self._place)
+
+    def on_resize(self) -> None:
+        """Find the place anew."""
+        self.call_after_refresh(self.call_after_refresh, self._place)
+
+    def _place(self) -> None:
+        """Go to the corner where the card hides least of what the step is about."""
+        from .main import MainScreen
+
+        panel, main = STEPS[self.at].panel, self.app.screen_stack[0]
+        assert isinstance(main, MainScreen)
+        about = main.dock_of(panel).region if panel is not None else main.editor.region
+        card = self.query_one("#tour").outer_size
+        width, height = self.size
+
+        def hidden(corner: tuple[str, str]) -> int:
+            x = width - card.width - 1 if corner[0] == "right" else 1
+            y = height - card.height - 2 if corner[1] == "bottom" else 1
+            return about.intersection(Region(x, y, *card)).area
+
+        self.styles.align = min(_CORNERS, key=hidden)
 
     def action_go(self, by: int) -> None:
         """Go to the next step, or the one before."""

@@ -1,0 +1,98 @@
+"""What programs print: each line is seen whole, below itself where it is long."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from rich.cells import cell_len, get_character_cell_size
+from textual.geometry import Size
+
+from .text_view import TextView
+from .tones import Line, Lines, Piece
+
+_SIGN = " | "
+"""What `plastron run` puts between the node and what it printed."""
+
+_STOPS = " ,("
+"""The characters behind which a line may be broken."""
+
+
+class LogView(TextView):
+    """Lines that are broken where the panel ends; what follows stands behind the node's name."""
+
+    _rows: Lines = ()
+    _room = (0, 0)
+
+    @property
+    def rows(self) -> Lines:
+        """The lines as they are drawn."""
+        return self._rows
+
+    def on_resize(self) -> None:
+        """Break the lines anew; who saw the last one still does."""
+        was_at_end = self.scroll_offset.y + self._room[1] >= len(self._rows)
+        self._fit()
+        if was_at_end:
+            self.scroll_end(animate=False, force=True)
+        self.refresh()
+
+    def _fit(self) -> None:
+        # The last column is the scroll bar's, whether it is there or not.
+        width, height = self.outer_size
+        self._room = width, height
+        if width > 1:
+            self._rows = tuple(row for line in self.lines for row in wrapped(line, width - 1))
+            self.virtual_size = Size(width - 1, len(self._rows))
+
+
+@lru_cache(maxsize=10_000)
+def wrapped(line: Line, width: int) -> Lines:
+    """Break a line into rows of at most so many cells, where it has a stop.
+
+    All but the first are indented to the text behind the node's name, where it leaves room.
+    """
+    text = "".join(piece.text for piece in line)
+    if cell_len(text) <= width:
+        return (line,)
+    name, sign, _ = text.partition(_SIGN)
+    indent = cell_len(name) + len(_SIGN) if sign else 2
+    if indent > width // 2:
+        indent = min(2, width // 2)
+    rows: list[Line] = []
+    start = 0
+    while start < len(text):
+        margin = indent if rows else 0
+        room = max(1, width - margin)
+        end = _end(text, start, room)
+        if end < len(text):
+            stop = max(text.rfind(stop, start, end) for stop in _STOPS) + 1
+            # Next to nothing would be in this row otherwise.
+            end = stop if stop - start > room // 2 else end
+        rows.append((*([Piece(" " * margin)] if margin else []), *_cut(line, start, end)))
+        start = end
+    return tuple(rows)
+
+
+def _end(text: str, start: int, room: int) -> int:
+    """Return where so many cells of a text end; one character at least goes in."""
+    if text.isascii():
+        return min(start + room, len(text))
+    end = start
+    while end < len(text):
+        room -= get_character_cell_size(text[end])
+        if room < 0 and end > start:
+            break
+        end += 1
+    return end
+
+
+def _cut(line: Line, start: int, end: int) -> Line:
+    """Return the pieces of a line between two of its characters."""
+    found = []
+    at = 0
+    for text, tone in line:
+        part = text[max(0, start - at) : max(0, end - at)]
+        if part:
+            found.append(Piece(part, tone))
+        at += len(text)
+    return tuple(found)
