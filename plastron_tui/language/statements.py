@@ -36,7 +36,7 @@ class CreateNode(Statement):
     example="load 'scripts/driver.py' as driver",
     purpose="change a node file that exists",
     ros_term="node file",
-    about="The file is read, and only what you ask for changes; every other character stays.",
+    about="Only what you ask for changes; the result goes to the output folder.",
 )
 class Load(Statement):
     """Read a node from a source file."""

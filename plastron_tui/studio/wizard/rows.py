@@ -57,6 +57,20 @@ class Turn(Checkbox, inherit_bindings=False):
         Binding("enter", "confirm", "Next", show=False),
     ]
 
+    def on_mount(self) -> None:
+        """Draw what it is now."""
+        self._draw()
+
+    def watch_value(self) -> None:
+        """Draw what it is now, and tell it."""
+        self._draw()
+        super().watch_value()
+
+    def _draw(self) -> None:
+        # Where there are no colours, a mark that is always there reads as "on".
+        self.BUTTON_INNER = "X" if self.value else " "
+        self.refresh()
+
     def action_confirm(self) -> None:
         """Go on."""
         self.post_message(Confirmed())
@@ -71,7 +85,7 @@ class ValueTurn(Turn):
     """True, false or no value, in the row of a field."""
 
     def toggle(self) -> ValueTurn:
-        """Turn it on."""
+        """Turn it to the next of the three."""
         if isinstance(self.parent, Row):
             self.parent.turn()
         return self

@@ -17,6 +17,7 @@ from plastron_tui.studio.panels.text_view import TextView
 from plastron_tui.studio.screens.main import MainScreen
 from plastron_tui.studio.wizard import screen
 from plastron_tui.studio.wizard.course import PageKind
+from plastron_tui.studio.wizard.rows import Row
 
 MAKE = "make a node"
 SEND = "send something, again and again"
@@ -221,6 +222,10 @@ async def test_help_explains_every_page(here: Path, steps: int) -> None:
         assert it.title == title
 
 
+def shown(row: Row) -> str:
+    return str(row.query_one(Checkbox).render()).strip()
+
+
 async def test_the_values_are_a_form_with_a_row_a_field(here: Path) -> None:
     async with wizard() as it:
         await it.pick("make a message")
@@ -237,9 +242,10 @@ async def test_the_values_are_a_form_with_a_row_a_field(here: Path) -> None:
         assert it.statements[0].endswith("and input False")
         await it.click("Turn")
         assert it.statements[0].endswith("and input none")
-        assert str(it.row("data").query_one(Checkbox).label) == "False (default)"
+        assert shown(it.row("data")) == "▐ ▌ False (default)"
         await it.click("Turn")
         assert it.statements[0].endswith("and input True")
+        assert shown(it.row("data")) == "▐X▌ True"
         # What was entered for the other type is not forgotten.
         await it.write("type", "Twist")
         assert it.statements[0].endswith("and input linear.x=0.5")
