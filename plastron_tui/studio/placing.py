@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from plastron_tui.diagnostics import Edit, Span
+from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
 
 if TYPE_CHECKING:
+    from plastron_tui.language import Program
     from plastron_tui.model.workspace import Workspace
 
 
@@ -37,10 +39,20 @@ def placed(
     return Edit(Span(end, end), f"{before}{statement}{behind}")
 
 
-def is_generated_last(workspace: Workspace, variable: str, text: bytes) -> Span | None:
+def is_generated_last(program: Program, workspace: Workspace, variable: str) -> Span | None:
     """Return the `generate_node` of a node after which nothing is done with it, if there is one."""
     spans = [made.span for made in workspace.generations if made.node.variable == variable]
     if not spans:
         return None
-    words = text[spans[-1].end :].replace(b"\n", b" ").split(b" ")
-    return None if variable.encode() in words else spans[-1]
+    end = spans[-1].end
+    later = (statement for statement in program.statements if statement.span.start >= end)
+    return None if any(names_node(each, variable) for each in later) else spans[-1]
+
+
+def names_node(statement: Statement, variable: str) -> bool:
+    """Tell whether a slot of a statement names a node."""
+    type_: Any = type(statement)  # which mypy takes for not hashable
+    return any(
+        slot.kind is SlotKind.NODE and getattr(statement, slot.name) == variable
+        for slot in DECLARATIONS[type_].slots
+    )

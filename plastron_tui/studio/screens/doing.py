@@ -95,7 +95,7 @@ class Doing(Screen[None]):
         analysis = self._current()
         if analysis is None:
             return
-        there = is_generated_last(analysis.workspace, node, analysis.text)
+        there = is_generated_last(analysis.program, analysis.workspace, node)
         if there is None:
             self._write(f"generate_node {node}", None)
             return
