@@ -75,6 +75,15 @@ def add_found(node: Node, found: SourceEndpoint, name: str) -> None:
             pass
 
 
+def call_again(node: Node, found: SourceEndpoint, name: str) -> None:
+    """Let an endpoint of a node call the function that it calls in a file."""
+    subscription, service = node.subscriptions.get(name), node.services.get(name)
+    if found.kind is EndpointKind.SUBSCRIPTION and subscription is not None:
+        node.subscriptions[name] = subscription._replace(callback=found.callback)
+    elif found.kind is EndpointKind.SERVICE and service is not None:
+        node.services[name] = service._replace(handler=found.callback)
+
+
 def drop(node: Node, kind: EndpointKind, name: str) -> None:
     """Take an endpoint out of a node."""
     match kind:

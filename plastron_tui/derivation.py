@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from plastron_tui.changes import add_found, changes_of, drop, is_extended, names_in
+from plastron_tui.changes import add_found, call_again, changes_of, drop, is_extended, names_in
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.handwork import (
     cover,
@@ -23,7 +23,7 @@ from plastron_tui.handwork import (
     on_disk,
     unmergeable,
 )
-from plastron_tui.model.source import EndpointKind, Remove, SourceFile
+from plastron_tui.model.source import Remove, SourceFile
 from plastron_tui.model.workspace import Node
 from plastron_tui.output.layers import Author, Layer, Layers, are_untouched
 from plastron_tui.output.manifest import Manifest, digest
@@ -232,22 +232,29 @@ class Derivation:
         )
 
     def _own_node(self, place: Place) -> Node:
-        """Return the node without what was added to the file by hand."""
+        """Return the node without what was added to the file by hand, or calls another function."""
         node = self.node.snapshot()
-        names = self._original_names() if self._is_from(place) else None
+        original = self._original() if self._is_from(place) else None
+        if original is None:
+            return node
+        names = names_in(original)
+        asked = set()
         for (kind, name), endpoint in self.node.endpoints.items():
-            is_asked = endpoint.span is not None or is_extended(endpoint)
-            if names is not None and not is_asked and name not in names[kind]:
+            if endpoint.span is not None or is_extended(endpoint):
+                asked.add((kind, name))
+            elif name not in names[kind]:
                 drop(node, kind, name)
+        for each in (each for found in original.nodes for each in found.endpoints):
+            if (each.kind, each.name) not in asked and each.name is not None:
+                call_again(node, each, each.name)
         return node
 
-    def _original_names(self) -> dict[EndpointKind, set[str]] | None:
-        """Return what the program found at first, without handwork, by kind."""
+    def _original(self) -> SourceFile | None:
+        """Return what the program found at first, without handwork."""
         origin = self.source.origin
         if origin is None or self.own is None:
             return None
-        read = self.own[0].read(origin.path, origin.text).source
-        return None if read is None else names_in(read)
+        return self.own[0].read(origin.path, origin.text).source
 
     def _first(self, file: OutputFile, place: Place, layer: Layer) -> OutputFile:
         """Write where the program wrote nothing yet, or nothing that is left."""
@@ -335,9 +342,10 @@ class Derivation:
 
     def _base(self, known: Layer) -> Node | None:
         """Return what the node had when the file was written, and what was added by hand."""
-        base, names = recall(known.base), self._original_names()
-        if base is None or names is None:
+        base, original = recall(known.base), self._original()
+        if base is None or original is None:
             return base
+        names = names_in(original)
         for node in self.source.nodes:
             for each in node.endpoints:
                 if each.name is not None and each.name not in names[each.kind]:

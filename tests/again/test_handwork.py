@@ -268,3 +268,17 @@ def test_node_that_is_generated_loaded_and_generated(
         bench.put("robot.py", original + "\n" * number)
         kept = [each for name, each in bench.files().items() if not name.endswith(".json")]
         assert any(b"# mine" in each for each in kept)
+
+
+def test_a_callback_renamed_by_hand_is_not_taken_for_the_programs(hand: Hand) -> None:
+    """What is remembered of the program is settled at once, with `force` as well."""
+    hand.generate(PUBLISH)
+    source = hand.text
+    hand.bench.put(hand.written, source.replace("on_command", "on_order"))
+    for force in (False, True):
+        hand.generate(PUBLISH, SUBSCRIBE, force=force)
+        settled = hand.bench.files()
+        assert ("on_order" in hand.text) != force
+        states, _ = hand.generate(PUBLISH, SUBSCRIBE)
+        assert states == ["identical"]
+        assert hand.bench.files() == settled
