@@ -1,0 +1,111 @@
+"""What the editor does for those who write programs."""
+
+from __future__ import annotations
+
+import tempfile
+from contextlib import nullcontext
+from pathlib import Path
+
+import pytest
+from editor_host import editing
+
+PROGRAM = """\
+create_node 'talker' as talker
+create_message hello of message_type String and input "hello"
+talker publish hello to 'chatter' of message_type String
+"""
+
+
+class TestCoding:
+    async def test_definition(self) -> None:
+        async with editing(PROGRAM, cursor=PROGRAM.index("hello to")) as at:
+            await at.press("f12")
+            assert at.editor.cursor_offset == PROGRAM.index("hello of")
+            await at.press("home", "f12")
+            assert at.app.said == ["no variable is under the cursor"]
+
+    async def test_rename_everywhere_is_one_step(self) -> None:
+        async with editing(PROGRAM, cursor=PROGRAM.index("talker publish")) as at:
+            await at.press("f2", "m", "e", "enter")
+            assert at.editor.text.decode() == PROGRAM.replace("as talker", "as me").replace(
+                "talker publish", "me publish"
+            )
+            await at.press("ctrl+z")
+            assert at.editor.text.decode() == PROGRAM
+
+    @pytest.mark.parametrize(
+        ("name", "reason"),
+        [
+            ("hello", "`hello` is a variable already"),
+            ("to", "`to` is a keyword and cannot be a variable"),
+            ("1a", "`1a` is no variable: it has letters, digits and `_`, a letter first"),
+        ],
+    )
+    async def test_a_name_that_cannot_be_is_refused(self, name: str, reason: str) -> None:
+        async with editing(PROGRAM, cursor=PROGRAM.index("talker publish")) as at:
+            at.editor.rename(name)
+            assert (at.app.said, at.editor.text.decode()) == ([reason], PROGRAM)
+
+    async def test_format(self) -> None:
+        async with editing("load   a  as b\n\n\n\ngenerate_node   b", cursor=24) as at:
+            await at.press("ctrl+l")
+            assert at.editor.text == b"load a as b\n\ngenerate_node b\n"
+            await at.press("ctrl+z")
+            assert at.editor.text == b"load   a  as b\n\n\n\ngenerate_node   b"
+
+    @pytest.mark.parametrize(
+        ("script", "text", "said"),
+        [
+            ("sed -i \"s/'talker/'me/\" $1", PROGRAM.replace("'talker", "'me"), ""),
+            ("printf 'a\\r\\nb' > $1", "a\r\nb", ""),
+            ("true", PROGRAM, ""),
+            ("echo oops > $1; exit 3", PROGRAM, "ended with status 3; the text is as it was"),
+            ("rm $1", PROGRAM, "`program.plastron` is gone; the text is as it was"),
+            ("kill -9 $$", PROGRAM, "ended with status -9; the text is as it was"),
+            (
+                "printf 'caf\\351' > $1",
+                PROGRAM,
+                "the file is not UTF-8 (line 1); what you wrote is",
+            ),
+        ],
+    )
+    async def test_an_editor_of_the_users(
+        self,
+        script: str,
+        text: str,
+        said: str,
+        tmp_path: Path,
+        monkeypatch: pytest.MonkeyPatch,
+    ) -> None:
+        editor, left = tmp_path / "an editor", tmp_path / "left"
+        left.mkdir()
+        editor.write_text(f"#!/bin/sh\n{script}\n")
+        editor.chmod(0o755)
+        monkeypatch.setenv("VISUAL", f"'{editor}'")
+        monkeypatch.setattr(tempfile, "tempdir", str(left))
+        async with editing(PROGRAM) as at:
+            monkeypatch.setattr(at.app, "suspend", nullcontext)
+            await at.press("ctrl+e")
+            assert at.editor.text.decode() == text
+            assert said in "".join(at.app.said)
+            assert bool(said) == bool(at.app.said)
+            await at.press("ctrl+z")
+            assert at.editor.text.decode() == PROGRAM
+        kept = list(left.glob("*/*"))
+        assert [file.read_bytes() for file in kept] == ([b"caf\xe9"] if "UTF-8" in said else [])
+
+    async def test_an_editor_that_is_not_there_is_said(
+        self, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.setenv("EDITOR", "/nowhere/editor -x")
+        async with editing("abc") as at:
+            monkeypatch.setattr(at.app, "suspend", nullcontext)
+            await at.press("ctrl+e")
+            assert at.app.said == ["`/nowhere/editor` cannot be started: no such file or directory"]
+
+    async def test_without_an_editor_it_says_so(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.delenv("VISUAL", raising=False)
+        monkeypatch.delenv("EDITOR", raising=False)
+        async with editing("abc") as at:
+            await at.press("ctrl+e")
+            assert at.app.said == ["neither $VISUAL nor $EDITOR names an editor"]

@@ -1,0 +1,98 @@
+"""Finding and replacing in the editor."""
+
+from __future__ import annotations
+
+import pytest
+from editor_host import editing
+from textual.widgets import Label
+
+PROGRAM = """\
+create_node 'talker' as talker
+create_message hello of message_type String and input "hello"
+talker publish hello to 'chatter' of message_type String
+"""
+
+
+class TestFinding:
+    async def test_find_selects_and_goes_around(self) -> None:
+        async with editing(PROGRAM) as at:
+            await at.press("ctrl+f")
+            await at.type("string")
+            assert at.editor.state.selected == b"String"
+            first = at.editor.selection.start
+            await at.press("enter")
+            assert at.editor.selection.start > first
+            await at.press("enter")
+            assert at.editor.selection.start == first
+            await at.press("escape", "x")
+            assert at.editor.text.startswith(PROGRAM[:first].encode() + b"x")
+
+    async def test_case_can_matter(self) -> None:
+        async with editing("a A a\n") as at:
+            await at.press("ctrl+f", "A", "alt+c")
+            assert at.editor.search.spans == [(2, 3)]
+
+    async def test_replace_one_and_all_with_groups(self) -> None:
+        async with editing("ab ab ab\n") as at:
+            await at.press("ctrl+r")
+            await at.type("(a)(b)")
+            await at.press("alt+r", "tab", *("backslash", "2", "backslash", "1"), "enter")
+            assert at.editor.text == b"ba ab ab\n"
+            await at.press("alt+a")
+            assert at.editor.text == b"ba ba ba\n"
+            at.editor.undo()
+            assert at.editor.text == b"ba ab ab\n"
+
+    async def test_lines_are_commented_by_an_expression(self) -> None:
+        async with editing("a\r\nb\r\n") as at:
+            await at.press("ctrl+r", "circumflex_accent", "alt+r", "tab", "x", "enter")
+            assert at.editor.text == b"xa\r\nb\r\n"
+            await at.press("enter")
+            assert at.editor.text == b"xa\r\nxb\r\n"
+
+    async def test_a_group_that_is_not_there_is_said(self) -> None:
+        async with editing("ab\n") as at:
+            await at.press("ctrl+r", "a", "alt+r", "tab", "backslash", "7", "alt+a")
+            label = at.editor.find_bar.query_one("#find-count", Label)
+            assert "invalid group reference" in str(label.content)
+            assert at.editor.text == b"ab\n"
+
+    async def test_keys_of_the_editor_leave_the_text_alone_while_something_is_asked(self) -> None:
+        async with editing("ab\nab\n") as at:
+            for key in ("ctrl+f", "ctrl+r", "ctrl+g"):
+                await at.press(key, "tab", "ctrl+d", "alt+down", "ctrl+l", "ctrl+underscore")
+                await at.press("ctrl+a", "ctrl+k", "backspace", "escape")
+                assert at.editor.text == b"ab\nab\n"
+                assert at.editor.view.has_focus
+
+    async def test_the_buttons_leave_the_focus_where_one_types(self) -> None:
+        async with editing("ab a.\n") as at:
+            await at.press("ctrl+r", "a", "full_stop")
+            await at.pilot.click("#find-regex")
+            await at.press("tab", "x")
+            await at.pilot.click("#find-all")
+            await at.pilot.pause()
+            assert at.editor.text == b"x x\n"
+            await at.press("y", "escape")
+            assert at.editor.find_bar.replacement == "xy"
+
+    async def test_a_wrong_expression_is_said(self) -> None:
+        async with editing("ab\n") as at:
+            await at.press("ctrl+f", "alt+r", "left_parenthesis")
+            assert at.editor.search.problem
+            await at.press("enter", "escape")
+            assert at.editor.text == b"ab\n"
+
+    @pytest.mark.parametrize(
+        ("answer", "offset"), [("2", 4), ("2:3", 6), ("99", 8), ("2:99", 7), ("0", 0)]
+    )
+    async def test_go_to_line(self, answer: str, offset: int) -> None:
+        async with editing("abc\ndef\n") as at:
+            await at.press("ctrl+g", *answer.replace(":", "!").replace("!", ":"), "enter")
+            assert at.editor.cursor_offset == offset
+            assert at.editor.view.has_focus
+
+    async def test_what_is_no_line_is_said(self) -> None:
+        async with editing("abc\n") as at:
+            await at.press("ctrl+g", "x", "enter")
+            assert at.app.said == ["no line number: x"]
