@@ -130,6 +130,7 @@ def _is_open(pid: int) -> bool:
     except (OSError, OverflowError):
         return True
     with suppress(OSError):
-        line = Path(f"/proc/{pid}/cmdline").read_bytes()
-        return b"plastron" in line or b"python" in line
+        # Another program may have got the number meanwhile.
+        words = Path(f"/proc/{pid}/cmdline").read_bytes().split(b"\0")
+        return any(b"plastron" in word.rpartition(b"/")[2] for word in words)
     return True

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-import asyncio
 import json
 import os
 import random
+import subprocess
+import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -197,7 +199,7 @@ async def test_an_error_that_ends_the_studio_says_where_the_text_is(
             await driver.type("// hi")
             app, journal = driver.app, driver.main.open.journal.file
             await driver.pilot.press("f9")
-            await asyncio.sleep(0.1)
+            await driver.until(lambda: bool(app.last_words))
     shown = app.last_words
     assert str(journal) in shown
     assert "a deliberate error" in shown
@@ -219,3 +221,22 @@ def test_what_is_dropped_while_it_is_written_stays_dropped(
     monkeypatch.setattr(Path, "replace", replace_late)
     assert journal.write(b"old", 0) is None
     assert not journal.file.exists()
+
+
+@pytest.mark.skipif(not Path("/proc/self/cmdline").exists(), reason="needs /proc")
+@pytest.mark.parametrize(("word", "is_offered"), [("something", True), ("plastron", False)])
+def test_another_program_with_the_number_of_a_studio_hides_nothing(
+    tmp_path: Path, word: str, is_offered: bool
+) -> None:
+    command = [sys.executable, "-c", "input()", word]
+    with subprocess.Popen(command, stdin=subprocess.PIPE) as process:
+        head = {"plastron-journal": 1, "path": None, "cursor": 0, "pid": process.pid, "when": 1}
+        (tmp_path / "a.journal").write_text(json.dumps(head) + "\ntext")
+        # Until the program is another one the process is a copy of this.
+        command_line = Path(f"/proc/{process.pid}/cmdline")
+        while word.encode() not in command_line.read_bytes():
+            time.sleep(0.01)
+        found = kept_texts(tmp_path)
+        assert process.stdin is not None
+        process.stdin.close()
+    assert bool(found) is is_offered
