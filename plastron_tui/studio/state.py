@@ -25,6 +25,7 @@ class Open:
         journal: where what was typed is kept.
         analysis: what the text meant when that was found out last.
         told: what was on the disk when it was asked about; None when nothing was.
+        failed: the text that was open when an error of Plastron's own kept it from being known.
     """
 
     session: Session
@@ -32,6 +33,7 @@ class Open:
     journal: Journal
     analysis: Analysis | None = None
     told: OnDisk | None = None
+    failed: bytes | None = None
 
     @property
     def path(self) -> Path | None:

@@ -1,10 +1,14 @@
 from __future__ import annotations
 
+import threading
 from pathlib import Path
 
 import pytest
 from studio_driver import PROGRAM, SIZES, Driver, studio
 from textual.widgets import Button, Label
+
+from plastron_tui.diagnostics import Edit, Span
+from plastron_tui.session import Session
 
 FILE = """\
 import rospy
@@ -154,3 +158,37 @@ async def test_a_program_without_a_file_is_saved_first(
         dialog = await driver.dialog("GenerateDialog")
         assert len(dialog.plan.files) == 2
         assert dialog.plan.folder == tmp_path / "output"
+
+
+async def test_the_mistakes_of_a_new_text_are_awaited_from_the_worker(
+    program: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[threading.Thread] = []
+    real = Session.diagnostics.fget  # type: ignore[attr-defined]
+
+    def diagnostics(self: Session) -> object:
+        asked.append(threading.current_thread())
+        return real(self)
+
+    monkeypatch.setattr(Session, "diagnostics", property(diagnostics))
+    async with studio(program) as driver:
+        driver.main.editor.apply([Edit(Span(0, 0), "generate_node nobody\n")])
+        assert not driver.is_current
+        driver.main.action_generate()
+        await driver.until(lambda: "1 mistake has to be mended" in driver.notes())
+        assert asked
+        assert threading.main_thread() not in asked
+
+
+async def test_what_cannot_be_found_out_is_said_instead_of_awaited(
+    program: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(_: Session) -> None:
+        raise RuntimeError("a deliberate error")
+
+    async with studio(program) as driver:
+        monkeypatch.setattr(Session, "diagnostics", property(fail))
+        driver.main.editor.apply([Edit(Span(0, 0), "// new\n")])
+        driver.main.action_generate()
+        dialog = await driver.dialog("Failure")
+        assert "a deliberate error" in dialog.report

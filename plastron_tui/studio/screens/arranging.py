@@ -5,11 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, cast
 
 from textual import on
-from textual.screen import Screen
 
-from ..editor import ProgramEditor
 from ..panels.dock import Dock, Edge, TabStrip
 from ..panels.key_bar import KeyBar
+from .part import Part
 
 if TYPE_CHECKING:
     from ..app import StudioApp
@@ -28,13 +27,12 @@ _LEAST = 3
 _EDITOR_COLUMNS, _EDITOR_ROWS = 30, 4
 
 
-class Arranging(Screen[None]):
+class Arranging(Part):
     """Shows, hides, resizes and enlarges docks."""
 
     outline: Dock
     result: Dock
     bottom: Dock
-    editor: ProgramEditor
     front = "outline"
     """The dock that is in sight where not all are."""
     entering: Dock | None = None
@@ -200,12 +198,6 @@ class Arranging(Screen[None]):
         dock, self.entering = self.entering, None
         if dock is not None and self._focused_dock() is not dock:
             dock.focus_panel()
-
-    def ask_more(self) -> None:
-        """Ask for what came in sight."""
-
-    def follow(self) -> None:
-        """Let what is in sight be about the statement at the cursor."""
 
     @on(TabStrip.Picked)
     def tab_picked(self, message: TabStrip.Picked) -> None:

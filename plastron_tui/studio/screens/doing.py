@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
+import asyncio
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from textual import on, work
 from textual.message import Message
-from textual.screen import Screen
 
 from plastron_tui.diagnostics import Diagnostic, Edit, Severity, Span
 
-from ..editor import ProgramEditor
 from ..panels.acting import Asked
 from ..panels.entry import Entry
 from ..panels.text_view import TextView
 from ..panels.tones import Line, Piece
 from ..placing import is_generated_last, placed
-from ..state import Open
+from .part import Part
 
 if TYPE_CHECKING:
     from ..analysis import Analysis
@@ -27,33 +26,19 @@ _MOST_LINES = 5000
 _SHOWN_AFTER = 0.05
 """Seconds for which lines that nodes print are gathered."""
 
+_LOOK = 0.01
+"""Seconds after which is looked again whether the worker knows what the text means."""
+
 
 class Printed(Message):
     """Nodes that run printed something, or ended."""
 
 
-class Doing(Screen[None]):
+class Doing(Part):
     """Acts on the program."""
 
-    open: Open
-    editor: ProgramEditor
     output: TextView
     _nodes_run: Running | None = None
-
-    # What the other parts of the screen do.
-
-    async def save(self, *, other: bool = False) -> bool:
-        """Save."""
-        raise AssertionError("the screen saves")
-
-    def show_title(self) -> None:
-        """Show the program's name."""
-
-    def bring(self, name: str, *, focus: bool = False) -> None:
-        """Bring a panel in sight."""
-
-    def ask_anew(self) -> None:
-        """Ask what the text means."""
 
     # Entries.
 
@@ -163,8 +148,9 @@ class Doing(Screen[None]):
         if not await self._has_place():
             return
         session = self.open.session
-        if self._errors():
-            self._say_errors()
+        errors = await self._errors()
+        if errors:
+            self._say_errors(len(errors))
             return
         await self.app.push_screen_wait(GenerateDialog(session))
         session.files_changed()
@@ -177,15 +163,20 @@ class Doing(Screen[None]):
         self.notify("the files go beside the program: save it first", timeout=4)
         return await self.save()
 
-    def _errors(self) -> list[Diagnostic]:
-        """Return the mistakes of the text as it is now; they are mostly known already."""
-        analysis = self.open.analysis
-        is_known = analysis is not None and analysis.text == self.open.text
-        found = analysis.diagnostics if analysis and is_known else self.open.session.diagnostics
+    async def _errors(self) -> list[Diagnostic]:
+        """Return the mistakes of the text as it is now, as soon as they are known."""
+        open_ = self.open
+        while open_.analysis is None or open_.analysis.text != open_.text:
+            if open_.failed == open_.text:
+                break
+            await asyncio.sleep(_LOOK)
+        known = open_.analysis
+        # What fails in the worker fails here too, and is said as the error that it is.
+        is_known = known is not None and known.text == open_.text
+        found = known.diagnostics if known and is_known else open_.session.diagnostics
         return [each for each in found if each.severity is Severity.ERROR]
 
-    def _say_errors(self) -> None:
-        count = len(self._errors())
+    def _say_errors(self, count: int) -> None:
         self.notify(
             f"{count} {'mistake has' if count == 1 else 'mistakes have'} to be mended first",
             severity="warning",
@@ -208,8 +199,9 @@ class Doing(Screen[None]):
             return
         if not await self._has_place():
             return
-        if self._errors():
-            self._say_errors()
+        errors = await self._errors()
+        if errors:
+            self._say_errors(len(errors))
             return
         if self.open.is_changed and not await self.save():
             return

@@ -28,20 +28,6 @@ class Filing(Keeping):
     analyst: Analyst
     _stamps: Mapping[Path, object] = MappingProxyType({})
 
-    # What the other parts of the screen do.
-
-    def show_title(self) -> None:
-        """Show the program's name."""
-
-    def clear_panels(self) -> None:
-        """Show nothing."""
-
-    def ask_anew(self) -> None:
-        """Ask what the text means."""
-
-    def remember_layout(self) -> None:
-        """Remember how the screen is laid out."""
-
     # Opening.
 
     def take(self, open_: Open, cursor: int = 0) -> None:

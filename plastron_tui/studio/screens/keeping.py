@@ -7,13 +7,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
 from textual import work
-from textual.screen import Screen
 from textual.timer import Timer
 
-from ..editor import ProgramEditor
 from ..files import open_file
 from ..journal import Kept, kept_texts
 from ..state import Open, opened
+from .part import Part
 
 if TYPE_CHECKING:
     from ..app import StudioApp
@@ -23,20 +22,11 @@ _KEEP = 0.5
 """Seconds after which what was typed is in the journal, at most."""
 
 
-class Keeping(Screen[None]):
+class Keeping(Part):
     """Keeps what is typed."""
 
-    open: Open
-    editor: ProgramEditor
     _keeping: Timer | None = None
     _journal_failed = False
-
-    def take(self, open_: Open, cursor: int = 0) -> None:
-        """Show another program."""
-
-    def take_file(self, path: Path, *, kept: Kept | None = None) -> bool:
-        """Open a file, or say why that cannot be."""
-        raise AssertionError("the screen opens files")
 
     @property
     def _studio(self) -> StudioApp:

@@ -191,6 +191,7 @@ class MainScreen(Arranging, Filing, Doing, Wizarding, Screen[None]):
     @on(AnalysisFailed)
     def analysis_failed(self, message: AnalysisFailed) -> None:
         """Show an error of Plastron's own; the text is safe in the editor."""
+        self.open.failed = self.open.text
         self.studio.show_error(message.error)
 
     # The cursor and the panels.

@@ -5,20 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from textual import work
-from textual.screen import Screen
 
 from plastron_tui.diagnostics import Edit
 from plastron_tui.session import Session
 
-from ..editor import ProgramEditor
-from ..state import Open
+from .part import Part
 
 
-class Wizarding(Screen[None]):
+class Wizarding(Part):
     """Opens the wizard, and takes what it writes."""
-
-    open: Open
-    editor: ProgramEditor
 
     @work(exclusive=True, group="wizard")
     async def action_wizard(self) -> None:
