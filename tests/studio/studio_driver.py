@@ -34,6 +34,13 @@ class Driver:
     def __init__(self, app: StudioApp, pilot: Pilot[None]) -> None:
         self.app = app
         self.pilot = pilot
+        self._said: list[str] = []
+        self._notify = app.notify
+        app.notify = self._hear  # type: ignore[method-assign]
+
+    def _hear(self, message: str, **options: Any) -> None:
+        self._said.append(message)
+        self._notify(message, **options)
 
     @property
     def main(self) -> MainScreen:
@@ -100,8 +107,9 @@ class Driver:
         ]
 
     def notes(self) -> str:
-        """Return what was said in the corner."""
-        return "\n".join(note.message for note in self.app._notifications)
+        """Return what was said in the corner, also what has gone from there."""
+        before = [note.message for note in self.app._notifications]
+        return "\n".join([*(note for note in before if note not in self._said), *self._said])
 
 
 @asynccontextmanager
