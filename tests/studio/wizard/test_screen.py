@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 from studio_driver import studio
-from textual.events import Key
 from textual.widgets import Checkbox
 from wizard_courses import NODE_FILE, TWO_NODES
 from wizard_driver import WizardDriver, wizard
@@ -455,18 +454,6 @@ async def test_a_recipe_starts_from_the_first_menu(here: Path) -> None:
         await it.click_item(recipe.title)
         await it.driver.until(lambda: it.driver.text == recipe.text.decode())
         assert not it.is_open
-
-
-async def test_keys_that_come_too_early_are_for_the_page_to_come(here: Path) -> None:
-    async with studio(None, (80, 24)) as driver:
-        it = WizardDriver(driver)
-        await driver.pilot.press("ctrl+u")
-        await driver.until(lambda: it.is_open)
-        for key in ("down", "enter"):
-            driver.app.post_message(Key(key, None))
-        await driver.until(lambda: it.screen.course.at == 1)
-        await it.settle()
-        assert it.title.startswith("Change a node file")
 
 
 async def test_tab_leads_from_the_last_field_on(here: Path) -> None:
