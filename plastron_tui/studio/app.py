@@ -6,6 +6,7 @@ import asyncio
 import os
 import signal
 import sys
+import threading
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from functools import partial
@@ -32,6 +33,10 @@ from .undocumented import Failing
 DEFAULT_THEME = "textual-dark"
 _LOOKED_AFTER = 0.2
 """Seconds after the start, when there is something to see, when the ROS is looked for."""
+_ENDS_WITHIN = 5.0
+"""Seconds that the studio has to end in good order once the system says so."""
+_TERMINATED = 128 + signal.SIGTERM
+"""The exit status, as a shell has it."""
 _SMALL = "ansi-dark"
 """The theme of terminals that have only their own sixteen colours."""
 _SMALL_TERMINALS = frozenset({"linux", "xterm", "screen", "rxvt", "ansi", "vt100", "vt220"})
@@ -99,7 +104,7 @@ class StudioApp(Failing, inherit_bindings=False):
             self.notify(message, severity="warning", timeout=10, markup=False)
         if not self.is_headless:
             for number in (signal.SIGTERM, signal.SIGHUP):
-                asyncio.get_running_loop().add_signal_handler(number, self._end)
+                signal.signal(number, partial(self._told_to_end, asyncio.get_running_loop()))
         self._kept = kept_texts(self.state_folder)
         path = self.main.open.path
         own = [kept for kept in self._kept if path is None or kept.path == path.absolute()]
@@ -194,10 +199,22 @@ class StudioApp(Failing, inherit_bindings=False):
                 return self.main.open.journal.file
         return None
 
-    def _end(self) -> None:
+    def _told_to_end(self, loop: asyncio.AbstractEventLoop, *_: object) -> None:
         """End because the system says so: the terminal has gone, or the machine goes down."""
+        # What Textual writes to a terminal that has gone is taken by nobody, and the event loop
+        # may wait for that without end: it has its time, and no more.
+        guard = threading.Timer(_ENDS_WITHIN, self._end_at_once)
+        guard.daemon = True
+        guard.start()
+        loop.call_soon_threadsafe(self._end)
+
+    def _end(self) -> None:
         self._keep_all()
-        self.exit(return_code=128 + signal.SIGTERM)
+        self.exit(return_code=_TERMINATED)
+
+    def _end_at_once(self) -> None:
+        self._keep_all()
+        os._exit(_TERMINATED)
 
     def on_app_focus(self) -> None:
         """Let the editor have the keys, when the window gets the focus before anything else."""

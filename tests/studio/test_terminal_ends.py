@@ -1,11 +1,16 @@
-"""How the studio ends when its terminal goes, or the system says so; in tmux."""
+"""How the studio ends when its terminal goes, or the system says so."""
 
 from __future__ import annotations
 
+import fcntl
 import os
+import pty
+import select
 import shutil
 import signal
+import struct
 import sys
+import termios
 import time
 from pathlib import Path
 
@@ -61,3 +66,34 @@ def test_a_shell_gets_its_terminal_back_when_the_studio_is_terminated(terminal: 
     terminal.keys("-l", "echo still $((40 + 2))")
     terminal.keys("Enter")
     terminal.wait(lambda screen: "still 42" in screen)
+
+
+def read_until(descriptor: int, wanted: bytes) -> None:
+    seen, end = b"", time.monotonic() + 60
+    while wanted not in seen:
+        assert time.monotonic() < end, seen[-2000:]
+        if select.select([descriptor], [], [], 0.2)[0]:
+            seen += os.read(descriptor, 65536)
+
+
+# A terminal that goes also continues who it stops: Textual then starts to draw anew, on nothing.
+@pytest.mark.parametrize("number", [signal.SIGCONT, None])
+def test_a_terminal_that_goes_ends_the_studio(tmp_path: Path, number: int | None) -> None:
+    (tmp_path / "mine.plastron").touch()
+    for _ in range(3):
+        pid, master = pty.fork()
+        if pid == 0:
+            fcntl.ioctl(0, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
+            os.chdir(tmp_path)
+            os.execv(sys.executable, [sys.executable, "-m", "plastron_tui", "mine.plastron"])
+        read_until(master, b"no nodes yet")
+        if number is not None:
+            os.kill(pid, number)
+        os.close(master)
+        end = time.monotonic() + 30
+        while os.waitpid(pid, os.WNOHANG)[0] == 0:
+            if time.monotonic() > end:
+                os.kill(pid, signal.SIGKILL)
+                os.waitpid(pid, 0)
+                raise AssertionError("the studio did not end")
+            time.sleep(0.02)
