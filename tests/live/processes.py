@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 import socket
 import subprocess
@@ -19,6 +20,20 @@ PROGRAMS = Path(__file__).parents[1] / "programs"
 PLASTRON = Path(sys.executable).with_name("plastron")
 
 T = TypeVar("T")
+
+# rospy closes its topics before `is_shutdown` says so: a timer whose turn it is in between
+# publishes to a closed topic, in a thread of rospy's own (`rospy.impl.registration`, `cleanup`).
+CLOSED_BY_ROSPY = re.compile(
+    r"Exception in thread (?:(?!Exception in thread).)*?"
+    r"rospy\.exceptions\.ROSException: publish\(\) to a closed topic\n",
+    re.DOTALL,
+)
+
+
+def own_tracebacks(output: str) -> list[str]:
+    """Return the lines that begin a traceback which is not rospy's own."""
+    left = CLOSED_BY_ROSPY.sub("", output)
+    return [line for line in left.splitlines() if "Traceback" in line]
 
 
 def skip_or_fail(reason: str) -> None:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import re
 import signal
 import time
 from pathlib import Path
 
 import pytest
 from graph import Graph
-from processes import generate
+from processes import generate, own_tracebacks
 
 pytestmark = pytest.mark.live
 
@@ -44,20 +43,6 @@ DELAYS = [0.01 * 1.35**step for step in range(14)]
 # of the same, both wait for one lock, for ever (`rospy.core`, `XmlRpcProxy`): some milliseconds
 # of `init_node`, and nothing that a node's file could change.
 MOST_DEADLOCKS = {"rospy": 3, "rclpy": 0}
-
-# rospy closes its topics before `is_shutdown` says so: a timer whose turn it is in between
-# publishes to a closed topic, in a thread of rospy's own (`rospy.impl.registration`, `cleanup`).
-CLOSED_BY_ROSPY = re.compile(
-    r"Exception in thread (?:(?!Exception in thread).)*?"
-    r"rospy\.exceptions\.ROSException: publish\(\) to a closed topic\n",
-    re.DOTALL,
-)
-
-
-def own_tracebacks(output: str) -> list[str]:
-    """Return the lines that begin a traceback which is not rospy's own."""
-    left = CLOSED_BY_ROSPY.sub("", output)
-    return [line for line in left.splitlines() if "Traceback" in line]
 
 
 def test_ctrl_c_while_a_node_starts(graph: Graph, tmp_path: Path) -> None:
