@@ -40,6 +40,15 @@ def until(condition: Callable[[], bool]) -> bool:
     return False
 
 
+def is_running(pid: int) -> bool:
+    """Tell whether a process runs: one that has ended may still be listed."""
+    try:
+        state = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
+    except (FileNotFoundError, ProcessLookupError):
+        return False
+    return state != "Z"
+
+
 class Terminal:
     """A tmux server of the test's own, with one window."""
 
@@ -102,8 +111,10 @@ class Terminal:
 
     def wait_end(self) -> None:
         def has_ended() -> bool:
+            # tmux may take its time to look after a process that has ended.
             try:
-                return "1" in self.tmux("list-panes", "-F", "#{pane_dead}")
+                is_dead = "1" in self.tmux("list-panes", "-F", "#{pane_dead}")
+                return is_dead or not is_running(self.pid)
             except subprocess.CalledProcessError:
                 return True
 

@@ -15,23 +15,16 @@ import time
 from pathlib import Path
 
 import pytest
-from test_terminal import Terminal, start, terminal  # noqa: F401 - a fixture
+from test_terminal import Terminal, is_running, start, terminal  # noqa: F401 - a fixture
 
 pytestmark = pytest.mark.skipif(shutil.which("tmux") is None, reason="there is no tmux")
 
 
 def wait_for_end(pid: int) -> None:
     end = time.monotonic() + 60
-    while time.monotonic() < end:
-        # tmux may take its time to look after a process that has ended.
-        try:
-            state = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
-        except (FileNotFoundError, ProcessLookupError):
-            return
-        if state == "Z":
-            return
+    while is_running(pid):
+        assert time.monotonic() < end, "the studio did not end"
         time.sleep(0.05)
-    raise AssertionError(f"the studio did not end: state {state}")
 
 
 @pytest.mark.parametrize("how", ["closed", "terminated"])
