@@ -155,8 +155,8 @@ class NodeLoader:
         known = self._files.starts.get(path)
         if known is not None and known.is_current(self._author):
             return known.loaded
+        from plastron_tui.generating.starting import find_start
         from plastron_tui.output.manifest import load_manifest
-        from plastron_tui.starting import find_start
 
         start = find_start(path, self._author, lambda folder: load_manifest(folder)[0])
         files = [path, manifest]
@@ -223,7 +223,7 @@ def _with_origin(loaded: Loaded, origin: Origin) -> Loaded:
 
 
 def _chained(source: SourceFile) -> Origin:
-    from plastron_tui.starting import chained
+    from plastron_tui.generating.starting import chained
 
     return chained(source)
 

@@ -22,7 +22,7 @@ from plastron_tui.targets import LIBRARIES, has_target
 
 if TYPE_CHECKING:
     # What a program means is found out when its text is there to see: the studio starts sooner.
-    from plastron_tui.generation import Generated
+    from plastron_tui.generating.generation import Generated
     from plastron_tui.loader import FilesRead
     from plastron_tui.model.fitting import Fitter
     from plastron_tui.model.interpreter import Interpretation
@@ -325,7 +325,7 @@ class Session:
         """
         from dataclasses import replace
 
-        from plastron_tui.generation import Manifests, last_of_each
+        from plastron_tui.generating.generation import Manifests, last_of_each
 
         manifests = Manifests()
         last = {(each.node.variable, each.library): each for each in self.workspace.generations}
@@ -338,12 +338,12 @@ class Session:
 
     def generate(self, generation: Generation) -> Generated:
         """Make the file of one `generate_node`."""
-        from plastron_tui.generation import Manifests
+        from plastron_tui.generating.generation import Manifests
 
         return self._generate(generation, Manifests())
 
     def _generate(self, generation: Generation, manifests: Callable[[Path], Manifest]) -> Generated:
-        from plastron_tui.generation import Generated, generate
+        from plastron_tui.generating.generation import Generated, generate
         from plastron_tui.output.layers import Author
         from plastron_tui.output.manifest import digest
 

@@ -22,7 +22,7 @@ from .common import (
 )
 
 if TYPE_CHECKING:
-    from plastron_tui.generation import Generated
+    from plastron_tui.generating.generation import Generated
     from plastron_tui.runtime.environment import Environment, Found
     from plastron_tui.runtime.launch import NodeFile
 

@@ -11,8 +11,8 @@ import click
 
 from plastron_tui.diagnostics import Diagnostic, LineIndex, Span, did_you_mean, has_errors
 from plastron_tui.diagnostics.render import printable
-from plastron_tui.generation import Generated
-from plastron_tui.handwork import on_disk
+from plastron_tui.generating.generation import Generated
+from plastron_tui.generating.handwork import on_disk
 from plastron_tui.language import DECLARATIONS, Document, lower
 from plastron_tui.model.interpreter import Interpreter
 from plastron_tui.model.workspace import Generation

@@ -8,17 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from plastron_tui.changes import changes_of
-from plastron_tui.derivation import Derivation
 from plastron_tui.diagnostics import Diagnostic, Severity
-from plastron_tui.handwork import (
-    cover,
-    kept_handwork,
-    layers_at,
-    of_other_program,
-    on_disk,
-    unmergeable,
-)
 from plastron_tui.model.workspace import Generation
 from plastron_tui.output.layers import Author, are_untouched
 from plastron_tui.output.manifest import Base, Manifest, load_manifest
@@ -26,9 +16,21 @@ from plastron_tui.output.plan import OutputFile
 from plastron_tui.output.remembered import recall, remember
 from plastron_tui.ros.catalog import Catalog
 
+from .changes import changes_of
+from .derivation import Derivation
+from .handwork import (
+    cover,
+    kept_handwork,
+    layers_at,
+    of_other_program,
+    on_disk,
+    unmergeable,
+)
+
 if TYPE_CHECKING:
-    from plastron_tui.merging import Merged
     from plastron_tui.targets.base import Target
+
+    from .merging import Merged
 
 Notes = tuple[Diagnostic, ...]
 
@@ -251,8 +253,9 @@ class _Creation:
 
     def _merged(self, path: Path, present: bytes) -> Merged:
         """Merge what the program changed in a node into a file that was changed by hand."""
-        from plastron_tui.merging import Merged, merge
         from plastron_tui.targets import read_source
+
+        from .merging import Merged, merge
 
         seen = read_source(path, present).source
         if seen is not None and seen.library != self.target.name:

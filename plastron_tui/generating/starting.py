@@ -8,13 +8,14 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
-from plastron_tui.derivation import find_place, found_by
-from plastron_tui.handwork import on_disk
 from plastron_tui.model.source import EndpointKind, Origin, SourceFile
 from plastron_tui.output.layers import Author, Layer
 from plastron_tui.output.manifest import Manifest, digest
 from plastron_tui.output.three_way import replay
 from plastron_tui.targets import find_target, read_source
+
+from .derivation import find_place, found_by
+from .handwork import on_disk
 
 _MOST_STEPS = 4
 """How often a file may be made from one that the program made as well."""

@@ -13,16 +13,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from plastron_tui.changes import add_found, call_again, changes_of, drop, is_extended, names_in
 from plastron_tui.diagnostics import Diagnostic
-from plastron_tui.handwork import (
-    cover,
-    kept_handwork,
-    layers_at,
-    of_other_program,
-    on_disk,
-    unmergeable,
-)
 from plastron_tui.model.source import Remove, SourceFile
 from plastron_tui.model.workspace import Node
 from plastron_tui.output.layers import Author, Layer, Layers, are_untouched
@@ -33,9 +24,20 @@ from plastron_tui.output.three_way import merge_lines
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets.base import Rendered
 
+from .changes import add_found, call_again, changes_of, drop, is_extended, names_in
+from .handwork import (
+    cover,
+    kept_handwork,
+    layers_at,
+    of_other_program,
+    on_disk,
+    unmergeable,
+)
+
 if TYPE_CHECKING:
-    from plastron_tui.merging import Merged
     from plastron_tui.targets.base import Target
+
+    from .merging import Merged
 
 
 class Derived(NamedTuple):
@@ -315,7 +317,7 @@ class Derivation:
 
     def _with_handwork(self, place: Place, known: Layer, before: bytes, new: Layer) -> Merged:
         """Bring what was changed by hand into what the program makes."""
-        from plastron_tui.merging import Merged, merge
+        from .merging import Merged, merge
 
         mine = new.written
         if self.force or before == known.written:
@@ -356,7 +358,7 @@ class Derivation:
         self, path: Path, text: bytes, before: bytes, mine: bytes, base: Node | None
     ) -> bool:
         """Tell whether lines were merged into a file that holds what it is to hold."""
-        from plastron_tui.merging import call_sites
+        from .merging import call_sites
 
         sources = [self.target.read(path, each).source for each in (text, before, mine)]
         if self.target.is_worse(text, before, mine):
