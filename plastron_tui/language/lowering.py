@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import re
+from collections.abc import Callable, Iterator, Sequence
 from enum import Enum, auto
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 from tree_sitter import Node
@@ -49,6 +51,9 @@ _BY_SLOT_KIND = {
     SlotKind.FILE: _Lowered.FILE,
 }
 
+_NO_LINE_END = re.compile(rb"(?:[^\S\n]|\xef\xbb\xbf|/\*(?:[^*]|\*(?!/))*\*/)*")
+"""Space and comments that leave what follows on the line of what they follow."""
+
 _Plan = tuple[Callable[..., Statement], tuple[tuple[int, _Lowered], ...]]
 
 
@@ -93,6 +98,7 @@ def lower(document: Document) -> Program:
         lost = frozenset(unread)
         return Program(tuple(found), tuple(too_deep), Broken(lost, lost))
     broken_rows = {row for node in broken for row in _rows(node)}
+    broken_rows.update(_rows_of_two(source, found))
     whole = []
     for statement in found:
         # A statement with something else on its line is not what its writer meant.
@@ -126,6 +132,16 @@ def _variables(node: Node, source: bytes) -> Iterator[str]:
 
 def _rows(node: Node) -> range:
     return range(node.start_point.row, node.end_point.row + 1)
+
+
+def _rows_of_two(source: bytes, statements: Sequence[Statement]) -> Iterator[int]:
+    """Yield the rows that a statement starts on while another one has not ended its line.
+
+    Mostly the tree lacks a newline between the two. Within an error it need not say so.
+    """
+    for one, other in pairwise(statements):
+        if _NO_LINE_END.fullmatch(source, one.span.end, other.span.start):
+            yield other.syntax.start_point.row
 
 
 def _flattened(root: Node) -> Iterator[Node]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from hypothesis import strategies as st
 
-from plastron_tui.language import Document, Program, lower
+from plastron_tui.language import DECLARATIONS, Document, Program, lower
 from plastron_tui.language.inputs import Argument, ListValue, Literal, NamedArgument
 from plastron_tui.language.keywords import KEYWORDS
 
@@ -60,6 +60,20 @@ def statements(draw: st.DrawFn) -> str:
             ]
         )
     )
+
+
+EXAMPLES = tuple(declaration.example for declaration in DECLARATIONS.values())
+STRAYS = ("'a'", '"abc"', "1", "$", "of", "x", "(")
+
+broken_lines = st.builds(
+    str.format,
+    st.sampled_from(["{0}{2}{3}", "{1}{2}{3}", "{1}{2}{0} {3}", "{0} {1} {1}", "{1}"]),
+    st.sampled_from(EXAMPLES),
+    st.sampled_from(STRAYS),
+    st.sampled_from(["", " "]),
+    st.sampled_from(EXAMPLES),
+)
+"""Lines in which statements, or a statement and other words, stand side by side."""
 
 
 def read(text: str | bytes) -> Program:

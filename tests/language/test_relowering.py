@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from plastron_programs import read, shape, statements
+from plastron_programs import broken_lines, read, shape, statements
 
 from plastron_tui.language import DECLARATIONS, Document, Program
 from plastron_tui.language.relowering import Lowered, lower_edited
@@ -55,7 +55,7 @@ EDITS = st.lists(
     st.tuples(
         st.floats(0, 1),
         st.floats(0, 0.1),
-        PIECES | statements() | st.text(max_size=4),
+        PIECES | statements() | broken_lines.map("\n{}\n".format) | st.text(max_size=4),
     ),
     min_size=1,
     max_size=8,

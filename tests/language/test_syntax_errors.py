@@ -1,7 +1,9 @@
 from __future__ import annotations
 
 import pytest
-from plastron_programs import read
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+from plastron_programs import EXAMPLES, broken_lines, read
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.language import DECLARATIONS, Document, lower
@@ -184,6 +186,44 @@ def test_a_wrong_line_is_alone_with_its_mistake(
             text.encode().index(b"generate_node a") + 15,
         ),
         (len(text.encode()) - 2, len(text.encode()) - 1),
+    ]
+
+
+# Two statements on a line are a mistake that nothing in the tree but their places tells of.
+NEIGHBOURS = [
+    *(case[0] for case in TABLE if "/*" not in case[0]),
+    "'chatter'create_node 'talker' as talker",
+    "unsubscribe talker from 'chatter'create_node 'talker' as talker",
+    "generate_node a generate_node b",
+    "n stop_publishing to 'a'load x as y",
+]
+
+
+@pytest.mark.parametrize("line", NEIGHBOURS)
+def test_each_of_two_broken_lines_has_a_mistake_of_its_own(line: str) -> None:
+    for other in NEIGHBOURS:
+        first, second = read(f"{line}\n{other}\n").diagnostics
+        assert (first,) == read(line).diagnostics
+        assert (second.moved(-len(line.encode()) - 1),) == read(other).diagnostics
+
+
+@settings(max_examples=1000, deadline=None)
+@given(st.lists(broken_lines | st.sampled_from(EXAMPLES), min_size=2, max_size=5))
+@example(["'a'load x as n", "n stop_publishing to 'a' unsubscribe n from 'b'", "'a'load x as n"])
+def test_a_line_says_what_it_says_alone(lines: list[str]) -> None:
+    expected = []
+    at = 0
+    for line in lines:
+        expected += [found.moved(at) for found in read(line).diagnostics]
+        at += len(line.encode()) + 1
+    assert list(read("\n".join(lines)).diagnostics) == expected
+
+
+def test_a_comment_that_joins_lines_hides_no_second_statement() -> None:
+    text = "'a'load x as n\nn stop_publishing to 'b' /* a\nb */ generate_node m\n"
+    assert [(found.code, spanned(text, found)) for found in read(text).diagnostics] == [
+        ("syntax-error", "'a'"),
+        ("syntax-error", "generate_node m"),
     ]
 
 
