@@ -24,6 +24,7 @@ from pathlib import Path
 from survey_checks import Text, check, names_at_fault
 
 from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.model.endpoints import EDITABLE
 from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceFile
 from plastron_tui.model.values import MessageValue
 from plastron_tui.model.workspace import (
@@ -47,12 +48,6 @@ _TWIST = InterfaceName("geometry_msgs", "Twist")
 _SET_BOOL = InterfaceName("std_srvs", "SetBool")
 _TRIGGER = InterfaceName("std_srvs", "Trigger")
 _DISTRIBUTIONS = {"rospy": "noetic", "rclpy": "jazzy"}
-_EDITABLE = (
-    EndpointKind.PUBLISHER,
-    EndpointKind.SUBSCRIPTION,
-    EndpointKind.SERVICE,
-    EndpointKind.CLIENT,
-)
 
 
 @dataclass
@@ -128,7 +123,7 @@ class Survey:
         tally = self.tally
         tally.files += 1
         tally.nodes += len(source.nodes)
-        tally.endpoints.update(e.kind.value for node in source.nodes for e in node.endpoints)
+        tally.endpoints.update(e.kind.value for e in source.endpoints)
         original = Text(source)
         if self._edit(source, []) != source.text:
             tally.violations.append(f"{path}: no change changes the file")
@@ -194,7 +189,7 @@ class Survey:
         source = read_source(path, text).source
         after = Text(source) if source is not None else None
         if after is None:
-            if any(True for node in before.source.nodes for _ in node.endpoints):
+            if any(True for _ in before.source.endpoints):
                 return None  # the last endpoint is gone, and with it the only import
             tally.violations.append(f"{path}: {what}: cannot be read again")
             return None
@@ -209,7 +204,7 @@ def _named(source: SourceFile) -> set[tuple[EndpointKind, str]]:
         (endpoint.kind, endpoint.name)
         for node in source.nodes
         for endpoint in node.endpoints
-        if endpoint.name is not None and endpoint.kind in _EDITABLE
+        if endpoint.name is not None and endpoint.kind in EDITABLE
     }
 
 

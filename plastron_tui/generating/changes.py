@@ -4,16 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from plastron_tui.model.endpoints import EDITABLE
 from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceEndpoint, SourceFile
-from plastron_tui.model.workspace import Client, Endpoint, Node, Publisher, Service, Subscription
-
-EDITABLE = (
-    EndpointKind.PUBLISHER,
-    EndpointKind.SUBSCRIPTION,
-    EndpointKind.SERVICE,
-    EndpointKind.CLIENT,
-)
-"""The kinds of endpoints that statements add and remove."""
+from plastron_tui.model.workspace import Client, Endpoint, Node, Publisher
 
 
 def changes_of(node: Node) -> tuple[Change, ...]:
@@ -53,26 +46,10 @@ def is_extended(endpoint: Endpoint) -> bool:
 def names_in(source: SourceFile) -> dict[EndpointKind, set[str]]:
     """Return the names that a file says, by kind."""
     names: dict[EndpointKind, set[str]] = {kind: set() for kind in EndpointKind}
-    for node in source.nodes:
-        for endpoint in node.endpoints:
-            if endpoint.name is not None:
-                names[endpoint.kind].add(endpoint.name)
+    for endpoint in source.endpoints:
+        if endpoint.name is not None:
+            names[endpoint.kind].add(endpoint.name)
     return names
-
-
-def add_found(node: Node, found: SourceEndpoint, name: str) -> None:
-    """Add what a file has to a node that does not have it."""
-    match found.kind:
-        case EndpointKind.PUBLISHER:
-            node.publishers.setdefault(name, Publisher(name, found.type))
-        case EndpointKind.SUBSCRIPTION:
-            node.subscriptions.setdefault(name, Subscription(name, found.type, found.callback))
-        case EndpointKind.SERVICE:
-            node.services.setdefault(name, Service(name, found.type, found.callback))
-        case EndpointKind.CLIENT:
-            node.clients.setdefault(name, Client(name, found.type))
-        case _:
-            pass
 
 
 def call_again(node: Node, found: SourceEndpoint, name: str) -> None:

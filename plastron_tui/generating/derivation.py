@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.model.loading import add_found
 from plastron_tui.model.source import Remove, SourceFile
 from plastron_tui.model.workspace import Node
 from plastron_tui.output.layers import Author, Layer, Layers, are_untouched
@@ -24,7 +25,7 @@ from plastron_tui.output.three_way import merge_lines
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets.base import Rendered
 
-from .changes import add_found, call_again, changes_of, drop, is_extended, names_in
+from .changes import call_again, changes_of, drop, is_extended, names_in
 from .handwork import (
     cover,
     kept_handwork,
@@ -246,7 +247,7 @@ class Derivation:
                 asked.add((kind, name))
             elif name not in names[kind]:
                 drop(node, kind, name)
-        for each in (each for found in original.nodes for each in found.endpoints):
+        for each in original.endpoints:
             if (each.kind, each.name) not in asked and each.name is not None:
                 call_again(node, each, each.name)
         return node
@@ -348,10 +349,9 @@ class Derivation:
         if base is None or original is None:
             return base
         names = names_in(original)
-        for node in self.source.nodes:
-            for each in node.endpoints:
-                if each.name is not None and each.name not in names[each.kind]:
-                    add_found(base, each, each.name)
+        for each in self.source.endpoints:
+            if each.name is not None and each.name not in names[each.kind]:
+                add_found(base, each, each.name)
         return base
 
     def _is_sound(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import stat
+from collections import Counter
 from pathlib import Path
 from typing import NamedTuple
 
@@ -11,6 +12,8 @@ from plastron_tui.model.source import EndpointKind
 from plastron_tui.output.layers import Layer, Layers, are_untouched, live_layers
 from plastron_tui.output.manifest import Manifest
 from plastron_tui.ros.interfaces import InterfaceName
+
+Shown = Counter[tuple[EndpointKind, str | None, InterfaceName | None]]
 
 
 def on_disk(path: Path) -> bytes | None:
@@ -25,18 +28,19 @@ def layers_at(path: Path, manifest: Manifest, text: bytes | None) -> Layers:
     """Return what is remembered of programs that changed a file, as far as it shows it."""
 
     def shows(layer: Layer, text: bytes) -> bool:
-        before, after, now = (_shown(path, each) for each in (layer.original, layer.written, text))
-        return any((key in now) == (key in after) for key in before ^ after)
+        before, after, now = (shown(path, each) for each in (layer.original, layer.written, text))
+        return any((key in now) == (key in after) for key in before.keys() ^ after.keys())
 
     return live_layers(manifest.layers.get(path.name, ()), text, shows)
 
 
-def _shown(path: Path, text: bytes) -> set[tuple[EndpointKind, str | None, InterfaceName | None]]:
+def shown(path: Path, text: bytes) -> Shown:
+    """Return what a text has of endpoints, and how often; nothing where it cannot be read."""
     from plastron_tui.targets import read_source
 
     source = read_source(path, text).source
-    nodes = () if source is None else source.nodes
-    return {(each.kind, each.name, each.type) for node in nodes for each in node.endpoints}
+    endpoints = () if source is None else source.endpoints
+    return Counter((each.kind, each.name, each.type) for each in endpoints)
 
 
 class Covered(NamedTuple):

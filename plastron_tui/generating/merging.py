@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.model.endpoints import EDITABLE
 from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceEndpoint, SourceFile
 from plastron_tui.model.workspace import (
     Client,
@@ -27,14 +28,6 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets.base import Target
 
 _ANCHOR = "plastron_holds_this_place"
-_KINDS = frozenset(
-    {
-        EndpointKind.PUBLISHER,
-        EndpointKind.SUBSCRIPTION,
-        EndpointKind.SERVICE,
-        EndpointKind.CLIENT,
-    }
-)
 
 
 class Merged(NamedTuple):
@@ -280,7 +273,7 @@ class _Merge:
         if not callbacks:
             return
         read = self._read(text)
-        used = {each.callback for node in read.nodes for each in node.endpoints} if read else set()
+        used = {each.callback for each in read.endpoints} if read else set()
         for each in self.cut:
             if each.callback in callbacks - used and self.target.mentions(
                 text, each.callback or ""
@@ -312,11 +305,10 @@ class _Merge:
 def call_sites(source: SourceFile) -> dict[EndpointKey, list[SourceEndpoint]]:
     """Return the call sites of a file; a name from a parameter counts by its default."""
     found: dict[EndpointKey, list[SourceEndpoint]] = {}
-    for node in source.nodes:
-        for endpoint in node.endpoints:
-            name = endpoint.name if endpoint.name is not None else endpoint.default
-            if name is not None and endpoint.kind in _KINDS:
-                found.setdefault((endpoint.kind, name), []).append(endpoint)
+    for endpoint in source.endpoints:
+        name = endpoint.name if endpoint.name is not None else endpoint.default
+        if name is not None and endpoint.kind in EDITABLE:
+            found.setdefault((endpoint.kind, name), []).append(endpoint)
     return found
 
 

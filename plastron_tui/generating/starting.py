@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import os
-from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
-from plastron_tui.model.source import EndpointKind, Origin, SourceFile
+from plastron_tui.model.source import Origin, SourceFile
 from plastron_tui.output.layers import Author, Layer
 from plastron_tui.output.manifest import Manifest, digest
 from plastron_tui.output.three_way import replay
 from plastron_tui.targets import find_target, read_source
 
 from .derivation import find_place, found_by
-from .handwork import on_disk
+from .handwork import on_disk, shown
 
 _MOST_STEPS = 4
 """How often a file may be made from one that the program made as well."""
@@ -80,14 +79,6 @@ def _is_right(path: Path, text: bytes, original: bytes, layer: Layer, present: b
     if target is not None and target.is_worse(text, original):
         return False
     found, before, written, now = (
-        _shown(path, each) for each in (text, original, layer.written, present)
+        shown(path, each) for each in (text, original, layer.written, present)
     )
     return found == before + (now - written) - (written - now)
-
-
-def _shown(path: Path, text: bytes) -> Counter[tuple[EndpointKind, str | None, str]]:
-    source = read_source(path, text).source
-    nodes = () if source is None else source.nodes
-    return Counter(
-        (each.kind, each.name, str(each.type)) for node in nodes for each in node.endpoints
-    )

@@ -33,6 +33,15 @@ class EndpointKind(str, Enum):
         return self.value.replace("_", " ").removesuffix("s")
 
 
+EDITABLE = (
+    EndpointKind.PUBLISHER,
+    EndpointKind.SUBSCRIPTION,
+    EndpointKind.SERVICE,
+    EndpointKind.CLIENT,
+)
+"""The kinds of endpoints that statements add and remove."""
+
+
 class Message(NamedTuple):
     """A message that a program created, under its variable's name."""
 

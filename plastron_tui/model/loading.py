@@ -2,21 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from plastron_tui.language.statements import Load
 
+from .endpoints import EDITABLE
 from .source import EndpointKind, SourceEndpoint, SourceFile
 from .workspace import Client, Node, Publisher, Service, Subscription
-
-_EDITABLE = frozenset(
-    {
-        EndpointKind.PUBLISHER,
-        EndpointKind.SUBSCRIPTION,
-        EndpointKind.SERVICE,
-        EndpointKind.CLIENT,
-    }
-)
 
 
 def loaded_node(source: SourceFile, statement: Load) -> Node:
@@ -26,28 +16,25 @@ def loaded_node(source: SourceFile, statement: Load) -> Node:
     """
     name = next((node.name for node in source.nodes if node.name is not None), source.path.stem)
     loaded = Node(name, statement.variable, statement.span, source.library, source)
-    for endpoint, topic in _named(source):
-        match endpoint.kind:
-            case EndpointKind.PUBLISHER:
-                loaded.publishers.setdefault(topic, Publisher(topic, endpoint.type))
-            case EndpointKind.SUBSCRIPTION:
-                loaded.subscriptions.setdefault(
-                    topic, Subscription(topic, endpoint.type, endpoint.callback)
-                )
-            case EndpointKind.SERVICE:
-                loaded.services.setdefault(topic, Service(topic, endpoint.type, endpoint.callback))
-            case EndpointKind.CLIENT:
-                loaded.clients.setdefault(topic, Client(topic, endpoint.type))
-            case _:
-                pass
+    for endpoint in source.endpoints:
+        if endpoint.name is not None:
+            add_found(loaded, endpoint, endpoint.name)
     return loaded
 
 
-def _named(source: SourceFile) -> Iterator[tuple[SourceEndpoint, str]]:
-    for node in source.nodes:
-        for endpoint in node.endpoints:
-            if endpoint.name is not None:
-                yield endpoint, endpoint.name
+def add_found(node: Node, found: SourceEndpoint, name: str) -> None:
+    """Add what a file has to a node, unless the node has it already."""
+    match found.kind:
+        case EndpointKind.PUBLISHER:
+            node.publishers.setdefault(name, Publisher(name, found.type))
+        case EndpointKind.SUBSCRIPTION:
+            node.subscriptions.setdefault(name, Subscription(name, found.type, found.callback))
+        case EndpointKind.SERVICE:
+            node.services.setdefault(name, Service(name, found.type, found.callback))
+        case EndpointKind.CLIENT:
+            node.clients.setdefault(name, Client(name, found.type))
+        case _:
+            pass
 
 
 def has_other_work(node: Node) -> bool:
@@ -55,7 +42,5 @@ def has_other_work(node: Node) -> bool:
     if node.source is None:
         return False
     return any(
-        endpoint.kind not in _EDITABLE or endpoint.name is None
-        for source_node in node.source.nodes
-        for endpoint in source_node.endpoints
+        endpoint.kind not in EDITABLE or endpoint.name is None for endpoint in node.source.endpoints
     )

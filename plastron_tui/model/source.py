@@ -86,6 +86,11 @@ class SourceFile(NamedTuple):
     nodes: tuple[SourceNode, ...]
     origin: Origin | None = None
 
+    @property
+    def endpoints(self) -> Iterator[SourceEndpoint]:
+        """The endpoints of all its nodes, in the order of the file."""
+        return (endpoint for node in self.nodes for endpoint in node.endpoints)
+
 
 class Add(NamedTuple):
     """Ask an editor for an endpoint that is not in the file yet."""
