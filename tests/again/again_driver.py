@@ -84,6 +84,21 @@ main()
 NODES = {"rospy": ROSPY, "rclpy": RCLPY}
 LIBRARIES = tuple(NODES)
 
+# How a node is loaded: the statement, where the node is, where it is written, whether in place.
+WAYS = {
+    "by its name, beside the program": ("load robot as n", "robot.py", "output/robot.py", False),
+    "by its name, in the output": ("load robot as n", "output/robot.py", "output/robot.py", False),
+    "by its path": ("load 'nodes/robot.py' as n", "nodes/robot.py", "output/robot.py", False),
+    "in place": ("load 'nodes/robot.py' as n", "nodes/robot.py", "nodes/robot.py", True),
+    "by its name, in place": ("load robot as n", "robot.py", "robot.py", True),
+    "by its path, in the output": (
+        "load 'output/robot.py' as n", "output/robot.py", "output/robot.py", False,
+    ),
+    "in place, in the output": (
+        "load 'output/robot.py' as n", "output/robot.py", "output/robot.py", True,
+    ),
+}  # fmt: skip
+
 
 class Outcome(NamedTuple):
     """What a `generate` did: the state of each file, warnings, conflicts, errors."""

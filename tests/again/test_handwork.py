@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from again_driver import LIBRARIES, Bench, shown
+from again_driver import LIBRARIES, WAYS, Bench, shown
 
 KEPT = "merged-by-hand: `robot.py` was changed by hand and is kept, with the program's changes"
 PUBLISH = "n publish hello to 'chatter' of message_type String\n"
@@ -14,12 +14,8 @@ MORE = "subscribe n to 'more' of message_type String\n"
 UNSUBSCRIBE = "unsubscribe n from 'command'\n"
 END = "generate_node n\n"
 
-WAYS = {
-    "beside the program": ("load robot as n\n", "robot.py", "output/robot.py", False),
-    "in the output": ("load robot as n\n", "output/robot.py", "output/robot.py", False),
-    "by its path": ("load 'nodes/robot.py' as n\n", "nodes/robot.py", "output/robot.py", False),
-    "in place": ("load 'nodes/robot.py' as n\n", "nodes/robot.py", "nodes/robot.py", True),
-}
+BY_NAME, BY_NAME_IN_OUTPUT = "by its name, beside the program", "by its name, in the output"
+FOUR_WAYS = (BY_NAME, BY_NAME_IN_OUTPUT, "by its path", "in place")
 LISTENING = {
     "rospy": ('    rospy.Service("reset"', '    rospy.Subscriber("mine", String, print)\n'),
     "rclpy": (
@@ -34,7 +30,8 @@ class Hand:
 
     def __init__(self, path: Path, library: str, way: str) -> None:
         self.bench = Bench(path, library)
-        self.load, origin, self.written, self.in_place = WAYS[way]
+        load, origin, self.written, self.in_place = WAYS[way]
+        self.load = f"{load}\n"
         self.original = self.bench.put(origin)
 
     def generate(self, *statements: str, force: bool = False) -> tuple[list[str], list[str]]:
@@ -56,7 +53,7 @@ class Hand:
         return sorted(str(name) for each, name in found.elements() if each == kind)
 
 
-@pytest.fixture(params=[(library, way) for library in LIBRARIES for way in WAYS])
+@pytest.fixture(params=[(library, way) for library in LIBRARIES for way in FOUR_WAYS])
 def hand(request: pytest.FixtureRequest, tmp_path: Path) -> Hand:
     return Hand(tmp_path, *request.param)
 
@@ -173,7 +170,7 @@ def test_check_sees_what_generate_sees(hand: Hand) -> None:
 
 @pytest.mark.parametrize("library", LIBRARIES)
 def test_original_and_output_are_both_changed(tmp_path: Path, library: str) -> None:
-    hand = Hand(tmp_path, library, "beside the program")
+    hand = Hand(tmp_path, library, BY_NAME)
     hand.generate(PUBLISH)
     hand.edit("somebody wrote", "two people wrote")
     text = hand.original.read_text()
@@ -193,7 +190,7 @@ def test_original_and_output_are_both_changed(tmp_path: Path, library: str) -> N
 @pytest.mark.parametrize("library", LIBRARIES)
 @pytest.mark.parametrize("how", ["gone", "broken", "broken layer"])
 def test_without_a_memory_nothing_is_lost(tmp_path: Path, library: str, how: str) -> None:
-    hand = Hand(tmp_path, library, "in the output")
+    hand = Hand(tmp_path, library, BY_NAME_IN_OUTPUT)
     hand.generate(SUBSCRIBE)
     manifest = tmp_path / "output/.plastron.json"
     if how == "gone":
@@ -220,7 +217,7 @@ def test_without_a_memory_nothing_is_lost(tmp_path: Path, library: str, how: str
 @pytest.mark.parametrize("library", LIBRARIES)
 def test_file_that_is_indented_anew(tmp_path: Path, library: str) -> None:
     """Lines of both indents together are no Python, and no start for a second run."""
-    hand = Hand(tmp_path, library, "in the output")
+    hand = Hand(tmp_path, library, BY_NAME_IN_OUTPUT)
     hand.original.write_text(hand.text.replace("    ", "\t"))
     assert hand.generate(UNSUBSCRIBE) == (["changed"], [])
     hand.original.write_text(hand.text.expandtabs(4))

@@ -6,10 +6,10 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
-from again_driver import LIBRARIES, Bench, shown
+from again_driver import LIBRARIES, WAYS, Bench, shown
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from test_generate_again import WAYS, programs
+from test_generate_again import programs
 
 LISTENING = {
     "rospy": ('    rospy.Service("reset"', '    rospy.Subscriber("{}", String, print)'),
