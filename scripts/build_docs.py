@@ -10,7 +10,7 @@ import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from plastron_tui.diagnostics import CODES, IO_CODES, Code
+from plastron_tui.diagnostics import CODES, IO_CODES, Code, escapes
 from plastron_tui.diagnostics.program_codes import MEANING_CODES, NAME_CODES, SYNTAX_CODES
 from plastron_tui.diagnostics.value_codes import VALUE_CODES
 from plastron_tui.language import DECLARATIONS, Declaration, SlotKind
@@ -18,7 +18,7 @@ from plastron_tui.language.keywords import KEYWORDS
 
 DOCS = Path(__file__).resolve().parent.parent / "docs"
 
-_LANGUAGE_HEAD = """\
+_LANGUAGE_HEAD = f"""\
 # The language on one page
 
 A program is text, one statement a line, in a file that ends in `.plastron`. It describes ROS nodes,
@@ -51,7 +51,7 @@ cannot go on in the next line |
 messages share one namespace |
 | ROS name | `'chatter'`, `'/arm/joint_1'`, `'~private'` | in single quotes, and a name that ROS \
 takes; a node's name has no `/` |
-| text | `"hello"` | in double quotes; `\\"`, `\\\\`, `\\n`, `\\t` and `\\uXXXX` within |
+| text | `"hello"` | in double quotes; {escapes.listed("`")} within |
 | number | `5`, `-5`, `0.25`, `1e-3` | |
 | boolean | `True`, `False` | |
 | type | `Point`, `geometry_msgs/Point`, `geometry_msgs/msg/Point` | the package is needed only \

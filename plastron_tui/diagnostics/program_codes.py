@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from . import escapes
 from .code import Code
 
 _TALKER = """\
@@ -53,7 +54,7 @@ SYNTAX_CODES = (
     Code(
         "unknown-escape",
         "A backslash in a text is followed by something that no escape is made of. The escapes "
-        'are `\\"`, `\\\\`, `\\n`, `\\t` and `\\uXXXX`.',
+        f"are {escapes.listed('`')}.",
         bad='create_message path of message_type String and input "C:\\docs"\n',
         good='create_message path of message_type String and input "C:\\\\docs"\n',
     ),

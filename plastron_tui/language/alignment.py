@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, write
+from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, escapes, write
 from plastron_tui.diagnostics.suggest import nearest
 
 from .declaration import Clause, Declaration, Element, Slot, SlotKind
@@ -18,7 +18,6 @@ _BOOLEANS = {
     **dict.fromkeys(("true", "on", "yes"), "True"),
     **dict.fromkeys(("false", "off", "no"), "False"),
 }
-_ESCAPES = 'the escapes are \\", \\\\, \\n, \\t and \\uXXXX'
 
 
 def unexpected(token: Token) -> Diagnostic:
@@ -304,7 +303,7 @@ class Alignment:
                 "unknown-escape",
                 f"`{_shown(escape)}` is no escape",
                 Span(after.start, end),
-                help=f"{_ESCAPES}; a backslash is written \\\\",
+                help=f"the escapes are {escapes.listed()}; a backslash is written \\\\",
                 fix=write(f"\\{escape}", Span(after.start, end)),
             )
         return unexpected(token)

@@ -6,6 +6,8 @@ from typing import NamedTuple, TypeAlias
 
 from tree_sitter import Node
 
+from plastron_tui.diagnostics import escapes
+
 from .grammar import kind_id
 
 NUMBER = kind_id("number")
@@ -16,8 +18,6 @@ ARGUMENTS = kind_id("arguments")
 NAMED_ARGUMENT = kind_id("named_argument")
 STRING_CONTENT = kind_id("string_content")
 COMMENTS = frozenset({kind_id("line_comment"), kind_id("block_comment")})
-
-_ESCAPES = {'\\"': '"', "\\\\": "\\", "\\n": "\n", "\\t": "\t"}
 
 
 class Literal(NamedTuple):
@@ -129,8 +129,8 @@ def _string(node: Node, source: bytes) -> str:
         written = source[part.start_byte : part.end_byte].decode()
         if part.kind_id == STRING_CONTENT:
             parts.append(written)
-        elif written in _ESCAPES:
-            parts.append(_ESCAPES[written])
+        elif written in escapes.MEANINGS:
+            parts.append(escapes.MEANINGS[written])
         else:
             code = int(written[2:], 16)
             has_surrogates = has_surrogates or 0xD800 <= code < 0xDC00

@@ -7,6 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from plastron_programs import argument, read, shape, statements
 
+from plastron_tui.diagnostics import escapes
 from plastron_tui.language import DECLARATIONS, Clause, Document, lower
 from plastron_tui.language.inputs import DEEPEST_NESTING, Literal
 from plastron_tui.language.statements import CreateMessage
@@ -187,6 +188,13 @@ def test_strings(text: str, value: str) -> None:
     (found,) = values_of(text)
     assert isinstance(found, Literal)
     assert found.value == value
+
+
+@pytest.mark.parametrize(("escape", "meaning"), escapes.MEANINGS.items())
+def test_what_is_listed_as_an_escape_is_one(escape: str, meaning: str) -> None:
+    (found,) = values_of(f'"a{escape}b"')
+    assert isinstance(found, Literal)
+    assert found.value == f"a{meaning}b"
 
 
 @given(st.text(st.characters(exclude_characters='"\\\r\n', exclude_categories=["Cs"])))
