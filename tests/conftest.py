@@ -1,15 +1,10 @@
 from __future__ import annotations
 
-import os
 import signal
 
 import pytest
 from hypothesis import settings
-
-# On a developer's machine a test may lack what it needs, a ROS say, and says so by a skip. In CI
-# everything is installed, and a skip would hide a failure.
-IN_CI = os.environ.get("CI") == "true"
-
+from machine import IN_CI
 
 # A shell starts what is in its background with SIGINT ignored, and every program that the tests
 # interrupt would inherit it.
@@ -24,6 +19,7 @@ settings.register_profile("ci", deadline=None, derandomize=True)
 settings.load_profile("ci" if IN_CI else "plastron")
 
 
+# In CI everything is installed, and a skip, whoever made it, would hide a failure.
 @pytest.hookimpl(trylast=True)
 def pytest_sessionfinish(session: pytest.Session) -> None:
     reporter = session.config.pluginmanager.get_plugin("terminalreporter")

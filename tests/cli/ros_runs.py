@@ -3,37 +3,15 @@
 from __future__ import annotations
 
 import os
-import random
 import signal
-import socket
 import subprocess
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-import pytest
 from command_line import PLASTRON
-
-from plastron_tui.runtime.environment import find_environments
-
-PROGRAM = """\
-create_node 'talker' as talker
-create_message hello of message_type String and input "hello"
-talker publish hello to 'chatter' of message_type String at 20 hz
-generate_node talker
-create_node 'listener' as listener
-subscribe listener to 'chatter' of message_type String
-generate_node listener
-create_node 'switcher' as switcher
-switcher provides_service 'switch' of service_type SetBool
-generate_node switcher
-create_node 'asker' as asker
-asker client_requests 'switch' of service_type SetBool with input True
-subscribe asker to 'chatter' of message_type String
-generate_node asker
-"""
+from machine import find_ros, graph_environ
 
 
 @dataclass(frozen=True)
@@ -103,31 +81,9 @@ class Ros:
 
 
 def make_ros(library: str, folder: Path) -> Ros:
-    """Make the environment of a graph, or skip: in CI, where both have to be there, fail."""
-    environment, diagnostics = find_environments().choose(1 if library == "rospy" else 2)
-    if environment is None:
-        reason = "; ".join(f"{one.message}: {one.help}" for one in diagnostics)
-        if os.environ.get("CI") or os.environ.get("PLASTRON_REQUIRE_ROS"):
-            pytest.fail(reason)
-        pytest.skip(reason)
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
-    environ = {
-        **os.environ,
-        "ROS_HOME": str(folder / "ros"),
-        "ROS_LOG_DIR": str(folder / "ros" / "log"),
-        "ROS_MASTER_URI": f"http://127.0.0.1:{port}",
-        "ROS_DOMAIN_ID": str(random.randint(1, 100)),
-    }
-    return Ros(library, folder, environ)
-
-
-def wait_until(condition: Callable[[], object], what: str, limit: float = 40.0) -> None:
-    deadline = time.monotonic() + limit
-    while not condition():
-        assert time.monotonic() < deadline, f"not in time: {what}"
-        time.sleep(0.05)
+    """Make the environment of a graph; without a ROS there is no test."""
+    find_ros(1 if library == "rospy" else 2)
+    return Ros(library, folder, graph_environ(folder))
 
 
 def said_by(output: str, name: str) -> list[str]:

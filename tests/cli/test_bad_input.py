@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from command_line import BROKEN, LISTENER, TALKER, Run, snapshot
+from machine import skip_or_fail
 
 COMMANDS = [("check",), ("generate",), ("graph",), ("fmt",), ("inspect",)]
 
@@ -165,7 +166,7 @@ def mounted(folder: Path, *options: str) -> Iterator[Path]:
         ["mount", "-t", "tmpfs", *options, "tmpfs", folder], capture_output=True, check=False
     )
     if mount.returncode:
-        pytest.skip("mounting a file system needs to be root: run the tests in a container")
+        skip_or_fail("mounting a file system needs to be root: run the tests in a container")
     yield folder
     subprocess.run(["umount", folder], check=True)
 

@@ -3,7 +3,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from ros_runs import PROGRAM, Ros, make_ros, wait_until
+from machine import TALKING, wait_until
+from ros_runs import Ros, make_ros
 
 
 @pytest.fixture(params=["rospy", "rclpy"])
@@ -28,7 +29,7 @@ def described(ros: Ros) -> str:
 
 @pytest.mark.live
 def test_a_description_generated_and_run_shows_the_same_graph(ros: Ros) -> None:
-    ros.write("first.plastron", PROGRAM)
+    ros.write("first.plastron", TALKING)
     with ros.running("first.plastron"):
         before = described(ros)
     ros.write("second.plastron", before)

@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 from command_line import BROKEN, LISTENER, PLASTRON, TALKER, Run
-from ros_runs import PROGRAM, Ros, make_ros, said_by, wait_until
+from machine import TALKING, wait_until
+from ros_runs import Ros, make_ros, said_by
 
 from plastron_tui.cli.run import run_options
 from plastron_tui.runtime.environment import Environment, Found, Origin
@@ -59,7 +60,7 @@ def test_a_program_is_generated_and_run(ros: Ros) -> None:
 
 @pytest.mark.live
 def test_only_the_named_nodes_run(ros2: Ros) -> None:
-    ros2.write("p.plastron", PROGRAM)
+    ros2.write("p.plastron", TALKING)
     done = ros2.run("p.plastron", "listener", "talker", "--for", "3")
     assert done.returncode == 0, done.stderr
     assert said_by(done.stdout, "listener")
@@ -253,7 +254,7 @@ def test_a_terminal_that_is_closed(ros: Ros) -> None:
 
 @pytest.mark.live
 def test_the_watch(ros: Ros) -> None:
-    ros.write("p.plastron", PROGRAM)
+    ros.write("p.plastron", TALKING)
     done = ros.run("p.plastron", "--watch", "--for", "8")
     assert done.returncode == 0, done.stderr
     told = said_by(done.stdout, "watch")

@@ -13,11 +13,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from supervised import all_gone, wait_until
+from machine import TALKING, find_ros, graph_environ, wait_until
+from supervised import all_gone
 
-from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.runtime.describe import Described, DescribedNode, describe
-from plastron_tui.runtime.environment import Environment, find_environments
+from plastron_tui.runtime.environment import Environment
 from plastron_tui.runtime.master import DEFAULT_PORT, call, master_pid
 from plastron_tui.runtime.program import to_program
 
@@ -25,23 +25,6 @@ pytestmark = pytest.mark.live
 
 # Another interpreter than the running one may have the Python packages of ROS 2.
 ROS2_PYTHON = os.environ.get("PLASTRON_ROS2_PYTHON")
-
-PROGRAM = """
-create_node 'talker' as talker
-create_message hello of message_type String and input "hello"
-talker publish hello to 'chatter' of message_type String at 20 hz
-generate_node talker
-create_node 'listener' as listener
-subscribe listener to 'chatter' of message_type String
-generate_node listener
-create_node 'switcher' as switcher
-switcher provides_service 'switch' of service_type SetBool
-generate_node switcher
-create_node 'asker' as asker
-asker client_requests 'switch' of service_type SetBool with input True
-subscribe asker to 'chatter' of message_type String
-generate_node asker
-"""
 
 # Runs every node of a folder, the file's name up to its last `_` being the node's.
 DRIVER = """
@@ -145,34 +128,8 @@ def ros1(tmp_path: Path) -> Ros:
 
 def _ros(library: str, folder: Path) -> Ros:
     interpreter = Path(ROS2_PYTHON) if ROS2_PYTHON else None
-    environment, diagnostics = find_environments(interpreter=interpreter).choose(
-        1 if library == "rospy" else 2
-    )
-    if environment is None:
-        pytest.skip(_words(diagnostics))
-    home = folder / "ros"
-    return Ros(
-        environment,
-        {
-            **os.environ,
-            "ROS_HOME": str(home),
-            "ROS_LOG_DIR": str(home / "log"),
-            "ROS_MASTER_URI": f"http://127.0.0.1:{_free_port()}",
-            "ROS_DOMAIN_ID": str(1 + os.getpid() % 100),
-        },
-        folder,
-    )
-
-
-def _words(diagnostics: list[Diagnostic]) -> str:
-    return "; ".join(f"{one.message}: {one.help}" for one in diagnostics)
-
-
-def _free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port: int = probe.getsockname()[1]
-    return port
+    environment = find_ros(1 if library == "rospy" else 2, interpreter)
+    return Ros(environment, graph_environ(folder), folder)
 
 
 def _lines(output: str, name: str) -> list[str]:
@@ -180,7 +137,7 @@ def _lines(output: str, name: str) -> list[str]:
 
 
 def test_nodes_talk_and_stop(ros: Ros) -> None:
-    done = ros.run(ros.generate(PROGRAM, "nodes"), 6)
+    done = ros.run(ros.generate(TALKING, "nodes"), 6)
     assert done.returncode == 0, done.stdout + done.stderr
     assert len([line for line in _lines(done.stdout, "listener") if "hello" in line]) > 20
     # rospy closes its topics before a timer of its own can know, and says so.
@@ -193,7 +150,7 @@ def test_nodes_talk_and_stop(ros: Ros) -> None:
 
 
 def test_the_watch_shows_topics_and_calls(ros: Ros) -> None:
-    done = ros.run(ros.generate(PROGRAM, "nodes"), 8, watch=True)
+    done = ros.run(ros.generate(TALKING, "nodes"), 8, watch=True)
     assert done.returncode == 0, done.stdout + done.stderr
     told = [line.partition("| ")[2] for line in _lines(done.stdout, "watch")]
     rates = [
@@ -206,7 +163,7 @@ def test_the_watch_shows_topics_and_calls(ros: Ros) -> None:
 
 def test_a_description_run_again_is_the_same_graph(ros: Ros) -> None:
     names = {"/talker", "/listener", "/switcher", "/asker"}
-    with ros.running(ros.generate(PROGRAM, "nodes")):
+    with ros.running(ros.generate(TALKING, "nodes")):
         before = ros.described(names)
     by_name = {node.name: node for node in before}
     assert [str(type_) for _, type_ in by_name["/talker"].publishers] == ["std_msgs/String"]
@@ -217,7 +174,7 @@ def test_a_description_run_again_is_the_same_graph(ros: Ros) -> None:
 
 
 def test_a_node_that_crashes_at_its_start(ros: Ros) -> None:
-    nodes = ros.generate(PROGRAM, "nodes")
+    nodes = ros.generate(TALKING, "nodes")
     (nodes / "crasher_pub.py").write_text("import no_such_module\n")
     done = ros.run(nodes, 4)
     assert done.returncode == 1
@@ -227,7 +184,7 @@ def test_a_node_that_crashes_at_its_start(ros: Ros) -> None:
 
 
 def test_a_second_run_beside_the_first(ros: Ros) -> None:
-    nodes = ros.generate(PROGRAM, "nodes")
+    nodes = ros.generate(TALKING, "nodes")
     environ = {key: value for key, value in ros.environ.items() if key != "ROS_MASTER_URI"}
     ros = Ros(ros.environment, environ, ros.folder)
     with ros.running(nodes) as first:
@@ -247,7 +204,7 @@ def test_a_second_run_beside_the_first(ros: Ros) -> None:
 def test_a_killed_run_takes_its_master_along(ros1: Ros) -> None:
     uri = ros1.environ["ROS_MASTER_URI"]
     with subprocess.Popen(
-        ros1.command(ros1.generate(PROGRAM, "nodes"), 120),
+        ros1.command(ros1.generate(TALKING, "nodes"), 120),
         env=ros1.environ,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
@@ -262,11 +219,11 @@ def test_a_killed_run_takes_its_master_along(ros1: Ros) -> None:
 
 def test_a_master_that_answers_is_used_and_stays(ros1: Ros) -> None:
     uri = ros1.environ["ROS_MASTER_URI"]
-    nodes = ros1.generate(PROGRAM, "nodes")
+    nodes = ros1.generate(TALKING, "nodes")
     with ros1.running(nodes):
         wait_until(lambda: master_pid(uri) is not None, "a master answers")
         pid = master_pid(uri)
-        other = ros1.generate(PROGRAM.replace("'talker'", "'other'"), "other")
+        other = ros1.generate(TALKING.replace("'talker'", "'other'"), "other")
         for file in other.iterdir():
             if not file.name.startswith("other"):
                 file.unlink()
@@ -281,7 +238,7 @@ def test_a_master_that_cannot_be_there(ros1: Ros) -> None:
         taken.bind(("127.0.0.1", 0))
         uri = f"http://127.0.0.1:{taken.getsockname()[1]}"
         ros = Ros(ros1.environment, {**ros1.environ, "ROS_MASTER_URI": uri}, ros1.folder)
-        done = ros.run(ros.generate(PROGRAM, "nodes"), 2)
+        done = ros.run(ros.generate(TALKING, "nodes"), 2)
     assert done.returncode == 1
     assert f"no-master no ROS 1 master answers at {uri}" in done.stdout
 

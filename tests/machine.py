@@ -1,0 +1,77 @@
+"""What tests need of the machine: a ROS, a graph that no other test sees, a port, time."""
+
+from __future__ import annotations
+
+import os
+import random
+import socket
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import NoReturn
+
+import pytest
+
+from plastron_tui.runtime.environment import Environment, find_environments
+
+IN_CI = os.environ.get("CI") == "true"
+
+TALKING = """\
+create_node 'talker' as talker
+create_message hello of message_type String and input "hello"
+talker publish hello to 'chatter' of message_type String at 20 hz
+generate_node talker
+create_node 'listener' as listener
+subscribe listener to 'chatter' of message_type String
+generate_node listener
+create_node 'switcher' as switcher
+switcher provides_service 'switch' of service_type SetBool
+generate_node switcher
+create_node 'asker' as asker
+asker client_requests 'switch' of service_type SetBool with input True
+subscribe asker to 'chatter' of message_type String
+generate_node asker
+"""
+"""Four nodes that talk over topics, and over a service."""
+
+
+def skip_or_fail(reason: str) -> NoReturn:
+    """Skip where a developer's machine lacks what a test needs; in CI, which has all, fail."""
+    if IN_CI:
+        pytest.fail(reason)
+    pytest.skip(reason)
+
+
+def find_ros(version: int, interpreter: Path | None = None) -> Environment:
+    """Return a ROS of the machine's; without one there is no test."""
+    environment, diagnostics = find_environments(interpreter=interpreter).choose(version)
+    if environment is None:
+        skip_or_fail("; ".join(f"{one.message}: {one.help}" for one in diagnostics))
+    return environment
+
+
+def graph_environ(folder: Path) -> dict[str, str]:
+    """Return the environment of a graph of the test's own, with its logs in the folder."""
+    return {
+        **os.environ,
+        "ROS_HOME": str(folder / "ros"),
+        "ROS_LOG_DIR": str(folder / "ros" / "log"),
+        "ROS_MASTER_URI": f"http://127.0.0.1:{free_port()}",
+        "ROS_DOMAIN_ID": str(random.randint(1, 100)),
+    }
+
+
+def free_port() -> int:
+    """Return a port of the loopback interface that nobody listens to."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port: int = probe.getsockname()[1]
+    return port
+
+
+def wait_until(condition: Callable[[], object], what: str, limit: float = 40.0) -> None:
+    """Wait for a condition, and fail where it does not hold in time, in seconds."""
+    deadline = time.monotonic() + limit
+    while not condition():
+        assert time.monotonic() < deadline, f"not in time: {what}"
+        time.sleep(0.02)
