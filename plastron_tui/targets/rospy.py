@@ -39,12 +39,12 @@ class _Rospy(Dialect):
 DIALECT = _Rospy(
     library="rospy",
     ros_version=1,
-    standard=("sys", "threading", "time"),
+    standard=("sys", "threading"),
     modules=("rospy",),
     symbols=(),
     module_names=frozenset({"SERVICE_TIMEOUT", "main", "node"}),
     method_names=frozenset(),
-    attribute_names=frozenset({"ask", "call", "call_services", "exit_status"}),
+    attribute_names=frozenset({"ask", "ask_in_time", "call", "call_services", "exit_status"}),
 )
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import count
+from itertools import count, pairwise
 from pathlib import Path
+from statistics import mean
 from typing import Any
 
 from processes import Process, wait_for
@@ -18,6 +19,15 @@ class Received:
 
     time: float
     message: dict[str, Any]
+
+
+def rate(received: Sequence[Received]) -> float:
+    """Return how often messages came, in hertz.
+
+    What had queued up when the listener began to listen comes at once, and does not count.
+    """
+    times = [each.time for each in received if each.time > received[0].time + 0.5]
+    return 1 / mean(later - earlier for earlier, later in pairwise(times))
 
 
 @dataclass

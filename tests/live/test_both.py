@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import re
 import time
-from itertools import pairwise
 from pathlib import Path
-from statistics import mean
 
 import pytest
-from graph import Graph, Received
+from graph import Graph, rate
 from processes import generate, own_tracebacks
 
 pytestmark = pytest.mark.live
@@ -43,11 +41,6 @@ class """
     return talker.replace("\nclass ", lines, 1).replace('"a hundred times a second"', "next(words)")
 
 
-def rate(received: list[Received]) -> float:
-    """Return how often messages came, in hertz."""
-    return 1 / mean(later.time - earlier.time for earlier, later in pairwise(received))
-
-
 def twist(*values: float) -> dict[str, dict[str, float]]:
     x, y, z, roll, pitch, yaw = map(float, values)
     return {
@@ -74,7 +67,7 @@ def test_a_node_does_all_four_things(graph: Graph, tmp_path: Path) -> None:
     nodes = generate("mixture", tmp_path / "output", graph.target)
     mixture = graph.run(nodes["mixture_node.py"])
     helper = graph.run(nodes["helper_node.py"])
-    received = graph.listen({"/cmd_vel": "geometry_msgs/Twist"}, 2)["/cmd_vel"]
+    received = graph.listen({"/cmd_vel": "geometry_msgs/Twist"}, 2.5)["/cmd_vel"]
     sent = [each.message for each in received]
     assert twist(0.5, 0, 0, 0, 0, -1.5) in sent
     assert twist(0, 0, 0, 0, 0, 0) in sent

@@ -24,7 +24,7 @@ print("go", flush=True)
 exec(code, {"__name__": "__main__"})
 """
 MODULES = {
-    "rospy": "threading time rospy std_msgs.msg std_srvs.srv",
+    "rospy": "threading rospy std_msgs.msg std_srvs.srv",
     "rclpy": "time rclpy rclpy.node rclpy.executors std_msgs.msg std_srvs.srv",
 }
 PROGRAM = """\
@@ -43,6 +43,27 @@ DELAYS = [0.01 * 1.35**step for step in range(14)]
 # of the same, both wait for one lock, for ever (`rospy.core`, `XmlRpcProxy`): some milliseconds
 # of `init_node`, and nothing that a node's file could change.
 MOST_DEADLOCKS = {"rospy": 3, "rclpy": 0}
+
+# As `main` does it, but for the end; and a look at what speaks to the master.
+CALL = """\
+import sys, threading
+from pathlib import Path
+import rospy
+from rospy import core
+name, class_name, path = sys.argv[1:]
+definitions = {"__name__": "definitions"}
+exec(compile(Path(path).read_text(), path, "exec"), definitions)
+rospy.init_node(name)
+node = definitions[class_name]()
+asked = set()
+ask = core._LockedServerProxy._ServerProxy__request
+def listen(proxy, method, arguments):
+    asked.add((method, threading.current_thread() is threading.main_thread()))
+    return ask(proxy, method, arguments)
+core._LockedServerProxy._ServerProxy__request = listen
+node.call_services()
+print("asked", *sorted(asked), flush=True)
+"""
 
 
 def test_ctrl_c_while_a_node_starts(graph: Graph, tmp_path: Path) -> None:
@@ -89,3 +110,24 @@ def test_ctrl_c_while_a_service_does_not_answer(graph: Graph, tmp_path: Path) ->
     node.wait_to_print("no answer came in time", 30)
     assert node.interrupt(15) == 0
     assert not own_tracebacks(node.output)
+
+
+@pytest.mark.parametrize("graph", ["ros1"], indirect=True)
+def test_what_calls_services_leaves_the_main_thread_free(graph: Graph, tmp_path: Path) -> None:
+    program = tmp_path / "asks.plastron"
+    program.write_text(
+        "create_node 'asker' as asker\n"
+        "asker client_requests 'nobody' of service_type Trigger with input none\n"
+        "generate_node asker\n"
+    )
+    file = generate(str(program.with_suffix("")), tmp_path / "output", graph.target)[
+        "asker_client.py"
+    ]
+    file.write_text(file.read_text().replace("SERVICE_TIMEOUT = 10.0", "SERVICE_TIMEOUT = 1.0"))
+    call = tmp_path / "call.py"
+    call.write_text(CALL)
+    node = graph.run_with(call, "asker", "AskerNode", str(file))
+    node.wait_to_print("asked")
+    asked = node.output.partition("asked")[2]
+    # Each line that is logged asks for a parameter first.
+    assert asked.split("\n")[0] == " ('subscribeParam', False)"

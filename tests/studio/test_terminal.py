@@ -57,6 +57,8 @@ class Terminal:
         self._size = ["-x", str(columns), "-y", str(rows)]
         self._folder = folder
         self._environ = environ
+        self.pid = 0
+        """The process last started; asked once, since tmux forgets it when it has ended."""
 
     def tmux(self, *words: str) -> str:
         command = ["tmux", "-S", self._socket, "-f", os.devnull, *words]
@@ -66,12 +68,13 @@ class Terminal:
     def start(self, *words: str) -> None:
         # tmux has a TERM of its own for what it starts.
         settings = [f"{name}={value}" for name, value in self._environ.items()]
-        command = ["new-session", "-d", *self._size, "-c", str(self._folder), "env", *settings]
+        session = ["new-session", "-d", *self._size, "-c", str(self._folder)]
+        command = [*session, "-P", "-F", "#{pane_pid}", "env", *settings, *words]
 
         def is_started() -> bool:
             # A server that is about to end takes nothing new.
             with suppress(subprocess.CalledProcessError):
-                self.tmux(*command, *words)
+                self.pid = int(self.tmux(*command))
                 return True
             return False
 
@@ -105,18 +108,10 @@ class Terminal:
             lambda screen: line in screen and offered in " ".join(screen.partition(line)[2].split())
         )
 
-    @property
-    def pid(self) -> int:
-        return int(self.tmux("display-message", "-p", "#{pane_pid}"))
-
     def wait_end(self) -> None:
+        # The system knows it first: tmux may take its time to look after what has ended.
         def has_ended() -> bool:
-            # tmux may take its time to look after a process that has ended.
-            try:
-                is_dead = "1" in self.tmux("list-panes", "-F", "#{pane_dead}")
-                return is_dead or not is_running(self.pid)
-            except subprocess.CalledProcessError:
-                return True
+            return not is_running(self.pid)
 
         assert until(has_ended), f"the studio did not end; the screen:\n{self.screen}"
 

@@ -36,14 +36,13 @@ def test_what_was_typed_last_is_offered_when_the_terminal_goes(
     terminal.tmux("new-session", "-d", "-s", "stays", "sleep", "600")
     start(terminal, "mine.plastron")
     terminal.wait(lambda screen: "no nodes yet" in screen)
-    pid = terminal.pid
     terminal.keys("-l", "// typed at the last moment")
     terminal.wait(lambda screen: "last moment" in screen)
     if how == "closed":
         terminal.tmux("kill-window")
     else:
-        os.kill(pid, signal.SIGTERM)
-    wait_for_end(pid)
+        os.kill(terminal.pid, signal.SIGTERM)
+    terminal.wait_end()
     start(terminal, "mine.plastron")
     terminal.wait(lambda screen: "mine.plastron was not saved" in screen)
     terminal.keys("Enter")
