@@ -18,6 +18,7 @@ from plastron_tui.output.stamps import Stamp, stamp_of
 if TYPE_CHECKING:
     from plastron_tui.model.source import Origin, SourceFile
     from plastron_tui.output.layers import Author
+    from plastron_tui.output.manifest import Reading
 
 LARGEST_FILE = 4 * 1024 * 1024
 """The largest node file that is read, in bytes; a node is a few kilobytes."""
@@ -33,10 +34,26 @@ class FilesRead:
     Attributes:
         nodes: what was read from a file, by its path and stamp.
         starts: what a program started from when it wrote a file, by that file's path.
+        manifests: what is remembered of the files of a folder, with the stamp of its file.
     """
 
     nodes: dict[tuple[Path, Stamp | None], Loaded] = field(default_factory=dict)
     starts: dict[Path, _Known] = field(default_factory=dict)
+    manifests: dict[Path, tuple[Stamp, Reading]] = field(default_factory=dict)
+
+    def manifest(self, folder: Path) -> Reading:
+        """Return a folder's manifest as it is now; it is read where it has changed."""
+        from plastron_tui.output.manifest import NAME, load_manifest
+
+        stamp = stamp_of(folder / NAME)
+        known = self.manifests.get(folder)
+        if known is not None and known[0] == stamp:
+            return known[1]
+        found = load_manifest(folder)
+        # One that cannot be read may be readable later, and no stamp tells.
+        if stamp is not None and not found[1]:
+            self.manifests[folder] = stamp, found
+        return found
 
 
 class NodeLoader:
@@ -97,9 +114,7 @@ class NodeLoader:
         others = [other for other in others if os.path.isfile(other)]  # noqa: PTH113
         if not others or loaded.source is None or path.parent != self._output:
             return loaded
-        from plastron_tui.output.manifest import load_manifest
-
-        manifest, _ = load_manifest(path.parent)
+        manifest, _ = self._files.manifest(path.parent)
         if path.name in manifest or path.name in manifest.layers:
             return loaded
         warning = Diagnostic(
@@ -156,9 +171,8 @@ class NodeLoader:
         if known is not None and known.is_current(self._author):
             return known.loaded
         from plastron_tui.generating.starting import find_start
-        from plastron_tui.output.manifest import load_manifest
 
-        start = find_start(path, self._author, lambda folder: load_manifest(folder)[0])
+        start = find_start(path, self._author, lambda folder: self._files.manifest(folder)[0])
         files = [path, manifest]
         loaded = None
         if start is not None:

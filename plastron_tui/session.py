@@ -22,6 +22,7 @@ from plastron_tui.targets import LIBRARIES, has_target
 
 if TYPE_CHECKING:
     # What a program means is found out when its text is there to see: the studio starts sooner.
+    from plastron_tui.generating.adaptation import Library
     from plastron_tui.generating.generation import Generated
     from plastron_tui.loader import FilesRead
     from plastron_tui.model.fitting import Fitter
@@ -31,7 +32,6 @@ if TYPE_CHECKING:
     from plastron_tui.output.manifest import Manifest
     from plastron_tui.output.plan import FilePlan
     from plastron_tui.ros.catalog import Catalog
-    from plastron_tui.targets.base import Target
 
 LONGEST_LINE = 256 * 1024
 """The longest line of a program, in bytes; a statement has some eighty."""
@@ -140,7 +140,7 @@ class Session:
         self.document = Document(text)
         self._environ = environ
         self._catalogs: dict[int, Catalog] = {}
-        self._targets: dict[str, Target | None] = {}
+        self._libraries: dict[str, Library | None] = {}
         self._program: Program | None = None
         self._earlier: Lowered | None = None
         self._fitters: Mapping[int, Fitter] = {}
@@ -327,7 +327,7 @@ class Session:
 
         from plastron_tui.generating.generation import Manifests, last_of_each
 
-        manifests = Manifests()
+        manifests = Manifests(self._files.manifest)
         last = {(each.node.variable, each.library): each for each in self.workspace.generations}
         made = [self._generate(generation, manifests) for generation in last.values()]
         kept = last_of_each(made, self.output)
@@ -340,29 +340,23 @@ class Session:
         """Make the file of one `generate_node`."""
         from plastron_tui.generating.generation import Manifests
 
-        return self._generate(generation, Manifests())
+        return self._generate(generation, Manifests(self._files.manifest))
 
     def _generate(self, generation: Generation, manifests: Callable[[Path], Manifest]) -> Generated:
         from plastron_tui.generating.generation import Generated, generate
+        from plastron_tui.generating.place import Writing
         from plastron_tui.output.layers import Author
         from plastron_tui.output.manifest import digest
 
-        target = self._target(generation.library)
-        if target is None:
+        library = self._library(generation.library)
+        if library is None:
             return Generated(generation, None, (_unsupported(generation),))
         source = generation.node.source
-        own = self._target(source.library) if source is not None else None
-        return generate(
-            generation,
-            target,
-            self.catalog(target.ros_version),
-            self.output,
-            manifests,
-            in_place=self.options.in_place,
-            force=self.options.force,
-            own=None if own is None else (own, self.catalog(own.ros_version)),
-            author=Author(self._name, digest(self.document.text), self.folder),
-        )
+        own = None if source is None else self._library(source.library)
+        author = Author(self._name, digest(self.document.text), self.folder)
+        in_place, force = self.options.in_place, self.options.force
+        writing = Writing(self.output, manifests, author, in_place, force)
+        return generate(generation, library, writing, own=own)
 
     def _rendered(self, generation: Generation) -> tuple[Path, bytes] | None:
         """Return the file that an earlier `generate_node` makes, for a `load` that follows it."""
@@ -371,12 +365,16 @@ class Session:
         file = self._generate(generation, lambda _: Manifest()).file
         return None if file is None else (file.path or self.output / file.name, file.text)
 
-    def _target(self, library: str) -> Target | None:
-        if library not in self._targets:
+    def _library(self, name: str) -> Library | None:
+        if name not in self._libraries:
+            from plastron_tui.generating.adaptation import Library
             from plastron_tui.targets import find_target
 
-            self._targets[library] = find_target(library, self.project.templates)
-        return self._targets[library]
+            target = find_target(name, self.project.templates)
+            self._libraries[name] = (
+                None if target is None else Library(target, self.catalog(target.ros_version))
+            )
+        return self._libraries[name]
 
     def plan(self) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
         """Compare the files that the program asks for with the disk.
@@ -388,11 +386,10 @@ class Session:
 
     def plan_of(self, made: Sequence[Generated]) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
         """Compare files with the disk, as `plan` does for all that the program asks for."""
-        from plastron_tui.output.manifest import load_manifest
         from plastron_tui.output.plan import make_plan
 
         files = [generated.file for generated in made if generated.file is not None]
-        manifest, _ = load_manifest(self.output)
+        manifest, _ = self._files.manifest(self.output)
         is_default = self.options.output is None and self.project.output is None
         within = self.folder if is_default else None
         plan, problems = make_plan(self.output, files, manifest, within=within)

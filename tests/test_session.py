@@ -4,6 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from plastron_tui.output import manifest
+from plastron_tui.output.manifest import Reading, load_manifest
 from plastron_tui.output.plan import FileState
 from plastron_tui.output.writer import write
 from plastron_tui.session import Options, Session, check_text, read_program
@@ -45,6 +47,33 @@ def test_files_that_were_written_are_loaded_when_that_is_told(tmp_path: Path) ->
     made.files_changed()
     assert codes(made) == []
     assert list(made.workspace.nodes["talker"].publishers) == ["chatter"]
+
+
+def test_a_manifest_is_read_once_and_again_where_it_changed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert write(session(tmp_path).plan()[0]).diagnostics == ()
+    written = tmp_path / "output" / "talker_pub.py"
+    written.write_text(f"{written.read_text()}# mine\n")
+    read: list[Path] = []
+
+    def counted(folder: Path) -> Reading:
+        read.append(folder)
+        return load_manifest(folder)
+
+    monkeypatch.setattr(manifest, "load_manifest", counted)
+    made = session(tmp_path, f"load driver as driver\ngenerate_node driver\n{TALKER}")
+    (tmp_path / "driver.py").write_bytes(b"import rospy\nrospy.init_node('driver')\n")
+    (tmp_path / "output" / "driver.py").write_bytes((tmp_path / "driver.py").read_bytes())
+    for _ in range(2):
+        assert made.plan()[0].conflicts == ()
+    assert read == [tmp_path / "output"]
+    (tmp_path / "output" / manifest.NAME).unlink()
+    made.files_changed()
+    assert [found.file for found in made.plan()[0].conflicts] == [written]
+    (tmp_path / "output" / manifest.NAME).write_text("broken")
+    for _ in range(2):
+        assert "bad-manifest" in [found.code for found in made.plan()[1]]
 
 
 @pytest.mark.parametrize(

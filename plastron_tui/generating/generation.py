@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.model.workspace import Generation
-from plastron_tui.output.layers import Author, are_untouched
-from plastron_tui.output.manifest import Base, Manifest, load_manifest
+from plastron_tui.output.layers import are_untouched
+from plastron_tui.output.manifest import Base, Manifest, Reading
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.output.remembered import recall, remember
-from plastron_tui.ros.catalog import Catalog
 
+from .adaptation import Adaptation, Library
 from .changes import changes_of
 from .derivation import Derivation
 from .handwork import (
@@ -26,6 +26,7 @@ from .handwork import (
     on_disk,
     unmergeable,
 )
+from .place import Writing
 
 if TYPE_CHECKING:
     from plastron_tui.targets.base import Target
@@ -48,24 +49,26 @@ class Generated:
 
 
 class Manifests:
-    """What is remembered of the files of folders, each read when it is first asked for.
+    """What is remembered of the files of the folders that are asked for.
 
     Attributes:
-        problems: what is wrong with those that were read.
+        problems: what is wrong with it.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, read: Callable[[Path], Reading]) -> None:
+        """Set what reads a folder's manifest."""
         self.problems: list[Diagnostic] = []
-        self._read: dict[Path, Manifest] = {}
+        self._read = read
+        self._known: dict[Path, Manifest] = {}
 
     def __call__(self, folder: Path) -> Manifest:
         """Return the manifest of a folder; one that is missing or broken is empty."""
         # Paths of one folder may differ: links, and a relative one.
         real = Path(os.path.realpath(folder))
-        if real not in self._read:
-            self._read[real], problems = load_manifest(folder)
+        if real not in self._known:
+            self._known[real], problems = self._read(folder)
             self.problems += problems
-        return self._read[real]
+        return self._known[real]
 
 
 def last_of_each(made: Sequence[Generated], output: Path) -> list[Generated]:
@@ -112,54 +115,25 @@ def _is_chained(made: Generated) -> bool:
 
 
 def generate(
-    generation: Generation,
-    target: Target,
-    catalog: Catalog,
-    output: Path,
-    manifests: Callable[[Path], Manifest],
-    *,
-    in_place: bool = False,
-    force: bool = False,
-    own: tuple[Target, Catalog] | None = None,
-    author: Author,
+    generation: Generation, library: Library, writing: Writing, *, own: Library | None = None
 ) -> Generated:
     """Make the text of one `generate_node`.
 
     A created node is written anew; where its file was changed by hand, what the program changed
-    since is merged into it, unless `force` asks for the new text. A loaded node is the file that
-    the program started from, changed by splices; `in_place` writes it over the file that it came
-    from. Where it is for another client library, the changes are made in the file's own (`own`),
-    and the result is ported.
+    since is merged into it, unless the new text is forced. A loaded node is the file that the
+    program started from, changed by splices. Where it is for another client library, the changes
+    are made in the file's own (`own`), and the result is ported.
 
     Args:
         generation: what is asked for.
-        target: the client library that the node is written for.
-        catalog: the interface types of its ROS.
-        output: the output folder.
-        manifests: gives what is remembered of the files of a folder.
-        in_place: whether a loaded node is written over the file that it came from.
-        force: whether handwork is written over.
-        own: the client library of a loaded node's file, and its types.
-        author: the program: nodes of one name in two programs are two.
+        library: what the node is written for.
+        writing: where files are written.
+        own: the client library of a loaded node's file.
     """
     node = generation.node
     if node.source is None:
-        creation = _Creation(
-            generation, target, catalog, output, manifests(output), force, author.name
-        )
-        return creation.result()
-    derived = Derivation(
-        node,
-        node.source,
-        target,
-        catalog,
-        own,
-        output,
-        manifests,
-        author,
-        in_place,
-        force,
-    ).result()
+        return _Creation(generation, library, writing, writing.manifests(writing.output)).result()
+    derived = Derivation(Adaptation(node, node.source, library, own), writing).result()
     if derived.file is None:
         return _refused(generation, derived.diagnostics)
     return Generated(generation, derived.file, derived.diagnostics)
@@ -170,24 +144,21 @@ class _Creation:
     """One `generate_node` of a created node."""
 
     generation: Generation
-    target: Target
-    catalog: Catalog
-    output: Path
+    library: Library
+    writing: Writing
     manifest: Manifest
-    force: bool
-    program: str
 
     def result(self) -> Generated:
-        node, target, output, manifest = (
-            self.generation.node, self.target, self.output, self.manifest,
-        )  # fmt: skip
-        rendered = target.render(node, self.catalog)
+        node, output, manifest = self.generation.node, self.writing.output, self.manifest
+        target, catalog = self.library
+        program = self.writing.author.name
+        rendered = target.render(node, catalog)
         if rendered.text is None:
             return _refused(self.generation, rendered.diagnostics)
         name = target.file_name(node)
-        base = remember(node, target.name, self.program)
+        base = remember(node, target.name, program)
         file = OutputFile(name, rendered.text, target.is_executable, base=base)
-        owner = _other_program(name, self.program, manifest)
+        owner = _other_program(name, program, manifest)
         there = on_disk(output / name) if owner is not None else None
         if owner is not None and there not in (None, rendered.text):
             # Forced too it is a conflict, so that a backup is kept.
@@ -202,7 +173,7 @@ class _Creation:
 
     def _written(self, file: OutputFile, notes: Notes) -> Generated:
         """Write a node where it was before, or where nothing is."""
-        path = self.output / file.name
+        path = self.writing.output / file.name
         present = on_disk(path)
         layers = layers_at(path, self.manifest, present)
         # What programs that loaded the file made of it lies over what is to be renewed.
@@ -213,7 +184,7 @@ class _Creation:
             return Generated(self.generation, replace(file, layers=()), notes)
         is_clean = self.manifest.has(file.name, before or b"")
         is_own = before in (None, file.text) or is_clean or any(x.is_clean for x in layers[:1])
-        if not (self.force or is_own or before is None or file.name not in self.manifest):
+        if not (self.writing.force or is_own or before is None or file.name not in self.manifest):
             merged = self._merged(path, before)
             if merged.text is None:
                 problem = unmergeable(path, merged.reason)
@@ -221,8 +192,8 @@ class _Creation:
             file = replace(file, text=merged.text, merged_from=before, has_handwork=True)
             notes = (*notes, kept_handwork(path, file.name), *merged.notes)
         if layers and before is not None and present is not None:
-            covered = cover(path, layers, before, file.text, present, force=self.force)
-            is_renewed = self.force and not (is_own and are_untouched(layers, present))
+            covered = cover(path, layers, before, file.text, present, force=self.writing.force)
+            is_renewed = self.writing.force and not (is_own and are_untouched(layers, present))
             file = replace(
                 file,
                 text=covered.text,
@@ -235,13 +206,13 @@ class _Creation:
 
     def _moved(self, file: OutputFile, earlier: str, notes: Notes) -> Generated:
         """Write a node under another name than before; handwork goes along."""
-        path, origin = self.output / file.name, self.output / earlier
+        path, origin = self.writing.output / file.name, self.writing.output / earlier
         present = on_disk(origin)
-        if not self.force and not _may_replace(path, self.manifest):
+        if not self.writing.force and not _may_replace(path, self.manifest):
             file = replace(file, problem=_stale(path, earlier))
             return Generated(self.generation, file, notes)
         is_own = present in (None, file.text) or self.manifest.has(earlier, present or b"")
-        if self.force or is_own or present is None:
+        if self.writing.force or is_own or present is None:
             return Generated(self.generation, file, notes)
         merged = self._merged(origin, present)
         if merged.text is None:
@@ -258,14 +229,15 @@ class _Creation:
         from .merging import Merged, merge
 
         seen = read_source(path, present).source
-        if seen is not None and seen.library != self.target.name:
+        target, catalog = self.library
+        if seen is not None and seen.library != target.name:
             return Merged(None, f"it is a node of `{seen.library}`")
-        read = self.target.read(path, present)
+        read = target.read(path, present)
         if read.source is None or not read.source.nodes:
             return Merged(None, "it holds no node that can be read")
         known = self.manifest.bases.get(path.name)
         base = None if known is None else recall(known)
-        return merge(read.source, base, self.generation.node, self.target, self.catalog)
+        return merge(read.source, base, self.generation.node, target, catalog)
 
 
 def _other_program(name: str, program: str, manifest: Manifest) -> str | None:

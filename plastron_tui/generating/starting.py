@@ -13,8 +13,8 @@ from plastron_tui.output.manifest import Manifest, digest
 from plastron_tui.output.three_way import replay
 from plastron_tui.targets import find_target, read_source
 
-from .derivation import find_place, found_by
 from .handwork import on_disk, shown
+from .place import find_place, found_by
 
 _MOST_STEPS = 4
 """How often a file may be made from one that the program made as well."""

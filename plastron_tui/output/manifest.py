@@ -14,7 +14,7 @@ import re
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 from plastron_tui.diagnostics import Diagnostic, Severity
 
@@ -117,7 +117,11 @@ class Manifest:
         )
 
 
-def load_manifest(folder: Path) -> tuple[Manifest, tuple[Diagnostic, ...]]:
+Reading: TypeAlias = tuple[Manifest, tuple[Diagnostic, ...]]
+"""A folder's manifest, and what is wrong with it."""
+
+
+def load_manifest(folder: Path) -> Reading:
     """Read a folder's manifest; one that is missing is empty, one that is broken too.
 
     A broken manifest, one of a later version, and another program's file of that name each give
@@ -189,7 +193,7 @@ def manifest_text(manifest: Manifest) -> bytes:
     return text.encode()
 
 
-def _foreign(path: Path, why: str) -> tuple[Manifest, tuple[Diagnostic, ...]]:
+def _foreign(path: Path, why: str) -> Reading:
     warning = Diagnostic(
         "bad-manifest",
         f"`{NAME}` is no manifest: {why}",
