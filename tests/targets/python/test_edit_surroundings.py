@@ -2,54 +2,15 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
+from edits import AT, edited, provide, publish, request, subscribe
 
-from plastron_tui.diagnostics import Span
 from plastron_tui.model.source import Add, EndpointKind, Remove
-from plastron_tui.model.values import MessageValue
-from plastron_tui.model.workspace import (
-    Client,
-    Message,
-    Publication,
-    Publisher,
-    Service,
-    Subscription,
-)
-from plastron_tui.ros.catalog import Catalog
-from plastron_tui.ros.interfaces import InterfaceName
-from plastron_tui.targets import find_target
-from plastron_tui.targets.python import read_python
 
-AT = Span(0, 0)
-STRING = InterfaceName("std_msgs", "String")
-BOOL = InterfaceName("std_msgs", "Bool")
-TRIGGER = InterfaceName("std_srvs", "Trigger")
-CATALOGS = {"rospy": Catalog("noetic"), "rclpy": Catalog("jazzy")}
-
-LISTEN = Add(Subscription("in", STRING, None, AT))
-SEND = Add(
-    Publisher(
-        "out",
-        STRING,
-        (Publication(Message("m", MessageValue(STRING, {"data": "hi"}), AT), 10.0, AT, True),),
-        AT,
-    )
-)
-CALL = Add(Client("call", TRIGGER, (MessageValue(TRIGGER, {}),), AT))
-SERVE = Add(Service("serve", TRIGGER, None, AT))
-
-
-def edited(text: str, change: Add | Remove) -> str:
-    source = read_python(Path("node.py"), text.encode()).source
-    assert source is not None
-    target = find_target(source.library)
-    assert target is not None
-    rendered = target.edit(source, [change], CATALOGS[source.library])
-    assert rendered.text is not None, rendered.diagnostics
-    return rendered.text.decode()
-
+LISTEN = subscribe("in")
+SEND = publish("out", data="hi")
+CALL = request("call", "std_srvs/Trigger")
+SERVE = provide("serve")
 
 RETURNED = """\
 import rospy
