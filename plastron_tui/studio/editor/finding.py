@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING, ClassVar
 
 from textual.binding import Binding, BindingType
@@ -128,7 +127,7 @@ class FindingActions(EditorBase):
                 (start, end, normalized(self.search.replaced((start, end), template)))
                 for start, end in spans
             ]
-        except (re.error, IndexError) as error:
+        except ValueError as error:
             self.find_bar.say(str(error))
             return
         self.state.apply(splices)

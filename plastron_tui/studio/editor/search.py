@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_left, bisect_right
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    # Imported when something is looked for. Unlike Python's own it can be told to give up.
+    import regex
 
 MOST_MATCHES = 20_000
+
+TIME_LIMIT = 0.25
+"""Seconds after which a search gives up: an expression may need longer than anybody lives."""
 
 
 @dataclass
@@ -16,25 +23,27 @@ class Search:
     `problem` says what is wrong with a regular expression.
     """
 
-    pattern: re.Pattern[str] | None = None
+    pattern: regex.Pattern[str] | None = None
     is_regex: bool = False
     problem: str = ""
     spans: list[tuple[int, int]] = field(default_factory=list)
-    _matches: list[re.Match[str]] = field(default_factory=list)
+    _matches: list[regex.Match[str]] = field(default_factory=list)
 
     @classmethod
     def make(cls, what: str, *, is_regex: bool, is_case_sensitive: bool) -> Search:
         """Prepare a search; nothing is found for an empty or a wrong pattern."""
         if not what:
             return cls()
-        flags = re.MULTILINE | (0 if is_case_sensitive else re.IGNORECASE)
+        import regex
+
+        flags = regex.MULTILINE | (0 if is_case_sensitive else regex.IGNORECASE)
         try:
-            return cls(re.compile(what if is_regex else re.escape(what), flags), is_regex)
-        except (re.error, RecursionError, OverflowError) as error:
+            return cls(regex.compile(what if is_regex else regex.escape(what), flags), is_regex)
+        except (regex.error, RecursionError, OverflowError) as error:
             return cls(problem=str(error))
 
     def run(self, text: bytes) -> None:
-        """Find all matches, up to `MOST_MATCHES`.
+        """Find all matches, up to `MOST_MATCHES`; none where that takes longer than `TIME_LIMIT`.
 
         To an expression a line ends in a newline, whatever ends the lines of the text.
         """
@@ -42,12 +51,20 @@ class Search:
         self._matches = []
         if self.pattern is None:
             return
+        try:
+            self._run(self.pattern, text)
+        except TimeoutError:
+            self.pattern, self.problem = None, "takes too long"
+            self.spans = []
+            self._matches = []
+
+    def _run(self, pattern: regex.Pattern[str], text: bytes) -> None:
         plain = text.replace(b"\r\n", b"\n")
         returns = _returns(text) if len(plain) < len(text) else []
         written = plain.decode("utf-8", "replace")
         is_ascii = len(written) == len(plain)
         at_char = at_byte = 0
-        for match in self.pattern.finditer(written):
+        for match in pattern.finditer(written, timeout=TIME_LIMIT):
             start, end = match.span()
             if not is_ascii:
                 at_byte += len(written[at_char:start].encode())
@@ -77,12 +94,17 @@ class Search:
         """Return what comes in a match's place; a regular expression's groups are filled in.
 
         Raises:
-            re.error: the template names a group that is not there.
+            ValueError: the template names a group that is not there.
         """
         at = bisect_left(self.spans, span)
         if not self.is_regex or at >= len(self.spans) or self.spans[at] != span:
             return template
-        return self._matches[at].expand(template)
+        import regex
+
+        try:
+            return self._matches[at].expand(template)
+        except (regex.error, IndexError) as error:
+            raise ValueError(str(error)) from error
 
 
 def _returns(text: bytes) -> list[int]:

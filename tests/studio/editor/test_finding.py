@@ -54,7 +54,7 @@ class TestFinding:
         async with editing("ab\n") as at:
             await at.press("ctrl+r", "a", "alt+r", "tab", "backslash", "7", "alt+a")
             label = at.editor.find_bar.query_one("#find-count", Label)
-            assert "invalid group reference" in str(label.content)
+            assert "no such group" in str(label.content)
             assert at.editor.text == b"ab\n"
 
     async def test_keys_of_the_editor_leave_the_text_alone_while_something_is_asked(self) -> None:

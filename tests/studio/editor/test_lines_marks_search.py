@@ -130,6 +130,21 @@ class TestSearch:
         search.run(b"(")
         assert search.spans == []
 
+    def test_one_that_takes_for_ever_is_a_message(self) -> None:
+        search = Search.make(r"^(a|aa)+\1?$", is_regex=True, is_case_sensitive=False)
+        text = b"a\n" + b"a" * 60 + b"b\n"
+        for _ in range(2):
+            search.run(text)
+            assert search.problem == "takes too long"
+            assert search.spans == []
+
+    def test_a_template_with_a_group_that_is_not_there(self) -> None:
+        search = Search.make("(a)", is_regex=True, is_case_sensitive=False)
+        search.run(b"a")
+        for template in (r"\2", r"\g<b>", "\\"):
+            with pytest.raises(ValueError, match=r"."):
+                search.replaced((0, 1), template)
+
     def test_groups_are_filled_in(self) -> None:
         search = Search.make(r"(\w)(\w)", is_regex=True, is_case_sensitive=False)
         search.run(b"ab cd")
