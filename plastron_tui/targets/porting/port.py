@@ -71,10 +71,10 @@ def _ported(source: SourceFile, work: Work, library: str) -> Rendered:
     found += _missing(work, before, after, source)
     problem = syntax_error(text)
     if problem is not None and syntax_error(source.text) is None:
-        message = f"`{source.path.name}` cannot be brought to {library}: {problem}"
+        message = f"`{source.path.name}` cannot be brought to {library}: {problem.reason}"
         return Rendered(None, (Diagnostic("edit-refused", message),))
     if problem is not None:
-        found.append(_by_hand(source, f"the file is no Python 3: {problem}", None, None))
+        found.append(_by_hand(source, f"the file is no Python 3: {problem.reason}", None, None))
     return Rendered(text, tuple(found))
 
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import ast
 import re
-import warnings
+
+from plastron_tui.targets.compiling import syntax_error
 
 _MOST_LINES = 24
 _OPENS_BLOCK = re.compile(rb"\s*(async\s+)?(def|class|if|elif|else|for|while|try|except|with)\b")
@@ -19,24 +19,15 @@ def mask_errors(source: bytes) -> bytes:
     lines = source.split(b"\n")
     masked: set[int] = set()
     for _ in range(_MOST_LINES):
-        row = _wrong_line(b"\n".join(lines))
-        if row is None or row in masked or not 0 <= row < len(lines):
+        wrong = syntax_error(b"\n".join(lines))
+        if wrong is None or wrong.line is None:
+            break
+        row = wrong.line - 1
+        if row in masked or not 0 <= row < len(lines):
             break
         masked.add(row)
         lines[row] = _mask(lines[row])
     return b"\n".join(lines)
-
-
-def _wrong_line(source: bytes) -> int | None:
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            ast.parse(source)
-    except SyntaxError as error:
-        return error.lineno - 1 if error.lineno is not None else None
-    except (ValueError, RecursionError, MemoryError):
-        return None
-    return None
 
 
 def _mask(line: bytes) -> bytes:
