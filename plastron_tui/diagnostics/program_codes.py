@@ -126,7 +126,8 @@ NAME_CODES = (
         "unknown-type",
         "No message (or service) of this type is known in the ROS distribution that the node is "
         "for. `plastron types` lists those that are. A type of your own is found when its "
-        "workspace is sourced, or its folder is named under `types` in `plastron.yaml`.",
+        "workspace is sourced, or its folder is named under `types` in `plastron.yaml`. Each "
+        "place that names it is reported.",
         bad="create_message origin of message_type Pont and input 1, 2, 3\n",
         good="create_message origin of message_type Point and input 1, 2, 3\n",
     ),

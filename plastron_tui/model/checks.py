@@ -9,7 +9,7 @@ from typing import Any
 from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Label, Span, guess, write
 from plastron_tui.language import statements as st
 from plastron_tui.language.broken import Broken
-from plastron_tui.language.declaration import Statement
+from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
 from plastron_tui.ros.catalog import DISTRIBUTIONS
 from plastron_tui.ros.interfaces import Interface, InterfaceKind
 from plastron_tui.ros.names import (
@@ -43,6 +43,11 @@ class Mistake(Exception):  # noqa: N818 - control flow, from a check to `interpr
     def __init__(self, diagnostic: Diagnostic | None = None) -> None:
         self.diagnostic = diagnostic
 
+
+_INTERFACES = {
+    SlotKind.MESSAGE_TYPE: InterfaceKind.MESSAGE,
+    SlotKind.SERVICE_TYPE: InterfaceKind.SERVICE,
+}
 
 _CHECKS: dict[str, Callable[[str, int], NameProblem | None]] = {
     "name": check_node_name,
@@ -214,6 +219,24 @@ class Checks:
             remedy = found.help
             fix = None if found.right is None else write(found.right, where)
         raise Mistake(Diagnostic(found.code, found.message, where, help=remedy, fix=fix))
+
+    def _unknown_type(self, statement: Any) -> Diagnostic | None:
+        """Return what is wrong with a type, whatever the broken node or message beside it is."""
+        slots = DECLARATIONS[type(statement)].slots
+        kind = next((_INTERFACES[slot.kind] for slot in slots if slot.kind in _INTERFACES), None)
+        if kind is None:
+            return None
+        node = self.workspace.nodes.get(getattr(statement, "node", ""))
+        version = self._version if node is None else self._version_of(node)
+        # A node that is not there may be for the other ROS.
+        others = {*self._setting.libraries.values()} - {version} if node is None else ()
+        try:
+            self._type(statement, statement.type, kind, version)
+        except Mistake as mistake:
+            found = (self._resolver(other).resolve(statement.type, kind) for other in others)
+            if all(isinstance(each, TypeProblem) for each in found):
+                return mistake.diagnostic
+        return None
 
     def _elsewhere(self, text: str, kind: InterfaceKind, version: int) -> str | None:
         """Say how to get the other ROS, which has a type, where nobody chose this one."""

@@ -105,8 +105,9 @@ class Interpreter(Checks):
             try:
                 run[type(statement)](self, statement)
             except Mistake as mistake:  # noqa: PERF203 - each statement has its own
-                if mistake.diagnostic is not None:
-                    self._report(statement, mistake.diagnostic)
+                found = mistake.diagnostic or self._unknown_type(statement)
+                if found is not None:
+                    self._report(statement, found)
                 self._fail(statement)
         if program.diagnostics:
             self._found += [

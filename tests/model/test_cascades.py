@@ -41,6 +41,31 @@ CASES: list[tuple[str, list[str]]] = [
         ["unknown-statement", "unknown-node"],
     ),
     ("generate_node x\ngenerate_node x\n", ["unknown-node", "unknown-node"]),
+    (
+        NODE
+        + "create_message m of message_type Strng and input 1\n"
+        + "n publish m to 'a' of message_type Strng\n"
+        + "subscribe n to 'b' of message_type Strng\n",
+        ["unknown-type"] * 3,
+    ),
+    (
+        "creat_node 'talker' as n\n"
+        + "subscribe n to 'a' of message_type Strng\n"
+        + "n provides_service 's' of service_type Triger\n"
+        + "n publish m to 'b' of message_type std_msgs/msg/Strng\n",
+        ["unknown-statement", *["unknown-type"] * 3],
+    ),
+    (
+        "create_node 'talker' as n using rclpy\n"
+        + "create_message m of message_type Strng and input 1\n"
+        + "n publish m to 'a' of message_type std_msgs/Time\n",
+        ["unknown-type"] * 2,
+    ),
+    # Nobody knows for which ROS a broken node is, and ROS 2 has this one.
+    (
+        "load nowhere as n\nsubscribe n to 'a' of message_type builtin_interfaces/Time\n",
+        ["file-not-found"],
+    ),
     ("subscribe n too 'a'\ngenerate_node n\n", ["syntax-error", "unknown-node"]),
     # A node that has not got what it was to do is not idle.
     (NODE + "subscribe n to 'a' of message_type Strng\ngenerate_node n\n", ["unknown-type"]),

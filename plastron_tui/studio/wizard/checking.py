@@ -195,14 +195,16 @@ def _findings(
     session: Session, candidate: Session, placed: Sequence[Placed], spans: Sequence[Span]
 ) -> Iterator[Finding]:
     known = Counter(_key(each) for each in session.diagnostics)
-    about_types = {*map(_key, candidate.type_problems), *map(_key, session.type_problems)}
+    said = {*map(_key, candidate.type_problems), *map(_key, session.type_problems)}
     statements = {each.span.start: each for each in candidate.program.statements}
     found: list[Diagnostic] = []
     for each in candidate.diagnostics:
         key = _key(each)
         if known[key] > 0:
             known[key] -= 1
-        elif key not in about_types:
+        elif key not in said:
+            # One answer may be written at several places: it is wrong once.
+            said.add(key)
             found.append(each)
     for one, span in zip(placed, spans, strict=True):
         own = [each for each in found if _lies_in(each, span)]
