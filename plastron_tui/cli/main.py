@@ -40,6 +40,8 @@ def main() -> None:
         place = "" if error.filename is None else f"`{error.filename}`: "
         print(f"error: {place}{what}", file=sys.stderr)
         status = UNREADABLE
+    # Python would look for cycles among all that is left, which the system is about to take.
+    gc.freeze()
     sys.exit(status if isinstance(status, int) else 0)
 
 

@@ -47,6 +47,21 @@ def test_check_of_a_right_program_renders_nothing(here: Path) -> None:
     assert not modules & unneeded
 
 
+def test_check_seldom_looks_for_cycles_among_its_modules(here: Path) -> None:
+    (here / "a.plastron").write_text(TALKER)
+    code = (
+        "import gc, sys\n"
+        "from plastron_tui.cli.group import cli\n"
+        "seen = []\n"
+        "gc.callbacks.append(lambda phase, _: seen.append(phase))\n"
+        "cli.main(sys.argv[1:], prog_name='plastron', standalone_mode=False)\n"
+        "print(seen.count('start'))"
+    )
+    command = [sys.executable, "-c", code, "check", "a.plastron"]
+    found = subprocess.run(command, capture_output=True, cwd=here, check=True).stdout
+    assert int(found) <= 5
+
+
 def test_help_and_completion_import_no_command(here: Path) -> None:
     modules = imported_by(here, "--help")
     assert not {name for name in modules if name.startswith("plastron_tui.cli.")} - {
