@@ -76,6 +76,14 @@ broken_lines = st.builds(
 """Lines in which statements, or a statement and other words, stand side by side."""
 
 
+def boundary(text: bytes, share: float) -> int:
+    """Return an offset between two characters."""
+    at = round(share * len(text))
+    while 0 < at < len(text) and text[at] & 0xC0 == 0x80:
+        at -= 1
+    return at
+
+
 def read(text: str | bytes) -> Program:
     """Lower a text."""
     return lower(Document(text.encode() if isinstance(text, str) else text))

@@ -3,6 +3,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from plastron_programs import boundary
 
 from plastron_tui.language import Document, format_document, lower
 
@@ -46,14 +47,6 @@ def edits(draw: st.DrawFn) -> list[tuple[float, float, str, bool]]:
     ends = st.floats(0, 1)
     text = PIECES | st.text(max_size=8)
     return draw(st.lists(st.tuples(ends, ends, text, st.booleans()), min_size=1, max_size=8))
-
-
-def boundary(text: bytes, share: float) -> int:
-    """Return an offset between two characters."""
-    at = round(share * len(text))
-    while 0 < at < len(text) and text[at] & 0xC0 == 0x80:
-        at -= 1
-    return at
 
 
 @settings(max_examples=150, deadline=None)

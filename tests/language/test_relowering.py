@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from plastron_programs import broken_lines, read, shape, statements
+from plastron_programs import boundary, broken_lines, read, shape, statements
 
 from plastron_tui.language import DECLARATIONS, Document, Program
 from plastron_tui.language.relowering import Lowered, lower_edited
@@ -70,14 +70,6 @@ def described(program: Program) -> list[object]:
         for statement in program.statements
     ]
     return [places, shape(program), program.diagnostics, program.broken]
-
-
-def boundary(text: bytes, share: float) -> int:
-    """Return an offset between two characters."""
-    at = round(share * len(text))
-    while 0 < at < len(text) and text[at] & 0xC0 == 0x80:
-        at -= 1
-    return at
 
 
 @settings(max_examples=300, deadline=None)
