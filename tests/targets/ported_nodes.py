@@ -6,6 +6,7 @@ from collections import Counter
 from pathlib import Path
 
 from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.model.endpoints import EDITABLE
 from plastron_tui.model.source import EndpointKind, SourceFile
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets import find_target
@@ -13,12 +14,6 @@ from plastron_tui.targets.python import read_python
 
 CATALOGS = {"rospy": Catalog("noetic"), "rclpy": Catalog("kilted")}
 OTHER = {"rospy": "rclpy", "rclpy": "rospy"}
-KINDS = {
-    EndpointKind.PUBLISHER,
-    EndpointKind.SUBSCRIPTION,
-    EndpointKind.SERVICE,
-    EndpointKind.CLIENT,
-}
 MARK = "# port by hand: "
 
 LISTENER_1 = '''\
@@ -117,7 +112,6 @@ def ported(text: str | bytes, library: str) -> tuple[str, tuple[Diagnostic, ...]
 def endpoints(read: SourceFile) -> Counter[tuple[EndpointKind, str]]:
     return Counter(
         (each.kind, each.name.replace("~/", "~"))
-        for node in read.nodes
-        for each in node.endpoints
-        if each.kind in KINDS and each.name is not None
+        for each in read.endpoints
+        if each.kind in EDITABLE and each.name is not None
     )

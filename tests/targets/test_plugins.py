@@ -69,6 +69,13 @@ def program(folder: Path, using: str = "") -> None:
     folder.joinpath("a.plastron").write_text(PROGRAM.format(using=using))
 
 
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """Return a folder that has the target beside it."""
+    install(tmp_path / "site", MODULE.format(ros_version=1))
+    return tmp_path
+
+
 @pytest.mark.parametrize("where", ["using", "--target", "project file"])
 @pytest.mark.parametrize("ros_version", [1, 2])
 def test_a_registered_target_is_named_like_plastrons_own(
@@ -85,34 +92,31 @@ def test_a_registered_target_is_named_like_plastrons_own(
     assert written.read_text() == f";; talker for ROS {ros_version}\n"
 
 
-def test_a_file_that_is_no_python_is_not_run(tmp_path: Path) -> None:
-    install(tmp_path / "site", MODULE.format(ros_version=1))
-    program(tmp_path, " using roslisp")
-    result = plastron(tmp_path, "run", "a.plastron")
+def test_a_file_that_is_no_python_is_not_run(folder: Path) -> None:
+    program(folder, " using roslisp")
+    result = plastron(folder, "run", "a.plastron")
     assert result.returncode == 1
     assert "`run` starts Python nodes, and `talker_pub.lisp` is none" in result.stderr
-    assert not tmp_path.joinpath("output").exists()
+    assert not folder.joinpath("output").exists()
 
 
-def test_a_registered_target_reads_the_files_that_plastron_cannot(tmp_path: Path) -> None:
-    install(tmp_path / "site", MODULE.format(ros_version=1))
-    tmp_path.joinpath("driver.lisp").write_text(";; driver\n")
-    result = plastron(tmp_path, "inspect", "driver.lisp")
+def test_a_registered_target_reads_the_files_that_plastron_cannot(folder: Path) -> None:
+    folder.joinpath("driver.lisp").write_text(";; driver\n")
+    result = plastron(folder, "inspect", "driver.lisp")
     assert (result.stderr, result.returncode) == ("", 0)
     assert "driver" in result.stdout
     assert "roslisp" in result.stdout
 
 
-def test_a_registered_target_is_listed_where_a_name_is_wrong(tmp_path: Path) -> None:
-    install(tmp_path / "site", MODULE.format(ros_version=1))
-    program(tmp_path, " using elisp")
-    result = plastron(tmp_path, "check", "a.plastron")
+def test_a_registered_target_is_listed_where_a_name_is_wrong(folder: Path) -> None:
+    program(folder, " using elisp")
+    result = plastron(folder, "check", "a.plastron")
     assert result.returncode == 1
     assert "did you mean `roslisp`?" in result.stderr
-    result = plastron(tmp_path, "check", "a.plastron", "--target", "elisp")
+    result = plastron(folder, "check", "a.plastron", "--target", "elisp")
     assert (result.returncode, f"'elisp' is not one of {NAMES}" in result.stderr) == (2, True)
-    tmp_path.joinpath("plastron.yaml").write_text("target: elisp\n")
-    assert "did you mean `roslisp`?" in plastron(tmp_path, "check", "a.plastron").stderr
+    folder.joinpath("plastron.yaml").write_text("target: elisp\n")
+    assert "did you mean `roslisp`?" in plastron(folder, "check", "a.plastron").stderr
 
 
 @pytest.mark.parametrize(

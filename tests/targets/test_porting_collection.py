@@ -10,13 +10,13 @@ from pathlib import Path
 import pytest
 from ported_nodes import (
     CATALOGS,
-    KINDS,
     MARK,
     OTHER,
     endpoints,
 )
 
 from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.model.endpoints import EDITABLE
 from plastron_tui.model.source import EndpointKind, SourceFile
 from plastron_tui.targets import find_target
 from plastron_tui.targets.python import read_python
@@ -32,9 +32,8 @@ FILES = sorted(
 def callbacks(read: SourceFile) -> set[str]:
     return {
         each.callback
-        for node in read.nodes
-        for each in node.endpoints
-        if each.callback is not None and each.kind in KINDS | {EndpointKind.TIMER}
+        for each in read.endpoints
+        if each.callback is not None and each.kind in (*EDITABLE, EndpointKind.TIMER)
     }
 
 
