@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from graph import Graph
-from processes import PLASTRON, own_tracebacks
+from processes import PLASTRON, Process, own_tracebacks
 
 pytestmark = pytest.mark.live
 
@@ -183,16 +183,21 @@ if __name__ == "__main__":
 '''
 
 
-def test_a_ported_node_sends_what_rospy_makes_messages_of(graph: Graph, tmp_path: Path) -> None:
-    (tmp_path / "plain.py").write_text(PLAIN)
-    program = tmp_path / "port.plastron"
-    program.write_text(f"load plain as node\ngenerate_node node using {graph.target}\n")
+def run_ported(graph: Graph, file: Path, text: str) -> Process:
+    """Bring a file of the other client library to that of the graph, and start what comes out."""
+    file.write_text(text)
+    program = file.with_name("port.plastron")
+    program.write_text(f"load {file.stem} as node\ngenerate_node node using {graph.target}\n")
     done = subprocess.run(
         [PLASTRON, "generate", program], capture_output=True, text=True, check=False
     )
     assert done.returncode == 0, done.stderr
     assert "port-by-hand" not in done.stderr
-    node = graph.run(tmp_path / "output" / "plain.py")
+    return graph.run(file.parent / "output" / file.name)
+
+
+def test_a_ported_node_sends_what_rospy_makes_messages_of(graph: Graph, tmp_path: Path) -> None:
+    node = run_ported(graph, tmp_path / "plain.py", PLAIN)
     topics = {
         "/text": "std_msgs/String",
         "/repeated": "std_msgs/String",
@@ -226,15 +231,7 @@ def test_a_ported_node_sends_what_rospy_makes_messages_of(graph: Graph, tmp_path
 
 def test_a_ported_node_talks(graph: Graph, tmp_path: Path) -> None:
     source = RCLPY if graph.target == "rospy" else ROSPY
-    (tmp_path / "repeater.py").write_text(source)
-    program = tmp_path / "port.plastron"
-    program.write_text(f"load repeater as node\ngenerate_node node using {graph.target}\n")
-    done = subprocess.run(
-        [PLASTRON, "generate", program], capture_output=True, text=True, check=False
-    )
-    assert done.returncode == 0, done.stderr
-    assert "port-by-hand" not in done.stderr
-    node = graph.run(tmp_path / "output" / "repeater.py")
+    node = run_ported(graph, tmp_path / "repeater.py", source)
     topics = {"/repeated": "std_msgs/String", "/counted": "std_msgs/Int32"}
     received = graph.listen(topics, 1)
     assert {each.message["data"] for each in received["/repeated"]} == {"HELLO!"}
