@@ -8,7 +8,8 @@ from plastron_tui.output import manifest
 from plastron_tui.output.manifest import Reading, load_manifest
 from plastron_tui.output.plan import FileState
 from plastron_tui.output.writer import write
-from plastron_tui.session import Options, Session, check_text, read_program
+from plastron_tui.program_file import check_text, read_program
+from plastron_tui.session import Options, Session
 
 TALKER = """\
 create_node 'talker' as talker

@@ -12,14 +12,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from plastron_tui.diagnostics import Diagnostic, Severity
-from plastron_tui.session import (
-    LARGEST_PROGRAM,
-    Options,
-    ProgramText,
-    Session,
-    check_text,
-    read_program,
-)
+from plastron_tui.program_file import LARGEST_PROGRAM, ProgramText, check_text, read_program
+from plastron_tui.session import Options, Session
 from plastron_tui.targets import LIBRARIES
 
 if TYPE_CHECKING:

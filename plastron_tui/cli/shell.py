@@ -17,7 +17,8 @@ from plastron_tui.language import DECLARATIONS, Document, lower
 from plastron_tui.model.interpreter import Interpreter
 from plastron_tui.model.workspace import Generation
 from plastron_tui.output.writer import write
-from plastron_tui.session import Options, Session, check_text
+from plastron_tui.program_file import check_text
+from plastron_tui.session import Options, Session
 
 from .common import Report, finish, output_option, target_option
 from .generate import show_plan

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.output.stamps import Stamp, stamp_of
-from plastron_tui.session import read_program
+from plastron_tui.program_file import read_program
 
 SUFFIX = ".plastron"
 

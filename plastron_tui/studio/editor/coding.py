@@ -16,7 +16,7 @@ from textual.binding import Binding, BindingType
 
 from plastron_tui.diagnostics import Edit
 from plastron_tui.language import format_document
-from plastron_tui.session import check_text
+from plastron_tui.program_file import check_text
 
 from .base import EditorBase
 from .names import Variable, variable_at, wrong_name
