@@ -23,7 +23,7 @@ from .fitting import Fitter
 from .setting import Setting
 from .types import TypeProblem, TypeResolver
 from .values import MessageValue
-from .workspace import Message, Node, Workspace
+from .workspace import Node, Workspace
 
 _HIGHEST_RATE = 1e6
 """More than any node sends, in hertz; a typing error."""
@@ -123,24 +123,6 @@ class Checks:
             self._failed_nodes.update(edit.text for edit in fix.edits)
         raise Mistake(
             Diagnostic("unknown-node", f"no node `{variable}`", where, help=remedy, fix=fix)
-        )
-
-    def _message(self, statement: st.Publish) -> Message:
-        message = self.workspace.messages.get(statement.message)
-        if message is not None:
-            return message
-        variable = statement.message
-        if self._is_broken(variable):
-            raise Mistake
-        where = statement.span_of("message")
-        remedy, fix = guess(variable, self.workspace.messages, where)
-        if variable in self.workspace.nodes:
-            remedy, fix = f"`{variable}` is a node", None
-        if remedy is None:
-            made = f"create_message {variable} of message_type {statement.type} and input"
-            remedy = f"make it first: `{made} ...`, with its values"
-        raise Mistake(
-            Diagnostic("unknown-message", f"no message `{variable}`", where, help=remedy, fix=fix)
         )
 
     def _is_broken(self, variable: str) -> bool:

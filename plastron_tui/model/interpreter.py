@@ -7,7 +7,6 @@ mistake gives none.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from contextlib import suppress
 from itertools import product
 from typing import Any, NamedTuple
 
@@ -19,16 +18,16 @@ from plastron_tui.language.pause import collection_paused
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 
 from .agreement import Agreement
-from .checks import Checks, Mistake
+from .checks import Mistake
 from .fitting import Fitter
 from .late import late_changes
+from .messages import Messages
 from .setting import LoadRequest, Setting
 from .workspace import (
     DEFAULT_RATE,
     Client,
     EndpointKind,
     Generation,
-    Message,
     Node,
     Publication,
     Publisher,
@@ -69,19 +68,15 @@ def interpret(
     return Interpretation(interpreter.workspace, diagnostics, interpreter.fitters)
 
 
-class Interpreter(Checks):
+class Interpreter(Messages):
     """Runs programs, one after the other, in one workspace."""
 
     def __init__(self, setting: Setting, fitters: Mapping[int, Fitter] | None = None) -> None:
         super().__init__(setting, fitters or {})
-        self._program = Program(())
         self._found: list[tuple[int, Diagnostic]] = []
         # ROS 1 and ROS 2 are two graphs: what one means by a topic is nothing to the other.
         self._topics = {v: Agreement("topic", "topic-type-conflict") for v in (1, 2)}
         self._services = {v: Agreement("service", "service-type-conflict") for v in (1, 2)}
-        self._messages: dict[str, st.CreateMessage] = {}
-        self._foreign: dict[str, int] = {}
-        self._variants: dict[tuple[str, int], Message | None] = {}
         self._node_names: dict[str, Span] = {}
         # Functions, not methods of this object: a cycle would keep each interpretation alive
         # until the collector comes, which passes of this size keep away.
@@ -185,51 +180,6 @@ class Interpreter(Checks):
         for client in node.clients.values():
             services.adopt(node, EndpointKind.CLIENT, client.name, client.type, statement)
 
-    def _create_message(self, statement: st.CreateMessage) -> None:
-        self._check_new_variable(statement, statement.variable)
-        try:
-            message = self._message_in(statement, self._version)
-        except Mistake:
-            # The message may be meant for nodes of the other ROS.
-            for version in self._other_versions():
-                with suppress(Mistake):
-                    message = self._message_in(statement, version)
-                    self._foreign[statement.variable] = version
-                    break
-            else:
-                raise
-        self.workspace.messages[statement.variable] = message
-        self._messages[statement.variable] = statement
-
-    def _message_in(self, statement: st.CreateMessage, version: int) -> Message:
-        """Make a message of the type that its name means in a generation of ROS."""
-        type_ = self._type(statement, statement.type, InterfaceKind.MESSAGE, version)
-        value = self._fit(statement, type_, version)
-        return Message(statement.variable, value, statement.span)
-
-    def _other_versions(self) -> set[int]:
-        """Return the other generations of ROS that nodes of the program are for."""
-        used = {
-            self._setting.libraries.get(statement.library, self._version)
-            for statement in self._program.statements
-            if isinstance(statement, st.CreateNode) and statement.library is not None
-        }
-        return used - {self._version}
-
-    def _message_for(self, message: Message, version: int) -> Message:
-        """Return a message as nodes of a generation of ROS send it."""
-        variable = message.variable
-        if version == self._foreign.get(variable, self._version):
-            return message
-        key = variable, version
-        if key not in self._variants:
-            self._variants[key] = None
-            self._variants[key] = self._message_in(self._messages[variable], version)
-        found = self._variants[key]
-        if found is None:
-            raise Mistake
-        return found
-
     def _subscribe(self, statement: st.Subscribe) -> None:
         node = self._node(statement)
         version = self._version_of(node)
@@ -259,20 +209,8 @@ class Interpreter(Checks):
         topic = statement.topic
         self._check_name(statement, "topic", topic, version)
         type_ = self._type(statement, statement.type, InterfaceKind.MESSAGE, version).name
-        if version != self._version or self._foreign:
-            message = self._message_for(message, version)
-        if message.value.type != type_:
-            where = statement.span_of("type")
-            raise Mistake(
-                Diagnostic(
-                    "message-type-mismatch",
-                    f"`{message.variable}` is of type `{message.value.type}`, not `{type_}`",
-                    where,
-                    help=f"write of message_type {message.value.type}",
-                    fix=write(str(message.value.type), where),
-                    labels=(Label(message.span, "created here"),),
-                )
-            )
+        message = self._message_for(message, version)
+        self._check_sent(statement, message, type_)
         is_open = statement.rate is None
         rate = DEFAULT_RATE if statement.rate is None else self._rate(statement, statement.rate)
         publisher = node.publishers.get(topic)

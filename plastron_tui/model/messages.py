@@ -1,0 +1,107 @@
+"""The messages of a program, and what each is to the nodes of ROS 1 and of ROS 2."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from contextlib import suppress
+
+from plastron_tui.diagnostics import Diagnostic, Label, guess, write
+from plastron_tui.language import statements as st
+from plastron_tui.language.lowering import Program
+from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+
+from .checks import Checks, Mistake
+from .fitting import Fitter
+from .setting import Setting
+from .workspace import Message
+
+
+class Messages(Checks):
+    """Makes messages, and looks them up for the nodes that send them."""
+
+    def __init__(self, setting: Setting, fitters: Mapping[int, Fitter]) -> None:
+        """Start with none; the arguments are those of `Checks`."""
+        super().__init__(setting, fitters)
+        self._program = Program(())
+        self._made: dict[str, st.CreateMessage] = {}
+        # Those that only the other ROS has, with its generation.
+        self._foreign: dict[str, int] = {}
+        self._variants: dict[tuple[str, int], Message | None] = {}
+
+    def _create_message(self, statement: st.CreateMessage) -> None:
+        self._check_new_variable(statement, statement.variable)
+        try:
+            message = self._message_in(statement, self._version)
+        except Mistake:
+            # The message may be meant for nodes of the other ROS.
+            for version in self._other_versions():
+                with suppress(Mistake):
+                    message = self._message_in(statement, version)
+                    self._foreign[statement.variable] = version
+                    break
+            else:
+                raise
+        self.workspace.messages[statement.variable] = message
+        self._made[statement.variable] = statement
+
+    def _message_in(self, statement: st.CreateMessage, version: int) -> Message:
+        """Make a message of the type that its name means in a generation of ROS."""
+        type_ = self._type(statement, statement.type, InterfaceKind.MESSAGE, version)
+        value = self._fit(statement, type_, version)
+        return Message(statement.variable, value, statement.span)
+
+    def _other_versions(self) -> set[int]:
+        """Return the other generations of ROS that nodes of the program are for."""
+        used = {
+            self._setting.libraries.get(statement.library, self._version)
+            for statement in self._program.statements
+            if isinstance(statement, st.CreateNode) and statement.library is not None
+        }
+        return used - {self._version}
+
+    def _message_for(self, message: Message, version: int) -> Message:
+        """Return a message as nodes of a generation of ROS send it."""
+        variable = message.variable
+        if version == self._foreign.get(variable, self._version):
+            return message
+        key = variable, version
+        if key not in self._variants:
+            self._variants[key] = None
+            self._variants[key] = self._message_in(self._made[variable], version)
+        found = self._variants[key]
+        if found is None:
+            raise Mistake
+        return found
+
+    def _message(self, statement: st.Publish) -> Message:
+        message = self.workspace.messages.get(statement.message)
+        if message is not None:
+            return message
+        variable = statement.message
+        if self._is_broken(variable):
+            raise Mistake
+        where = statement.span_of("message")
+        remedy, fix = guess(variable, self.workspace.messages, where)
+        if variable in self.workspace.nodes:
+            remedy, fix = f"`{variable}` is a node", None
+        if remedy is None:
+            made = f"create_message {variable} of message_type {statement.type} and input"
+            remedy = f"make it first: `{made} ...`, with its values"
+        raise Mistake(
+            Diagnostic("unknown-message", f"no message `{variable}`", where, help=remedy, fix=fix)
+        )
+
+    def _check_sent(self, statement: st.Publish, message: Message, type_: InterfaceName) -> None:
+        """Check that a message is of the type that its topic takes."""
+        if message.value.type != type_:
+            where = statement.span_of("type")
+            raise Mistake(
+                Diagnostic(
+                    "message-type-mismatch",
+                    f"`{message.variable}` is of type `{message.value.type}`, not `{type_}`",
+                    where,
+                    help=f"write of message_type {message.value.type}",
+                    fix=write(str(message.value.type), where),
+                    labels=(Label(message.span, "created here"),),
+                )
+            )
