@@ -195,15 +195,19 @@ class Session:
             self._earlier = None
         return self._program
 
-    @property
-    def _meaning(self) -> Interpretation:
+    def interpret(self, pulse: Callable[[], None] | None = None) -> Interpretation:
+        """Return what the program means; what `pulse` raises, now and then, ends the search."""
         if self._interpretation is None:
             from plastron_tui.model.interpreter import interpret
 
             with collection_paused():
-                self._interpretation = interpret(self.program, self.setting, self._fitters)
+                self._interpretation = interpret(self.program, self.setting, self._fitters, pulse)
                 self._fitters = {}
         return self._interpretation
+
+    @property
+    def _meaning(self) -> Interpretation:
+        return self.interpret()
 
     @cached_property
     def _files(self) -> FilesRead:

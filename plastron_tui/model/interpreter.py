@@ -6,7 +6,7 @@ mistake gives none.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from itertools import product
 from typing import Any, NamedTuple
 
@@ -49,8 +49,15 @@ class Interpretation(NamedTuple):
     fitters: Mapping[int, Fitter]
 
 
+_STRETCH = 256
+"""How many statements are run between two beats of the pulse: less than a millisecond of them."""
+
+
 def interpret(
-    program: Program, setting: Setting, fitters: Mapping[int, Fitter] | None = None
+    program: Program,
+    setting: Setting,
+    fitters: Mapping[int, Fitter] | None = None,
+    pulse: Callable[[], None] | None = None,
 ) -> Interpretation:
     """Run the statements of a program and return the workspace that they build.
 
@@ -58,10 +65,11 @@ def interpret(
         program: the statements.
         setting: what they are interpreted in.
         fitters: those of an interpretation of the program before it was edited.
+        pulse: called now and then; what it raises ends the interpretation.
     """
     interpreter = Interpreter(setting, fitters)
     with collection_paused():
-        diagnostics = interpreter.run(program)
+        diagnostics = interpreter.run(program, pulse)
         # In a program with a mistake, the statement that generates may be the mistake.
         if not has_errors(diagnostics):
             diagnostics += tuple(late_changes(program, interpreter.workspace))
@@ -86,7 +94,9 @@ class Interpreter(Messages):
             for type_, declaration in DECLARATIONS.items()
         }
 
-    def run(self, program: Program) -> tuple[Diagnostic, ...]:
+    def run(
+        self, program: Program, pulse: Callable[[], None] | None = None
+    ) -> tuple[Diagnostic, ...]:
         """Run the statements of a program, and return all that is wrong with it, in its order."""
         self._program = program
         self._broken = set(program.broken.declared)
@@ -95,15 +105,10 @@ class Interpreter(Messages):
         self._failed = set()
         self._failed_nodes = set()
         self._found = []
-        run = self._run
-        for statement in program.statements:
-            try:
-                run[type(statement)](self, statement)
-            except Mistake as mistake:  # noqa: PERF203 - each statement has its own
-                found = mistake.diagnostic or self._unknown_type(statement)
-                if found is not None:
-                    self._report(statement, found)
-                self._fail(statement)
+        for first in range(0, len(program.statements), _STRETCH):
+            if pulse is not None:
+                pulse()
+            self._run_all(program.statements[first : first + _STRETCH])
         if program.diagnostics:
             self._found += [
                 (0 if found.span is None else found.span.start, found)
@@ -111,6 +116,17 @@ class Interpreter(Messages):
             ]
             self._found.sort(key=lambda entry: entry[0])
         return tuple([found for _, found in self._found])
+
+    def _run_all(self, statements: Sequence[Statement]) -> None:
+        run = self._run
+        for statement in statements:
+            try:
+                run[type(statement)](self, statement)
+            except Mistake as mistake:  # noqa: PERF203 - each statement has its own
+                found = mistake.diagnostic or self._unknown_type(statement)
+                if found is not None:
+                    self._report(statement, found)
+                self._fail(statement)
 
     def _report(self, statement: Statement, diagnostic: Diagnostic) -> None:
         self._found.append((statement.span.start, diagnostic))

@@ -21,6 +21,7 @@ from plastron_tui.session import Session
 
 from .panels import outline
 from .panels.entry import Entries
+from .placing import Ground
 
 if TYPE_CHECKING:
     from .panels.picture import Picture, Size
@@ -58,6 +59,11 @@ class Analysis:
         """Who meets whom; only the worker asks, for the panels that show it."""
         return graph_of(self.workspace)
 
+    @property
+    def ground(self) -> Ground:
+        """What statements that are written for somebody go into."""
+        return Ground(self.session.document, self.program, self.workspace)
+
     def node_at(self, offset: int) -> str | None:
         """Return the variable of the node that the statement on an offset's line is about."""
         statements = self.program.statements
@@ -74,10 +80,11 @@ class Analysis:
 def analyse(session: Session, check: Callable[[], None]) -> Analysis:
     """Find out what a program means.
 
-    `check` is called between the steps, and raises something when there is a newer text.
+    `check` is called now and then, and raises something when there is a newer text.
     """
     program = session.program
     check()
+    session.interpret(check)
     workspace = session.workspace
     diagnostics = session.diagnostics
     check()

@@ -27,8 +27,9 @@ _SWITCH = 0.001
 _LARGE = 100_000
 """From so many bytes on, a walk of Python's cycle collector takes longer than a key may."""
 
-_IDLE = 0.3
-"""Seconds without a question after which what is no longer shown is let go."""
+_IDLE, _KEPT = 0.3, 4
+"""Seconds without a question after which what is no longer shown is let go, and how many analyses
+may wait for that: to let one of a large program go stops everything for some milliseconds."""
 
 _REST, _DUE, _OVERDUE, _MOST = 3.0, 50, 250, 500
 """Seconds without a question after which the collector looks at everything, if that is due. With a
@@ -89,7 +90,7 @@ class Analyst:
         self._wanted: Wanted | None = None
         self._is_stopped = False
         self._last: Analysis | None = None
-        self._old: list[Analysis] = []
+        self._old: list[Analysis | Session] = []
         self._thread = threading.Thread(target=self._run, name="analyst", daemon=True)
         self._switch = sys.getswitchinterval()
         self._thresholds = gc.get_threshold()
@@ -142,9 +143,11 @@ class Analyst:
                 else:
                     self._answer(session, wanted)
             except Stale:
-                continue
+                if session is not None:
+                    self._old.append(session)
             except Exception as error:
                 self._post(AnalysisFailed(error))
+            del self._old[:-_KEPT]
 
     def _spare(self) -> None:
         """Let the collector look at all of a large program at a time that is chosen here only."""
@@ -197,7 +200,8 @@ class Analyst:
                 session.learn_from(last.session)
             # What else was asked for is asked again, if this gets stale.
             self._last = analyse(session, self._check)
-            self._old = [*self._old, last][-2:] if last is not None else []
+            if last is not None:
+                self._old.append(last)
         analysis = self._last
         if analysis is None:
             return

@@ -67,6 +67,25 @@ def test_what_is_no_longer_shown_is_let_go_by_the_worker() -> None:
     analyst.join(5)
 
 
+def test_a_newer_text_ends_the_look_at_an_older_one() -> None:
+    class Newer(Exception):  # noqa: N818 - no error
+        pass
+
+    beats: list[None] = []
+
+    def pulse() -> None:
+        beats.append(None)
+        if len(beats) == 3:
+            raise Newer
+
+    lines = (b"create_node 'n%d' as n%d\n" % (n, n) for n in range(2_000))
+    session = Session(b"".join(lines), environ={})
+    with pytest.raises(Newer):
+        session.interpret(pulse)
+    assert len(session.interpret(pulse).workspace.nodes) == 2_000
+    assert len(beats) > 5
+
+
 class Cycle:
     """What only the collector can let go: it holds itself."""
 
