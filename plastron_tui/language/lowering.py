@@ -97,21 +97,32 @@ def lower(document: Document) -> Program:
     if not broken:
         lost = frozenset(unread)
         return Program(tuple(found), tuple(too_deep), Broken(lost, lost))
-    broken_rows = {row for node in broken for row in _rows(node)}
-    broken_rows.update(_rows_of_two(source, found))
-    whole = []
-    for statement in found:
-        # A statement with something else on its line is not what its writer meant.
-        if broken_rows.isdisjoint(_rows(statement.syntax)):
-            whole.append(statement)
-        else:
-            broken.append(statement.syntax)
-    broken.sort(key=lambda node: node.start_byte)
+    whole, broken = _apart(source, found, broken)
     from .syntax_errors import explain  # a program without mistakes does not need it
 
     diagnostics, what = explain(source, broken)
     what = what._replace(words=what.words | unread, declared=what.declared | unread)
     return Program(tuple(whole), (*diagnostics, *too_deep), what)
+
+
+def _apart(
+    source: bytes, found: Sequence[Statement], broken: Sequence[Node]
+) -> tuple[list[Statement], list[Node]]:
+    """Return the statements that have their lines to themselves, and what stands on other lines.
+
+    A statement with something else on its line is not what its writer meant.
+    """
+    rows = {row for node in broken for row in _rows(node)}
+    rows.update(_rows_of_two(source, found))
+    whole = []
+    rest = list(broken)
+    for statement in found:
+        if rows.isdisjoint(_rows(statement.syntax)):
+            whole.append(statement)
+        else:
+            rest.append(statement.syntax)
+    rest.sort(key=lambda node: node.start_byte)
+    return whole, rest
 
 
 def _too_deep(syntax: Node) -> Diagnostic:

@@ -39,6 +39,9 @@ from .values import MessageValue, Value
 Where = Callable[[], Span]
 """Tells a place when a mistake asks for it: most statements have none, and no place to tell."""
 
+_AtPath = tuple[tuple[str, ...], InputValue, SyntaxNode]
+"""A value with the names that lead to its field, and what its mistakes are said of."""
+
 
 class Fitter:
     """Fits the values of a program to the types of one distribution.
@@ -131,7 +134,7 @@ class Fitter:
         values: Sequence[Argument],
         positional: Sequence[InputValue],
     ) -> MessageValue:
-        pairs: list[tuple[tuple[str, ...], InputValue, SyntaxNode]] = []
+        pairs: list[_AtPath] = []
         for index, value in enumerate(values):
             if isinstance(value, NamedArgument):
                 pairs.append((value.path, value.value, value.syntax))
@@ -154,12 +157,12 @@ class Fitter:
         self,
         name: InterfaceName,
         fields: Sequence[Field],
-        pairs: Sequence[tuple[tuple[str, ...], InputValue, SyntaxNode]],
+        pairs: Sequence[_AtPath],
     ) -> MessageValue:
         """Fit values that each say which field they are for, by a path of names."""
         by_name = {field.name: field for field in fields}
         direct: dict[str, Value] = {}
-        deeper: dict[str, list[tuple[tuple[str, ...], InputValue, SyntaxNode]]] = {}
+        deeper: dict[str, list[_AtPath]] = {}
         for path, value, syntax in pairs:
             head, *rest = path
             field = by_name.get(head)
@@ -188,16 +191,19 @@ class Fitter:
             else:
                 deeper.setdefault(head, []).append((tuple(rest), value, syntax))
         for head, inner in deeper.items():
-            if by_name[head].type.message is None:
-                arguments = tuple([NamedArgument(*part) for part in inner])
-                time = NestedValue(arguments, inner[0][2])
-                direct[head] = self._value(by_name[head].type, time, head)
-                continue
-            nested = self._nested_type(by_name[head].type, inner[0][2])
-            direct[head] = self._by_path(nested.name, nested.fields, inner)
+            direct[head] = self._parts(by_name[head], inner)
         return MessageValue(
             name, {field.name: direct[field.name] for field in fields if field.name in direct}
         )
+
+    def _parts(self, field: Field, pairs: Sequence[_AtPath]) -> Value:
+        """Fit the values of what is in a field, by the paths that lead on from it."""
+        syntax = pairs[0][2]
+        if field.type.message is None:
+            time = NestedValue(tuple([NamedArgument(*pair) for pair in pairs]), syntax)
+            return self._value(field.type, time, field.name)
+        nested = self._nested_type(field.type, syntax)
+        return self._by_path(nested.name, nested.fields, pairs)
 
     def _value(self, type_: FieldType, value: InputValue, field: str) -> Value:
         if type_.is_array:
