@@ -94,8 +94,10 @@ class Document:
         where the comments are is known from before the last edits.
         """
         text = self._text
-        comment = self._comment_at(start)
-        first = text.rfind(b"\n", 0, start if comment is None else comment) + 1
+        first = text.rfind(b"\n", 0, start) + 1
+        # The line that a comment starts on may start in another comment.
+        while (comment := self._comment_at(first)) is not None:
+            first = text.rfind(b"\n", 0, comment) + 1
         last = text.find(b"\n", end)
         last = len(text) if last < 0 else last + 1
         opened = text.rfind(b"/*", first, last)
@@ -107,9 +109,8 @@ class Document:
         lines = text[first:last]
         return Excerpt(self._parser.parse(lines), first, lines)
 
-    def _comment_at(self, offset: int) -> int | None:
+    def _comment_at(self, line: int) -> int | None:
         """Return where the block comment starts that reaches over the start of a line."""
-        line = self._text.rfind(b"\n", 0, offset) + 1
         node = self._tree.root_node.descendant_for_byte_range(line, line)
         if node is None or node.type != "block_comment" or node.start_byte >= line:
             return None

@@ -86,6 +86,17 @@ def test_an_excerpt_is_highlighted_as_the_whole_text(
     assert {entry for entry in found if entry[1] < last} == expected
 
 
+def test_an_excerpt_takes_a_chain_of_comments_along() -> None:
+    text = (
+        b"load a as b /* one\n*/ load c as d /* two\n*/ load e as f /* three\nend */ load g as h"
+    )
+    document = Document(text)
+    start = text.index(b"end */")
+    excerpt = document.excerpt(start, start)
+    assert (excerpt.start, excerpt.text) == (0, text)
+    assert ("comment", text.index(b"/* three"), start + 6) in captures(document, start, start)
+
+
 def test_an_edit_beyond_the_text_is_refused() -> None:
     document = Document(b"load a as b")
     for start, end in ((-1, 0), (3, 2), (0, 12)):
