@@ -2,41 +2,117 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from plastron_tui.diagnostics import Edit, Span
 from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
+from plastron_tui.language.relowering import Lowered, lower_edited
 
 if TYPE_CHECKING:
-    from plastron_tui.language import Program
+    from plastron_tui.language import Document, Program
     from plastron_tui.model.workspace import Workspace
 
 
+class Ground(NamedTuple):
+    """A program: its text, its statements, and what it builds."""
+
+    document: Document
+    program: Program
+    workspace: Workspace
+
+
+@dataclass(frozen=True, slots=True)
+class Placing:
+    """Statements, and where they go.
+
+    Attributes:
+        lines: the statements, with those that the place asks for.
+        edit: what writes them into the program.
+        spans: where each of them stands then.
+    """
+
+    lines: tuple[str, ...]
+    edit: Edit
+    spans: tuple[Span, ...]
+
+
 def placed(
-    text: bytes,
-    workspace: Workspace,
+    ground: Ground,
     variable: str | None,
-    statement: str,
+    lines: Sequence[str],
+    *,
+    late: Sequence[str] = (),
     after: Span | None = None,
-) -> Edit:
-    """Return the edit that writes a statement.
+    is_apart: bool = False,
+) -> Placing:
+    """Return where statements take effect.
+
+    They go before the line on which their node is generated last, unless it is no place for
+    statements or something that they name is made further down; and else to the end.
 
     Args:
-        text: the program.
-        workspace: what the program builds.
-        variable: the node that the statement changes: it goes before that node is generated
-            last; None puts it at the end.
-        statement: the statement, or several lines of them.
-        after: what the statement has to follow.
+        ground: the program.
+        variable: the node that they change; None puts them at the end.
+        lines: the statements.
+        late: more of them, for the end alone.
+        after: what they have to follow.
+        is_apart: whether at the end an empty line comes before them.
     """
-    spans = [made.span for made in workspace.generations if made.node.variable == variable]
-    if spans and (after is None or after.end <= spans[-1].start):
-        line = text.rfind(b"\n", 0, spans[-1].start) + 1
-        return Edit(Span(line, line), f"{statement}\n")
+    text = ground.document.text
+    made = [each.span for each in ground.workspace.generations if each.node.variable == variable]
+    if made and (after is None or after.end <= made[-1].start):
+        line = text.rfind(b"\n", 0, made[-1].start) + 1
+        placing = _placing(lines, line, line, b"", b"\n")
+        if _takes_effect(ground, placing):
+            return placing
+    all_lines = (*lines, *late)
     end = len(text.rstrip())
-    before = "\n" if end else ""
-    behind = "" if b"\n" in text[end:] else "\n"
-    return Edit(Span(end, end), f"{before}{statement}{behind}")
+    if not end:
+        return _placing(all_lines, 0, len(text), b"", b"\n")
+    behind = b"" if text[end:].startswith((b"\n", b"\r\n")) else b"\n"
+    return _placing(all_lines, end, end, b"\n\n" if is_apart else b"\n", behind)
+
+
+def _placing(lines: Sequence[str], start: int, end: int, before: bytes, behind: bytes) -> Placing:
+    written = [_encoded(line) for line in lines]
+    spans = []
+    at = start + len(before)
+    for line in written:
+        spans.append(Span(at, at + len(line)))
+        at += len(line) + 1
+    new = before + b"\n".join(written) + behind
+    edit = Edit(Span(start, end), new.decode("utf-8", "surrogatepass"))
+    return Placing(tuple(lines), edit, tuple(spans))
+
+
+def _takes_effect(ground: Ground, placing: Placing) -> bool:
+    """Tell whether statements are statements where they are put, and name nothing made later."""
+    start, end = placing.edit.span
+    document = ground.document.snapshot()
+    document.edit(start, end, _encoded(placing.edit.text))
+    program = lower_edited(document, Lowered(ground.document.text, ground.program))
+    there = {each.span: each for each in program.statements if each.span in placing.spans}
+    if len(there) < len(placing.spans):
+        return False
+    workspace = ground.workspace
+    named = {name for each in there.values() for name in _named(each)}
+    makers = (workspace.nodes.get, workspace.messages.get)
+    made = (found for name in named for of in makers if (found := of(name)) is not None)
+    return all(each.span.start < start for each in made)
+
+
+def _named(statement: Statement) -> Iterator[str]:
+    """Yield the variables that a statement needs to be there."""
+    type_: Any = type(statement)  # which mypy takes for not hashable
+    for slot in DECLARATIONS[type_].slots:
+        if slot.kind in (SlotKind.NODE, SlotKind.MESSAGE):
+            yield getattr(statement, slot.name)
+
+
+def _encoded(text: str) -> bytes:
+    return text.encode("utf-8", "surrogatepass")
 
 
 def is_generated_last(program: Program, workspace: Workspace, variable: str) -> Span | None:

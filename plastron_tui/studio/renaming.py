@@ -122,8 +122,7 @@ def _in_files(
                 lines.append(f"{node.variable} provides_service '{new}' "
                              f"of service_type {endpoint.type}{calling}")  # fmt: skip
         if lines:
-            statements = "\n".join(lines)
-            edits.append(placed(analysis.text, analysis.workspace, node.variable, statements))
+            edits.append(placed(analysis.ground, node.variable, lines).edit)
     return edits, tuple(files)
 
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from plastron_tui.diagnostics import Edit, Span
 from plastron_tui.session import Session
-from plastron_tui.studio.placing import is_generated_last, placed
+from plastron_tui.studio.placing import Ground, is_generated_last, placed
 
 HEAD = b"create_node 'one' as a\nsubscribe a to 'x' of message_type String\n"
 
@@ -35,18 +36,58 @@ def test_whether_a_node_is_generated_after_all_that_is_done_with_it(
     assert (None if span is None else (HEAD + rest)[span.start : span.end]) == last
 
 
+SUBSCRIBE = b"subscribe a to 'y' of message_type String\n"
+NEW = b"unsubscribe a from 'x'"
+SPEAK = b"a publish m to 'y' of message_type Bool"
+MESSAGE = b"create_message m of message_type Bool and input True\n"
+
+
 @pytest.mark.parametrize(
-    ("rest", "node", "text"),
+    ("rest", "node", "new", "text"),
     [
-        (b"", "a", HEAD + b"// new\n"),
-        (b"generate_node a\n", "a", HEAD + b"// new\ngenerate_node a\n"),
-        (b"\tgenerate_node\ta // a\n", "a", HEAD + b"// new\n\tgenerate_node\ta // a\n"),
-        (b"generate_node a\n", None, HEAD + b"generate_node a\n// new\n"),
-        (b"generate_node a // a", None, HEAD + b"generate_node a // a\n// new\n"),
+        (b"", "a", NEW, b"%b\n"),
+        (b"generate_node a\n", "a", NEW, b"%b\ngenerate_node a\n"),
+        (b"generate_node a", "a", NEW, b"%b\ngenerate_node a"),
+        (b"\tgenerate_node\ta // a\n", "a", NEW, b"%b\n\tgenerate_node\ta // a\n"),
+        (b"generate_node a\n", None, NEW, b"generate_node a\n%b\n"),
+        (b"generate_node a // a", None, NEW, b"generate_node a // a\n%b\n"),
+        (b"generate_node a\n  \n", None, NEW, b"generate_node a\n%b\n  \n"),
+        (b"generate_node a  \n", None, NEW, b"generate_node a\n%b\n  \n"),
+        # A line that begins within a remark is no place for a statement.
+        (b"/*\n*/ generate_node a\n", "a", NEW, b"/*\n*/ generate_node a\n%b\n"),
+        # What a statement names has to be there; a word that only looks like it has not.
+        (MESSAGE + b"generate_node a\n", "a", SPEAK, MESSAGE + b"%b\ngenerate_node a\n"),
+        (b"generate_node a\n" + MESSAGE, "a", SPEAK, b"generate_node a\n" + MESSAGE + b"%b\n"),
+        (b"generate_node a\n" + MESSAGE, "a",
+         b"subscribe a to 'z' of message_type Bool calling m",
+         b"%b\ngenerate_node a\n" + MESSAGE),
     ],
-)
-def test_a_statement_goes_where_it_takes_effect(rest: bytes, node: str | None, text: bytes) -> None:
+)  # fmt: skip
+def test_a_statement_goes_where_it_takes_effect(
+    rest: bytes, node: str | None, new: bytes, text: bytes
+) -> None:
     session = Session(HEAD + rest, environ={})
-    edit = placed(HEAD + rest, session.workspace, node, "// new")
+    ground = Ground(session.document, session.program, session.workspace)
+    placing = placed(ground, node, [new.decode()])
+    edit = placing.edit
+    assert session.document.text == HEAD + rest
     session.edit(edit.span.start, edit.span.end, edit.text.encode())
-    assert session.document.text == text
+    assert session.document.text == HEAD + text.replace(b"%b", new)
+    assert [session.document.text[start:end] for start, end in placing.spans] == [new]
+
+
+@pytest.mark.parametrize("rest", [b"", b"generate_node a\n"])
+def test_what_has_to_follow_something_goes_behind_it(rest: bytes) -> None:
+    session = Session(HEAD + rest + SUBSCRIBE, environ={})
+    ground = Ground(session.document, session.program, session.workspace)
+    after = session.program.statements[-1].span
+    placing = placed(ground, "a", ["unsubscribe a from 'y'"], late=["generate_node a"], after=after)
+    assert placing.lines == ("unsubscribe a from 'y'", "generate_node a")
+    assert placing.edit.span.start == after.end
+
+
+def test_an_empty_program_has_room_for_a_statement() -> None:
+    session = Session(b" \n\t", environ={})
+    ground = Ground(session.document, session.program, session.workspace)
+    placing = placed(ground, None, ["create_node 'a' as a"], is_apart=True)
+    assert placing.edit == Edit(Span(0, 3), "create_node 'a' as a\n")

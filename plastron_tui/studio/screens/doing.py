@@ -70,7 +70,7 @@ class Doing(Part):
         analysis = self._current()
         if analysis is None:
             return
-        edit = placed(analysis.text, analysis.workspace, node, statement, after)
+        edit = placed(analysis.ground, node, [statement], after=after).edit
         self.editor.apply([edit])
         self.editor.go_to(edit.span.start + edit.text.startswith("\n"))
         self.editor.focus()

@@ -13,6 +13,8 @@ from plastron_tui.language.inputs import COMMENTS
 from plastron_tui.language.keywords import KEYWORDS
 from plastron_tui.session import DEFAULT_LIBRARY, Session
 
+from ..placing import Ground, Placing
+from ..placing import placed as where
 from .aims import generating
 from .form import Form, is_variable, sentence
 from .scene import is_guess, say_library
@@ -66,7 +68,6 @@ class Outcome:
         span: where the statements stand in the new text.
         findings: what is wrong with them.
         lines: the statements.
-        is_whole: whether each of them is a statement there.
     """
 
     session: Session
@@ -74,7 +75,6 @@ class Outcome:
     span: Span
     findings: tuple[Finding, ...]
     lines: tuple[str, ...]
-    is_whole: bool
 
 
 def check(session: Session, placed: Sequence[Placed], *, generates: bool = False) -> Outcome:
@@ -85,20 +85,21 @@ def check(session: Session, placed: Sequence[Placed], *, generates: bool = False
         placed: the statements, in order; the last one is what is wanted, the others it needs.
         generates: whether a node that is not generated yet is to be, at the end.
     """
-    outcome = None
-    for at, is_late in _places(session, placed):
-        lines = list(placed)
-        node = node_of(placed)
-        if node is not None and (is_late or (generates and not _is_generated(session, node))):
-            declaration = generating()
-            if declaration is not None and not _generates(placed):
-                slot = next(s for s in declaration.slots if s.kind is SlotKind.NODE)
-                lines.append(Placed(None, sentence(declaration, {slot.name: node})))
-        outcome = _checked(session, lines, at)
-        if outcome.is_whole:
-            break
-    assert outcome is not None
-    return outcome
+    node = node_of(placed)
+    late: tuple[Placed, ...] = ()
+    declaration = generating()
+    is_late = node is not None and (generates or _is_generated(session, node))
+    if is_late and declaration is not None and not _generates(placed):
+        slot = next(s for s in declaration.slots if s.kind is SlotKind.NODE)
+        late = (Placed(None, sentence(declaration, {slot.name: node or ""})),)
+    place = where(
+        Ground(session.document, session.program, session.workspace),
+        None if _generates(placed) else node,
+        [each.text for each in placed],
+        late=[each.text for each in late],
+        is_apart=_opens_block(placed),
+    )
+    return _checked(session, (*placed, *late)[: len(place.lines)], place)
 
 
 def node_of(placed: Sequence[Placed]) -> str | None:
@@ -115,57 +116,17 @@ def _is_generated(session: Session, node: str) -> bool:
     return any(made.node.variable == node for made in session.workspace.generations)
 
 
-def _places(session: Session, placed: Sequence[Placed]) -> Iterator[tuple[int | None, bool]]:
-    """Yield where statements may stand, best first: before a line, or None for the end.
-
-    The second part tells whether a node would have to be generated anew there.
-    """
-    node = node_of(placed)
-    made = [each for each in session.workspace.generations if each.node.variable == node]
-    if not made or _generates(placed):
-        yield None, False
-        return
-    text = session.document.text
-    line = text.rfind(b"\n", 0, made[-1].span.start) + 1
-    workspace = session.workspace
-    starts = {name: each.span.start for name, each in workspace.nodes.items()}
-    starts.update((name, each.span.start) for name, each in workspace.messages.items())
-    words = {word for each in placed for word in each.text.split()}
-    if all(starts[word] < line for word in words & starts.keys()):
-        yield line, False
-    yield None, True
-
-
-def _checked(session: Session, placed: Sequence[Placed], at: int | None) -> Outcome:
-    text = session.document.text
-    before, after, start, end = b"", b"\n", 0, 0
-    if at is None:
-        start = end = len(text.rstrip())
-        if start:
-            before = b"\n\n" if _opens_block(placed) else b"\n"
-            after = b"" if text[start:].startswith((b"\n", b"\r\n")) else b"\n"
-        else:
-            end = len(text)
-    else:
-        start = end = at
-    lines = [each.text.encode("utf-8", "surrogatepass") for each in placed]
-    new = before + b"\n".join(lines) + after
+def _checked(session: Session, placed: Sequence[Placed], place: Placing) -> Outcome:
+    start, end = place.edit.span
     candidate = session.snapshot()
     candidate.learn_from(session)
-    candidate.edit(start, end, new)
-    offset = start + len(before)
-    spans = []
-    for line in lines:
-        spans.append(Span(offset, offset + len(line)))
-        offset += len(line) + 1
-    edit = Edit(Span(start, end), new.decode("utf-8", "surrogatepass"))
+    candidate.edit(start, end, place.edit.text.encode("utf-8", "surrogatepass"))
+    spans = place.spans
     findings = tuple(_findings(session, candidate, placed, spans))
     if not findings:
         findings = tuple(_shell_findings(session, candidate, placed, spans))
     block = Span(spans[0].start, spans[-1].end)
-    there = {each.span for each in candidate.program.statements}
-    texts = tuple(each.text for each in placed)
-    return Outcome(candidate, (edit,), block, findings, texts, there.issuperset(spans))
+    return Outcome(candidate, (place.edit,), block, findings, place.lines)
 
 
 def _shell_findings(

@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from wizard_courses import TWO_NODES, applied, choose, course, to_menu_or_review
+from wizard_courses import ASK, MAKE, MORE, REACT, SEND, TWO_NODES, applied, choose, course, to_menu_or_review
 
 from plastron_tui.session import Session
-
-MORE = "give a node something more to do"
-REACT = "react to what others send"
 
 EARS = "create_node 'ears' as ears\nsubscribe ears to 'a' of message_type String\n"
 NEW = "subscribe ears to 'chatter' of message_type String"
@@ -52,7 +49,7 @@ def test_where_a_statement_goes(before: str, after: str) -> None:
 def test_what_is_made_later_is_sent_later_and_generated_anew() -> None:
     before = f"{EARS}generate_node ears\ncreate_message m of message_type String and input none\n"
     it = course(before)
-    choose(it, MORE, "send something, again and again")
+    choose(it, MORE, SEND)
     form = it.page.form
     assert form is not None
     form.entered = {"node": "ears", "message": "m", "topic": "out"}
@@ -67,7 +64,7 @@ def test_what_is_made_later_is_sent_later_and_generated_anew() -> None:
 
 def test_a_new_node_stands_apart() -> None:
     it = course(f"{EARS}generate_node ears\n")
-    choose(it, "make a node", "answer questions")
+    choose(it, MAKE, "answer questions")
     look = to_menu_or_review(it)
     assert look.outcome is not None
     assert look.outcome.session.document.text.decode() == (
@@ -78,7 +75,7 @@ def test_a_new_node_stands_apart() -> None:
 
 def test_the_node_is_not_generated_unless_that_is_wanted() -> None:
     it = course("")
-    choose(it, "make a node", REACT)
+    choose(it, MAKE, REACT)
     it.generates = False
     look = to_menu_or_review(it)
     assert look.outcome is not None and look.can_generate
@@ -87,11 +84,11 @@ def test_the_node_is_not_generated_unless_that_is_wanted() -> None:
 
 def test_another_ros_has_types_and_names_of_its_own() -> None:
     it = course("")
-    choose(it, "make a node")
+    choose(it, MAKE)
     form = it.page.form
     assert form is not None
     form.entered["library"] = "rclpy"
-    choose(it, "ask a question and wait for the answer")
+    choose(it, ASK)
     form = it.page.form
     assert form is not None
     form.entered["type"] = "AddTwoInts"
@@ -102,7 +99,7 @@ def test_another_ros_has_types_and_names_of_its_own() -> None:
 
 def test_nodes_of_one_ros_are_kept_together() -> None:
     it = course("create_node 'a' as a using rclpy\nsubscribe a to 'x' of message_type String\n")
-    choose(it, "make a node")
+    choose(it, MAKE)
     form = it.page.form
     assert form is not None
     filled = it.look().of(form)
@@ -114,7 +111,7 @@ def test_nodes_of_one_ros_are_kept_together() -> None:
 def test_no_topic_of_its_own_is_suggested_to_a_node() -> None:
     one = TWO_NODES.partition("create_node 'listener'")[0]
     it = course(one)
-    choose(it, "give a node something more to do", "react to what others send")
+    choose(it, MORE, REACT)
     assert it.page.form is not None
     filled = it.look().of(it.page.form)
     assert filled is not None

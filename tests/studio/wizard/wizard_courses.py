@@ -10,6 +10,13 @@ from plastron_tui.session import Session
 from plastron_tui.studio.wizard.course import Course, Look, PageKind
 from plastron_tui.studio.wizard.scene import Surroundings
 
+MAKE = "make a node"
+MESSAGE = "make a message"
+MORE = "give a node something more to do"
+SEND = "send something, again and again"
+REACT = "react to what others send"
+ASK = "ask a question and wait for the answer"
+
 TWO_NODES = """\
 create_node 'talker' as talker
 create_message greeting of message_type String and input "hello"
