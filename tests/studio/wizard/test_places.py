@@ -3,7 +3,18 @@
 from __future__ import annotations
 
 import pytest
-from wizard_courses import ASK, MAKE, MORE, REACT, SEND, TWO_NODES, applied, choose, course, to_menu_or_review
+from wizard_courses import (
+    ASK,
+    MAKE,
+    MORE,
+    REACT,
+    SEND,
+    TWO_NODES,
+    applied,
+    choose,
+    course,
+    to_menu_or_review,
+)
 
 from plastron_tui.session import Session
 
