@@ -144,15 +144,36 @@ def test_refusal_names_the_lines_of_what_was_written_before(tmp_path: Path) -> N
     assert found.message == f"the publisher `second` is used in line {line}"
 
 
+OTHER_TYPES = """\
+import rospy
+import std_msgs.msg
+from std_msgs import msg
+from beginner_tutorials.srv import AddTwoInts
+
+rospy.init_node('mine')
+rospy.Subscriber('a', std_msgs.msg.Time, print)
+rospy.Subscriber('b', msg.Duration, print)
+rospy.Subscriber('c', std_msgs.msg.String, print)
+rospy.ServiceProxy('d', AddTwoInts)
+rospy.spin()
+"""
+
+
+def test_what_is_to_be_ported_by_hand_has_its_place_in_the_file_as_it_is(tmp_path: Path) -> None:
+    (tmp_path / "mine.py").write_text(OTHER_TYPES)
+    _, found = session(tmp_path, "load 'mine.py' as n\ngenerate_node n using rclpy\n").plan()
+    places = [None if each.span is None else OTHER_TYPES[slice(*each.span)] for each in found]
+    assert places == [
+        "rospy.Subscriber('a', std_msgs.msg.Time, print)",
+        "rospy.Subscriber('b', msg.Duration, print)",
+    ]
+    changed = "load 'mine.py' as n\nunsubscribe n from 'c'\ngenerate_node n using rclpy\n"
+    _, found = session(tmp_path, changed).plan()
+    assert [(each.code, each.span) for each in found] == [("port-by-hand", None)] * 2
+
+
 def test_types_that_the_other_ros_names_otherwise_are_told(tmp_path: Path) -> None:
-    (tmp_path / "mine.py").write_text(
-        "import rospy\nimport std_msgs.msg\nfrom std_msgs import msg\n"
-        "from beginner_tutorials.srv import AddTwoInts\n\nrospy.init_node('mine')\n"
-        "rospy.Subscriber('a', std_msgs.msg.Time, print)\n"
-        "rospy.Subscriber('b', msg.Duration, print)\n"
-        "rospy.Subscriber('c', std_msgs.msg.String, print)\n"
-        "rospy.ServiceProxy('d', AddTwoInts)\nrospy.spin()\n"
-    )
+    (tmp_path / "mine.py").write_text(OTHER_TYPES)
     plan, found = session(tmp_path, "load 'mine.py' as n\ngenerate_node n using rclpy\n").plan()
     (file,) = plan.files
     assert [(each.code, each.message.split("`")[1], each.help) for each in found] == [

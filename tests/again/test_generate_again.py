@@ -125,6 +125,18 @@ def test_original_that_is_changed_counts_as_it_is(bench: Bench) -> None:
     check_followed(bench, bench.put("robot.py"))
 
 
+def test_files_made_from_each_other_lead_to_the_first(bench: Bench) -> None:
+    bench.put("first/robot.py", NODES[bench.library].replace("somebody", "nobody"))
+    bench.put("second/robot.py")
+    bench.generate(f"load 'second/robot.py' as n\n{CHANGES}", output="third")
+    made = bench.generate(f"load 'first/robot.py' as n\n{CHANGES}", output="second", force=True)
+    assert made.errors == []
+    bench.edit("first/robot.py", "nobody", "nobody else")
+    last = f"load 'third/robot.py' as n\n{CHANGES}"
+    assert bench.generate(last, output="third") == (["changed"], [], [], [])
+    assert "nobody else" in (bench.path / "third/robot.py").read_text()
+
+
 def test_original_that_is_gone_is_remembered(bench: Bench) -> None:
     program = f"load robot as n\n{CHANGES}"
     original = bench.put("robot.py")

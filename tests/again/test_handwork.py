@@ -188,6 +188,25 @@ def test_original_and_output_are_both_changed(tmp_path: Path, library: str) -> N
 
 
 @pytest.mark.parametrize("library", LIBRARIES)
+def test_handwork_that_the_program_changed_does_not_go_to_another_original(
+    tmp_path: Path, library: str
+) -> None:
+    hand = Hand(tmp_path, library, BY_NAME)
+    hand.generate(PUBLISH)
+    old, new = LISTENING[library]
+    hand.edit(old, new + old)
+    assert hand.generate(PUBLISH, "unsubscribe n from 'mine'\n")[0] == ["changed"]
+    hand.edit('"fine"', '"good"')
+    hand.bench.edit("robot.py", "somebody", "somebody else")
+    before = hand.bench.files()
+    for statements in ((), (PUBLISH,), (PUBLISH, SUBSCRIBE)):
+        states, told = hand.generate(*statements)
+        assert states == ["conflict"]
+        assert told[-1].endswith("robot.py`, which it was made from, was changed as well")
+    assert hand.bench.files() == before
+
+
+@pytest.mark.parametrize("library", LIBRARIES)
 @pytest.mark.parametrize("how", ["gone", "broken", "broken layer"])
 def test_without_a_memory_nothing_is_lost(tmp_path: Path, library: str, how: str) -> None:
     hand = Hand(tmp_path, library, BY_NAME_IN_OUTPUT)
