@@ -49,7 +49,7 @@ class Adaptation:
         """Whether the node goes to another client library than it came from."""
         return self.source.library != self.library.target.name
 
-    def of(self, source: SourceFile) -> Rendered:
+    def made_of(self, source: SourceFile) -> Rendered:
         """Make the program's changes in a text, and bring it to the target's client library."""
         changes = changes_of(self.node)
         if not self.is_ported:
@@ -63,13 +63,13 @@ class Adaptation:
             source = read
         return self.library.target.port(self.node, source, self.library.catalog)
 
-    def of_original(self) -> bytes | None:
+    def made_of_original(self) -> bytes | None:
         """Return what the program would make of what it found at first, None for nothing."""
         origin = self.source.origin
         if origin is None or self.own is None:
             return None
         read = self.own.target.read(self.source.path, origin.text).source
-        return None if read is None else self.of(read).text
+        return None if read is None else self.made_of(read).text
 
     def placed(self, made: Rendered) -> tuple[Diagnostic, ...]:
         """Return what was found, with no place where the text is not as it is on the disk."""

@@ -49,18 +49,18 @@ class Derivation:
 
     def result(self) -> Derived:
         """Make the file."""
-        made = self.work.of(self.work.source)
+        made = self.work.made_of(self.work.source)
         if made.text is None:
             return Derived(None, self.work.refusal(made))
-        output, manifests, author, in_place, _ = self.writing
-        path, target = self.work.source.path, self.work.library.target
-        name = f"{path.stem}{target.suffix}" if self.work.is_ported else path.name
-        is_elsewhere = in_place and not self.work.is_ported and path.parent != output
-        shown = path if is_elsewhere else output / name
-        place = find_place(shown, author, manifests)
+        writing, target, is_ported = self.writing, self.work.library.target, self.work.is_ported
+        path = self.work.source.path
+        name = f"{path.stem}{target.suffix}" if is_ported else path.name
+        is_elsewhere = writing.in_place and not is_ported and path.parent != writing.output
+        shown = path if is_elsewhere else writing.output / name
+        place = find_place(shown, writing.author, writing.manifests)
         layer = self._layer(place, made.text)
         # A file that is written over where it came from keeps its mode: it is the user's.
-        is_over = not self.work.is_ported and (path == shown and place.present is not None)
+        is_over = not is_ported and path == shown and place.present is not None
         file = OutputFile(
             name,
             layer.written,
@@ -87,7 +87,7 @@ class Derivation:
         source, origin = self.work.source, self.work.source.origin
         if origin is not None and origin.start is not None:
             return origin.start, made
-        pure = self.work.of_original() if self._is_from(place) else None
+        pure = self.work.made_of_original() if self._is_from(place) else None
         return (source.text, made) if origin is None or pure is None else (origin.text, pure)
 
     def _is_from(self, place: Place) -> bool:
