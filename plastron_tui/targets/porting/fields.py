@@ -8,8 +8,8 @@ from tree_sitter import Node
 
 from plastron_tui.ros.interfaces import Field, FieldType, InterfaceKind, InterfaceName
 from plastron_tui.targets import literals
-from plastron_tui.targets.python.constants import operands
 from plastron_tui.targets.python.splices import Splice
+from plastron_tui.targets.python.syntax import parts_of
 
 from .kinds import LIST, MESSAGE, PLAIN, is_plain, kind_of, some_plain
 from .types import target_type
@@ -143,7 +143,7 @@ def _array(work: Work, value: Node, type_: FieldType) -> _Written | None:
     if value.type in ("list", "tuple"):
         inside: list[Splice] = []
         encode = work.analysis.syntax.encode
-        for each in operands(value):
+        for each in parts_of(value):
             found = None if "splat" in each.type else _value(work, each, element)
             if found is None:
                 return None

@@ -9,8 +9,9 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import FieldType, InterfaceKind, InterfaceName, Section
 from plastron_tui.targets.python.analysis import Site
-from plastron_tui.targets.python.constants import operands, without_none
+from plastron_tui.targets.python.constants import without_none
 from plastron_tui.targets.python.scopes import Binding, BindingKind, Scope
+from plastron_tui.targets.python.syntax import parts_of
 
 from .types import target_type
 from .work import Work
@@ -102,7 +103,7 @@ def _kind(work: Work, node: Node) -> str | None:
             kind = kind_of(work, node.child_by_field_name("argument"))
             return kind if kind in ("int", "float") else NUMBER
         case "conditional_expression" | "boolean_operator":
-            parts = operands(node)
+            parts = parts_of(node)
             return _common([kind_of(work, each) for each in (parts[0], parts[-1])])
         case "binary_operator":
             return _of_operator(work, node)
@@ -205,7 +206,7 @@ def _of_binding(work: Work, binding: Binding) -> str | None:
         if callee is not None and work.slice(callee) in ("range", "xrange"):
             return "int"
         if items.type in ("list", "tuple"):
-            return _common([kind_of(work, each) for each in operands(items)])
+            return _common([kind_of(work, each) for each in parts_of(items)])
     return None
 
 
@@ -218,7 +219,7 @@ def some_plain(work: Work, node: Node) -> bool:
         values = [each.value for each in found[1]] if found is not None else []
         return any(is_plain(kind_of(work, each)) for each in values if each)
     if node.type in ("conditional_expression", "boolean_operator"):
-        parts = operands(node)
+        parts = parts_of(node)
         return any(is_plain(kind_of(work, each)) for each in (parts[0], parts[-1]))
     return False
 

@@ -10,9 +10,10 @@ from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import FieldType, InterfaceKind
 from plastron_tui.targets.python.analysis import Site
 from plastron_tui.targets.python.callbacks import callback_target
-from plastron_tui.targets.python.constants import operands, without_none
+from plastron_tui.targets.python.constants import without_none
 from plastron_tui.targets.python.scopes import BindingKind, Scope
 from plastron_tui.targets.python.splices import Splice
+from plastron_tui.targets.python.syntax import parts_of
 
 from .fields import Given, fields_of, write_fields, write_value
 from .kinds import LIST, constructed, is_plain, kind_of, some_plain, typed
@@ -49,7 +50,7 @@ def port_plain(work: Work) -> None:
 def _given(arguments: Node, work: Work) -> Given | None:
     """Return what a call gives, None where a splat may hide more."""
     found: Given = []
-    for each in operands(arguments):
+    for each in parts_of(arguments):
         if "splat" in each.type or each.type in ("ERROR", "generator_expression"):
             return None
         name, value = each.child_by_field_name("name"), each.child_by_field_name("value")
@@ -74,7 +75,7 @@ def _port_message(work: Work, call: Node, callee: Node, arguments: Node) -> None
         splices = write_fields(work, given, fields) if fields is not None and given else None
         if splices is not None:
             _put(work, splices)
-        elif any(each.type != "dictionary_splat" for each in operands(arguments)):
+        elif any(each.type != "dictionary_splat" for each in parts_of(arguments)):
             work.mark(call, f"{work.slice(callee)} takes keywords only", "name the fields")
         return
     splices = write_fields(work, given, fields, is_sure=False) if fields is not None else []
@@ -121,7 +122,7 @@ def _port_publish(work: Work, call: Node, callee: Node, arguments: Node) -> None
     if splices is None:
         _mark_publish(work, call)
         return
-    _wrap(work, class_, operands(arguments), splices)
+    _wrap(work, class_, parts_of(arguments), splices)
 
 
 def _wrap(work: Work, class_: str, items: list[Node], splices: list[Splice]) -> None:
@@ -226,7 +227,7 @@ def _port_handler(work: Work, site: Site) -> None:
         if node.type in _FUNCTIONS:
             continue
         if node.type == "return_statement":
-            value = next(iter(operands(node)), None)
+            value = next(iter(parts_of(node)), None)
             if not is_shared:
                 _port_return(work, site, node, value)
             elif value is None or not _is_response(work, value):
@@ -276,7 +277,7 @@ def _port_return(work: Work, site: Site, statement: Node, value: Node | None) ->
 def _name_keys(work: Work, value: Node) -> None:
     """Write the keys of a dictionary as keywords."""
     encode = work.analysis.syntax.encode
-    for pair in operands(value):
+    for pair in parts_of(value):
         key, held = pair.child_by_field_name("key"), pair.child_by_field_name("value")
         if key is not None and held is not None:
             name = work.slice(key)[1:-1]
@@ -287,7 +288,7 @@ def _returned(work: Work, value: Node) -> Given | None:
     """Return the values that rospy puts into a response, None where it is not sure."""
     if value.type == "dictionary":
         found: Given = []
-        for pair in operands(value):
+        for pair in parts_of(value):
             key, held = pair.child_by_field_name("key"), pair.child_by_field_name("value")
             name = work.slice(key)[1:-1] if key is not None and key.type == "string" else ""
             if held is None or not name.isidentifier():
@@ -295,7 +296,7 @@ def _returned(work: Work, value: Node) -> Given | None:
             found.append((name, held))
         return found
     if value.type in ("list", "tuple", "expression_list"):
-        items = operands(value)
+        items = parts_of(value)
         return None if any("splat" in each.type for each in items) else [(None, x) for x in items]
     kind = kind_of(work, value)
     if kind in (None, LIST, "dict") or not is_plain(kind):
@@ -308,7 +309,7 @@ def _is_response(work: Work, value: Node) -> bool:
     if value.type == "parenthesized_expression":
         return _is_response(work, value.named_children[0])
     if value.type == "conditional_expression":
-        parts = operands(value)
+        parts = parts_of(value)
         return _is_response(work, parts[0]) and _is_response(work, parts[-1])
     callee = value.child_by_field_name("function")
     if callee is not None:

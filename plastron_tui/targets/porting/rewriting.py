@@ -10,6 +10,7 @@ from plastron_tui.model.source import EndpointKind
 from plastron_tui.targets.python.analysis import Site
 from plastron_tui.targets.python.scopes import Scope
 from plastron_tui.targets.python.splices import line_start
+from plastron_tui.targets.python.syntax import parts_of
 
 from .work import Work
 
@@ -57,8 +58,7 @@ def callable_text(text: str) -> str:
 def parameters_of(function: Scope) -> tuple[Node | None, list[Node]]:
     """Return the list of a function's parameters, and the parameters."""
     listed = function.node.child_by_field_name("parameters")
-    children = listed.named_children if listed is not None else []
-    return listed, [each for each in children if each.type != "comment"]
+    return listed, parts_of(listed)
 
 
 def append_parameter(work: Work, listed: Node, parameters: list[Node], parameter: str) -> None:
@@ -82,7 +82,7 @@ def replace_by_opposite(work: Work, call: Node, opposite: str) -> None:
 
 def first_statement(body: Node) -> Node:
     """Return the first statement of a block, behind its docstring."""
-    statements = [each for each in body.named_children if each.type != "comment"]
+    statements = parts_of(body)
     first = statements[0]
     is_docstring = first.type == "expression_statement" and bool(
         first.named_children and first.named_children[0].type == "string"

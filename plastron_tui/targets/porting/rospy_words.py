@@ -5,7 +5,7 @@ from __future__ import annotations
 from tree_sitter import Node
 
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
-from plastron_tui.targets.python.constants import operands
+from plastron_tui.targets.python.syntax import parts_of
 
 from .rewriting import replace_by_opposite
 from .types import target_type
@@ -32,7 +32,7 @@ def port_rospy_words(work: Work) -> None:
         if "rclpy.ok" in work.qualified(callee):
             replace_by_opposite(work, call, "rospy.is_shutdown()")
         chain = _chain(work, call)
-        given = operands(arguments)
+        given = parts_of(arguments)
         if chain[-1:] == ["to_msg"] and chain[-3:-1] == ["get_clock", "now"] and not given:
             if is_stamp(work, call):
                 _replace(work, call, "rospy.Time.now()")
@@ -61,7 +61,7 @@ def _chain(work: Work, call: Node) -> list[str]:
         part = callee.child_by_field_name("attribute") if callee is not None else None
         if callee is None or part is None or arguments is None:
             return []
-        if current is not call and operands(arguments):
+        if current is not call and parts_of(arguments):
             return []
         methods.insert(0, work.slice(part))
         current = callee.child_by_field_name("object")

@@ -13,6 +13,7 @@ from plastron_tui.targets.python.constants import Known
 from plastron_tui.targets.python.references import statement_of
 from plastron_tui.targets.python.scopes import Scope
 from plastron_tui.targets.python.splices import Splice, delete_item, line_start
+from plastron_tui.targets.python.syntax import parts_of
 
 from .leftovers import mark_leftovers, port_ending
 from .placing import add_header
@@ -256,8 +257,7 @@ def _port_running(work: Work) -> None:
 def _port_spin(work: Work, call: Node, alone: Node | None) -> None:
     """Spin without the node; an argument that makes the node is evaluated before."""
     arguments = call.child_by_field_name("arguments")
-    children = arguments.named_children if arguments is not None else []
-    given = [each for each in children if each.type != "comment"]
+    given = parts_of(arguments)
     first = given[0] if given else None
     if first is not None and first.type == "keyword_argument":
         first = first.child_by_field_name("value")
@@ -329,7 +329,7 @@ def _leave_base(work: Work, owner: Scope, base: Node) -> None:
     if listed is None:
         return
     work.done.update(node.id for node in walk(base))
-    items = [each for each in listed.named_children if each.type != "comment"]
+    items = parts_of(listed)
     if len(items) == 1:
         work.replace(listed, "")
     else:

@@ -8,8 +8,8 @@ from collections.abc import Mapping
 from tree_sitter import Node
 
 from plastron_tui.ros.interfaces import FieldType
-from plastron_tui.targets.python.constants import operands
 from plastron_tui.targets.python.splices import Splice
+from plastron_tui.targets.python.syntax import parts_of
 
 from .kinds import kind_of, typed
 from .rclpy_node import has_node
@@ -52,7 +52,7 @@ def port_words(work: Work, node: str) -> None:
 def _port_question(work: Work, call: Node, name: str, node: str) -> None:
     """Rewrite a call without arguments."""
     arguments = call.child_by_field_name("arguments")
-    if arguments is None or operands(arguments) or not has_node(work, call):
+    if arguments is None or parts_of(arguments) or not has_node(work, call):
         return
     if name == "rospy.get_name":
         work.replace(call, f"{node}.get_fully_qualified_name()")
@@ -90,7 +90,7 @@ def is_stamp(work: Work, call: Node) -> bool:
 def _port_log(work: Work, call: Node, callee: Node, log: str) -> None:
     """Rewrite a log whose text is sure: rclpy takes one text, and fills in nothing."""
     arguments = call.child_by_field_name("arguments")
-    given = operands(arguments) if arguments is not None else []
+    given = parts_of(arguments) if arguments is not None else []
     if not given or any("splat" in each.type for each in given):
         return
     if any(each.type in ("keyword_argument", "generator_expression") for each in given):

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from tree_sitter import Node
 
 from .calls import Argument
-from .syntax import Syntax
+from .syntax import Syntax, parts_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,13 +27,11 @@ class Arguments:
         is_open = False
         splat: Node | None = None
         listed = call.child_by_field_name("arguments")
-        children = listed.named_children if listed is not None else []
+        children = parts_of(listed)
         if listed is not None and listed.type != "argument_list":
             children = []
             is_open = True
         for child in children:
-            if child.type == "comment":
-                continue
             if child.type == "keyword_argument":
                 name = child.child_by_field_name("name")
                 value = child.child_by_field_name("value")

@@ -13,7 +13,7 @@ from tree_sitter import Node
 from .arguments import Arguments
 from .calls import Argument
 from .scopes import Binding, BindingKind, Scope, ScopeTree
-from .syntax import Syntax
+from .syntax import Syntax, parts_of
 
 # What a person writes is far flatter; a file that is deeper was made to break readers.
 MOST_DEEP = 24
@@ -108,10 +108,10 @@ class Constants:
         return _join(parts)
 
     def _concatenated(self, node: Node, scope: Scope, depth: int) -> Folded:
-        return _join([self.fold(child, scope, depth) for child in operands(node)])
+        return _join([self.fold(child, scope, depth) for child in parts_of(node)])
 
     def _parenthesized(self, node: Node, scope: Scope, depth: int) -> Folded:
-        inner = operands(node)
+        inner = parts_of(node)
         return self.fold(inner[0], scope, depth) if len(inner) == 1 else None
 
     def _operator(self, node: Node, scope: Scope, depth: int) -> Folded:
@@ -121,7 +121,7 @@ class Constants:
         if operator is None or right is None or left is None:
             return None
         if operator.type == "%":
-            values = operands(right) if right.type == "tuple" else [right]
+            values = parts_of(right) if right.type == "tuple" else [right]
             return _format(left, [self.fold(value, scope, depth) for value in values], _percent)
         other = self.fold(right, scope, depth)
         if operator.type == "+" and other is not None:
@@ -244,11 +244,6 @@ def without_none(bindings: list[Binding]) -> list[Binding]:
         or binding.value is None
         or binding.value.type != "none"
     ]
-
-
-def operands(node: Node) -> list[Node]:
-    """Return the parts of an expression, comments between them left out."""
-    return [child for child in node.named_children if child.type != "comment"]
 
 
 def _defaulted(folded: Folded) -> Folded:

@@ -11,6 +11,7 @@ from plastron_tui.model.source import EndpointKind
 from .analysis import Analysis, Site
 from .references import Reference, Use, Variable, references, statement_of, variable_of
 from .splices import Splice, delete_item
+from .syntax import parts_of
 
 _USED_AT_ONCE = {
     EndpointKind.PUBLISHER: frozenset({"publish"}),
@@ -109,10 +110,10 @@ def _remove_element(
     if assignment is None or target is None or assignment.type != "assignment":
         removal.lines.add(line_of(value))
         return []
-    values = [child for child in sequence.named_children if child.type != "comment"]
+    values = parts_of(sequence)
     if target.type not in _SEQUENCES:
         return _remove_from_list(analysis, value, values, target, removal)
-    targets = [child for child in target.named_children if child.type != "comment"]
+    targets = parts_of(target)
     index = next(i for i, other in enumerate(values) if other.id == value.id)
     variable = variable_of(targets[index], analysis) if len(targets) == len(values) else None
     is_plain = len(values) > 1 and _unpack_alike(text, target, sequence, len(values))

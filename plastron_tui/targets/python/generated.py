@@ -11,6 +11,7 @@ from plastron_tui.model.source import EndpointKind
 from .analysis import Analysis, Site
 from .references import Reference
 from .scopes import Scope
+from .syntax import parts_of
 
 _LOGGERS = frozenset({"loginfo", "info", "print"})
 # `chatter: %s`, `chatter: {message}`: what a stub logs.
@@ -22,7 +23,7 @@ def body_of(function: Scope) -> list[Node]:
     block = function.node.child_by_field_name("body")
     if block is None:
         return []
-    statements = [child for child in block.named_children if child.type != "comment"]
+    statements = parts_of(block)
     if statements and _is_string(statements[0]):
         statements = statements[1:]
     return statements
@@ -99,11 +100,11 @@ def _is_log(analysis: Analysis, call: Node, parameters: list[str]) -> bool:
     name = analysis.syntax.slice(callee).rpartition(".")[2]
     if name not in _LOGGERS:
         return False
-    given = [_content(analysis, node) for node in arguments.named_children]
+    given = [_content(analysis, node) for node in parts_of(arguments)]
     return (
         bool(given)
         and bool(_LABELLED.match(given[0]))
-        and all(_is_message(analysis, node, parameters) for node in arguments.named_children)
+        and all(_is_message(analysis, node, parameters) for node in parts_of(arguments))
     )
 
 

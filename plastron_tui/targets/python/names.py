@@ -11,10 +11,10 @@ from plastron_tui.ros.interfaces import InterfaceName
 
 from .arguments import Arguments
 from .calls import Argument, ClientLibrary
-from .constants import MOST_DEEP, Constants, Folded, Known, operands, without_none
+from .constants import MOST_DEEP, Constants, Folded, Known, without_none
 from .scopes import Binding, BindingKind, Scope, ScopeTree
 from .stars import star_interface
-from .syntax import Syntax
+from .syntax import Syntax, parts_of
 
 _WRAPPED_TYPES = frozenset({"rospy.numpy_msg.numpy_msg", "numpy_msg.numpy_msg"})
 _CLASS_LOADERS = frozenset({"roslib.message.get_message_class", "roslib.message.get_service_class"})
@@ -222,7 +222,7 @@ class Resolver:
             return self._made_by(node, scope)
         if node.type in ("conditional_expression", "boolean_operator"):
             # `node or create_node('x')`: what is known of one side is meant of the other.
-            parts = operands(node)
+            parts = parts_of(node)
             sides = [self.instance(side, scope, depth + 1) for side in (parts[0], parts[-1])]
             known = {side for side in sides if side is not None}
             return known.pop() if len(known) == 1 else None
@@ -257,7 +257,7 @@ class Resolver:
         if binding.kind is BindingKind.UNKNOWN and binding.node.type == "for_statement":
             items = binding.node.child_by_field_name("right")
             if items is not None and items.type in ("list", "tuple"):
-                values = [(item, binding.scope) for item in operands(items)]
+                values = [(item, binding.scope) for item in parts_of(items)]
                 return self._common_instance(values, depth)
         return None
 

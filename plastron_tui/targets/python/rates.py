@@ -9,6 +9,7 @@ from plastron_tui.model.source import EndpointKind
 from .analysis import Analysis, Site
 from .constants import Known
 from .scopes import Scope
+from .syntax import parts_of
 
 _MAKERS = ("Rate", "create_rate")
 _DURATIONS = ("Duration", "from_sec")
@@ -83,9 +84,7 @@ def _inverse(seconds: float | None) -> float | None:
 
 def _first(call: Node) -> Node | None:
     """Return the first argument of a call."""
-    arguments = call.child_by_field_name("arguments")
-    given = arguments.named_children if arguments is not None else []
-    first = next((each for each in given if each.type != "comment"), None)
+    first = next(iter(parts_of(call.child_by_field_name("arguments"))), None)
     is_named = first is not None and first.type == "keyword_argument"
     return first.child_by_field_name("value") if first is not None and is_named else first
 

@@ -8,7 +8,7 @@ from enum import Enum
 
 from tree_sitter import Node
 
-from .syntax import Syntax
+from .syntax import Syntax, parts_of
 
 
 class BindingKind(Enum):
@@ -314,13 +314,13 @@ class _Binder:
         elif target.type == "as_pattern_target" and target.named_child_count == 1:
             self._target(target.named_children[0], value, node)
         elif target.type in _SEQUENCES:
-            values = self._values(value, target.named_child_count)
-            for child, part in zip(target.named_children, values, strict=True):
+            targets = parts_of(target)
+            for child, part in zip(targets, self._values(value, len(targets)), strict=True):
                 self._target(child, part, node)
 
     @staticmethod
     def _values(value: Node | None, count: int) -> list[Node | None]:
-        parts = value.named_children if value is not None and value.type in _SEQUENCES else []
+        parts = parts_of(value) if value is not None and value.type in _SEQUENCES else []
         if len(parts) == count and not any(part.type == "list_splat" for part in parts):
             return list(parts)
         return [None] * count

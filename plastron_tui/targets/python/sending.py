@@ -20,6 +20,7 @@ from .rates import loop_rate, timer_rate
 from .removal import callback_scope
 from .scopes import Scope
 from .splices import line_end, line_start
+from .syntax import parts_of
 
 _LEAVING = ("return_statement", "break_statement", "continue_statement", "raise_statement")
 
@@ -117,12 +118,12 @@ def _sees(added: Addition, function: Scope) -> bool:
 
 def _publish_in(added: Addition, block: Node, publications: Sequence[Publication]) -> None:
     """Publish at the end of a block, before it sleeps or leaves."""
-    statements = [child for child in block.named_children if child.type != "comment"]
+    statements = parts_of(block)
     while len(statements) == 1 and statements[0].type == "try_statement":
         inner = statements[0].child_by_field_name("body")
         if inner is None or not _is_plain(statements[0], inner):
             break
-        statements = [child for child in inner.named_children if child.type != "comment"]
+        statements = parts_of(inner)
     last = statements[-1]
     text = added.analysis.syntax.text
     leaves = last.type in _LEAVING or _is_sleep(added, last)

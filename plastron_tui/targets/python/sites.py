@@ -17,7 +17,7 @@ from .calls import Argument, CallShape, ClientLibrary
 from .constants import Defaulted, Known
 from .names import NODE, Resolver
 from .scopes import Scope, build_scopes
-from .syntax import Syntax, parse
+from .syntax import Syntax, parse, parts_of
 
 # How people call a variable that holds a node, where nothing else says what it is.
 _NODE_VARIABLE = re.compile(r"_*(\w+_)?(node|lifecycle_node)(handle)?_*$", re.IGNORECASE)
@@ -309,11 +309,9 @@ class _Finder:
         if node.type not in ("list", "tuple"):
             return [node]
         found: list[Node | None] = []
-        for item in node.named_children:
-            if item.type == "tuple" and item.named_child_count:
-                found.append(item.named_children[0])
-            elif item.type != "comment":
-                found.append(item)
+        for item in parts_of(node):
+            inner = parts_of(item) if item.type == "tuple" else []
+            found.append(inner[0] if inner else item)
         return found
 
     def _endpoint(

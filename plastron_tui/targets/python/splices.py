@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 from tree_sitter import Node
 
+from .syntax import parts_of
+
 
 @dataclass(frozen=True, slots=True, order=True)
 class Splice:
@@ -51,11 +53,7 @@ def delete_statements(text: bytes, statements: Sequence[Node]) -> list[Splice]:
             blocks.setdefault(parent.id, (parent, []))[1].append(statement)
     for block, gone in blocks.values():
         gone.sort(key=lambda node: node.start_byte)
-        kept = [
-            child
-            for child in block.named_children
-            if child.type != "comment" and all(child.id != node.id for node in gone)
-        ]
+        kept = [child for child in parts_of(block) if all(child.id != node.id for node in gone)]
         if not kept and block.type != "module":
             first = gone.pop(0)
             splices.append(Splice(first.start_byte, first.end_byte, b"pass"))

@@ -129,6 +129,12 @@ def _declared(text: bytes) -> str | None:
     return None
 
 
+def parts_of(node: Node | None) -> list[Node]:
+    """Return the named children of a node, without comments and the backslashes at line ends."""
+    children = node.named_children if node is not None else []
+    return [child for child in children if child.type not in ("comment", "line_continuation")]
+
+
 def count_errors(root: Node) -> int:
     """Count the places where the text does not parse."""
     if not root.has_error:
