@@ -11,6 +11,7 @@ from merging_driver import (
     INT,
     KEEP,
     KEPT,
+    OWN,
     PROVIDE,
     PROVIDE_TRIGGER,
     PUBLISH,
@@ -80,6 +81,18 @@ def test_type_changed(folder: Folder, kind: str) -> None:
         assert f"self.{name})" in text or f"self.{name}, 10)" in text
         assert f"`{name}` was written for" in "".join(outcome.warnings)
     check_again(folder, KEEP, other)
+
+
+@pytest.mark.parametrize("kind", ["subscription", "service"])
+def test_callback_in_which_nothing_was_written_goes_with_its_type(
+    folder: Folder, kind: str
+) -> None:
+    statement, other, _, shown = KINDS[kind]
+    folder.generate(KEEP, statement)
+    folder.edit("\ndef main(", f"{OWN}\n\ndef main(")
+    (told,) = folder.generate(KEEP, other).warnings
+    assert told.startswith("merged-by-hand: `robot_node.py` was changed by hand and is kept")
+    check(folder, OWN.strip().split("\n"), [*KEPT, shown])
 
 
 @each_kind
