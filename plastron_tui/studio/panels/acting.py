@@ -44,32 +44,47 @@ class Asked(EntryMessage):
         self.what = what
 
 
-class Acting(Widget):
-    """Offers what can be done about the entry under its cursor: each becomes a statement."""
-
-    BINDINGS: ClassVar[list[BindingType]] = [
-        Binding(
-            "delete,d", "ask('end')", "Stop it", id="panel.end",
-            tooltip="Write the statement that ends it: unsubscribe, stop_publishing, …",
-        ),
-        Binding(
-            "f2,r", "ask('rename')", "Rename", id="panel.rename",
-            tooltip="Give it another name, everywhere",
-        ),
-        Binding(
-            "g", "ask('generate')", "Generate", id="panel.generate",
-            tooltip="Write the `generate_node` of its node",
-        ),
-        Binding(
-            "f,alt+enter", "ask('fix')", "Mend", id="panel.fix",
-            tooltip="Apply the remedy",
-        ),
-    ]  # fmt: skip
+class Pointing(Widget):
+    """Has a cursor on an entry: as it moves the program goes along, and Enter goes there."""
 
     @property
     def current(self) -> Entry | None:
         """The entry that the cursor is on."""
         return None
+
+    def tell_current(self) -> None:
+        """Tell what the cursor is on now."""
+        if self.current is not None:
+            self.post_message(Lit(self.current))
+
+    def action_choose(self) -> None:
+        """Go to the first statement about the entry."""
+        if self.current is not None:
+            self.post_message(Chosen(self.current))
+
+    def on_focus(self) -> None:
+        """Show the cursor."""
+        self.refresh()
+
+    def on_blur(self) -> None:
+        """Show that the cursor is elsewhere."""
+        self.refresh()
+
+
+def _asking(what: str, keys: str, title: str, tooltip: str) -> Binding:
+    return Binding(keys, f"ask('{what}')", title, id=f"panel.{what}", tooltip=tooltip)
+
+
+class Acting(Pointing):
+    """Offers what can be done about the entry under its cursor: each becomes a statement."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        _asking("end", "delete,d", "Stop it",
+                "Write the statement that ends it: unsubscribe, stop_publishing, …"),
+        _asking("rename", "f2,r", "Rename", "Give it another name, everywhere"),
+        _asking("generate", "g", "Generate", "Write the `generate_node` of its node"),
+        _asking("fix", "f,alt+enter", "Mend", "Apply the remedy"),
+    ]  # fmt: skip
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
         """Offer what can be done about the entry under the cursor."""

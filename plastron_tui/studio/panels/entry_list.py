@@ -14,12 +14,12 @@ from textual.reactive import reactive
 from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
-from .acting import Chosen, Lit
+from .acting import Pointing
 from .entry import Entries, Entry
 from .tones import COMPONENTS, Toned
 
 
-class EntryList(Toned, ScrollView, can_focus=True):
+class EntryList(Pointing, Toned, ScrollView, can_focus=True):
     """Entries, one a line, with a cursor."""
 
     COMPONENT_CLASSES: ClassVar[set[str]] = {*COMPONENTS, "entry-list--cursor", "entry-list--here"}
@@ -45,7 +45,7 @@ class EntryList(Toned, ScrollView, can_focus=True):
         self._here: str | None = None
 
     @property
-    def entry(self) -> Entry | None:
+    def current(self) -> Entry | None:
         """The entry that the cursor is on."""
         return self._shown[self.index] if 0 <= self.index < len(self._shown) else None
 
@@ -53,7 +53,7 @@ class EntryList(Toned, ScrollView, can_focus=True):
         """Show other entries; the cursor stays on the entry of the same key."""
         if entries is self.entries:
             return
-        current = self.entry
+        current = self.current
         self.entries = entries
         self._lay_out()
         row = None if current is None else self._rows.get(current.key)
@@ -101,15 +101,11 @@ class EntryList(Toned, ScrollView, can_focus=True):
         if self._shown:
             self.index = max(0, min(len(self._shown) - 1, self.index + by))
             self._reveal(self.index)
-            self._tell()
+            self.tell_current()
 
     def action_page(self, by: int) -> None:
         """Move the cursor by a page."""
         self.action_move(by * max(1, self.size.height - 1))
-
-    def _tell(self) -> None:
-        if self.entry is not None:
-            self.post_message(Lit(self.entry))
 
     def action_fold(self) -> None:
         """Fold or unfold the entry, or the one that it belongs to."""
@@ -122,11 +118,6 @@ class EntryList(Toned, ScrollView, can_focus=True):
             self.index = row
             self._reveal(row)
 
-    def action_choose(self) -> None:
-        """Choose the entry."""
-        if self.entry is not None:
-            self.post_message(Chosen(self.entry))
-
     def on_click(self, event: events.Click) -> None:
         """Choose the entry under the mouse; its sign folds it."""
         row = event.y + self.scroll_offset.y
@@ -138,14 +129,6 @@ class EntryList(Toned, ScrollView, can_focus=True):
             self.action_fold()
         else:
             self.action_choose()
-
-    def on_focus(self) -> None:
-        """Show the cursor."""
-        self.refresh()
-
-    def on_blur(self) -> None:
-        """Show that the cursor is elsewhere."""
-        self.refresh()
 
     def render_line(self, y: int) -> Strip:
         """Draw a line."""

@@ -14,7 +14,7 @@ from textual.message import Message
 from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
-from .acting import Acting, Chosen, Lit
+from .acting import Acting
 from .drawing import DETAILS, Place
 from .entry import Entry
 from .picture import Fitted, Picture, Size
@@ -165,7 +165,7 @@ class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
         boxes = sorted(self._fitted.places, key=lambda box: self._fitted.places[box][:2])
         if boxes:
             self._pick(boxes[number])
-            self._tell()
+            self.tell_current()
 
     def action_go(self, right: int, down: int) -> None:
         """Go to the nearest box in a direction."""
@@ -180,20 +180,11 @@ class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
         ]
         if found:
             self._pick(min(found)[1])
-            self._tell()
+            self.tell_current()
         elif right:
             self.scroll_relative(x=4 * right, animate=False)
         else:
             self.scroll_relative(y=down, animate=False)
-
-    def _tell(self) -> None:
-        if self.current is not None:
-            self.post_message(Lit(self.current))
-
-    def action_choose(self) -> None:
-        """Go to the first statement about the box."""
-        if self.current is not None:
-            self.post_message(Chosen(self.current))
 
     def on_click(self, event: events.Click) -> None:
         """Choose the box under the mouse."""
@@ -207,7 +198,6 @@ class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
     def on_focus(self) -> None:
         """Show the cursor."""
         self._begin()
-        self.refresh()
 
     def _begin(self) -> None:
         """Put the cursor on a box, when there is one and the panel has the focus."""
@@ -215,10 +205,6 @@ class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
             here = self._here
             self._cursor = here if here is not None else min(self._fitted.places)
             self.refresh_bindings()
-
-    def on_blur(self) -> None:
-        """Show that the cursor is elsewhere."""
-        self.refresh()
 
     # Drawing.
 

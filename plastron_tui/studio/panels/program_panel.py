@@ -3,17 +3,11 @@
 from __future__ import annotations
 
 from .acting import Acting
-from .entry import Entry
 from .entry_list import EntryList
 
 
 class ProgramPanel(EntryList, Acting):
     """Entries of a program, with what can be done about them."""
-
-    @property
-    def current(self) -> Entry | None:
-        """The entry that the cursor is on."""
-        return self.entry
 
     def watch_index(self, old: int, new: int) -> None:
         """Offer other actions with another entry."""
