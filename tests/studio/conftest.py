@@ -25,3 +25,11 @@ def program(tmp_path: Path) -> Path:
     file.parent.mkdir()
     file.write_text(PROGRAM)
     return file
+
+
+@pytest.fixture
+def loaded(program: Path, request: pytest.FixtureRequest) -> Path:
+    """A program that loads a node file: the test module's `LOADED`, and its `FILE`."""
+    program.write_text(request.module.LOADED)
+    program.with_name("old.py").write_text(request.module.FILE)
+    return program

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from textual.pilot import Pilot
+from textual.widgets import Label
 
 from plastron_tui.studio.app import StudioApp
 from plastron_tui.studio.screens.main import MainScreen
@@ -26,6 +27,11 @@ _PATIENCE = 30
 """Seconds until a test gives up; only a machine with much else to do needs more than one."""
 
 SIZES = [(80, 24), (120, 40)]
+
+
+def fail(*_: object) -> None:
+    """Stand for something of Plastron's own that has a mistake in it."""
+    raise RuntimeError("a deliberate error")
 
 
 class Driver:
@@ -92,6 +98,16 @@ class Driver:
         await self.until(lambda: type(self.app.screen).__name__ == name)
         await self.pilot.pause()
         return self.app.screen
+
+    async def failure(self, text: bytes) -> Any:
+        """Wait until a deliberate error is said, with the place where the text is kept."""
+        dialog = await self.dialog("Failure")
+        assert "a deliberate error" in dialog.report
+        said = str(dialog.query_one("#dialog-text", Label).content)
+        journal = self.main.open.journal.file
+        assert str(journal) in said
+        assert journal.read_bytes().endswith(text)
+        return dialog
 
     async def back(self) -> None:
         """Wait until the main screen is in front again."""

@@ -37,13 +37,6 @@ while not rospy.is_shutdown():
 LOADED = "load 'old.py' as old\ngenerate_node old\n"
 
 
-@pytest.fixture
-def loaded(program: Path) -> Path:
-    program.write_text(LOADED)
-    program.with_name("old.py").write_text(FILE)
-    return program
-
-
 async def go_to(driver: Driver, panel: str, text: str) -> None:
     """Put the panel's cursor on the first entry that starts with a text."""
     driver.main.action_show(panel)

@@ -4,7 +4,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from studio_driver import PROGRAM, SIZES, Driver, studio
+from studio_driver import PROGRAM, SIZES, Driver, fail, studio
 from textual.widgets import Button, Label
 
 from plastron_tui.studio.actions import ACTIONS, BY_ID
@@ -208,17 +208,10 @@ async def test_an_error_of_plastrons_own_is_shown_and_the_text_is_kept(
 ) -> None:
     from plastron_tui.studio import analysis
 
-    def fail(*_: object) -> None:
-        raise RuntimeError("a deliberate error")
-
     async with studio(program) as driver:
         monkeypatch.setattr(analysis, "analyse", fail)
         await driver.pilot.press("x")
-        dialog = await driver.dialog("Failure")
-        assert "a deliberate error" in dialog.report
-        said = str(dialog.query_one("#dialog-text", Label).content)
-        assert str(driver.main.open.journal.file) in said
-        assert driver.main.open.journal.file.read_bytes().endswith(b"x" + PROGRAM.encode())
+        dialog = await driver.failure(b"x" + PROGRAM.encode())
         await driver.pilot.press("c")
         assert driver.app.clipboard == dialog.report
         await driver.pilot.press("escape")

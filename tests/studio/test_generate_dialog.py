@@ -25,13 +25,6 @@ rospy.spin()
 LOADED = "load 'old.py' as old\nunsubscribe old from 'alarm'\ngenerate_node old\n"
 
 
-@pytest.fixture
-def loaded(program: Path) -> Path:
-    program.write_text(LOADED)
-    program.with_name("old.py").write_text(FILE)
-    return program
-
-
 async def ask(driver: Driver) -> Driver:
     await driver.pilot.press("f6")
     return await driver.dialog("GenerateDialog")

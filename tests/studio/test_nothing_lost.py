@@ -11,8 +11,7 @@ import time
 from pathlib import Path
 
 import pytest
-from studio_driver import PROGRAM, SIZES, studio
-from textual.widgets import Label
+from studio_driver import PROGRAM, SIZES, fail, studio
 
 from plastron_tui.studio.config import load_remembered, state_folder
 from plastron_tui.studio.journal import Journal, kept_texts
@@ -168,19 +167,12 @@ async def test_the_window_changes_its_size_at_any_moment(program: Path, seed: in
 async def test_an_error_in_a_worker_is_shown_and_the_studio_goes_on(
     program: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def fail(*_: object) -> None:
-        raise RuntimeError("a deliberate error")
-
     async with studio(program) as driver:
         await driver.type("// hi\n")
         with monkeypatch.context() as patch:
             patch.setattr("plastron_tui.session.Session.generated", fail)
             await driver.pilot.press("f6")
-            dialog = await driver.dialog("Failure")
-        assert "a deliberate error" in dialog.report
-        said = str(dialog.query_one("#dialog-text", Label).content)
-        assert str(driver.main.open.journal.file) in said
-        assert driver.main.open.journal.file.read_bytes().endswith(PROGRAM.encode())
+            await driver.failure(PROGRAM.encode())
         await driver.pilot.press("escape")
         await driver.back()
         await driver.type("!")
@@ -190,9 +182,6 @@ async def test_an_error_in_a_worker_is_shown_and_the_studio_goes_on(
 async def test_an_error_that_ends_the_studio_says_where_the_text_is(
     program: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def fail(*_: object) -> None:
-        raise RuntimeError("a deliberate error")
-
     monkeypatch.setattr(MainScreen, "action_panels", fail)
     with pytest.raises(RuntimeError, match="a deliberate error"):
         async with studio(program) as driver:

@@ -11,6 +11,12 @@ from textual.pilot import Pilot
 from plastron_tui.session import Session
 from plastron_tui.studio.editor import ProgramEditor
 
+PROGRAM = """\
+create_node 'talker' as talker
+create_message hello of message_type String and input "hello"
+talker publish hello to 'chatter' of message_type String
+"""
+
 NAMES = {" ": "space", "'": "apostrophe", "_": "underscore", "/": "slash", ".": "full_stop"}
 NAMES |= {",": "comma", "=": "equals_sign", "(": "left_parenthesis", ")": "right_parenthesis"}
 NAMES |= {'"': "quotation_mark", "[": "left_square_bracket", "]": "right_square_bracket"}

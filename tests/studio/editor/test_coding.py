@@ -7,13 +7,7 @@ from contextlib import nullcontext
 from pathlib import Path
 
 import pytest
-from editor_host import editing
-
-PROGRAM = """\
-create_node 'talker' as talker
-create_message hello of message_type String and input "hello"
-talker publish hello to 'chatter' of message_type String
-"""
+from editor_host import PROGRAM, editing
 
 
 class TestCoding:

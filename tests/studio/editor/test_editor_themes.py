@@ -3,16 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from editor_host import editing
+from editor_host import PROGRAM, editing
 from textual.color import Color
 
 from plastron_tui.studio.editor.palette import contrast
-
-PROGRAM = """\
-create_node 'talker' as talker
-create_message hello of message_type String and input "hello"
-talker publish hello to 'chatter' of message_type String
-"""
 
 
 async def test_the_editor_follows_the_theme() -> None:

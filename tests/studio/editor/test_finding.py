@@ -3,14 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from editor_host import editing
+from editor_host import PROGRAM, editing
 from textual.widgets import Label
-
-PROGRAM = """\
-create_node 'talker' as talker
-create_message hello of message_type String and input "hello"
-talker publish hello to 'chatter' of message_type String
-"""
 
 
 class TestFinding:

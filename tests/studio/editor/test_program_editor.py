@@ -3,18 +3,12 @@ from __future__ import annotations
 import base64
 
 import pytest
-from editor_host import editing
+from editor_host import PROGRAM, editing
 from textual.events import Key, Paste
 from textual.geometry import Offset
 
 from plastron_tui.diagnostics import Edit, Span
 from plastron_tui.session import Session
-
-PROGRAM = """\
-create_node 'talker' as talker
-create_message hello of message_type String and input "hello"
-talker publish hello to 'chatter' of message_type String
-"""
 
 
 @pytest.mark.parametrize(
