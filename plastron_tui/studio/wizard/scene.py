@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.language.keywords import KEYWORDS
 from plastron_tui.model.types import TypeResolver
@@ -133,29 +133,14 @@ class Scene:
     def _meetings(self) -> dict[tuple[InterfaceKind, int], dict[str, Meeting]]:
         found: dict[tuple[InterfaceKind, int], dict[str, Meeting]] = {}
 
-        def meet(
-            node: Node, kind: InterfaceKind, name: str, type_: InterfaceName | None
-        ) -> Meeting:
-            full = resolved_name(node.name, name)
-            known = found.setdefault((kind, self.version_of(node.variable)), {})
-            written = full if name.startswith("~") or "{" in name else name
-            meeting = known.setdefault(full, Meeting(written))
-            meeting.type = meeting.type or type_
-            return meeting
-
         for variable, node in self.workspace.nodes.items():
-            for publisher in node.publishers.values():
-                there = meet(node, InterfaceKind.MESSAGE, publisher.topic, publisher.type)
-                there.senders.append(variable)
-            for listener in node.subscriptions.values():
-                there = meet(node, InterfaceKind.MESSAGE, listener.topic, listener.type)
-                there.takers.append(variable)
-            for client in node.clients.values():
-                there = meet(node, InterfaceKind.SERVICE, client.name, client.type)
-                there.senders.append(variable)
-            for service in node.services.values():
-                there = meet(node, InterfaceKind.SERVICE, service.name, service.type)
-                there.takers.append(variable)
+            for end in _ends(node):
+                full = resolved_name(node.name, end.name)
+                known = found.setdefault((end.kind, self.version_of(variable)), {})
+                is_full = end.name.startswith("~") or "{" in end.name
+                meeting = known.setdefault(full, Meeting(full if is_full else end.name))
+                meeting.type = meeting.type or end.type
+                (meeting.senders if end.is_sender else meeting.takers).append(variable)
         return found
 
     def meetings(self, kind: InterfaceKind, version: int) -> dict[str, Meeting]:
@@ -182,6 +167,26 @@ class Scene:
             return []
         ends = (node.publishers, node.subscriptions, node.services, node.clients)
         return list(dict.fromkeys(name for end in ends for name in end))
+
+
+class _End(NamedTuple):
+    """What a node has of a topic or a service."""
+
+    kind: InterfaceKind
+    is_sender: bool
+    name: str
+    type: InterfaceName | None
+
+
+def _ends(node: Node) -> Iterator[_End]:
+    for publisher in node.publishers.values():
+        yield _End(InterfaceKind.MESSAGE, True, publisher.topic, publisher.type)
+    for listener in node.subscriptions.values():
+        yield _End(InterfaceKind.MESSAGE, False, listener.topic, listener.type)
+    for client in node.clients.values():
+        yield _End(InterfaceKind.SERVICE, True, client.name, client.type)
+    for service in node.services.values():
+        yield _End(InterfaceKind.SERVICE, False, service.name, service.type)
 
 
 def is_guess(session: Session) -> bool:
