@@ -25,10 +25,10 @@ from . import config as settings
 from .actions import ACTIONS, ids
 from .files import open_file
 from .journal import Kept, kept_texts
+from .key_order import InOrder
 from .screens.main import MainScreen
 from .state import opened
 from .terminal_keys import teach
-from .undocumented import Failing
 
 DEFAULT_THEME = "textual-dark"
 _LOOKED_AFTER = 0.2
@@ -42,7 +42,7 @@ _SMALL = "ansi-dark"
 _SMALL_TERMINALS = frozenset({"linux", "xterm", "screen", "rxvt", "ansi", "vt100", "vt220"})
 
 
-class StudioApp(Failing, inherit_bindings=False):
+class StudioApp(InOrder, inherit_bindings=False):
     """Opens a program, and keeps what lasts longer than it."""
 
     TITLE = "plastron"

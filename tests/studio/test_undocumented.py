@@ -10,7 +10,7 @@ from textual.worker import WorkerFailed
 
 from plastron_tui.studio.app import StudioApp
 from plastron_tui.studio.terminal_keys import teach
-from plastron_tui.studio.undocumented import known_sequences
+from plastron_tui.studio.undocumented import Failing, known_sequences
 
 
 def test_this_version_of_textual_has_it() -> None:
@@ -41,7 +41,7 @@ def test_without_the_pages_of_an_error_the_studio_ends_with_its_own_words(
 
 
 async def test_without_a_word_of_errors_the_studio_starts(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.delattr(StudioApp.__mro__[1], "_handle_exception")
+    monkeypatch.delattr(Failing, "_handle_exception")
     shown = []
     monkeypatch.setattr(StudioApp, "show_error", lambda self, error: shown.append(error))
     app = StudioApp()

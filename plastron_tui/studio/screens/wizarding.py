@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from textual import work
-
 from plastron_tui.diagnostics import Edit
 from plastron_tui.session import Session
 
@@ -15,13 +13,15 @@ from .part import Part
 class Wizarding(Part):
     """Opens the wizard, and takes what it writes."""
 
-    @work(exclusive=True, group="wizard")
-    async def action_wizard(self) -> None:
+    def action_wizard(self) -> None:
         """Build statements from menus and forms."""
         from ..wizard.screen import Wizard
 
         session = self.open.session.snapshot()
-        action = await self.app.push_screen_wait(Wizard(session, self.enter_statements))
+        # At once: what is typed next is meant for the wizard.
+        self.app.push_screen(Wizard(session, self.enter_statements), self._after_wizard)
+
+    async def _after_wizard(self, action: str | None) -> None:
         self.editor.focus()
         if action:
             await self.run_action(action)

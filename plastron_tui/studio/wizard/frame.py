@@ -12,6 +12,7 @@ from textual.screen import ModalScreen
 from textual.widget import Widget
 from textual.widgets import Button, Label
 
+from ..key_order import Paged
 from ..panels.text_view import TextView
 from ..panels.tones import Lines
 from . import words
@@ -44,7 +45,7 @@ class View:
     offers: list[Offer]
 
 
-class Frame(ModalScreen[str]):
+class Frame(Paged, ModalScreen[str]):
     """Shows what was found out.
 
     Attributes:
@@ -116,10 +117,6 @@ class Frame(ModalScreen[str]):
                 await form_page.show(filled, view.look.problems, view.helps)
                 form_page.show_choices(view.choices)
         self._show_frame(page, view.look)
-        self.page_is_up()
-
-    def page_is_up(self) -> None:
-        """Tell that the page that was asked for is shown."""
 
     async def _turn_to(self, page: Page, view: View) -> None:
         place = self.query_one("#wizard-page", Vertical)

@@ -10,7 +10,7 @@ from typing import ClassVar
 
 from textual import events, on
 from textual.binding import Binding, BindingType
-from textual.widgets import Button
+from textual.widgets import Button, Input
 from textual.worker import Worker
 
 from plastron_tui.diagnostics import Edit
@@ -67,8 +67,9 @@ class Wizard(Frame):
         self.is_done = False
         self._enter = enter
         self._going = asyncio.Lock()
-        self._is_picking = False
-        self._held: list[events.Key] = []
+        self._nexts = 0
+        self._is_turning = True
+        self._looks = 0
         self._waiting: list[Callable[[], None]] = []
         self._worker: Worker[None] | None = None
         self._environments = asyncio.Event()
@@ -97,6 +98,11 @@ class Wizard(Frame):
         if self._worker is None or self._worker.is_finished:
             self._worker = self.run_worker(self._find_out(), group="look")
 
+    def _turn(self, do: Callable[[], None] | None = None) -> None:
+        """Go to another page; keys that come meanwhile are for that one."""
+        self._is_turning = True
+        self.changed(do)
+
     async def _find_out(self) -> None:
         while self._is_stale:
             await asyncio.sleep(_PAUSE)
@@ -105,13 +111,23 @@ class Wizard(Frame):
     async def _once(self) -> None:
         """Do what was asked for, and show what follows from it."""
         self._is_stale = False
-        async with self._lock:
-            waiting, self._waiting = self._waiting, []
-            asked = self._asked()
-            view = await asyncio.to_thread(self._view, waiting, asked)
-            await self._show(view)
+        self._looks += 1
+        try:
+            async with self._lock:
+                waiting, self._waiting = self._waiting, []
+                asked = self._asked()
+                view = await asyncio.to_thread(self._view, waiting, asked)
+                await self._show(view)
+        finally:
+            # What is not drawn yet has no place, and Tab would not find it.
+            self.call_after_refresh(self._drawn)
         if not self._is_stale:
             await self._show_result(view.look)
+
+    def _drawn(self) -> None:
+        self._looks -= 1
+        if not (self._looks or self._is_stale or self._waiting):
+            self._is_turning = False
 
     async def settled(self) -> Look:
         """Return what follows from all that was entered until now."""
@@ -194,13 +210,12 @@ class Wizard(Frame):
         if self._writes_at_once(offer):
             self.dismiss("screen.generate")
             return
-        self._is_picking = True
         if offer is RECIPES:
-            self.changed(self.course.choose_recipes)
+            self._turn(self.course.choose_recipes)
         elif offer.recipe is not None:
             self.dismiss(f"screen.start_from({str(offer.recipe)!r})")
         else:
-            self.changed(lambda: self.course.choose(offer.declaration))
+            self._turn(lambda: self.course.choose(offer.declaration))
 
     def _writes_at_once(self, offer: Offer) -> bool:
         """Tell whether all that could be generated is: then the files can be written."""
@@ -217,7 +232,6 @@ class Wizard(Frame):
         self._start_anew()
 
     def _start_anew(self) -> None:
-        self._is_picking = True
         around = replace(self.course.surroundings, files=None)
 
         def do() -> None:
@@ -225,7 +239,7 @@ class Wizard(Frame):
             self.is_done = False
 
         self._code = ()
-        self.changed(do)
+        self._turn(do)
 
     # Going on.
 
@@ -238,39 +252,31 @@ class Wizard(Frame):
     def action_next(self) -> None:
         """Go to the next page, or say why not."""
         if not self.is_done:
+            self._nexts += 1
             self.run_worker(self._next(), group="next")
 
     async def _next(self) -> None:
-        # A second Enter counts for the page that the first one leads to.
-        async with self._going:
-            await self._go()
-        self._let_go()
+        try:
+            async with self._going:
+                await self._go()
+        finally:
+            self._nexts -= 1
 
     # Keys that come before the page that they are for.
 
     @property
-    def _is_turning(self) -> bool:
-        return self._shown is None or self._is_picking or self._going.locked()
+    def is_turning(self) -> bool:
+        """Whether another page is on its way."""
+        return self._is_turning or self._nexts > 0
 
-    def on_key(self, event: events.Key) -> None:
-        """Keep a key for the page that is on its way."""
-        if self._is_turning and event.key != "escape":
-            event.stop()
-            event.prevent_default()
-            self._held.append(events.Key(event.key, event.character))
+    @property
+    def is_settled(self) -> bool:
+        """Whether the page, and all that it offers, follows from what was entered."""
+        return not (self.is_turning or self._looks or self._is_stale or self._waiting)
 
-    def page_is_up(self) -> None:
-        """Let the keys that were kept have the page."""
-        if not self._waiting:
-            self._is_picking = False
-        self._let_go()
-
-    def _let_go(self) -> None:
-        if self._is_turning:
-            return
-        held, self._held = self._held, []
-        for key in held:
-            self.app.post_message(key)
+    def may_open(self, event: events.Key) -> bool:
+        """Tell whether a key may do more than put a character into a box."""
+        return not (event.is_printable and isinstance(self.focused, Input))
 
     async def _go(self) -> None:
         look = await self.settled()
@@ -286,7 +292,7 @@ class Wizard(Frame):
         elif page.kind is PageKind.REVIEW:
             await self._finish(look)
         else:
-            self.changed(self._forwards)
+            self._turn(self._forwards)
             await self.settled()
 
     def _forwards(self) -> None:
@@ -308,7 +314,7 @@ class Wizard(Frame):
                 def do() -> None:
                     self.course.at = number
 
-                self.changed(do)
+                self._turn(do)
         form_page = self._form_page
         if form_page is not None and finding.form in (None, form_page.form):
             form_page.insist(finding)
@@ -321,13 +327,13 @@ class Wizard(Frame):
             session = self._enter(look.outcome.edits)
             self.course = Course(session, self.course.surroundings)
             self.is_done = True
-        self.changed()
+        self._turn()
 
     @on(Button.Pressed, "#wizard-back")
     def action_back(self) -> None:
         """Go back a page; what was entered is kept."""
         if not self.is_done:
-            self.changed(self._backwards)
+            self._turn(self._backwards)
 
     def _backwards(self) -> None:
         self.course.back()

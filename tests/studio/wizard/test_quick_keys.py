@@ -1,0 +1,113 @@
+"""Keys that come before the wizard has a page for them do what they do for a slow user."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+from studio_driver import Driver, studio
+from test_terminal import Terminal, start
+from test_terminal import terminal as terminal
+from textual import events
+from wizard_courses import TWO_NODES
+from wizard_driver import SMALL, WizardDriver
+
+from plastron_tui.studio.wizard.form_page import FormPage
+from plastron_tui.studio.wizard.menu_page import Menu
+
+WAYS = {
+    "the first menu": ["down", "down"],
+    "a key of no menu": ["x", "5", "down"],
+    "two pages on": ["enter", *"horn", "enter", "down"],
+    "a value": ["enter", "enter", "down", "enter", "end", "s", "tab", "down", "down", "enter"],
+    "back": ["enter", *"horn", "enter", "f2", "end", "s"],
+    "a choice": ["down", "enter", "down", "enter", "down"],
+    "to the end": ["enter", *"horn", *["enter"] * 6],
+    "away and on": ["down", "enter", "escape", "x"],
+    "away at once": ["escape", "y"],
+    "from the end": ["enter", *["enter"] * 6, "escape", "z"],
+}
+
+
+async def state(it: WizardDriver) -> tuple[object, ...]:
+    """Return all that keys change."""
+    await it.settle()
+    if not it.is_open:
+        return it.driver.text, it.driver.main.editor.cursor_offset
+    shown: object = None
+    if it.screen.query(Menu):
+        shown = it.here
+    elif it.screen.query(FormPage):
+        shown = it.rows, it.form.key_here
+    return it.driver.text, it.title, shown, it.statements, it.screen.is_done
+
+
+async def quickly(it: WizardDriver, keys: Sequence[str]) -> None:
+    """Send keys as a terminal does that has them all at once."""
+    for key in keys:
+        it.driver.app.post_message(events.Key(key, key if len(key) == 1 else None))
+    await all_in(it.driver)
+
+
+async def all_in(driver: Driver) -> None:
+    """Wait until no key waits for another one."""
+    app = driver.app
+    await driver.until(lambda: app._keys_worker is not None and app._keys_worker.is_finished)
+
+
+async def slowly(it: WizardDriver, keys: Sequence[str]) -> None:
+    """Send keys as somebody does who looks at what each of them does."""
+    for key in keys:
+        await it.press(key)
+        await all_in(it.driver)
+        await it.settle()
+
+
+@pytest.mark.parametrize("focus", ["editor", "nodes"])
+@pytest.mark.parametrize("keys", WAYS.values(), ids=WAYS.keys())
+async def test_a_burst_does_what_single_keys_do(here: Path, keys: list[str], focus: str) -> None:
+    states = []
+    for send in (slowly, quickly):
+        path = here / f"{send.__name__}.plastron"
+        path.write_text(TWO_NODES)
+        async with studio(path, SMALL) as driver:
+            if focus == "nodes":
+                await driver.press("alt+1")
+                assert driver.main.lists["nodes"].has_focus
+            it = WizardDriver(driver)
+            await send(it, ["ctrl+u", *keys])
+            states.append(await state(it))
+    assert states[1] == states[0]
+
+
+async def test_keys_pressed_in_one_go_reach_the_first_page(here: Path) -> None:
+    async with studio(None, SMALL) as driver:
+        it = WizardDriver(driver)
+        await driver.pilot.press("ctrl+u", "enter", *"horn", "enter", "down", "up", "enter")
+        await all_in(driver)
+        await it.settle()
+        assert it.statements[0] == "create_node 'horn' as horn"
+        assert len(it.statements) > 1
+        assert driver.text == ""
+
+
+async def test_what_is_typed_before_the_key_stays_in_the_text(here: Path) -> None:
+    async with studio(None, SMALL) as driver:
+        it = WizardDriver(driver)
+        await quickly(it, [*"ab", "ctrl+u", "enter", *"horn"])
+        await it.settle()
+        assert driver.text == "ab"
+        assert it.statements == ("create_node 'horn' as horn",)
+
+
+def test_keys_of_a_terminal_that_come_at_once(terminal: Terminal, tmp_path: Path) -> None:
+    start(terminal, "mine.plastron")
+    terminal.wait(lambda screen: "no nodes yet" in screen)
+    terminal.keys("C-u", "Enter", "h", "o", "r", "n", "Enter", "Down", "Up")
+    terminal.wait(lambda screen: "create_node 'horn' as horn" in screen and "step 2" in screen)
+    terminal.keys("Escape")
+    terminal.wait(lambda screen: "no nodes yet" in screen)
+    terminal.keys("C-s")
+    terminal.wait(lambda screen: "saved mine.plastron" in screen)
+    assert (tmp_path / "mine.plastron").read_text() == ""
