@@ -3,6 +3,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from wizard_courses import TWO_NODES
 
 from plastron_tui.studio.wizard import screen
 
@@ -20,3 +21,11 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     folder.mkdir()
     monkeypatch.chdir(folder)
     return folder
+
+
+@pytest.fixture
+def two(here: Path) -> Path:
+    """A program with two nodes that speak with each other."""
+    path = here / "two.plastron"
+    path.write_text(TWO_NODES)
+    return path

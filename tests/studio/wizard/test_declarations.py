@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 from wizard_courses import (
+    CHANGE,
+    MORE,
     NODE_FILE,
     TWO_NODES,
     applied,
@@ -89,7 +92,7 @@ def test_a_file_that_is_loaded_can_be_changed_in_every_way(
     assert not problems
     (tmp_path / "robot.py").write_bytes(plan.files[0].text)
     it = course("", tmp_path)
-    choose(it, "change a node file that exists", declaration.purpose)
+    choose(it, CHANGE, declaration.purpose)
     look = to_menu_or_review(it)
     assert look.problems == () and look.outcome is not None
     assert look.outcome.lines[0] == "load 'robot.py' as robot"
@@ -100,8 +103,17 @@ def test_a_file_that_is_loaded_can_be_changed_in_every_way(
     assert not problems and changed.files[0].name == "robot.py"
 
 
+@contextmanager
+def added(type_: type[Statement]) -> Iterator[None]:
+    """Let a statement be in the language, one of which nothing follows."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Interpreter, f"_{type_.__name__.lower()}", lambda *_: None, raising=False)
+        yield
+    del DECLARATIONS[type_]
+
+
 @pytest.fixture
-def whistle(monkeypatch: pytest.MonkeyPatch) -> Iterator[Declaration]:
+def whistle() -> Iterator[Declaration]:
     """A statement that is added to the language."""
 
     @statement(
@@ -117,13 +129,12 @@ def whistle(monkeypatch: pytest.MonkeyPatch) -> Iterator[Declaration]:
         type: str = slot(SlotKind.MESSAGE_TYPE, "the type of that")
         rate: float | None = slot(SlotKind.RATE, "how often")
 
-    monkeypatch.setattr(Interpreter, "_whistle", lambda *_: None, raising=False)
-    yield DECLARATIONS[Whistle]
-    del DECLARATIONS[Whistle]
+    with added(Whistle):
+        yield DECLARATIONS[Whistle]
 
 
 @pytest.fixture
-def watch(monkeypatch: pytest.MonkeyPatch) -> Iterator[Declaration]:
+def watch() -> Iterator[Declaration]:
     """Another one, in which only nodes are named."""
 
     @statement(
@@ -136,16 +147,15 @@ def watch(monkeypatch: pytest.MonkeyPatch) -> Iterator[Declaration]:
         node: str = slot(SlotKind.NODE, "the node that is watched")
         other: str = slot(SlotKind.NODE, "the node that watches")
 
-    monkeypatch.setattr(Interpreter, "_watch", lambda *_: None, raising=False)
-    yield DECLARATIONS[Watch]
-    del DECLARATIONS[Watch]
+    with added(Watch):
+        yield DECLARATIONS[Watch]
 
 
 def test_a_statement_about_nodes_alone_is_something_that_a_node_does(watch: Declaration) -> None:
     assert aim_of(watch) is Aim.MORE
     assert watch not in declarations_of(Aim.WRITE)
     it = course(TWO_NODES)
-    choose(it, "give a node something more to do")
+    choose(it, MORE)
     assert "let a node watch another one" in [each.title for each in it.purpose_offers()]
     filled = Filler().fill(Form(watch), it.scene)
     assert filled.text == "watch listener with talker"
@@ -153,7 +163,7 @@ def test_a_statement_about_nodes_alone_is_something_that_a_node_does(watch: Decl
 
 
 @pytest.fixture
-def relay(monkeypatch: pytest.MonkeyPatch) -> Iterator[Declaration]:
+def relay() -> Iterator[Declaration]:
     """One in which two topics are named."""
 
     @statement(
@@ -167,9 +177,8 @@ def relay(monkeypatch: pytest.MonkeyPatch) -> Iterator[Declaration]:
         topic: str = slot(SlotKind.TOPIC, "where it listens")
         other: str = slot(SlotKind.TOPIC, "where it sends")
 
-    monkeypatch.setattr(Interpreter, "_relay", lambda *_: None, raising=False)
-    yield DECLARATIONS[Relay]
-    del DECLARATIONS[Relay]
+    with added(Relay):
+        yield DECLARATIONS[Relay]
 
 
 def test_two_slots_of_a_kind_are_not_filled_alike(relay: Declaration) -> None:
@@ -188,7 +197,7 @@ def test_a_statement_that_is_added_has_its_form(whistle: Declaration) -> None:
     """No line of the wizard knows of it; only the grammar, which does not, is asked in the end."""
     assert aim_of(whistle) is Aim.MORE
     it = course(TWO_NODES)
-    choose(it, "give a node something more to do")
+    choose(it, MORE)
     assert "let a node whistle a message" in [each.title for each in it.purpose_offers()]
     filled = Filler().fill(Form(whistle), it.scene)
     assert filled.text == (

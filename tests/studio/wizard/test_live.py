@@ -10,8 +10,8 @@ import time
 from pathlib import Path
 
 import pytest
-from studio_driver import studio
-from wizard_driver import WizardDriver
+from wizard_courses import MAKE, REACT, SEND
+from wizard_driver import wizard_from_welcome
 
 from plastron_tui.studio.wizard import libraries, screen
 
@@ -33,24 +33,16 @@ async def test_run_from_the_wizard_shows_the_message_arriving(
     monkeypatch.setattr(screen, "installed", libraries.installed)
     monkeypatch.setenv("ROS_DOMAIN_ID", str(random.randint(1, 100)))
     monkeypatch.setenv("ROS_LOG_DIR", str(here / "log"))
-    async with studio(None, (80, 24), welcome=True) as driver:
-        it = WizardDriver(driver)
-        await driver.dialog("Welcome")
-        await it.press("enter")
-        await driver.until(lambda: it.is_open)
-        await it.settle()
-        await it.pick("make a node")
+    async with wizard_from_welcome() as it:
+        driver = it.driver
+        await it.pick(MAKE)
         await it.press("enter")
         assert it.statements == ("create_node 'talker' as talker using rclpy",)
-        await it.pick("send something, again and again")
-        while not it.screen.is_done:
-            await it.press("enter")
+        await it.pick(SEND)
+        await it.finish()
         await it.pick("something more")
-        await it.pick("make a node")
-        await it.press("enter")
-        await it.pick("react to what others send")
-        while not it.screen.is_done:
-            await it.press("enter")
+        await it.go(MAKE, REACT)
+        await it.finish()
         await it.pick("run the nodes")
         await driver.dialog("ChooseFile")
         await it.type("two")

@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Awaitable, Callable
+from functools import partial
 from pathlib import Path
 
 import pytest
 from wizard_courses import NODE_FILE, TWO_NODES
-from wizard_driver import WizardDriver, way_to, wizard
+from wizard_driver import WizardDriver, way_to, wizard, wizard_from_welcome
 
 from plastron_tui.language import DECLARATIONS, Declaration
 from plastron_tui.session import Session
 from plastron_tui.studio.wizard.aims import Aim, aim_of
 from plastron_tui.studio.wizard.course import PageKind
+
+Step = Callable[[], Awaitable[None]]
+Pick = Callable[[str], Awaitable[None]]
 
 ALL = list(DECLARATIONS.values())
 
@@ -21,12 +26,10 @@ def keyword(declaration: Declaration) -> str:
 
 
 @pytest.fixture
-def file(here: Path) -> Path:
+def file(two: Path) -> Path:
     """A program in which every statement can be written."""
-    (here / "sonar.py").write_text(NODE_FILE)
-    path = here / "two.plastron"
-    path.write_text(TWO_NODES)
-    return path
+    two.with_name("sonar.py").write_text(NODE_FILE)
+    return two
 
 
 def program_for(declaration: Declaration, file: Path) -> str:
@@ -55,19 +58,23 @@ async def check_end(it: WizardDriver, declaration: Declaration, before: str, fil
     assert it.driver.text == text
 
 
+async def through(it: WizardDriver, declaration: Declaration, go_on: Step, pick: Pick) -> None:
+    """Write a statement, with all suggestions accepted."""
+    for way in way_to(declaration):
+        while it.kind is PageKind.FORM:
+            await go_on()
+        await pick(way)
+    for _ in range(6):
+        if it.screen.is_done:
+            break
+        await go_on()
+
+
 @pytest.mark.parametrize("declaration", ALL, ids=keyword)
 async def test_by_keyboard_alone(declaration: Declaration, file: Path) -> None:
     before = program_for(declaration, file)
     async with wizard(file) as it:
-        ways = way_to(declaration)
-        for way in ways:
-            while it.kind is PageKind.FORM:
-                await it.press("enter")
-            await it.pick(way)
-        for _ in range(6):
-            if it.screen.is_done:
-                break
-            await it.press("enter")
+        await through(it, declaration, partial(it.press, "enter"), it.pick)
         await check_end(it, declaration, before, file)
         await it.press("escape")
         assert not it.is_open and it.driver.main.editor.view.has_focus
@@ -77,14 +84,7 @@ async def test_by_keyboard_alone(declaration: Declaration, file: Path) -> None:
 async def test_by_mouse_alone(declaration: Declaration, file: Path) -> None:
     before = program_for(declaration, file)
     async with wizard(file) as it:
-        for way in way_to(declaration):
-            while it.kind is PageKind.FORM:
-                await it.click("#wizard-next")
-            await it.click_item(way)
-        for _ in range(6):
-            if it.screen.is_done:
-                break
-            await it.click("#wizard-next")
+        await through(it, declaration, partial(it.click, "#wizard-next"), it.click_item)
         await check_end(it, declaration, before, file)
         await it.click("#wizard-leave")
         assert not it.is_open
@@ -96,10 +96,7 @@ async def test_back_from_every_step_keeps_what_was_entered(
 ) -> None:
     program_for(declaration, file)
     async with wizard(file) as it:
-        for way in way_to(declaration):
-            while it.kind is PageKind.FORM:
-                await it.press("enter")
-            await it.pick(way)
+        await it.go(*way_to(declaration))
         entered = {}
         while it.kind is PageKind.FORM:
             names = ("topic", "service", "name", "variable", "function")
@@ -146,14 +143,8 @@ async def test_escape_leaves_without_a_trace(file: Path, steps: int) -> None:
 
 async def test_from_nothing_to_two_nodes_that_talk_in_few_keys(here: Path) -> None:
     """From the welcome to the files, with every suggestion accepted: at most 25 keys and a name."""
-    from studio_driver import studio
-
-    async with studio(None, (80, 24), welcome=True) as driver:
-        it = WizardDriver(driver)
-        await driver.dialog("Welcome")
-        await it.press("enter")
-        await driver.until(lambda: it.is_open)
-        await it.settle()
+    async with wizard_from_welcome() as it:
+        driver = it.driver
         for _ in range(40):
             name = type(driver.app.screen).__name__
             if name == "ChooseFile":

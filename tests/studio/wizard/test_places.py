@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from wizard_courses import (
+    ANSWER,
     ASK,
     MAKE,
     MORE,
@@ -13,6 +14,7 @@ from wizard_courses import (
     applied,
     choose,
     course,
+    form_after,
     to_menu_or_review,
 )
 
@@ -48,9 +50,7 @@ PLACES = [
 @pytest.mark.parametrize(("before", "after"), PLACES)
 def test_where_a_statement_goes(before: str, after: str) -> None:
     it = course(before)
-    choose(it, MORE, REACT)
-    form = it.page.form
-    assert form is not None
+    form = form_after(it, MORE, REACT)
     form.entered = {"node": "ears", "topic": "chatter"}
     look = to_menu_or_review(it)
     assert look.outcome is not None and look.problems == ()
@@ -60,9 +60,7 @@ def test_where_a_statement_goes(before: str, after: str) -> None:
 def test_what_is_made_later_is_sent_later_and_generated_anew() -> None:
     before = f"{EARS}generate_node ears\ncreate_message m of message_type String and input none\n"
     it = course(before)
-    choose(it, MORE, SEND)
-    form = it.page.form
-    assert form is not None
+    form = form_after(it, MORE, SEND)
     form.entered = {"node": "ears", "message": "m", "topic": "out"}
     look = to_menu_or_review(it)
     assert look.outcome is not None and look.problems == ()
@@ -75,7 +73,7 @@ def test_what_is_made_later_is_sent_later_and_generated_anew() -> None:
 
 def test_a_new_node_stands_apart() -> None:
     it = course(f"{EARS}generate_node ears\n")
-    choose(it, MAKE, "answer questions")
+    choose(it, MAKE, ANSWER)
     look = to_menu_or_review(it)
     assert look.outcome is not None
     assert look.outcome.session.document.text.decode() == (
@@ -95,13 +93,9 @@ def test_the_node_is_not_generated_unless_that_is_wanted() -> None:
 
 def test_another_ros_has_types_and_names_of_its_own() -> None:
     it = course("")
-    choose(it, MAKE)
-    form = it.page.form
-    assert form is not None
+    form = form_after(it, MAKE)
     form.entered["library"] = "rclpy"
-    choose(it, ASK)
-    form = it.page.form
-    assert form is not None
+    form = form_after(it, ASK)
     form.entered["type"] = "AddTwoInts"
     look = to_menu_or_review(it)
     assert look.outcome is not None and look.problems == ()
@@ -110,9 +104,7 @@ def test_another_ros_has_types_and_names_of_its_own() -> None:
 
 def test_nodes_of_one_ros_are_kept_together() -> None:
     it = course("create_node 'a' as a using rclpy\nsubscribe a to 'x' of message_type String\n")
-    choose(it, MAKE)
-    form = it.page.form
-    assert form is not None
+    form = form_after(it, MAKE)
     filled = it.look().of(form)
     assert filled is not None
     assert filled.cells["library"].text == "rclpy"

@@ -5,22 +5,27 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from wizard_courses import NODE_FILE, TWO_NODES, choose, course
+from wizard_courses import (
+    ANSWER,
+    ASK,
+    CHANGE,
+    MAKE,
+    MESSAGE,
+    MORE,
+    NODE_FILE,
+    REACT,
+    SEND,
+    TWO_NODES,
+    choose,
+    course,
+    form_after,
+)
 from wizard_driver import wizard
 
 from plastron_tui.session import Options, Session
 from plastron_tui.studio.wizard.course import Course, PageKind
 from plastron_tui.studio.wizard.form import NEW
 from plastron_tui.studio.wizard.scene import Surroundings
-
-SEND = "send something, again and again"
-REACT = "react to what others send"
-ASK = "ask a question and wait for the answer"
-ANSWER = "answer questions"
-MORE = "give a node something more to do"
-MAKE = "make a node"
-MESSAGE = "make a message"
-CHANGE = "change a node file that exists"
 
 REFUSED = [
     ([MAKE], "name", "", "a node needs a name"),
@@ -109,9 +114,7 @@ def test_a_value_that_does_not_fit_is_refused_at_its_field(
     type_: str, path: tuple[str, ...], text: str, words: str
 ) -> None:
     it = course("")
-    choose(it, MESSAGE)
-    form = it.page.form
-    assert form is not None
+    form = form_after(it, MESSAGE)
     form.entered["type"] = type_
     form.values[path] = text
     found = it.blocking(it.look())
@@ -132,9 +135,7 @@ def closed(it: Course, slot: str) -> dict[str, str]:
 def test_a_choice_that_another_one_closes_says_why() -> None:
     numbers = TWO_NODES + "create_message number of message_type Int32 and input 5\n"
     it = course(numbers)
-    choose(it, MORE, SEND)
-    form = it.page.form
-    assert form is not None
+    form = form_after(it, MORE, SEND)
     form.entered["topic"] = "chatter"
     assert "`chatter` is of type `std_msgs/String` elsewhere" in closed(it, "message")["number"]
     assert closed(it, "message")["greeting"] == ""
@@ -152,9 +153,7 @@ def test_a_choice_that_another_one_closes_says_why() -> None:
 
 def test_a_node_that_has_it_already_is_closed() -> None:
     it = course(TWO_NODES)
-    choose(it, MORE, REACT)
-    form = it.page.form
-    assert form is not None
+    form = form_after(it, MORE, REACT)
     form.entered = {"node": "listener"}
     assert closed(it, "topic")["chatter"] == "`listener` subscribes to `chatter` already"
     form.entered = {"topic": "chatter"}
@@ -166,17 +165,13 @@ def test_a_node_that_has_it_already_is_closed() -> None:
 
 def test_a_mistake_in_another_row_closes_nothing() -> None:
     it = course(TWO_NODES)
-    choose(it, MORE, SEND)
-    form = it.page.form
-    assert form is not None
+    form = form_after(it, MORE, SEND)
     form.entered = {"message": "NavSatFix"}
     assert closed(it, "node") == {"listener": "", "talker": ""}
     # What is closed by the choice itself stays closed, though it is the only one.
     form.entered = {"topic": "chatter"}
     it = course("create_message number of message_type Int32 and input 5\n" + TWO_NODES)
-    choose(it, MORE, SEND)
-    form = it.page.form
-    assert form is not None
+    form = form_after(it, MORE, SEND)
     form.entered = {"topic": "chatter"}
     assert "`chatter` is of type" in closed(it, "message")["number"]
 
@@ -197,9 +192,7 @@ def test_a_type_that_the_shell_would_not_know_is_refused(
 ) -> None:
     """The studio takes the ROS that is there where nobody chose one; the shell does not."""
     it = Course(Session(before.encode(), None, GUESS, environ={}), Surroundings())
-    choose(it, MESSAGE)
-    form = it.page.form
-    assert form is not None
+    form = form_after(it, MESSAGE)
     form.entered["type"] = type_
     look = it.look()
     filled = look.of(form)

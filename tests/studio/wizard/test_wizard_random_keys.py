@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from studio_driver import studio
-from wizard_courses import NODE_FILE, TWO_NODES
+from wizard_courses import NODE_FILE
 from wizard_driver import WizardDriver
 
 from plastron_tui.session import Session
@@ -21,13 +21,11 @@ KEYS = (
 
 
 @pytest.mark.parametrize("seed", range(3))
-async def test_random_keys(here: Path, seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_random_keys(two: Path, seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(MainScreen, "action_run", lambda _: None)
-    (here / "sonar.py").write_text(NODE_FILE)
-    path = here / "two.plastron"
-    path.write_text(TWO_NODES)
+    two.with_name("sonar.py").write_text(NODE_FILE)
     chance = random.Random(seed)
-    async with studio(path, chance.choice([(80, 24), (60, 20), (120, 40)])) as driver:
+    async with studio(two, chance.choice([(80, 24), (60, 20), (120, 40)])) as driver:
         it = WizardDriver(driver)
         main = driver.main
         texts = [main.editor.text]
@@ -47,7 +45,7 @@ async def test_random_keys(here: Path, seed: int, monkeypatch: pytest.MonkeyPatc
         await it.settle()
         assert driver.app._exception is None
         for text in texts:
-            assert Session(text, path, environ={}).diagnostics == ()
+            assert Session(text, two, environ={}).diagnostics == ()
         # Each finish is one step to undo.
         for text in reversed(texts[:-1]):
             main.editor.undo()

@@ -8,6 +8,7 @@ from plastron_tui.diagnostics import Edit
 from plastron_tui.language import Document, format_document
 from plastron_tui.session import Session
 from plastron_tui.studio.wizard.course import Course, Look, PageKind
+from plastron_tui.studio.wizard.form import Form
 from plastron_tui.studio.wizard.scene import Surroundings
 
 MAKE = "make a node"
@@ -16,6 +17,8 @@ MORE = "give a node something more to do"
 SEND = "send something, again and again"
 REACT = "react to what others send"
 ASK = "ask a question and wait for the answer"
+ANSWER = "answer questions"
+CHANGE = "change a node file that exists"
 
 TWO_NODES = """\
 create_node 'talker' as talker
@@ -60,6 +63,14 @@ def choose(it: Course, *titles: str) -> Look:
         it.choose(offer.declaration)
         look = it.look()
     return look
+
+
+def form_after(it: Course, *titles: str) -> Form:
+    """Return the form that entries of menus lead to."""
+    choose(it, *titles)
+    form = it.page.form
+    assert form is not None
+    return form
 
 
 def to_menu_or_review(it: Course) -> Look:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from studio_driver import Driver, studio
 from textual.widgets import Label, OptionList
+from wizard_courses import MORE, SEND
 
 from plastron_tui.language import Declaration
 from plastron_tui.studio.panels.text_view import TextView
@@ -134,6 +135,21 @@ class WizardDriver:
         assert self.here == title, (self.here, self.menu)
         await self.press("enter")
 
+    async def go(self, *titles: str) -> None:
+        """Choose entries of menus by keyboard, with all suggestions of the forms between them."""
+        for title in titles:
+            while self.kind is PageKind.FORM:
+                await self.press("enter")
+            await self.pick(title)
+
+    async def finish(self) -> None:
+        """Accept all suggestions until the statements are in the program."""
+        for _ in range(8):
+            if self.screen.is_done:
+                return
+            await self.press("enter")
+        raise AssertionError(f"it goes on at {self.title}")
+
     async def click_item(self, title: str) -> None:
         """Choose an entry of a menu by mouse."""
         await self.click_option(self.screen.query_one(Menu), self.menu.index(title))
@@ -169,10 +185,22 @@ async def wizard(
         yield found
 
 
+@asynccontextmanager
+async def wizard_from_welcome() -> AsyncIterator[WizardDriver]:
+    """Run the studio without a file, and let the welcome lead to the wizard."""
+    async with studio(None, SMALL, welcome=True) as driver:
+        found = WizardDriver(driver)
+        await driver.dialog("Welcome")
+        await found.press("enter")
+        await driver.until(lambda: found.is_open)
+        await found.settle()
+        yield found
+
+
 def way_to(declaration: Declaration) -> list[str]:
     """Return the entries of the menus that lead to a statement of a program with nodes."""
     if aim_of(declaration) is Aim.MORE:
-        return ["give a node something more to do", declaration.purpose]
+        return [MORE, declaration.purpose]
     if aim_of(declaration) in (Aim.NODE, Aim.CHANGE):
-        return [declaration.purpose, "send something, again and again"]
+        return [declaration.purpose, SEND]
     return [declaration.purpose]

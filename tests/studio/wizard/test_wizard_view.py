@@ -1,0 +1,113 @@
+"""What is in view beside a page of the wizard, in every size and colour."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from studio_driver import studio
+from wizard_courses import CHANGE, MAKE, MORE, NODE_FILE, REACT, SEND
+from wizard_driver import WizardDriver, wizard
+
+from plastron_tui.studio.panels.text_view import TextView
+from plastron_tui.studio.wizard.course import PageKind
+
+SIZES = [(60, 20), (80, 24), (120, 40), (200, 60)]
+
+
+@pytest.mark.parametrize("size", SIZES)
+async def test_statement_code_and_graph_are_in_view_as_they_grow(
+    here: Path, size: tuple[int, int]
+) -> None:
+    async with wizard(size=size) as it:
+        assert it.statements == ()
+        await it.pick(MAKE)
+        assert it.statements == ("create_node 'talker' as talker",)
+        await it.write("name", "horn")
+        assert it.statements == ("create_node 'horn' as horn",)
+        await it.press("enter")
+        await it.pick(SEND)
+        await it.write("topic", "toot")
+        assert it.statements == (
+            "create_node 'horn' as horn",
+            'create_message toot_message of message_type String and input "hello"',
+            "horn publish toot_message to 'toot' of message_type String at 10 hz",
+            "generate_node horn",
+        )
+        if size[0] < 76:
+            assert not it.screen.query_one("#wizard-code").region
+            await it.press("f3")
+        assert it.screen.query_one("#wizard-code").region
+        assert it.screen.query_one("#wizard-graph").region
+        assert it.screen.query_one("#wizard-statements").region
+        assert '"toot"' in it.view("code")
+        assert "/toot" in it.view("graph") and "horn" in it.view("graph")
+        graph = it.screen.query_one("#wizard-graph", TextView)
+        marked = {piece.text for line in graph.lines for piece in line if piece.tone == "added"}
+        assert {"horn", "/toot"} <= {text.strip() for text in marked}
+
+
+async def test_what_was_there_before_is_not_marked(two: Path) -> None:
+    async with wizard(two) as it:
+        await it.go(MORE, REACT)
+        await it.write("node", "talker")
+        await it.write("topic", "chatter")
+        graph = it.screen.query_one("#wizard-graph", TextView)
+        marked = [piece.text for line in graph.lines for piece in line if piece.tone == "added"]
+        assert marked == ["talker"]
+        assert it.view("graph").split("\n")[0] == "talker → /chatter → talker, listener"
+
+
+async def test_the_view_goes_to_the_code_that_changed(here: Path) -> None:
+    async with wizard() as it:
+        await it.go(MAKE, SEND)
+        code = it.screen.query_one("#wizard-code", TextView)
+        rows = code.text.split("\n")
+        wanted = next(number for number, row in enumerate(rows) if "def publish_" in row)
+        assert code.scroll_offset.y <= wanted < code.scroll_offset.y + code.size.height
+
+
+async def test_of_a_file_that_exists_the_change_is_shown(here: Path) -> None:
+    (here / "sonar.py").write_text(NODE_FILE)
+    async with wizard() as it:
+        await it.pick(CHANGE)
+        assert it.rows["source"] == "sonar.py" and it.choices == ["sonar.py"]
+        await it.press("enter")
+        await it.pick(REACT)
+        lines = it.view("code").split("\n")
+        assert "+rospy.Subscriber('chatter', String, on_chatter)" in lines
+        assert not [line for line in lines if line.startswith("-")]
+
+
+async def test_another_size_keeps_what_was_entered(here: Path) -> None:
+    async with wizard() as it:
+        await it.go(MAKE, SEND)
+        await it.press("enter")
+        assert it.title == "Make a message · message"
+        await it.write("data", "hi")
+        for size in [*SIZES, (40, 12), (80, 24)]:
+            await it.pilot.resize_terminal(*size)
+            await it.settle()
+            assert it.rows["data"] == "hi"
+        await it.press("enter")
+        assert it.kind is PageKind.REVIEW
+        assert '"hi"' in it.statements[1]
+
+
+@pytest.mark.parametrize("theme", ["ansi-dark", "ansi-light", "textual-light", "nord"])
+async def test_it_works_in_other_colours(here: Path, theme: str) -> None:
+    async with studio(None) as driver:
+        driver.app.theme = theme
+        it = WizardDriver(driver)
+        await driver.pilot.press("ctrl+u")
+        await driver.until(lambda: it.is_open)
+        await it.settle()
+        await it.go(MAKE, SEND)
+        await it.press("enter")
+        assert it.title == "Make a message · message"
+        focused = it.screen.focused
+        other = it.row("data").box
+        assert focused is not None and focused is not other
+        assert focused.rich_style != other.rich_style
+        await it.press("enter")
+        assert it.kind is PageKind.REVIEW
