@@ -7,6 +7,7 @@ from plastron_programs import EXAMPLES, broken_lines, read
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.language import DECLARATIONS, Document, lower
+from plastron_tui.language.inputs import DEEPEST_NESTING
 from plastron_tui.language.keywords import KEYWORDS
 from plastron_tui.language.syntax_errors import MOST_BROKEN_LINES
 
@@ -24,6 +25,7 @@ TABLE: list[tuple[str, str, str, str, str | None]] = [
     ("$ create_node 'a' as n", "syntax-error", "$", "unexpected `$`", None),
     ("1 2 3", "syntax-error", "1", "unexpected `1`", None),
     ('"abc', "unclosed-quote", '"', "not closed", "close it with"),
+    ('"abc\\', "unclosed-quote", '"', "not closed", "close it with"),
     ("'abc", "unclosed-quote", "'", "not closed", "close it with '"),
     ("create_node", "syntax-error", "", "expected a node name", SENTENCE),
     ("create_node 'a'", "syntax-error", "", "expected `as` here", SENTENCE),
@@ -75,6 +77,7 @@ TABLE: list[tuple[str, str, str, str, str | None]] = [
     (f"{M} x=y", "syntax-error", "y", "is no value", '"y"'),
     (f"{M} x=", "syntax-error", "=", "expected a value after this", SENTENCE),
     (f"{M} x=y=1", "syntax-error", "y", "expected a value", SENTENCE),
+    (f"{M} x=y.z=1", "syntax-error", "y", "expected a value", SENTENCE),
     (f"{M} x.=1", "syntax-error", ".", "expected a field", SENTENCE),
     (f"{M} x.y", "syntax-error", "y", "expected `=`", SENTENCE),
     (f"{M} 1,", "syntax-error", ",", "expected a value after this", SENTENCE),
@@ -114,6 +117,7 @@ TABLE: list[tuple[str, str, str, str, str | None]] = [
     (f"{M} “a", "syntax-error", "“", "quotes are straight", 'write "'),
     ("create_node 'a' as my-node", "syntax-error", "my-node", "no `-`", "write `my_node`"),
     ("my-node publish m", "syntax-error", "my-node", "no `-`", "write `my_node`"),
+    ("create_node 'a' as my-", "syntax-error", "-", "unexpected `-`", None),
     ("create-node 'a' as n", "syntax-error", "create-node", "no `-`", "write `create_node`"),
     ("subscribe joint-1 to 'a'", "syntax-error", "joint-1", "no `-`", "write `joint_1`"),
     ("create_node 'a' as 1a", "syntax-error", "1a", "with a letter", "write `node_1a`"),
@@ -268,6 +272,7 @@ def test_every_cut_of_a_statement_is_one_mistake_at_its_end() -> None:
 
 def test_a_comment_of_two_lines_keeps_a_mistake_one() -> None:
     assert len(read("create_node /* a\nb */ 'x' is n\n").diagnostics) == 1
+    assert len(read("create_node /* a\nb */ 'x' /* c\nd */ is n\n").diagnostics) == 1
     found = read("generate_node a /* two\nlines */ generate_node b\n").diagnostics
     assert [each.code for each in found] == ["syntax-error"]
 
@@ -282,3 +287,10 @@ def test_the_words_of_broken_lines_are_known() -> None:
     assert {"talker", "a", "b", "x", "c"} <= program.broken.words
     assert {"a", "c"} <= program.broken.declared
     assert "b" not in program.broken.declared
+
+
+def test_what_is_too_deep_was_to_declare_its_variable_also_beside_a_broken_line() -> None:
+    deep = "(" * (DEEPEST_NESTING + 1) + "1" + ")" * (DEEPEST_NESTING + 1)
+    program = read(f"create_message deep of message_type T and input {deep}\nsubscribe b too 'x'\n")
+    assert [found.code for found in program.diagnostics] == ["syntax-error", "too-deep"]
+    assert "deep" in program.broken.declared

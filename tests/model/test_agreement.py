@@ -5,9 +5,11 @@ from __future__ import annotations
 import pytest
 from workspaces import (
     NODE,
+    FakeReader,
     codes,
     marked,
     run,
+    source,
     workspace,
 )
 
@@ -127,3 +129,12 @@ def test_a_service_of_two_nodes_is_a_warning_and_has_its_effect() -> None:
     assert marked(text, warning) == "'/s'"
     assert list(found.workspace.nodes["b"].services) == ["/s"]
     assert codes(text.replace("b provides", "n stop_service 's'\nb provides")) == []
+
+
+def test_a_service_of_a_node_that_is_loaded_again_is_no_warning() -> None:
+    reader = FakeReader({"driver": source(name="driver")})
+    text = (
+        "load driver as a\na provides_service 's' of service_type Trigger\ngenerate_node a\n"
+        "load driver as b\nb provides_service 's' of service_type Trigger\ngenerate_node b\n"
+    )
+    assert codes(text, reader=reader) == []

@@ -96,6 +96,14 @@ def test_the_other_ros_is_offered_where_nobody_chose_this_one() -> None:
         assert ("use `--target rclpy`" in (found.help or "")) is not is_chosen
 
 
+def test_the_other_ros_is_no_remedy_for_a_node_that_says_which() -> None:
+    text = b"create_node 'a' as n using rclpy\nsubscribe n to 'a' of message_type std_msgs/Time\n"
+    setting = Setting("rospy", LIBRARIES, catalog, FakeReader(), is_chosen=False)
+    (found,) = interpret(lower(Document(text)), setting).diagnostics
+    assert found.code == "unknown-type"
+    assert "--target" not in (found.help or "")
+
+
 def test_the_library_decides_where_a_type_is_looked_up() -> None:
     text = "create_node 'a' as n{}\nsubscribe n to 'a' of message_type std_msgs/Time\n"
     assert codes(text.format("")) == []

@@ -86,6 +86,7 @@ ENDINGS = [
     ("rospy", "pool.shutdown()", "\npool.shutdown()\n"),
     ("rclpy", "beat.cancel()", "\nbeat.shutdown()\n"),
     ("rclpy", "beat.reset()", f"\n{MARK}.reset\nbeat.reset()\n"),
+    ("rclpy", "sub.reset()", "\nsub.reset()\n"),
     ("rclpy", "game.reset()", "\ngame.reset()\n"),
     ("rclpy", "sub.destroy()", f"\n{MARK}.destroy\nsub.destroy()\n"),
 ]

@@ -276,6 +276,14 @@ def test_a_file_that_does_not_parse_is_refused() -> None:
     assert [found.code for found in result.diagnostics] == ["edit-refused"]
 
 
+def test_a_file_of_python_2_is_brought_over_and_said_to_be_one() -> None:
+    text, found = ported(
+        LISTENER_1.replace("text = shout", "print data\n    text = shout"), "rospy"
+    )
+    assert "    print data\n    text = shout(data.data)\n" in text
+    assert any("the file is no Python 3: " in each.message for each in found)
+
+
 def test_a_name_that_the_file_decides_is_listed() -> None:
     text, found = ported(HEAD_1 + "rospy.Publisher(rospy.resolve_name('x'), String)\n", "rospy")
     assert "the name rospy.resolve_name('x')" in text

@@ -21,6 +21,7 @@ LOOP = (
     "rate = rospy.Rate({})\nwhile not rospy.is_shutdown():\n    rate.sleep()\n"
 )
 SLEEP = LOOP.replace("rate = rospy.Rate({})\n", "").replace("rate.sleep()", "rospy.sleep({})")
+TWICE = LOOP.replace("    rate.sleep()\n", "    rate.sleep()\n" * 2)
 TIMER_1 = (
     "import rospy\nfrom std_msgs.msg import String\nrospy.init_node('n')\n\n\ndef tick(event):\n"
     "    print(event)\n\n\nrospy.Timer(rospy.Duration({}), tick)\nrospy.spin()\n"
@@ -43,6 +44,7 @@ TIMER_2 = (
         (LOOP, "5", 2.0, False),
         (LOOP, "rospy.get_param('~rate')", 2.0, False),
         (SLEEP, "0.5", 2.0, True),
+        (TWICE, "5", 5.0, False),
         (SLEEP, "0.5", 3.0, False),
         (TIMER_1, "0.5", 2.0, True),
         (TIMER_1, "0.5", 4.0, False),

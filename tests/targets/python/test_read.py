@@ -23,6 +23,10 @@ TOPICS = [
     ("('a' + \"b\")", "ab", None),
     ("f'a{N}'", "ax", None),
     ("f'a{{}}{N!r}'", None, None),
+    ("f'\\x61{N}'", None, None),
+    ("fr'a{N}'", "ax", None),
+    ("str(N)", "x", None),
+    ("str(N, N)", None, None),
     ("'%s/%d' % (N, 3)", "x/3", None),
     ("'{}/{k}'.format(N, k='b')", "x/b", None),
     ("'%99999999d' % 1", None, None),
@@ -48,6 +52,13 @@ def test_a_topic_is_what_the_file_says_or_nothing(expression, name, default):
     (publisher,) = source.nodes[0].of_kind(EndpointKind.PUBLISHER)
     assert (publisher.name, publisher.default) == (name, default)
     assert publisher.expression == expression
+
+
+def test_a_block_without_its_colon_keeps_what_is_in_it():
+    text = "import rospy\nfrom std_msgs.msg import String\nN = 'a'\n\n\ndef talk(x)\n    N = 'b'\n"
+    source = read(f"{text}    rospy.Publisher(N, String)\n")
+    (publisher,) = source.nodes[0].of_kind(EndpointKind.PUBLISHER)
+    assert publisher.name == "b"
 
 
 @pytest.mark.parametrize(
