@@ -111,9 +111,8 @@ def search_types(
 
 def _words(text: str) -> list[str]:
     words = list(dict.fromkeys(_WORD.findall(text.lower())))
-    telling = [word for word in words if word not in _FILLERS]
-    # `on` is a filler, unless it is all there is, or one of `on/off`.
-    return telling if telling and "off" not in telling else words
+    # `on` is a filler, unless it is all there is.
+    return [word for word in words if word not in _FILLERS] or words
 
 
 def _ranked(

@@ -39,6 +39,7 @@ FIRST = [
     (MESSAGE, "Twsit", "Twist"),
     (MESSAGE, "temprature", "Temperature"),
     (MESSAGE, "how far away", "Range"),
+    (MESSAGE, "turn it on or off", "Bool"),
     (SERVICE, "on/off", "SetBool"),
     (SERVICE, "switch", "SetBool"),
     (SERVICE, "reset", "Trigger"),
