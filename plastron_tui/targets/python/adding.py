@@ -174,7 +174,7 @@ def _variable(added: Addition, model: Site | None) -> str:
             return ""
     wanted = variable_naming(added.analysis, added.kind).name(added.name)
     name = added.free_name(wanted)
-    if is_attribute_style(added.analysis, added.place):
+    if is_attribute_style(added.analysis, added.place, added.kind):
         return f"{added.place.self_name}.{name}"
     return name
 

@@ -15,6 +15,7 @@ from .references import STATEMENT_PARENTS, statement_of
 from .removal import callback_scope, definition
 from .scopes import Scope
 from .splices import line_end, line_start
+from .starting import Starting, When
 
 _KINDS = (
     EndpointKind.PUBLISHER,
@@ -27,6 +28,8 @@ _KINDS = (
 )
 # Behind these nothing runs, or not while the node does.
 _LAST = frozenset({"while_statement", "return_statement", "raise_statement"})
+# What has no use unless something holds it.
+_HELD = (EndpointKind.PUBLISHER, EndpointKind.CLIENT)
 # What is around an endpoint and yet runs exactly once.
 _RUNS_ONCE = frozenset({"try_statement", "with_statement"})
 
@@ -59,18 +62,23 @@ class Place:
 def find_place(analysis: Analysis, kind: EndpointKind) -> Place | None:
     """Return where an endpoint of a kind goes, None where the file makes no node."""
     callbacks = _callbacks(analysis)
-    for is_alike in (True, False):
-        for site in reversed(analysis.sites):
-            if (site.endpoint.kind is kind) is not is_alike or site.endpoint.kind not in _KINDS:
-                continue
-            if _is_setup(analysis, site, callbacks):
-                place = beside(analysis, site)
-                if place is not None:
-                    return _once_named(analysis, place)
+    starting = Starting(analysis)
+    last: dict[tuple[bool, When], Place] = {}
+    for site in reversed(analysis.sites):
+        if site.endpoint.kind not in _KINDS or not _is_setup(analysis, site, callbacks):
+            continue
+        rank = (site.endpoint.kind is not kind, starting.when(site))
+        if rank not in last and (place := beside(analysis, site)) is not None:
+            last[rank] = place
+    ready = [rank for rank in last if rank[1] is not When.ON_DEMAND]
+    if ready:
+        return _once_named(analysis, last[min(ready)])
     for node in analysis.nodes:
-        place = _behind_node(analysis, node)
-        if place is not None:
-            return place
+        behind = _behind_node(analysis, node)
+        if behind is not None:
+            return behind
+    if last:
+        return last[min(last)]
     for site in reversed(analysis.sites):
         if site.endpoint.kind in _KINDS and (place := beside(analysis, site)) is not None:
             return place
@@ -349,14 +357,19 @@ def _missing_before(text: bytes, at: int, gap: int) -> int:
     return max(gap - max(blank, 0), 0)
 
 
-def is_attribute_style(analysis: Analysis, place: Place) -> bool:
-    """Whether endpoints at a place are attributes of the object, rather than plain names."""
+def is_attribute_style(analysis: Analysis, place: Place, kind: EndpointKind) -> bool:
+    """Whether an endpoint at a place is an attribute of the object, rather than a plain name.
+
+    That is as the method holds others of its kind, or what else it has to hold to use it.
+    """
     if not place.self_name:
         return False
     names = [
         name
         for site in analysis.sites
-        if site.scope.enclosing("function") is place.scope
+        if site.endpoint.kind in (kind, *_HELD)
+        and site.scope.enclosing("function") is place.scope
+        and b"message_filters" not in (site.call.text or b"")
         and (name := target_name(analysis, site)) is not None
     ]
     return not names or any("." in name for name in names)

@@ -1,0 +1,150 @@
+"""When the functions of a file run: once, as the node starts, or whenever something calls them."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from enum import IntEnum
+
+from tree_sitter import Node
+
+from plastron_tui.model.source import EndpointKind
+
+from .analysis import Analysis, Site
+from .scopes import Scope
+from .syntax import parts_of
+
+# Functions that run as a node starts, whoever calls them.
+_STARTING = frozenset({"__init__", "main", "on_configure", "setUp"})
+# What runs never, or more than once, or later than what is around it.
+_CONDITIONS = frozenset(
+    {
+        "if_statement",
+        "for_statement",
+        "while_statement",
+        "except_clause",
+        "conditional_expression",
+        "boolean_operator",
+        "match_statement",
+        "lambda",
+        "list_comprehension",
+        "set_comprehension",
+        "dictionary_comprehension",
+        "generator_expression",
+    }
+)
+
+
+class When(IntEnum):
+    """When a call site runs, the best time for another one beside it first."""
+
+    START = 0
+    UNKNOWN = 1
+    ON_DEMAND = 2
+
+
+class Starting:
+    """Tells when the call sites of a file run."""
+
+    def __init__(self, analysis: Analysis) -> None:
+        self._analysis = analysis
+        self._functions = [scope for scope in analysis.scopes.all if scope.kind == "function"]
+        self._calls: dict[Scope, list[tuple[Scope, bool]]] = defaultdict(list)
+        for call in analysis.captures.get("call", []):
+            self._note(call)
+        self._starting = self._closure()
+
+    def when(self, site: Site) -> When:
+        """Return when a call site runs."""
+        function = site.scope.enclosing("function")
+        if function is None:
+            return When.START
+        if self._is_root(function):
+            return When.START
+        is_starting = function in self._starting
+        if self._is_let_go(site, function) and not (
+            is_starting and site.endpoint.kind is not EndpointKind.CLIENT
+        ):
+            return When.ON_DEMAND
+        if is_starting:
+            return When.START
+        return When.ON_DEMAND if self._calls.get(function) else When.UNKNOWN
+
+    def _note(self, call: Node) -> None:
+        """Note which function a call runs, and whether it does so once, for sure."""
+        scope = self._analysis.scopes.at(call.start_byte)
+        caller = scope.enclosing("function") or self._analysis.scopes.module
+        called = self._called(call, caller)
+        if called is not None and called is not caller:
+            self._calls[called].append((caller, _is_sure(call, caller)))
+
+    def _called(self, call: Node, caller: Scope) -> Scope | None:
+        callee = call.child_by_field_name("function")
+        if callee is None or callee.type not in ("identifier", "attribute"):
+            return None
+        source = self._analysis.syntax.slice(callee)
+        holder, _, name = source.rpartition(".")
+        alike = [scope for scope in self._functions if scope.name == name]
+        if caller.self_name and holder == caller.self_name:
+            alike = [scope for scope in alike if scope.parent is caller.parent] or alike
+        else:
+            alike = [scope for scope in alike if bool(scope.self_name) is bool(holder)]
+        return alike[0] if len(alike) == 1 else None
+
+    def _closure(self) -> set[Scope]:
+        """Return the functions that start the node, and those that they call once."""
+        found = {function for function in self._functions if self._is_root(function)}
+        found.add(self._analysis.scopes.module)
+        is_growing = True
+        while is_growing:
+            more = {
+                function
+                for function, calls in self._calls.items()
+                if function not in found
+                and len(calls) == 1
+                and calls[0][1]
+                and calls[0][0] in found
+            }
+            found |= more
+            is_growing = bool(more)
+        return found
+
+    def _is_root(self, function: Scope) -> bool:
+        return function.name in _STARTING or any(
+            node.call is not None and node.scope.enclosing("function") is function
+            for node in self._analysis.nodes
+        )
+
+    def _is_let_go(self, site: Site, function: Scope) -> bool:
+        """Whether the endpoint is held by a name that is gone when the function returns.
+
+        A client is so that is called at once and not held at all.
+        """
+        parent = site.call.parent
+        if parent is not None and parent.type in ("call", "attribute"):
+            return site.endpoint.kind is EndpointKind.CLIENT
+        target = parent.child_by_field_name("left") if parent is not None else None
+        if parent is None or parent.type != "assignment" or target is None:
+            return False
+        if site.endpoint.kind is EndpointKind.PARAMETER:
+            return False
+        names = [target] if target.type == "identifier" else parts_of(target)
+        outer = function.globals | function.nonlocals
+        return target.type != "attribute" and all(
+            each.type == "identifier" and self._analysis.syntax.slice(each) not in outer
+            for each in names
+        )
+
+
+def _is_sure(call: Node, caller: Scope) -> bool:
+    """Whether a function runs a call once, whatever happens."""
+    current = call.parent
+    while current is not None and current.id != caller.node.id:
+        if current.type in _CONDITIONS and not _is_main_guard(current):
+            return False
+        current = current.parent
+    return True
+
+
+def _is_main_guard(statement: Node) -> bool:
+    condition = statement.child_by_field_name("condition")
+    return condition is not None and b"__name__" in (condition.text or b"")

@@ -1,0 +1,153 @@
+"""Which line of a node a new endpoint comes behind, where its functions run at different times."""
+
+from __future__ import annotations
+
+import pytest
+from edits import edited, provide, publish, request, subscribe
+
+ROSPY = "import rospy\nfrom std_msgs.msg import String\nfrom std_srvs.srv import Trigger\n\n\n"
+RCLPY = "import rclpy\nfrom rclpy.node import Node\nfrom std_msgs.msg import String\n\n\n"
+
+CLIENT_ON_DEMAND = (
+    f"{ROSPY}class Arm:\n    def __init__(self):\n"
+    "        rospy.Subscriber('angle', String, self.on_angle)\n"
+    "        self.is_ready = True\n\n"
+    "    def on_angle(self, msg):\n        pass\n\n"
+    "    def home(self):\n"
+    "        rospy.wait_for_service('home')\n"
+    "        home = rospy.ServiceProxy('home', Trigger)\n"
+    "        return home()\n\n\n"
+    "rospy.init_node('arm')\nArm()\nrospy.spin()\n"
+)
+CLIENT_AT_ONCE = CLIENT_ON_DEMAND.replace(
+    "        home = rospy.ServiceProxy('home', Trigger)\n        return home()\n",
+    "        answer = rospy.ServiceProxy('home', Trigger)()\n        return answer\n",
+)
+SOMETIMES = (
+    f"{ROSPY}class Room:\n    def __init__(self, doors=None):\n"
+    "        self.pub_light = rospy.Publisher('light', String, queue_size=1)\n"
+    "        if doors:\n            self.add_doors(doors)\n\n"
+    "    def add_doors(self, doors):\n"
+    "        for door in doors:\n"
+    "            self.pubs[door] = rospy.Publisher(door, String, queue_size=1)\n\n\n"
+    "rospy.init_node('room')\nroom = Room()\n"
+)
+SPLIT = (
+    f"{ROSPY}class Room:\n    def __init__(self):\n"
+    "        self.pub_light = rospy.Publisher('light', String, queue_size=1)\n"
+    "        self.add_doors()\n\n"
+    "    def add_doors(self):\n"
+    "        self.pub_door = rospy.Publisher('door', String, queue_size=1)\n\n\n"
+    "rospy.init_node('room')\nroom = Room()\n"
+)
+ASKED_TWICE = (
+    f"{RCLPY}def once(node, topic):\n    found = []\n"
+    "    sub = node.create_subscription(String, topic, found.append, 1)\n"
+    "    rclpy.spin_once(node)\n    return found\n\n\n"
+    "def main():\n    rclpy.init()\n    node = rclpy.create_node('scene')\n"
+    "    print(once(node, 'a'), once(node, 'b'))\n"
+)
+TESTS = (
+    f"{RCLPY}class TestMap:\n    def setUp(self):\n"
+    "        self.node = rclpy.create_node('test_map')\n\n"
+    "    def test_map(self):\n        seen = []\n"
+    "        sub = self.node.create_subscription(String, 'map', seen.append, 1)\n"
+    "        rclpy.spin_once(self.node)\n"
+)
+LIFECYCLE = (
+    "import rclpy\nfrom rclpy.lifecycle import LifecycleNode\nfrom std_msgs.msg import String\n\n\n"
+    "class Cell(LifecycleNode):\n    def on_configure(self, state):\n"
+    "        self.sub = self.create_subscription(String, 'in', self.on_in, 10)\n"
+    "        return super().on_configure(state)\n\n"
+    "    def on_activate(self, state):\n"
+    "        self.timer = self.create_timer(1.0, self.tick)\n"
+    "        return super().on_activate(state)\n\n"
+    "    def on_in(self, msg):\n        pass\n\n"
+    "    def tick(self):\n        pass\n\n\n"
+    "rclpy.init()\nrclpy.spin(Cell('cell'))\n"
+)
+ACTION_IN_CALLBACK = (
+    f"{RCLPY}from nav2_msgs.action import Undock\nfrom rclpy.action import ActionClient\n\n\n"
+    "class Dock(Node):\n    def __init__(self):\n        super().__init__('dock')\n"
+    "        self.create_subscription(String, 'go', self.on_go, 10)\n\n"
+    "    def on_go(self, msg):\n        self.undock()\n\n"
+    "    def undock(self):\n"
+    "        self.undocking = ActionClient(self, Undock, 'undock')\n"
+    "        self.undocking.wait_for_server()\n\n\n"
+    "rclpy.init()\nrclpy.spin(Dock())\n"
+)
+LOCAL_PARAMETERS = (
+    f"{ROSPY}class Horn:\n    def __init__(self):\n        rospy.init_node('horn')\n"
+    "        loud = rospy.get_param('~loud', 1.0)\n"
+    "        rospy.Subscriber('blow', String, self.on_blow, loud)\n\n"
+    "    def on_blow(self, msg, loud):\n        pass\n\n\nHorn()\n"
+)
+
+PLACES = {
+    "a service, not beside a client on demand": (
+        CLIENT_ON_DEMAND,
+        provide("stop"),
+        "        rospy.Subscriber('angle', String, self.on_angle)\n"
+        "        rospy.Service('stop', Trigger, self.handle_stop)\n",
+    ),
+    "a client, not beside a client on demand": (
+        CLIENT_ON_DEMAND,
+        request("ask", "std_srvs/Trigger"),
+        "        rospy.Subscriber('angle', String, self.on_angle)\n"
+        "        self.ask_client = rospy.ServiceProxy('ask', Trigger)\n",
+    ),
+    "a publisher, not beside a client that is called at once": (
+        CLIENT_AT_ONCE,
+        publish("out"),
+        "        rospy.Subscriber('angle', String, self.on_angle)\n"
+        "        self.out_pub = rospy.Publisher('out', String, queue_size=10)\n",
+    ),
+    "beside its like that is always made": (
+        SOMETIMES,
+        publish("out"),
+        "        self.pub_light = rospy.Publisher('light', String, queue_size=1)\n"
+        "        self.pub_out = rospy.Publisher('out', String, queue_size=1)\n",
+    ),
+    "beside the last of its like, in a method of the constructor": (
+        SPLIT,
+        publish("out"),
+        "        self.pub_door = rospy.Publisher('door', String, queue_size=1)\n"
+        "        self.pub_out = rospy.Publisher('out', String, queue_size=1)\n",
+    ),
+    "behind the node, not in a function that is called again": (
+        ASKED_TWICE,
+        subscribe("in"),
+        "    node = rclpy.create_node('scene')\n"
+        "    in_sub = node.create_subscription(String, 'in', on_in, 1)\n",
+    ),
+    "behind the node, not in one of its tests": (
+        TESTS,
+        subscribe("in"),
+        "        self.node = rclpy.create_node('test_map')\n"
+        "        self.in_sub = self.node.create_subscription(String, 'in', self.on_in, 1)\n",
+    ),
+    "where a lifecycle node is configured, not where it is activated": (
+        LIFECYCLE,
+        provide("stop"),
+        "        self.sub = self.create_subscription(String, 'in', self.on_in, 10)\n"
+        "        self.stop_service = self.create_service(Trigger, 'stop', self.handle_stop)\n",
+    ),
+    "not where a callback makes an action's client": (
+        ACTION_IN_CALLBACK,
+        provide("stop"),
+        "        self.create_subscription(String, 'go', self.on_go, 10)\n"
+        "        self.stop_service = self.create_service(Trigger, 'stop', self.handle_stop)\n",
+    ),
+    "an attribute, whatever parameters are called": (
+        LOCAL_PARAMETERS,
+        publish("out"),
+        "        rospy.Subscriber('blow', String, self.on_blow, loud)\n"
+        "        self.out_pub = rospy.Publisher('out', String, queue_size=10)\n",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", PLACES)
+def test_places(case):
+    before, change, expected = PLACES[case]
+    assert expected in edited(before, change)
