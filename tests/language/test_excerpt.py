@@ -87,9 +87,7 @@ def test_an_excerpt_is_highlighted_as_the_whole_text(
 
 
 def test_an_excerpt_takes_a_chain_of_comments_along() -> None:
-    text = (
-        b"load a as b /* one\n*/ load c as d /* two\n*/ load e as f /* three\nend */ load g as h"
-    )
+    text = b"load a as b /* one\n*/ load c as d /* two\n*/ load e as f /* three\nend */ load g as h"
     document = Document(text)
     start = text.index(b"end */")
     excerpt = document.excerpt(start, start)
