@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import asyncio
+from collections.abc import Awaitable, Callable, Sequence
 from pathlib import Path
+from typing import Any
 
 import pytest
 from studio_driver import Driver, studio
@@ -15,6 +17,7 @@ from wizard_driver import SMALL, WizardDriver
 
 from plastron_tui.studio.wizard.form_page import FormPage
 from plastron_tui.studio.wizard.menu_page import Menu
+from plastron_tui.studio.wizard.rows import Row
 
 WAYS = {
     "the first menu": ["down", "down"],
@@ -28,6 +31,23 @@ WAYS = {
     "away at once": ["escape", "y"],
     "from the end": ["enter", *["enter"] * 6, "escape", "z"],
 }
+
+
+HEARS = [
+    (Menu, "on_option_list_option_selected"),
+    (Row, "on_input_changed"),
+    (Row, "on_input_submitted"),
+    (FormPage, "on_entered"),
+    (FormPage, "on_reached"),
+]
+
+
+def slowed(hear: Callable[[Any, Any], None]) -> Callable[[Any, Any], Awaitable[None]]:
+    async def slow(self: Any, message: Any) -> None:
+        await asyncio.sleep(0.02)
+        hear(self, message)
+
+    return slow
 
 
 async def state(it: WizardDriver) -> tuple[object, ...]:
@@ -77,6 +97,25 @@ async def test_a_burst_does_what_single_keys_do(here: Path, keys: list[str], foc
                 assert driver.main.lists["nodes"].has_focus
             it = WizardDriver(driver)
             await send(it, ["ctrl+u", *keys])
+            states.append(await state(it))
+    assert states[1] == states[0]
+
+
+@pytest.mark.parametrize("way", ["two pages on", "a value", "a choice", "to the end"])
+async def test_a_key_waits_for_all_that_follows_from_the_one_before(
+    here: Path, way: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """However long what has the focus, and what is around it, takes to pass on what it heard."""
+    states = []
+    for send in (slowly, quickly):
+        if send is quickly:
+            for type_, name in HEARS:
+                monkeypatch.setattr(type_, name, slowed(getattr(type_, name)))
+        path = here / f"{send.__name__}.plastron"
+        path.write_text(TWO_NODES)
+        async with studio(path, SMALL) as driver:
+            it = WizardDriver(driver)
+            await send(it, ["ctrl+u", *WAYS[way]])
             states.append(await state(it))
     assert states[1] == states[0]
 
