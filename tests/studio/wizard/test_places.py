@@ -119,3 +119,16 @@ def test_no_topic_of_its_own_is_suggested_to_a_node() -> None:
     filled = it.look().of(it.page.form)
     assert filled is not None
     assert filled.cells["node"].text == "talker" and filled.cells["topic"].text != "chatter"
+
+
+def test_a_private_name_is_offered_to_others_in_full() -> None:
+    it = course(
+        "create_node 'arm' as arm\ncreate_message m of message_type Bool and input True\n"
+        "arm publish m to '~ready' of message_type Bool\ncreate_node 'eye' as eye\n"
+    )
+    form = form_after(it, MORE, REACT)
+    form.entered = {"node": "eye"}
+    filled = it.look().of(form)
+    assert filled is not None
+    assert [each.text for each in it.choices(filled, "topic", None, "")] == ["/arm/ready"]
+    assert filled.cells["topic"].text == "/arm/ready"
