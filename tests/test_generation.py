@@ -112,6 +112,17 @@ rospy.spin()
 """
 
 
+def test_broken_manifest_behind_a_link_is_told_once(tmp_path: Path) -> None:
+    (tmp_path / "real").mkdir()
+    (tmp_path / "real" / ".plastron.json").write_text("broken")
+    (tmp_path / "output").symlink_to(tmp_path / "real")
+    (tmp_path / "mine.py").write_text(CROWDED)
+    text = f"{PROGRAM}load 'mine.py' as other\ngenerate_node other\n"
+    plan, diagnostics = session(tmp_path, text).plan()
+    assert len(plan.files) == 2
+    assert [found.code for found in diagnostics] == ["bad-manifest"]
+
+
 @pytest.mark.parametrize("using", ["", " using rclpy"])
 def test_refusal_names_the_lines_of_the_file_as_it_is(tmp_path: Path, using: str) -> None:
     (tmp_path / "mine.py").write_text(CROWDED)

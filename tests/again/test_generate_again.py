@@ -125,6 +125,27 @@ def test_original_that_is_changed_counts_as_it_is(bench: Bench) -> None:
     check_followed(bench, bench.put("robot.py"))
 
 
+def test_what_a_program_wrote_hides_other_files_without_a_word(bench: Bench) -> None:
+    program = f"load robot as n\n{CHANGES}"
+    bench.put("robot.py")
+    bench.put("output/robot.py")
+    assert [found.code for found in bench.session(program).diagnostics] == ["hidden-file"]
+    bench.generate(program)
+    for name in ("robot.plastron", "other.plastron"):
+        assert bench.session("load robot as n\ngenerate_node n\n", name).diagnostics == ()
+
+
+def test_original_that_is_changed_is_read_again_by_the_session_that_is_there(bench: Bench) -> None:
+    program = "load robot as n\nn stop_service 'reset'\ngenerate_node n\n"
+    bench.put("robot.py")
+    bench.generate(program)
+    session = bench.session(program)
+    assert list(session.workspace.nodes["n"].subscriptions) == ["command"]
+    bench.edit("robot.py", '"command"', '"order"')
+    session.files_changed()
+    assert list(session.workspace.nodes["n"].subscriptions) == ["order"]
+
+
 def test_files_made_from_each_other_lead_to_the_first(bench: Bench) -> None:
     bench.put("first/robot.py", NODES[bench.library].replace("somebody", "nobody"))
     bench.put("second/robot.py")
