@@ -387,6 +387,9 @@ def _annotated(annotation: Node) -> list[Node]:
 
 def _interface_name(qualified: str) -> InterfaceName | None:
     parts = qualified.split(".")
+    if len(parts) > 3 and not parts[2].startswith("_"):
+        # A class within a type's class, such as the request of a service, is no interface.
+        return None
     for kind in _KINDS:
         if len(parts) >= 3 and parts[1] == kind and parts[0] not in ("rospy", ""):
             return InterfaceName(parts[0], parts[-1])
