@@ -120,7 +120,7 @@ def _callbacks(analysis: Analysis) -> set[int]:
 
 
 def _is_setup(analysis: Analysis, site: Site, callbacks: set[int]) -> bool:
-    """Whether a call site runs when the node starts: not in a callback, a loop or a lambda.
+    """Whether a call site may run when the node starts: not in a callback or a lambda.
 
     What a function creates to return it, it creates for others, whenever they call it.
     """
@@ -130,7 +130,7 @@ def _is_setup(analysis: Analysis, site: Site, callbacks: set[int]) -> bool:
         return False
     scope: Scope | None = site.scope
     while scope is not None:
-        if scope.kind in ("lambda", "comprehension") or scope.node.id in callbacks:
+        if scope.kind == "lambda" or scope.node.id in callbacks:
             return False
         scope = scope.parent
     return True
@@ -370,6 +370,13 @@ def is_attribute_style(analysis: Analysis, place: Place, kind: EndpointKind) -> 
         if site.endpoint.kind in (kind, *_HELD)
         and site.scope.enclosing("function") is place.scope
         and b"message_filters" not in (site.call.text or b"")
+        and not _is_repeated(site)
         and (name := target_name(analysis, site)) is not None
     ]
     return not names or any("." in name for name in names)
+
+
+def _is_repeated(site: Site) -> bool:
+    """Whether a call site is in a loop, whose names are for one round only."""
+    climbed = _climb(statement_of(site.call))
+    return climbed is not None and climbed.type in ("for_statement", "while_statement")

@@ -10,6 +10,7 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 
 from .analysis import Analysis, Site
+from .references import statement_of
 from .scopes import Scope
 from .syntax import parts_of
 
@@ -119,13 +120,14 @@ class Starting:
 
         A client is so that is called at once and not held at all.
         """
+        if site.endpoint.kind is EndpointKind.PARAMETER:
+            return False
         parent = site.call.parent
         if parent is not None and parent.type in ("call", "attribute"):
             return site.endpoint.kind is EndpointKind.CLIENT
-        target = parent.child_by_field_name("left") if parent is not None else None
-        if parent is None or parent.type != "assignment" or target is None:
-            return False
-        if site.endpoint.kind is EndpointKind.PARAMETER:
+        assignment = next(iter(statement_of(site.call).named_children), None)
+        target = assignment.child_by_field_name("left") if assignment is not None else None
+        if assignment is None or assignment.type != "assignment" or target is None:
             return False
         names = [target] if target.type == "identifier" else parts_of(target)
         outer = function.globals | function.nonlocals

@@ -82,6 +82,21 @@ LOCAL_PARAMETERS = (
     "        rospy.Subscriber('blow', String, self.on_blow, loud)\n\n"
     "    def on_blow(self, msg, loud):\n        pass\n\n\nHorn()\n"
 )
+LOOP = (
+    f"{ROSPY}class Legs:\n    def __init__(self, names):\n        self.legs = {{}}\n"
+    "        for name in names:\n"
+    "            pub = rospy.Publisher(name, String, queue_size=1)\n"
+    "            self.legs[name] = pub\n"
+    "        self.is_ready = True\n\n\nrospy.init_node('legs')\nLegs([])\n"
+)
+COMPREHENSIONS = (
+    f"{ROSPY}def gains(ids):\n"
+    "    proxies = [rospy.ServiceProxy('gain_%d' % i, Trigger) for i in ids]\n"
+    "    [proxy() for proxy in proxies]\n\n\n"
+    "class Legs:\n    def __init__(self, names):\n        rospy.init_node('legs')\n"
+    "        self.legs = [rospy.Publisher(name, String, queue_size=1) for name in names]\n"
+    "        self.is_ready = True\n\n\nLegs([])\n"
+)
 
 PLACES = {
     "a service, not beside a client on demand": (
@@ -143,6 +158,22 @@ PLACES = {
         publish("out"),
         "        rospy.Subscriber('blow', String, self.on_blow, loud)\n"
         "        self.out_pub = rospy.Publisher('out', String, queue_size=10)\n",
+    ),
+    "behind a loop, and held by the object": (
+        LOOP,
+        publish("out"),
+        "            self.legs[name] = pub\n"
+        "        self.out_pub = rospy.Publisher('out', String, queue_size=1)\n",
+    ),
+    "behind a comprehension": (
+        COMPREHENSIONS,
+        publish("out"),
+        "for name in names]\n        self.out_pub = rospy.Publisher('out', String, queue_size=1)\n",
+    ),
+    "not beside clients that a function makes to call them": (
+        COMPREHENSIONS,
+        request("ask", "std_srvs/Trigger"),
+        "for name in names]\n        self.ask_client = rospy.ServiceProxy('ask', Trigger)\n",
     ),
 }
 
