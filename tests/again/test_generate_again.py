@@ -125,6 +125,14 @@ def test_original_that_is_changed_counts_as_it_is(bench: Bench) -> None:
     check_followed(bench, bench.put("robot.py"))
 
 
+def test_program_that_changes_nothing_any_more_is_forgotten(bench: Bench) -> None:
+    bench.put("output/robot.py")
+    bench.generate(f"load robot as n\n{CHANGES}")
+    assert list(load_manifest(bench.path / "output")[0].layers) == ["robot.py"]
+    assert bench.generate("load robot as n\ngenerate_node n\n").states == ["changed"]
+    assert load_manifest(bench.path / "output")[0].layers == {}
+
+
 def test_what_a_program_wrote_hides_other_files_without_a_word(bench: Bench) -> None:
     program = f"load robot as n\n{CHANGES}"
     bench.put("robot.py")
