@@ -226,3 +226,31 @@ async def test_a_mistake_is_mended_with_one_key(
             await driver.press("enter", "alt+enter")
         assert driver.text == PROGRAM
         assert driver.shown("problems") == []
+
+
+ACTS = ("end", "rename", "generate", "fix")
+
+
+@pytest.mark.parametrize(
+    ("panel", "entry", "acts"),
+    [
+        ("nodes", "● listener", {"rename", "generate"}),
+        ("nodes", "↓ chatter", {"end", "rename", "generate"}),
+        ("topics", "≈ /chatter", {"rename"}),
+        ("messages", "✉ greeting", {"rename"}),
+        ("messages", "data =", set()),
+        ("problems", "✖ `nothing`", set()),
+        ("problems", "✖ `generat_node`", {"fix"}),
+    ],
+)
+async def test_only_what_can_be_done_with_an_entry_is_offered(
+    program: Path, panel: str, entry: str, acts: set[str]
+) -> None:
+    program.write_text("nothing\ngenerat_node talker\n" + PROGRAM)
+    async with studio(program) as driver:
+        driver.main.action_show(panel)
+        await driver.settle()
+        await go_to(driver, panel, entry)
+        bound = driver.main.active_bindings.values()
+        offered = {each.binding.action for each in bound if each.enabled}
+        assert {what for what in ACTS if f"ask('{what}')" in offered} == acts
