@@ -111,3 +111,14 @@ async def test_it_works_in_other_colours(here: Path, theme: str) -> None:
         assert focused.rich_style != other.rich_style
         await it.press("enter")
         assert it.kind is PageKind.REVIEW
+
+
+@pytest.mark.parametrize(("rows", "has_sentence"), [(21, False), (22, True)])
+async def test_a_low_window_has_its_rows_for_the_form(
+    here: Path, rows: int, has_sentence: bool
+) -> None:
+    async with wizard(size=(80, rows)) as it:
+        await it.pick(MAKE)
+        sentence = it.form.query_one("#wizard-about")
+        assert bool(sentence.region) is has_sentence
+        assert it.row("name").box.region
