@@ -14,6 +14,7 @@ from .analysis import Analysis
 from .messages import Messages
 from .place import Place
 from .references import identifiers
+from .scopes import Scope
 from .typeimports import FileImports
 from .writing import Writer
 
@@ -63,9 +64,7 @@ class Addition:
         """Return what the file calls a name of rospy, where the endpoint is or in a callback."""
         scope = self.place.scope
         if in_callback:
-            # A callback is a function of the module, or a method: neither sees local imports.
-            while scope.parent is not None:
-                scope = scope.parent
+            scope = self._outside
         return self.imports.library("rospy", name, scope)
 
     def log(self, level: str, value: str, *, in_callback: bool = True) -> str:
@@ -95,9 +94,16 @@ class Addition:
 
     def stand(self, *, is_nested: bool) -> None:
         """Say where what is written next stands: where the endpoint is, or in another function."""
+        scope = self.place.scope if is_nested else self._outside
+        method = self.place.scope if self.place.owner is not None else None
+        self.imports.stand(scope, self.place.offset, method)
+
+    @property
+    def _outside(self) -> Scope:
+        """What a callback sees: a function of the module, or a method, what is around its class."""
         module = self.analysis.scopes.module
-        scope = self.place.scope if is_nested else module
-        self.imports.stand(scope, self.place.offset)
+        owner = self.place.owner if self.is_method_place else None
+        return module if owner is None else owner.parent or module
 
     @property
     def is_method_place(self) -> bool:

@@ -12,7 +12,8 @@ from plastron_tui.targets import naming
 from plastron_tui.targets.imports import Imports
 
 from .analysis import Analysis
-from .conventions import Conventions
+from .constants import without_none
+from .conventions import Conventions, leading_space
 from .imports import is_interface_module
 from .references import identifiers, is_member
 from .scopes import Binding, BindingKind, Scope
@@ -27,22 +28,27 @@ class FileImports(Imports):
         super().__init__()
         self._analysis = analysis
         self._conventions = conventions
-        self._given: dict[tuple[str, str], str] = {}
-        self._new: dict[str, list[tuple[str, str]]] = {}
-        self._new_modules: list[str] = []
+        self._given: dict[tuple[int, str, str], str] = {}
+        self._new: dict[tuple[int, str], list[tuple[str, str]]] = {}
+        self._new_modules: list[tuple[int, str]] = []
+        self._homes: dict[int, Node] = {}
         self._module = analysis.scopes.module
         self._scope, self._offset = self._module, 0
+        self._method: Scope | None = None
 
-    def stand(self, scope: Scope, offset: int) -> None:
-        """Say where what is written next stands: names that are imported there are seen there."""
-        self._scope, self._offset = scope, offset
+    def stand(self, scope: Scope, offset: int, method: Scope | None = None) -> None:
+        """Say where what is written next stands: names that are imported there are seen there.
+
+        What the method imports that creates the endpoint, the other methods do not see.
+        """
+        self._scope, self._offset, self._method = scope, offset, method
 
     def use(self, module: str, name: str) -> str:
         """Import a name unless the file has it, and return what the file calls it."""
         local = self._local(module, name)
         if local is not None:
             return local
-        symbol = (module, name)
+        symbol = (self._home(), module, name)
         if symbol not in self._given:
             self._given[symbol] = self._existing(module, name) or self._imported(module, name)
         return self._given[symbol]
@@ -58,10 +64,10 @@ class FileImports(Imports):
         existing = self._existing(module, name)
         if existing is not None:
             return existing
-        if self._extendable(module) is not None:
+        if self._extendable(self._home(), module) is not None:
             return self.use(module, name)
         if not (self._module.star_imports and self._is_used_unbound(module)):
-            self._new_modules.append(module)
+            self._new_modules.append((self._home(), module))
         return f"{module}.{name}"
 
     def _functions(self) -> Iterator[Scope]:
@@ -94,8 +100,9 @@ class FileImports(Imports):
     def _existing(self, module: str, name: str) -> str | None:
         wanted = f"{module}.{name}"
         hidden = {bound for scope in self._functions() for bound in scope.bindings}
-        for bound, bindings in self._module.bindings.items():
-            if bound in hidden:
+        for bound, every in self._module.bindings.items():
+            bindings = without_none(every)
+            if bound in hidden or not bindings:
                 continue
             if all(binding.kind is BindingKind.IMPORT for binding in bindings):
                 targets = {binding.target for binding in bindings}
@@ -125,7 +132,7 @@ class FileImports(Imports):
 
     def _imported(self, module: str, name: str) -> str:
         if self._prefers_modules(module):
-            self._new_modules.append(module)
+            self._new_modules.append((self._home(), module))
             return f"{module}.{name}"
         taken = {*self._module.bindings, *self._given.values()}
         taken = taken.union(*(scope.bindings for scope in self._functions()))
@@ -133,7 +140,7 @@ class FileImports(Imports):
         if self._is_used_unbound(name):
             taken.add(name)
         bound = name if name not in taken else naming.Scope(taken).new(package + name)
-        self._new.setdefault(module, []).append((name, bound))
+        self._new.setdefault((self._home(), module), []).append((name, bound))
         return bound
 
     def _is_used_unbound(self, name: str) -> bool:
@@ -165,23 +172,43 @@ class FileImports(Imports):
     def splices(self) -> list[Splice]:
         """Return what adds the new imports to the file."""
         splices = []
-        for module, names in self._new.items():
-            statement = self._extendable(module)
+        for (home, module), names in self._new.items():
+            statement = self._extendable(home, module)
             if statement is not None:
                 splices += [self._extend(statement, name, bound) for name, bound in names]
             else:
                 listed = ", ".join(map(_import_item, names))
-                splices.append(self._line(module, f"from {module} import {listed}"))
-        for module in dict.fromkeys(self._new_modules):
-            splices.append(self._line(module, f"import {module}"))
+                splices.append(self._line(home, module, f"from {module} import {listed}"))
+        for home, module in dict.fromkeys(self._new_modules):
+            splices.append(self._line(home, module, f"import {module}"))
         return splices
 
-    def _top_imports(self) -> list[Node]:
-        return [
-            child
-            for child in self._analysis.syntax.root.named_children
-            if child.type in ("import_statement", "import_from_statement")
-        ]
+    def _home(self) -> int:
+        """Return which block has the imports of ROS that the place sees, by its number.
+
+        That is the module, unless it does so under a `try`, or a function around the place does.
+        """
+        root = self._analysis.syntax.root
+        blocks = [root]
+        for child in root.named_children:
+            body = child.child_by_field_name("body")
+            if child.type == "try_statement" and body is not None:
+                blocks.append(body)
+        for scope in reversed(list(self._functions())):
+            body = scope.node.child_by_field_name("body")
+            if scope is not self._method and body is not None:
+                blocks.append(body)
+        home = next((block for block in blocks if self._has_ros(block)), root)
+        self._homes[home.id] = home
+        return home.id
+
+    def _has_ros(self, block: Node) -> bool:
+        return any(
+            is_interface_module(module) or module.partition(".")[0] in ("rospy", "rclpy")
+            for statement in _imports_in(block)
+            if block.type == "module" or statement.end_byte <= self._offset
+            for module in [self._module_of(statement)]
+        )
 
     def _module_of(self, statement: Node) -> str:
         node = statement.child_by_field_name("module_name")
@@ -189,8 +216,8 @@ class FileImports(Imports):
             node = next(iter(statement.children_by_field_name("name")), None)
         return self._analysis.syntax.slice(node) if node is not None else ""
 
-    def _extendable(self, module: str) -> Node | None:
-        for statement in reversed(self._top_imports()):
+    def _extendable(self, home: int, module: str) -> Node | None:
+        for statement in reversed(_imports_in(self._homes[home])):
             is_named = bool(statement.children_by_field_name("name"))
             is_alike = statement.type == "import_from_statement" and is_named
             if is_alike and self._module_of(statement) == module and not statement.has_error:
@@ -211,11 +238,13 @@ class FileImports(Imports):
             new = f", {item}"
         return Splice(last.end_byte, last.end_byte, self._analysis.syntax.encode(new))
 
-    def _line(self, module: str, line: str) -> Splice:
+    def _line(self, home: int, module: str, line: str) -> Splice:
         """Place a new import: among those of interface types, or behind the last import."""
+        imports = _imports_in(self._homes[home])
+        if imports:
+            line = leading_space(self._analysis, imports[-1]) + line
         text = self._analysis.syntax.text
         newline = self._conventions.newline
-        imports = self._top_imports()
         alike = [node for node in imports if is_interface_module(self._module_of(node))]
         encode = self._analysis.syntax.encode
         modules = [self._module_of(node) for node in alike]
@@ -264,6 +293,15 @@ class FileImports(Imports):
                 line_end(text, child.end_byte) if is_string else line_start(text, child.start_byte)
             )
         return len(text)
+
+
+def _imports_in(block: Node) -> list[Node]:
+    """Return the import statements of a block."""
+    return [
+        child
+        for child in block.named_children
+        if child.type in ("import_statement", "import_from_statement")
+    ]
 
 
 def _import_item(symbol: tuple[str, str]) -> str:

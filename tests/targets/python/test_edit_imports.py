@@ -47,3 +47,66 @@ def test_two_lines_of_one_module_may_become_one() -> None:
 def test_a_name_that_is_not_needed_again_goes() -> None:
     text = edited(IMPORTS[0] + BODY, Remove(SUB, "old", AT))
     assert text.startswith("import rospy\nfrom std_msgs.msg import Float32\n\n")
+
+
+UNDER_TRY = """import logging
+try:
+    import rospy
+    from std_msgs.msg import Bool
+except ImportError:
+    rospy = None
+    Bool = None
+rospy.init_node('n')
+rospy.Subscriber('old', Bool, print)
+"""
+
+
+def test_an_import_that_may_fail_stays_with_the_others() -> None:
+    text = edited(UNDER_TRY, subscribe("new", "geometry_msgs/Point", "print"))
+    assert "    import rospy\n    from geometry_msgs.msg import Point\n    from std" in text
+
+
+def test_a_name_that_is_none_without_ros_is_the_type() -> None:
+    text = edited(UNDER_TRY, subscribe("new", "std_msgs/Bool"))
+    assert text.startswith(UNDER_TRY[: UNDER_TRY.index("except")])
+    assert text.endswith("print)\nrospy.Subscriber('new', Bool, on_new)\n")
+
+
+CLASS_IN_FUNCTION = """import logging
+
+
+def main():
+    import rclpy
+    from rclpy.node import Node
+    from std_msgs.msg import Bool
+
+    class Lamp(Node):
+        def __init__(self):
+            super().__init__('lamp')
+            self.pub = self.create_publisher(Bool, 'on', 10)
+
+    rclpy.init()
+    rclpy.spin(Lamp())
+
+
+main()
+"""
+
+
+def test_a_class_in_a_function_sees_what_the_function_imports() -> None:
+    text = edited(CLASS_IN_FUNCTION, publish("at", "geometry_msgs/Point", x=1.0))
+    assert text.startswith("import logging\n\n\ndef main():\n    import rclpy\n")
+    assert "    from geometry_msgs.msg import Point\n    from std_msgs.msg import Bool\n" in text
+    assert text.count("import Point") == 1
+
+
+def test_what_a_method_imports_its_callbacks_do_not_see() -> None:
+    text = edited(
+        "class Lamp:\n    def __init__(self):\n        import rclpy\n"
+        "        from std_msgs.msg import Bool\n"
+        "        self.node = rclpy.create_node('lamp')\n"
+        "        self.pub = self.node.create_publisher(Bool, 'on', 10)\n",
+        publish("at", "geometry_msgs/Point", x=1.0),
+    )
+    assert text.startswith("from geometry_msgs.msg import Point\n")
+    assert text.count("import Point") == 1
