@@ -122,3 +122,13 @@ async def test_a_low_window_has_its_rows_for_the_form(
         sentence = it.form.query_one("#wizard-about")
         assert bool(sentence.region) is has_sentence
         assert it.row("name").box.region
+
+
+async def test_what_was_right_stays_in_view_as_long_as_something_is_wrong(here: Path) -> None:
+    async with wizard() as it:
+        await it.go(MAKE, SEND)
+        before = it.view("code"), it.view("graph")
+        assert "def publish_" in before[0]
+        await it.write("rate", "often")
+        assert "a number of times a second" in it.help
+        assert (it.view("code"), it.view("graph")) == before
