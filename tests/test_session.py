@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from plastron_tui import loader
 from plastron_tui.output import manifest
 from plastron_tui.output.manifest import Reading, load_manifest
 from plastron_tui.output.plan import FileState
@@ -74,7 +75,20 @@ def test_a_manifest_is_read_once_and_again_where_it_changed(
     assert [found.file for found in made.plan()[0].conflicts] == [written]
     (tmp_path / "output" / manifest.NAME).write_text("broken")
     for _ in range(2):
+        before = len(read)
         assert "bad-manifest" in [found.code for found in made.plan()[1]]
+        # Whether it can be read now is no matter of its text alone.
+        assert len(read) > before
+
+
+def test_a_node_that_is_too_large_is_not_loaded(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "driver.py").write_text("import rospy\nrospy.init_node('driver')\n")
+    text = "load driver as driver\nsubscribe driver to 'a' of message_type String\n"
+    assert session(tmp_path, text).diagnostics == ()
+    monkeypatch.setattr(loader, "LARGEST_FILE", 10)
+    assert codes(session(tmp_path, text)) == ["unreadable-file"]
 
 
 @pytest.mark.parametrize(
