@@ -70,7 +70,7 @@ def find_place(analysis: Analysis, kind: EndpointKind) -> Place | None:
         rank = (site.endpoint.kind is not kind, starting.when(site))
         if rank not in last and (place := beside(analysis, site)) is not None:
             last[rank] = place
-    ready = [rank for rank in last if rank[1] is not When.ON_DEMAND]
+    ready = [rank for rank in last if rank[1] <= When.UNKNOWN]
     if ready:
         return _once_named(analysis, last[min(ready)])
     for node in analysis.nodes:
@@ -78,7 +78,7 @@ def find_place(analysis: Analysis, kind: EndpointKind) -> Place | None:
         if behind is not None:
             return behind
     if last:
-        return last[min(last)]
+        return last[min(last, key=lambda rank: (rank[1], rank[0]))]
     for site in reversed(analysis.sites):
         if site.endpoint.kind in _KINDS and (place := beside(analysis, site)) is not None:
             return place

@@ -40,7 +40,8 @@ class When(IntEnum):
 
     START = 0
     UNKNOWN = 1
-    ON_DEMAND = 2
+    LATER = 2
+    ON_DEMAND = 3
 
 
 class Starting:
@@ -68,6 +69,9 @@ class Starting:
             return When.ON_DEMAND
         if is_starting:
             return When.START
+        if site.endpoint.kind is EndpointKind.CLIENT:
+            # Such a function connects, and waits for the service, or gives up.
+            return When.LATER
         return When.ON_DEMAND if self._calls.get(function) else When.UNKNOWN
 
     def _note(self, call: Node) -> None:

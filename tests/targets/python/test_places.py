@@ -97,6 +97,21 @@ COMPREHENSIONS = (
     "        self.legs = [rospy.Publisher(name, String, queue_size=1) for name in names]\n"
     "        self.is_ready = True\n\n\nLegs([])\n"
 )
+CONNECTED_LATER = (
+    f"{ROSPY}class Truck:\n    def __init__(self):\n        rospy.init_node('truck')\n"
+    "        self.pub_fork = rospy.Publisher('fork', String, queue_size=1)\n"
+    "        Thread(target=self.connect).start()\n\n"
+    "    def connect(self):\n        try:\n"
+    "            rospy.wait_for_service('scan', timeout=1.0)\n"
+    "            self.scan = rospy.ServiceProxy('scan', Trigger)\n"
+    "        except rospy.ROSException:\n            pass\n\n\nTruck()\n"
+)
+CONNECTED_IN_A_LIBRARY = (
+    f"{ROSPY}class Truck:\n    def initialize(self):\n"
+    "        self.scan = rospy.ServiceProxy('scan', Trigger)\n\n"
+    "    def ask(self):\n        scan = rospy.ServiceProxy('scan', Trigger)\n"
+    "        return scan()\n"
+)
 
 PLACES = {
     "a service, not beside a client on demand": (
@@ -174,6 +189,18 @@ PLACES = {
         COMPREHENSIONS,
         request("ask", "std_srvs/Trigger"),
         "for name in names]\n        self.ask_client = rospy.ServiceProxy('ask', Trigger)\n",
+    ),
+    "not where a client may give up": (
+        CONNECTED_LATER,
+        request("ask", "std_srvs/Trigger"),
+        "        self.pub_fork = rospy.Publisher('fork', String, queue_size=1)\n"
+        "        self.client_ask = rospy.ServiceProxy('ask', Trigger)\n",
+    ),
+    "beside a client that is kept, where there is nothing else": (
+        CONNECTED_IN_A_LIBRARY,
+        request("ask", "std_srvs/Trigger"),
+        "        self.scan = rospy.ServiceProxy('scan', Trigger)\n"
+        "        self.ask_client = rospy.ServiceProxy('ask', Trigger)\n",
     ),
 }
 
