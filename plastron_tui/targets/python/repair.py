@@ -1,4 +1,4 @@
-"""Reading around syntax errors: lines that do not parse are masked, and no offset moves."""
+"""Reading around what does not parse, without moving an offset."""
 
 from __future__ import annotations
 
@@ -7,7 +7,23 @@ import re
 from plastron_tui.targets.compiling import syntax_error
 
 _MOST_LINES = 24
+_TAB_AFTER_SPACE = re.compile(rb"^[ \t]* \t[ \t]*", re.MULTILINE)
 _OPENS_BLOCK = re.compile(rb"\s*(async\s+)?(def|class|if|elif|else|for|while|try|except|with)\b")
+
+
+def straighten(source: bytes) -> bytes:
+    """Return a text of the same length that the grammar indents as Python 2 does.
+
+    A tab goes to the next multiple of eight columns there, whatever spaces stand before it; for
+    the grammar it is eight columns wide. A form feed sets the column to zero for both.
+    """
+    return _TAB_AFTER_SPACE.sub(_straightened, source)
+
+
+def _straightened(indent: re.Match[bytes]) -> bytes:
+    column = len(indent[0].expandtabs(8))
+    straight = b"\t" * (column // 8) + b" " * (column % 8)
+    return straight.rjust(len(indent[0]), b"\f")
 
 
 def mask_errors(source: bytes) -> bytes:

@@ -11,7 +11,7 @@ from pathlib import Path
 import tree_sitter_python
 from tree_sitter import Language, Node, Parser, Query, QueryCursor, Tree
 
-from .repair import mask_errors
+from .repair import mask_errors, straighten
 
 # PEP 263: a coding line is one of the first two lines.
 _CODING = re.compile(rb"^[ \t\f]*#.*?coding[:=][ \t]*([-\w.]+)")
@@ -87,6 +87,10 @@ def parse(text: bytes) -> Syntax:
     parser = Parser(language())
     tree = parser.parse(source)
     errors = count_errors(tree.root_node)
+    if errors and (straight := straighten(source)) != source:
+        straightened = parser.parse(straight)
+        if (fewer := count_errors(straightened.root_node)) < errors:
+            source, tree, errors = straight, straightened, fewer
     if errors:
         masked = parser.parse(mask_errors(source))
         if count_errors(masked.root_node) < errors:

@@ -6,6 +6,7 @@ import pytest
 from edits import (
     AT,
     CLI,
+    NODES,
     edit,
     edited,
     interface,
@@ -158,3 +159,11 @@ def test_a_client_calls_and_goes_again():
 def test_a_name_that_is_no_function_is_refused():
     (found,) = edit(CLASS, subscribe("x", callback="for")).diagnostics
     assert found.code == "invalid-function"
+
+
+def test_spaces_before_a_tab_count_for_nothing_in_python_2():
+    node = next(path for path in NODES if path.name == "python2_indents.py").read_text("utf-8")
+    after = edited(node, provide("stop"))
+    assert '("pit")\n\trospy.Service("stop", Trigger, handle_stop)\n' in after
+    assert after.startswith(node[: node.index("Trigger\n")])
+    assert node[node.index("class Pit") : node.index("def main")] in after
