@@ -14,7 +14,8 @@ import pytest
 from graph import Graph
 from interfaces import build
 from interfaces import environ as interfaces_environ
-from processes import Process, free_port, processes, skip_or_fail, wait_for
+from machine import free_port, skip_or_fail
+from processes import Process, processes, wait_for
 
 ROS1_PYTHON = Path("/usr/bin/python3")
 ROS1_INSTALL = (

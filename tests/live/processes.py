@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import os
 import re
 import signal
-import socket
 import subprocess
 import sys
 import time
@@ -13,8 +11,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TypeVar
-
-import pytest
 
 PROGRAMS = Path(__file__).parents[1] / "programs"
 PLASTRON = Path(sys.executable).with_name("plastron")
@@ -36,13 +32,6 @@ def own_tracebacks(output: str) -> list[str]:
     return [line for line in left.splitlines() if "Traceback" in line]
 
 
-def skip_or_fail(reason: str) -> None:
-    """Skip where ROS is missing; where it has to be there (CI), fail."""
-    if os.environ.get("PLASTRON_REQUIRE_ROS") or os.environ.get("CI"):
-        pytest.fail(reason)
-    pytest.skip(reason)
-
-
 def generate(program: str, output: Path, target: str) -> dict[str, Path]:
     """Generate a program, and return all nodes of the output folder by their names.
 
@@ -54,14 +43,6 @@ def generate(program: str, output: Path, target: str) -> dict[str, Path]:
     )
     assert done.returncode == 0, done.stdout + done.stderr
     return {file.name: file for file in sorted(output.glob("*.py"))}
-
-
-def free_port() -> int:
-    """Return a port of the loopback interface that nobody listens to."""
-    with socket.socket() as listener:
-        listener.bind(("127.0.0.1", 0))
-        port: int = listener.getsockname()[1]
-        return port
 
 
 def wait_for(what: str, look: Callable[[], T | None], seconds: float = 15.0) -> T:

@@ -6,7 +6,6 @@ import asyncio
 import base64
 import re
 import shutil
-import socket
 import subprocess
 import sys
 from collections.abc import AsyncIterator
@@ -15,15 +14,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from machine import free_port
 
 aiohttp = pytest.importorskip("aiohttp", reason="the extra [web] is not installed")
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
-
-
-def free_port() -> int:
-    with socket.socket() as listener:
-        listener.bind(("127.0.0.1", 0))
-        return int(listener.getsockname()[1])
 
 
 @asynccontextmanager
