@@ -49,7 +49,12 @@ class Starting:
 
     def __init__(self, analysis: Analysis) -> None:
         self._analysis = analysis
-        self._functions = [scope for scope in analysis.scopes.all if scope.kind == "function"]
+        self._named: dict[str, list[Scope]] = defaultdict(list)
+        for scope in analysis.scopes.all:
+            if scope.kind == "function":
+                self._named[scope.name].append(scope)
+        makers = (node.scope.enclosing("function") for node in analysis.nodes if node.call)
+        self._makers = {scope for scope in makers if scope is not None}
         self._calls: dict[Scope, list[tuple[Scope, bool]]] = defaultdict(list)
         for call in analysis.captures.get("call", []):
             self._note(call)
@@ -76,48 +81,39 @@ class Starting:
 
     def _note(self, call: Node) -> None:
         """Note which function a call runs, and whether it does so once, for sure."""
-        scope = self._analysis.scopes.at(call.start_byte)
-        caller = scope.enclosing("function") or self._analysis.scopes.module
-        called = self._called(call, caller)
-        if called is not None and called is not caller:
-            self._calls[called].append((caller, _is_sure(call, caller)))
-
-    def _called(self, call: Node, caller: Scope) -> Scope | None:
         callee = call.child_by_field_name("function")
         if callee is None or callee.type not in ("identifier", "attribute"):
-            return None
-        source = self._analysis.syntax.slice(callee)
-        holder, _, name = source.rpartition(".")
-        alike = [scope for scope in self._functions if scope.name == name]
+            return
+        holder, _, name = self._analysis.syntax.slice(callee).rpartition(".")
+        alike = self._named.get(name)
+        if alike is None:
+            return
+        scope = self._analysis.scopes.at(call.start_byte)
+        caller = scope.enclosing("function") or self._analysis.scopes.module
         if caller.self_name and holder == caller.self_name:
             alike = [scope for scope in alike if scope.parent is caller.parent] or alike
         else:
             alike = [scope for scope in alike if bool(scope.self_name) is bool(holder)]
-        return alike[0] if len(alike) == 1 else None
+        if len(alike) == 1 and alike[0] is not caller:
+            self._calls[alike[0]].append((caller, _is_sure(call, caller)))
 
     def _closure(self) -> set[Scope]:
         """Return the functions that start the node, and those that they call once."""
-        found = {function for function in self._functions if self._is_root(function)}
+        found = {scope for alike in self._named.values() for scope in alike if self._is_root(scope)}
         found.add(self._analysis.scopes.module)
-        is_growing = True
-        while is_growing:
-            more = {
-                function
-                for function, calls in self._calls.items()
-                if function not in found
-                and len(calls) == 1
-                and calls[0][1]
-                and calls[0][0] in found
-            }
-            found |= more
-            is_growing = bool(more)
+        calling: dict[Scope, list[Scope]] = defaultdict(list)
+        for function, calls in self._calls.items():
+            if len(calls) == 1 and calls[0][1]:
+                calling[calls[0][0]].append(function)
+        pending = list(found)
+        while pending:
+            called = [each for each in calling[pending.pop()] if each not in found]
+            found.update(called)
+            pending += called
         return found
 
     def _is_root(self, function: Scope) -> bool:
-        return function.name in _STARTING or any(
-            node.call is not None and node.scope.enclosing("function") is function
-            for node in self._analysis.nodes
-        )
+        return function.name in _STARTING or function in self._makers
 
     def _is_let_go(self, site: Site, function: Scope) -> bool:
         """Whether the endpoint is held by a name that is gone when the function returns.
