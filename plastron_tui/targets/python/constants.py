@@ -49,8 +49,8 @@ class Names(Protocol):
     def attribute_bindings(self, node: Node, scope: Scope, depth: int = 0) -> list[Binding]:
         """Return what an attribute of an object of the file is bound to."""
 
-    def keeps_default(self, binding: Binding, name: str) -> bool:
-        """Tell whether a parameter has its default wherever the file calls the function."""
+    def parameter(self, binding: Binding, name: str, depth: int) -> Folded:
+        """Return the constant that a parameter has wherever the file calls the function."""
 
     def qualified(self, node: Node | None, scope: Scope, depth: int = 0) -> tuple[str, ...]:
         """Return the qualified names that an expression may stand for."""
@@ -151,11 +151,10 @@ class Constants:
         return values.pop() if len(values) == 1 else None
 
     def _fold_binding(self, binding: Binding, name: str, depth: int) -> Folded:
+        if binding.kind is BindingKind.PARAMETER:
+            return self._names.parameter(binding, name, depth)
         if binding.value is None:
             return None
-        if binding.kind is BindingKind.PARAMETER:
-            folded = self.fold(binding.value, binding.scope, depth)
-            return folded if self._names.keeps_default(binding, name) else None
         if binding.kind is BindingKind.VALUE:
             return self.fold(binding.value, binding.scope, depth)
         return None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -10,6 +11,7 @@ from tree_sitter import Node
 from plastron_tui.ros.interfaces import InterfaceName
 
 from .arguments import Arguments
+from .callers import Callers, count_words
 from .calls import Argument, ClientLibrary
 from .constants import MOST_DEEP, Constants, Folded, Known, without_none
 from .scopes import Binding, BindingKind, Scope, ScopeTree
@@ -47,7 +49,8 @@ class Resolver:
         self._node_makers = library.node_classes | library.node_calls.keys()
         self._scopes = scopes
         self._calls = calls
-        self._callers: dict[str, list[Node]] | None = None
+        self._calls_of: dict[str, list[Node]] | None = None
+        self._words: Counter[bytes] | None = None
         self._constants = Constants(self, syntax, scopes)
 
     def qualified(self, node: Node | None, scope: Scope, depth: int = 0) -> tuple[str, ...]:
@@ -301,15 +304,15 @@ class Resolver:
 
     def calls_of(self, name: str) -> list[Node]:
         """Return the calls whose callee ends in a name."""
-        if self._callers is None:
-            self._callers = {}
+        if self._calls_of is None:
+            self._calls_of = {}
             for call in self._calls:
                 callee = call.child_by_field_name("function")
                 if callee is not None and callee.type == "attribute":
                     callee = callee.child_by_field_name("attribute")
                 if callee is not None and callee.type == "identifier":
-                    self._callers.setdefault(self._syntax.slice(callee), []).append(call)
-        return self._callers.get(name, [])
+                    self._calls_of.setdefault(self._syntax.slice(callee), []).append(call)
+        return self._calls_of.get(name, [])
 
     def _callers_of(self, function: Scope) -> list[Node]:
         """Return the calls in the file that may call a function."""
@@ -341,25 +344,23 @@ class Resolver:
 
     def keeps_default(self, binding: Binding, name: str) -> bool:
         """Whether no caller in the file gives a parameter another value than its default."""
+        callers = self._callers(binding)
+        return callers is not None and callers.keep_default(binding, name)
+
+    def parameter(self, binding: Binding, name: str, depth: int) -> Folded:
+        """Return the constant that a parameter has wherever the file calls the function."""
+        callers = self._callers(binding, depth)
+        return callers.value(binding, name) if callers is not None else None
+
+    def _callers(self, binding: Binding, depth: int = 0) -> Callers | None:
         function = binding.owner
         if function is None:
-            return False
-        callers = self._callers_of(function)
-        is_method = bool(function.self_name)
-        position = binding.index - is_method if binding.index >= 0 else -1
-        for call in callers:
-            arguments = Arguments.of(call, self._syntax)
-            if arguments.is_open:
-                return False
-            given = arguments.get(Argument(position, name))
-            if given is not None:
-                scope = self._scopes.at(call.start_byte)
-                if scope.is_within(function):
-                    return False
-                value = self.fold(given, scope, MOST_DEEP - 4)
-                if value is None or value != self.fold(binding.value, binding.scope):
-                    return False
-        return True
+            return None
+        if self._words is None:
+            self._words = count_words(self._syntax.text)
+        calls = self._callers_of(function)
+        known = (self._syntax, self._scopes, self.fold, self._words)
+        return Callers(function, calls, *known, depth)
 
 
 def _may_name(binding: Binding) -> bool:
