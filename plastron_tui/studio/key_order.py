@@ -13,6 +13,7 @@ from collections.abc import Callable
 
 from textual import events
 from textual.dom import DOMNode
+from textual.widgets import Input
 from textual.worker import Worker
 
 from .undocumented import Failing
@@ -21,6 +22,8 @@ _ROUNDS = 4
 """How often messages go up from the focus until all is said: key, box, row and page each say it."""
 _LONGEST_ROUND = 0.5
 """Seconds that a widget has to answer; one that goes away meanwhile never does."""
+_ASKING = frozenset({"editor.find", "editor.replace", "editor.rename", "editor.go_to_line"})
+"""What the editor opens a line for by itself."""
 _PAUSE = 0.005
 """Seconds between two looks at a page that is on its way."""
 
@@ -37,10 +40,6 @@ class Paged:
     def is_settled(self) -> bool:
         """Whether all is shown that follows from the keys so far."""
         return not self.is_turning
-
-    def may_open(self, event: events.Key) -> bool:
-        """Tell whether a key may have more to follow than a character in a box."""
-        return True
 
 
 class InOrder(Failing, inherit_bindings=False):
@@ -73,12 +72,16 @@ class InOrder(Failing, inherit_bindings=False):
 
     def _may_open(self, event: events.Key) -> bool:
         screen = self.screen
-        if isinstance(screen, Paged):
-            return screen.may_open(event)
+        if screen.is_modal:
+            return not (event.is_printable and isinstance(self.focused, Input))
         if event.is_printable:
             return False
         bound = screen.active_bindings.get(event.key)
-        return bound is not None and bound.node is screen
+        if bound is None:
+            return False
+        return (
+            bound.node is screen or bound.binding.id in _ASKING or isinstance(self.focused, Input)
+        )
 
     def _ways(self) -> list[DOMNode]:
         """Return what a key goes through that comes now, from the focus up to the app."""

@@ -11,14 +11,15 @@ from textual import on
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
-from textual.screen import ModalScreen
 from textual.widgets import Input, Label, OptionList
 from textual.widgets.option_list import Option
+
+from .dialog import Dialog
 
 _MOST = 2000
 
 
-class ChooseFile(ModalScreen["Path | None"]):
+class ChooseFile(Dialog["Path | None"]):
     """Asks for a file; the result is its path, None for none."""
 
     BINDINGS: ClassVar[list[BindingType]] = [

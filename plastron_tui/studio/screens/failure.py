@@ -13,13 +13,13 @@ from textual import on
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
-from textual.screen import ModalScreen
 from textual.widgets import Button, Label
 
 from plastron_tui import __version__
 
 from ..panels.text_view import TextView
 from ..panels.tones import Piece
+from .dialog import Dialog
 
 
 def report_of(error: BaseException) -> str:
@@ -48,7 +48,7 @@ def last_words(error: BaseException, journal: Path | None, folder: Path) -> str:
     return "\n".join([*lines, "", report])
 
 
-class Failure(ModalScreen[None]):
+class Failure(Dialog[None]):
     """Says that something failed, and that nothing is lost."""
 
     BINDINGS: ClassVar[list[BindingType]] = [

@@ -11,7 +11,6 @@ from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
 from textual.content import Content
-from textual.screen import ModalScreen
 from textual.widgets import Button, Label, OptionList
 from textual.widgets.option_list import Option
 
@@ -24,6 +23,7 @@ from plastron_tui.session import Session
 from ..panels.text_view import TextView
 from ..panels.tones import Lines, Piece
 from ..preview import coloured, diff_lines, difference
+from .dialog import Dialog
 
 _TONES = {
     FileState.CREATE: "$text-success",
@@ -42,7 +42,7 @@ _MOST_SAID = 4
 """The most lines about the plan; below them are the files."""
 
 
-class GenerateDialog(ModalScreen[bool]):
+class GenerateDialog(Dialog[bool]):
     """Lists the files; the result is whether they were written."""
 
     BINDINGS: ClassVar[list[BindingType]] = [

@@ -8,7 +8,6 @@ from typing import ClassVar
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
-from textual.screen import ModalScreen
 from textual.widgets import Label
 
 from plastron_tui.language import DECLARATIONS
@@ -16,6 +15,7 @@ from plastron_tui.language import DECLARATIONS
 from ..actions import grouped
 from ..panels.text_view import TextView
 from ..panels.tones import Line, Lines, Piece
+from .dialog import Dialog
 
 ABOUT = {
     "editor": ("The editor", "One statement a line. While you type, a list offers what can stand "
@@ -39,7 +39,7 @@ ABOUT = {
 """What each part is for, by its id."""
 
 
-class Help(ModalScreen[None]):
+class Help(Dialog[None]):
     """Shows help for the part that has the focus."""
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape,f1,q", "close", "Close")]

@@ -9,14 +9,14 @@ from textual import on
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
-from textual.screen import ModalScreen
 from textual.widgets import Button, Input, Label
 
 from ..panels.text_view import TextView
 from ..panels.tones import Lines
+from .dialog import Dialog
 
 
-class Question(ModalScreen[str]):
+class Question(Dialog[str]):
     """Asks; the result is the id of the answer, "" for none."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -83,7 +83,7 @@ class Question(ModalScreen[str]):
         self.dismiss(answer)
 
 
-class Prompt(ModalScreen[str]):
+class Prompt(Dialog[str]):
     """Asks for a line of text; the result is the line, "" for none."""
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "cancel", "Cancel")]

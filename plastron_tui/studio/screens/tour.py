@@ -9,8 +9,9 @@ from textual.binding import Binding, BindingType
 from textual.containers import Vertical
 from textual.css.types import AlignHorizontal, AlignVertical
 from textual.geometry import Region
-from textual.screen import ModalScreen
 from textual.widgets import Label
+
+from .dialog import Dialog
 
 
 class Step(NamedTuple):
@@ -64,7 +65,7 @@ _CORNERS: tuple[tuple[AlignHorizontal, AlignVertical], ...] = (
 )
 
 
-class Tour(ModalScreen[None]):
+class Tour(Dialog[None]):
     """Goes through the steps; the screen behind it shows what each is about."""
 
     BINDINGS: ClassVar[list[BindingType]] = [

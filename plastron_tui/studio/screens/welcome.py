@@ -11,11 +11,11 @@ from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
 from textual.content import Content
-from textual.screen import ModalScreen
 from textual.widgets import Label, OptionList, Static
 from textual.widgets.option_list import Option
 
 from ..recipes import recipes
+from .dialog import Dialog
 
 _LOGO = """\
        _           _
@@ -40,12 +40,13 @@ START = (
 """What can be started: the kind of answer, its value, its words, its key."""
 
 
-class Welcome(ModalScreen["Answer | None"]):
+class Welcome(Dialog["Answer | None"]):
     """Offers what to begin with; the result says what was chosen."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("escape", "close", "Start writing"),
         Binding("ctrl+q", "answer('screen.quit')", "Quit"),
+        Binding("ctrl+u,alt+w", "answer('screen.wizard')", "Wizard", show=False),
         Binding("ctrl+n", "answer('screen.new')", "New", show=False),
         Binding("ctrl+o", "answer('screen.open')", "Open", show=False),
         Binding("f1", "answer('screen.help')", "Help", show=False),

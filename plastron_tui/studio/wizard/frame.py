@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from textual import events
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
-from textual.screen import ModalScreen
 from textual.widget import Widget
 from textual.widgets import Button, Label
 
 from ..key_order import Paged
 from ..panels.text_view import TextView
 from ..panels.tones import Lines
+from ..screens.dialog import Dialog
 from . import words
 from .ask import Choice
 from .course import Course, Look, Page, PageKind
@@ -45,7 +45,7 @@ class View:
     offers: list[Offer]
 
 
-class Frame(Paged, ModalScreen[str]):
+class Frame(Paged, Dialog[str]):
     """Shows what was found out.
 
     Attributes:

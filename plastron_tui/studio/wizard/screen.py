@@ -8,9 +8,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import ClassVar
 
-from textual import events, on
+from textual import on
 from textual.binding import Binding, BindingType
-from textual.widgets import Button, Input
+from textual.widgets import Button
 from textual.worker import Worker
 
 from plastron_tui.diagnostics import Edit
@@ -273,10 +273,6 @@ class Wizard(Frame):
     def is_settled(self) -> bool:
         """Whether the page, and all that it offers, follows from what was entered."""
         return not (self.is_turning or self._looks or self._is_stale or self._waiting)
-
-    def may_open(self, event: events.Key) -> bool:
-        """Tell whether a key may do more than put a character into a box."""
-        return not (event.is_printable and isinstance(self.focused, Input))
 
     async def _go(self) -> None:
         look = await self.settled()

@@ -1,0 +1,103 @@
+"""Keys that come before a dialog is there, or after it has its answer, do what they are for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+from studio_driver import PROGRAM, Driver, studio
+from textual import events
+from textual.widgets import Button
+
+from plastron_tui.studio.screens.question import Question
+from plastron_tui.studio.wizard.statement_view import StatementView
+
+OTHER = "// another program\n"
+
+
+async def quickly(driver: Driver, *keys: str) -> None:
+    """Send keys as a terminal does that has them all at once."""
+    for key in keys:
+        driver.app.post_message(events.Key(key, key if len(key) == 1 else None))
+    app = driver.app
+    await driver.until(lambda: app._keys_worker is None or app._keys_worker.is_finished)
+
+
+@pytest.mark.parametrize("keys", [["enter"], ["ctrl+u"], ["alt+w"]])
+async def test_the_welcome_leads_on_to_the_wizard(tmp_path: Path, keys: Sequence[str]) -> None:
+    async with studio(None, (80, 24), welcome=True) as driver:
+        await driver.dialog("Welcome")
+        await quickly(driver, *keys, "enter", *"horn")
+        wizard = await driver.dialog("Wizard")
+        await driver.until(lambda: bool(wizard.query(StatementView)))
+        shown = wizard.query_one(StatementView)
+        await driver.until(lambda: shown.lines[0].startswith("create_node 'horn' as horn"))
+        assert driver.text == ""
+
+
+@pytest.mark.parametrize("again", [1, 3])
+async def test_an_answer_pressed_for_again_is_for_what_comes_next(
+    program: Path, again: int
+) -> None:
+    async with studio(program) as driver:
+        answers: list[str | None] = []
+        question = Question("Well?", [("yes", "Yes"), ("no", "No")])
+        driver.app.push_screen(question, answers.append)
+        await driver.dialog("Question")
+        button = question.query(Button).first()
+        for _ in range(1 + again):
+            question.post_message(Button.Pressed(button))
+        await driver.back()
+        assert answers == ["yes"]
+
+
+async def test_a_file_is_opened_by_a_name_typed_at_once(program: Path) -> None:
+    program.with_name("other.plastron").write_text(OTHER)
+    async with studio(program) as driver:
+        await quickly(driver, "ctrl+o", *"other", "enter", *"xy")
+        await driver.back()
+        await driver.until(lambda: driver.text == "xy" + OTHER)
+        assert driver.main.open.path == program.with_name("other.plastron")
+    assert program.read_text() == PROGRAM
+
+
+async def test_a_new_program_is_saved_under_a_name_typed_at_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    async with studio(None) as driver:
+        await quickly(driver, *"ab", "ctrl+s", *"new", "enter", *"cd")
+        await driver.back()
+        await driver.until(lambda: driver.text == "abcd")
+    assert Path("new.plastron").read_text() == "ab"
+
+
+async def test_the_files_are_written_by_an_enter_at_once(program: Path) -> None:
+    async with studio(program) as driver:
+        await quickly(driver, "f6", "enter")
+        await driver.until((program.parent / "output" / "talker_pub.py").exists)
+
+
+async def test_an_answer_typed_at_once_ends_the_studio(program: Path) -> None:
+    async with studio(program) as driver:
+        await quickly(driver, "x", "ctrl+q", "d")
+        await driver.until(lambda: driver.app._exit)
+    assert program.read_text() == PROGRAM
+
+
+@pytest.mark.parametrize("key", ["ctrl+f", "ctrl+r"])
+async def test_what_is_looked_for_is_typed_at_once(program: Path, key: str) -> None:
+    async with studio(program) as driver:
+        await quickly(driver, key, *"listener", "enter")
+        await driver.settle()
+        assert driver.text == PROGRAM
+
+
+async def test_a_name_typed_at_once_goes_into_the_box(program: Path) -> None:
+    async with studio(program) as driver:
+        await driver.press("ctrl+home", "down", "down")
+        await quickly(driver, "f2", *"speaker", "enter")
+        await driver.back()
+        await driver.settle()
+        assert "speaker publish greeting" in driver.text
