@@ -11,6 +11,7 @@ from .analysis import Analysis
 from .references import identifiers, is_member
 from .scopes import Binding, BindingKind, Scope
 from .splices import Splice, delete_item
+from .syntax import parts_of
 
 _INTERFACES = ("msg", "srv", "action")
 
@@ -63,8 +64,7 @@ def unused_imports(analysis: Analysis, gone: list[Splice]) -> tuple[list[Node], 
 def _is_removable(binding: Binding, analysis: Analysis) -> bool:
     parent = binding.node.parent
     is_module = binding.scope.parent is None
-    # A module that tries an import may bind the name otherwise where that fails.
-    if parent is None or (is_module and parent.type != "module"):
+    if parent is None or (is_module and parent.type != "module" and not _is_one_tried(parent)):
         return False
     if is_interface_module(binding.target):
         return True
@@ -73,6 +73,13 @@ def _is_removable(binding: Binding, analysis: Analysis) -> bool:
     return binding.node.type == "import_statement" and any(
         is_interface_module(analysis.syntax.slice(name)) for name in names
     )
+
+
+def _is_one_tried(block: Node) -> bool:
+    """Whether a block is what a `try` does, of which something is left without one import."""
+    tried = block.parent.child_by_field_name("body") if block.parent is not None else None
+    is_tried = block.parent is not None and block.parent.type == "try_statement"
+    return is_tried and tried is not None and tried.id == block.id and len(parts_of(block)) > 1
 
 
 def _means_import(node: Node, name: str, scope: Scope, analysis: Analysis) -> bool:

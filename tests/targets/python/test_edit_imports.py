@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from edits import AT, SUB, edited, publish, subscribe
+from edits import AT, CLI, SUB, edited, publish, subscribe
 
-from plastron_tui.model.source import Remove
+from plastron_tui.model.source import Add, Remove
+from plastron_tui.model.workspace import Client
+from plastron_tui.ros.interfaces import InterfaceName
 
 BODY = """
 rospy.init_node('n')
@@ -64,6 +66,12 @@ rospy.Subscriber('old', Bool, print)
 def test_an_import_that_may_fail_stays_with_the_others() -> None:
     text = edited(UNDER_TRY, subscribe("new", "geometry_msgs/Point", "print"))
     assert "    import rospy\n    from geometry_msgs.msg import Point\n    from std" in text
+
+
+def test_an_import_that_may_fail_goes_again_but_not_where_its_name_is_bound_otherwise() -> None:
+    change = Add(Client("new", InterfaceName("std_srvs", "Empty"), [], AT))
+    assert edited(edited(UNDER_TRY, change), Remove(CLI, "new", AT)) == UNDER_TRY
+    assert "import Bool\n" in edited(UNDER_TRY, Remove(SUB, "old", AT))
 
 
 def test_a_name_that_is_none_without_ros_is_the_type() -> None:
