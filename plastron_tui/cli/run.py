@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -27,6 +28,13 @@ if TYPE_CHECKING:
     from plastron_tui.runtime.launch import NodeFile
 
 
+def _time(context: click.Context, option: click.Parameter, seconds: float | None) -> float | None:
+    # A range takes it: it is neither too small nor too large.
+    if seconds is not None and math.isnan(seconds):
+        raise click.BadParameter("nan is no time.", context, option)
+    return seconds
+
+
 @click.command(epilog="Example: plastron run talker_listener.plastron --for 10")
 @program_argument
 @click.argument("nodes", nargs=-1, metavar="[NODE]...")
@@ -36,6 +44,7 @@ if TYPE_CHECKING:
     "--for",
     "seconds",
     type=click.FloatRange(min=0, min_open=True),
+    callback=_time,
     metavar="SECONDS",
     help="Stop the nodes after so long.",
 )

@@ -116,7 +116,7 @@ def test_a_program_that_generates_nothing(run: Run, here: Path) -> None:
     assert b"error[nothing-to-generate]" in done.stderr
 
 
-@pytest.mark.parametrize("seconds", ["0", "-1", "soon"])
+@pytest.mark.parametrize("seconds", ["0", "-1", "soon", "nan"])
 def test_a_time_that_is_none(run: Run, here: Path, seconds: str) -> None:
     (here / "p.plastron").write_text(TALKER)
     assert run("run", "p.plastron", "--for", seconds).returncode == 2
