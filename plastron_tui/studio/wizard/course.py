@@ -368,6 +368,9 @@ class Course:
 
     def _completes(self, declaration: Declaration, scene: Scene, filled: list[Filled]) -> bool:
         """Tell whether a topic or service that lacks a side would have both."""
+        if declaration.undoes is not None:
+            # It may take away the side that there is: whether that is wanted, nobody knows.
+            return False
         anew = self._filled_anew(declaration, scene, filled)
         after = Scene(check(scene.session, anew.written).session)
         return after.lonely < scene.lonely

@@ -6,11 +6,13 @@ from pathlib import Path
 
 import pytest
 from studio_driver import studio
-from wizard_courses import MAKE, MESSAGE, REACT, SEND, TWO_NODES
+from wizard_courses import CHANGE, MAKE, MESSAGE, REACT, SEND, TWO_NODES
 from wizard_driver import WizardDriver, wizard
 
 from plastron_tui.studio.screens.main import MainScreen
 from plastron_tui.studio.wizard.course import PageKind
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
 
 
 @pytest.mark.parametrize("way", ["key", "palette", "welcome"])
@@ -140,3 +142,13 @@ async def test_a_mistake_elsewhere_is_no_hindrance_but_is_said(here: Path) -> No
         await it.press("enter", "enter")
         closed = {item.title: item.closed for item in it.screen._items}
         assert closed["write the files"] == "a mistake in the program has to be mended first"
+
+
+async def test_to_take_away_what_a_node_file_has_is_never_suggested(here: Path) -> None:
+    """Not even where a topic that only one side uses would be gone by it."""
+    (here / "lamp.py").write_text((EXAMPLES / "nodes" / "lamp.py").read_text())
+    async with wizard() as it:
+        await it.pick(CHANGE)
+        await it.press("enter")
+        assert it.kind is PageKind.PURPOSE
+        assert it.here == SEND
