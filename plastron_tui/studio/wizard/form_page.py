@@ -126,6 +126,8 @@ class FormPage(Vertical):
 
     def _is_being_written(self, row: Row, spec: _Spec) -> bool:
         has_focus = not row.is_fixed and row.box.has_focus
+        if row.was_entered:
+            return has_focus
         if spec.entry is not None:
             return has_focus and spec.entry.path in self.form.values
         return has_focus and row.slot.name in self.form.entered

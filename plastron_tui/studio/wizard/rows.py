@@ -98,6 +98,7 @@ class Row(Horizontal):
         slot: the slot of the statement.
         entry: the field of the values, None for the slot itself.
         query_text: what was written, while a choice is looked at.
+        was_entered: whether somebody entered something here, though nobody may know it yet.
     """
 
     def __init__(
@@ -115,6 +116,7 @@ class Row(Horizontal):
         self.slot = slot
         self.entry = entry
         self.query_text = ""
+        self.was_entered = False
         self.is_fixed = is_fixed
         self._label = label
         self._text = text
@@ -183,6 +185,7 @@ class Row(Horizontal):
 
     def take(self, text: str) -> None:
         """Enter a text, as if it was written."""
+        self.was_entered = True
         self.show(text, self._note)
         box = self.box
         if isinstance(box, Input):
@@ -193,6 +196,7 @@ class Row(Horizontal):
         """Tell what was written."""
         event.stop()
         if event.value != self._text:
+            self.was_entered = True
             self._text = self.query_text = event.value
             self.post_message(Entered(self, event.value))
 
