@@ -81,7 +81,9 @@ def test_ctrl_c_while_a_node_starts(graph: Graph, tmp_path: Path) -> None:
         assert not own_tracebacks(node.output), f"after {delay:.3f} s:\n{node.output}"
     deadlocks = statuses.count(-signal.SIGKILL)
     assert deadlocks <= MOST_DEADLOCKS[graph.target]
-    assert statuses.count(0) == len(DELAYS) - deadlocks
+    # As rclpy takes the signal over, it may still end the process itself: that is as silent.
+    ended = statuses.count(0) + statuses.count(-signal.SIGINT)
+    assert ended == len(DELAYS) - deadlocks
 
 
 def test_ctrl_c_while_a_service_does_not_answer(graph: Graph, tmp_path: Path) -> None:

@@ -110,6 +110,14 @@ class Wizard(Frame):
 
     async def _once(self) -> None:
         """Do what was asked for, and show what follows from it."""
+        try:
+            await self._find_and_show()
+        except Exception:
+            # Who leaves takes away what it was to be shown in.
+            if self in self.app.screen_stack:
+                raise
+
+    async def _find_and_show(self) -> None:
         self._is_stale = False
         self._looks += 1
         try:

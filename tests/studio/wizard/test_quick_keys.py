@@ -15,7 +15,9 @@ from textual import events
 from wizard_courses import TWO_NODES
 from wizard_driver import SMALL, WizardDriver
 
+from plastron_tui.studio.wizard.course import Page
 from plastron_tui.studio.wizard.form_page import FormPage
+from plastron_tui.studio.wizard.frame import Frame, View
 from plastron_tui.studio.wizard.menu_page import Menu
 from plastron_tui.studio.wizard.rows import Row
 
@@ -129,6 +131,27 @@ async def test_keys_pressed_in_one_go_reach_the_first_page(here: Path) -> None:
         assert it.statements[0] == "create_node 'horn' as horn"
         assert len(it.statements) > 1
         assert driver.text == ""
+
+
+async def test_leaving_while_a_page_is_on_its_way(
+    here: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What was to be shown then has nowhere to go; that is no mistake."""
+    turn_to = Frame._turn_to
+
+    async def slow(self: Frame, page: Page, view: View) -> None:
+        await asyncio.sleep(0.2)
+        await turn_to(self, page, view)
+
+    async with studio(None, SMALL) as driver:
+        it = WizardDriver(driver)
+        await it.press("ctrl+u")
+        await it.settle()
+        monkeypatch.setattr(Frame, "_turn_to", slow)
+        await quickly(it, ["enter", "escape", "z"])
+        await asyncio.sleep(0.4)
+        assert driver.app.screen is driver.main
+        assert driver.text == "z"
 
 
 async def test_what_is_typed_before_the_key_stays_in_the_text(here: Path) -> None:
