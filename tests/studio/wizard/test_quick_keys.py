@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import time
 from collections.abc import Awaitable, Callable, Sequence
 from pathlib import Path
 from typing import Any
@@ -12,14 +13,15 @@ from studio_driver import Driver, studio
 from test_terminal import Terminal, start
 from test_terminal import terminal as terminal
 from textual import events
+from textual.widgets import Button
 from wizard_courses import TWO_NODES
 from wizard_driver import SMALL, WizardDriver
 
-from plastron_tui.studio.wizard.course import Page
 from plastron_tui.studio.wizard.form_page import FormPage
-from plastron_tui.studio.wizard.frame import Frame, View
+from plastron_tui.studio.wizard.frame import View
 from plastron_tui.studio.wizard.menu_page import Menu
 from plastron_tui.studio.wizard.rows import Row
+from plastron_tui.studio.wizard.screen import Wizard
 
 WAYS = {
     "the first menu": ["down", "down"],
@@ -137,19 +139,23 @@ async def test_leaving_while_a_page_is_on_its_way(
     here: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """What was to be shown then has nowhere to go; that is no mistake."""
-    turn_to = Frame._turn_to
+    view = Wizard._view
 
-    async def slow(self: Frame, page: Page, view: View) -> None:
-        await asyncio.sleep(0.2)
-        await turn_to(self, page, view)
+    def slow(self: Wizard, *asked: Any) -> View:
+        time.sleep(0.1)
+        return view(self, *asked)
+
+    async def go_slowly(self: Button) -> None:
+        await asyncio.sleep(0.4)
 
     async with studio(None, SMALL) as driver:
         it = WizardDriver(driver)
         await it.press("ctrl+u")
         await it.settle()
-        monkeypatch.setattr(Frame, "_turn_to", slow)
+        monkeypatch.setattr(Wizard, "_view", slow)
+        monkeypatch.setattr(Button, "on_unmount", go_slowly, raising=False)
         await quickly(it, ["enter", "escape", "z"])
-        await asyncio.sleep(0.4)
+        await asyncio.sleep(0.6)
         assert driver.app.screen is driver.main
         assert driver.text == "z"
 
