@@ -206,9 +206,12 @@ def test_garbage_on_many_lines(lines: list[str]) -> None:
 def test_an_edited_tree_is_the_tree_of_the_edited_text(
     lines: list[str], data: st.DataObject
 ) -> None:
-    old = "\n".join(lines).encode()
-    start = data.draw(st.integers(0, len(old)))
-    end = data.draw(st.integers(start, min(len(old), start + 10)))
+    # Between two characters, as editors do: bytes that are none have no place that stays.
+    written = "\n".join(lines)
+    first = data.draw(st.integers(0, len(written)))
+    last = data.draw(st.integers(first, min(len(written), first + 10)))
+    old = written.encode()
+    start, end = (len(written[:at].encode()) for at in (first, last))
     new = data.draw(st.sampled_from(["", " ", "\n", "/*", "*/", "'", '"', "x", "(", "\\"])).encode()
     text = old[:start] + new + old[end:]
     parser = Parser(LANGUAGE)
