@@ -78,16 +78,19 @@ def last_of_each(made: Sequence[Generated], output: Path) -> list[Generated]:
     created, where the last neither changes nor changed anything.
     """
     made = [each for at, each in enumerate(made) if not _is_copy(each, made[:at], output)]
+    loaded = [
+        (at, source, _is_chained(each))
+        for at, each in enumerate(made)
+        if (source := each.generation.node.source) is not None
+    ]
     kept = []
     for index, each in enumerate(made):
         is_created = each.generation.node.source is None
-        sources = [
-            other.generation.node.source
-            for at, other in enumerate(made)
-            if is_created or (at > index and _is_chained(other))
-        ]
         path = each.file and (each.file.path or output / each.file.name)
-        if path is None or all(source is None or source.path != path for source in sources):
+        if path is None or not any(
+            source.path == path and (is_created or (at > index and is_chained))
+            for at, source, is_chained in loaded
+        ):
             kept.append(each)
     return kept
 
