@@ -5,7 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, LineIndex
+from plastron_tui.output.names import settled
+from plastron_tui.regular_files import read_named, read_regular, reason
 
 LONGEST_LINE = 256 * 1024
 """The longest line of a program, in bytes; a statement has some eighty."""
@@ -15,22 +17,33 @@ LARGEST_PROGRAM = 16 * 1024 * 1024
 
 
 class ProgramText(NamedTuple):
-    """What a program file holds, or why it cannot be read."""
+    """What a program file holds, or why it cannot be read; and warnings."""
 
     text: bytes | None
     diagnostics: tuple[Diagnostic, ...] = ()
 
 
 def read_program(path: Path) -> ProgramText:
-    """Read the text of a program; what is no text is a diagnostic."""
+    """Read the text of a program; what is no text is a diagnostic.
+
+    A write to its folder that was interrupted is finished before.
+    """
+    notes = settled(path.parent)
     try:
-        with path.open("rb") as stream:
-            # One byte beyond the limit tells that there is more, however long a device goes on.
-            text = stream.read(LARGEST_PROGRAM + 1)
+        text = read_named(path, LARGEST_PROGRAM)
     except (OSError, ValueError) as error:
-        reason = (getattr(error, "strerror", None) or str(error)).lower()
-        return _unreadable(path, f"`{path.name or path}` cannot be read: {reason}")
-    return check_text(path, text)
+        read = _unreadable(path, f"`{path.name or path}` cannot be read: {reason(error)}")
+        return read._replace(diagnostics=(*read.diagnostics, *notes))
+    read = check_text(path, text)
+    return read._replace(diagnostics=(*read.diagnostics, *notes))
+
+
+def lines_of(file: Path) -> LineIndex | None:
+    """Return the lines of a file that a diagnostic is about, None where it cannot be read."""
+    try:
+        return LineIndex(read_regular(file, LARGEST_PROGRAM))
+    except (OSError, ValueError):
+        return None
 
 
 def check_text(path: Path | None, text: bytes) -> ProgramText:

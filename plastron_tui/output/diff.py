@@ -36,7 +36,7 @@ def file_diff(file: PlannedFile) -> bytes:
     return b"".join(lines)
 
 
-def printable(patch: bytes) -> str:
+def visible_patch(patch: bytes) -> str:
     r"""Return a patch for a terminal: what a terminal would obey or hide is shown escaped.
 
     A carriage return is shown as `^M`, a byte that is not UTF-8 as `\xff`.
@@ -44,10 +44,10 @@ def printable(patch: bytes) -> str:
     text = patch.decode("utf-8", "backslashreplace")
     if text.replace("\n", "").replace("\t", "").isprintable():
         return text
-    return "".join(_printable(character) for character in text)
+    return "".join(_visible(character) for character in text)
 
 
-def _printable(character: str) -> str:
+def _visible(character: str) -> str:
     if character in "\n\t" or character.isprintable():
         return character
     code = ord(character)

@@ -23,6 +23,9 @@ MOST_LAYERS = 8
 LARGEST_TEXTS = 16 * 1024 * 1024
 """The size of the texts of one layer, in bytes, beyond which it is taken for a broken one."""
 
+MOST_TEXTS = 128 * 1024 * 1024
+"""The same for all layers of a manifest: what is packed can be a thousandth of what it holds."""
+
 
 @dataclass(frozen=True, slots=True)
 class Layer:
@@ -50,6 +53,11 @@ class Layer:
     is_clean: bool = False
     text: str = ""
     left: str = ""
+
+    @property
+    def size(self) -> int:
+        """The size of its texts, in bytes."""
+        return len(self.original) + len(self.written)
 
     def shows_in(self, text: bytes) -> bool:
         """Tell whether a text has any of the lines that the program wrote, or lacks its cuts."""
@@ -149,14 +157,20 @@ def layer_json(layer: Layer) -> dict[str, Any]:
     return {key: value for key, value in data.items() if value is not None}
 
 
-def read_layer(data: object) -> Layer | None:
-    """Return the layer that JSON tells of, None when it is broken."""
+def read_layer(data: object, most: int = LARGEST_TEXTS) -> Layer | None:
+    """Return the layer that JSON tells of, None when it is broken, or has too much of a text.
+
+    Args:
+        data: what the manifest has.
+        most: the most bytes that its texts may have, where that is less than `LARGEST_TEXTS`.
+    """
     if not isinstance(data, dict):
         return None
     try:
         packed = base64.b64decode(data["texts"], validate=True)
         unpacker = zlib.decompressobj()
-        texts = unpacker.decompress(packed, LARGEST_TEXTS)
+        # It takes 0 for no limit.
+        texts = unpacker.decompress(packed, max(1, min(most, LARGEST_TEXTS)))
     except (KeyError, TypeError, ValueError, binascii.Error, zlib.error):
         return None
     size, base, program = data.get("size"), data.get("base"), data.get("program")

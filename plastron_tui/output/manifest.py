@@ -17,8 +17,9 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.regular_files import read_regular, reason
 
-from .layers import MOST_LAYERS, Layers, layer_json, read_layer
+from .layers import MOST_LAYERS, MOST_TEXTS, Layers, layer_json, read_layer
 from .layers import digest as digest
 
 NAME = ".plastron.json"
@@ -29,6 +30,12 @@ VERSION = 3
 
 Base = Mapping[str, Any]
 """What a program had when a file was written, as JSON; see `remembered`."""
+
+LARGEST_MANIFEST = 32 * 1024 * 1024
+"""The largest manifest that is read, in bytes; a file's entry takes some hundred."""
+
+MOST_PARTS = 2_000_000
+"""The most objects and lists of a manifest: Python needs a hundred bytes for `[]`."""
 
 _SUPERSEDED = "superseded_by"
 _GENERATOR = "plastron"
@@ -66,6 +73,30 @@ class Manifest:
         """Return the file that a node went to when its file's name became another."""
         found = self.bases.get(name, {}).get(_SUPERSEDED)
         return found if isinstance(found, str) else None
+
+    def agrees(self, other: Manifest, names: Collection[str], program: object) -> bool:
+        """Tell whether another manifest says the same of some files, and of a program's nodes.
+
+        Args:
+            other: the other manifest.
+            names: the files.
+            program: the name of the program's file, None where there is no program.
+        """
+        bases = {**self.bases, **other.bases}
+        own = {
+            name
+            for name in bases
+            if any(each.bases.get(name, {}).get("program") == program for each in (self, other))
+        }
+        return all(
+            one.get(name) == two.get(name)
+            for name in {*names, *(own if program is not None else ())}
+            for one, two in (
+                (self.digests, other.digests),
+                (self.bases, other.bases),
+                (self.layers, other.layers),
+            )
+        )
 
     def updated(
         self,
@@ -129,11 +160,13 @@ def load_manifest(folder: Path) -> Reading:
     """
     path = folder / NAME
     try:
-        text = path.read_bytes()
+        text = read_regular(path, LARGEST_MANIFEST)
     except (FileNotFoundError, NotADirectoryError):
         return Manifest(), ()
     except OSError as error:
-        return _foreign(path, (error.strerror or "cannot be read").lower())
+        return _foreign(path, reason(error))
+    if text.count(b"{") + text.count(b"[") > MOST_PARTS:
+        return _foreign(path, f"it has more than {MOST_PARTS} parts")
     try:
         data = json.loads(text)
     except (ValueError, RecursionError):
@@ -155,6 +188,7 @@ def _entries(files: object, version: int) -> Manifest | None:
     digests: dict[str, str] = {}
     bases: dict[str, Base] = {}
     layers: dict[str, Layers] = {}
+    left = MOST_TEXTS
     for name, entry in files.items():
         if not isinstance(entry, dict):
             return None
@@ -168,11 +202,16 @@ def _entries(files: object, version: int) -> Manifest | None:
         elif base is not None:
             return None
         if data is not None:
-            read = [read_layer(each) for each in data] if isinstance(data, list) else []
-            known = tuple(each for each in read if each is not None)
-            if not known or len(known) < len(read):
+            if not isinstance(data, list) or not data:
                 return None
-            layers[name] = known
+            known = []
+            for each in data:
+                layer = read_layer(each, left)
+                if layer is None:
+                    return None
+                known.append(layer)
+                left -= layer.size
+            layers[name] = tuple(known)
     return Manifest(digests, bases, layers)
 
 

@@ -10,18 +10,20 @@ import errno
 import os
 import stat
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from pathlib import Path
 
 from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.regular_files import read_regular, reason
 
 from .layers import Layers
 from .manifest import NAME as MANIFEST_NAME
 from .manifest import Base, Manifest
+from .names import PREFIX
 
-TEMPORARY_PREFIX = ".plastron-"
-"""How the names of the writer's temporary files start."""
+LARGEST_OUTPUT = 64 * 1024 * 1024
+"""The largest file that is compared and replaced, in bytes: what a huge program generates."""
 
 
 class FileState(str, Enum):
@@ -40,7 +42,8 @@ class OutputFile:
     Attributes:
         name: the file's name, without a folder.
         text: what it shall hold.
-        is_executable: whether it gets the executable bit.
+        is_executable: whether it gets the executable bit: where it is new, or starts with `#!`. One
+            that has the bit keeps it.
         merged_from: the bytes that the text was derived from, where they are the file's own
             present bytes: such a text keeps what was written by hand, and replaces exactly these
             bytes. None for a text that was made anew.
@@ -53,6 +56,8 @@ class OutputFile:
         problem: why the handwork that is there cannot be merged: the file is then in conflict.
         layers: what programs made of a loaded file, for the manifest of the file's folder to
             remember; empty to forget it, None to leave it.
+        seen: the manifests that the text was made with, each with its folder: the writer checks
+            that they still say the same of the file.
     """
 
     name: str
@@ -65,6 +70,7 @@ class OutputFile:
     supersedes: str | None = None
     problem: Diagnostic | None = None
     layers: Layers | None = None
+    seen: tuple[tuple[Path, Manifest], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,6 +91,8 @@ class PlannedFile:
         supersedes: the file that the manifest then notes as replaced by this one.
         problem: why a conflict is one, as the diagnostic to give where it is not forced.
         layers: what the manifest in the file's own folder then remembers of loaded text.
+        seen: the manifests that text and state were made with, each with its folder, links
+            resolved.
     """
 
     name: str
@@ -99,6 +107,7 @@ class PlannedFile:
     supersedes: str | None = None
     problem: Diagnostic | None = None
     layers: Layers | None = None
+    seen: tuple[tuple[str, Manifest], ...] = ()
 
     @property
     def mode_before(self) -> int | None:
@@ -178,7 +187,14 @@ def _plan_file(folder: Path, real_folder: str, file: OutputFile, manifest: Manif
     path, status = _target(shown, real_folder, file)
     before = None if status is None else _read(path, shown)
     is_inside = file.path is None or os.path.dirname(path) == real_folder
+    is_executable = file.is_executable and (status is None or file.text.startswith(b"#!"))
+    file = replace(file, is_executable=is_executable)
     state, problem = _state(file, before, status, manifest if is_inside else Manifest(), shown)
+    if status is not None and state is not FileState.IDENTICAL and is_protected(path, status):
+        raise _RefusedError(read_only(shown))
+    seen = [(os.path.realpath(folder), each) for folder, each in file.seen]
+    if seen and is_inside:
+        seen.append((real_folder, manifest))
     is_own = not file.has_handwork and (
         file.merged_from is None or manifest.has(file.name, file.merged_from)
     )
@@ -195,6 +211,7 @@ def _plan_file(folder: Path, real_folder: str, file: OutputFile, manifest: Manif
         supersedes=file.supersedes if is_inside else None,
         problem=problem,
         layers=file.layers,
+        seen=tuple(seen),
     )
 
 
@@ -215,7 +232,8 @@ def _state(
         return FileState.CREATE, None
     if before == file.text:
         lacks_bit = file.is_executable and not status.st_mode & stat.S_IXUSR
-        return FileState.CHANGED if lacks_bit else FileState.IDENTICAL, None
+        is_mended = lacks_bit and not is_protected(shown, status)
+        return FileState.CHANGED if is_mended else FileState.IDENTICAL, None
     if file.merged_from is not None or manifest.has(file.name, before):
         return FileState.CHANGED, None
     if file.name in manifest:
@@ -273,7 +291,7 @@ def _target(shown: Path, real_folder: str, file: OutputFile) -> tuple[str, os.st
 
 def _is_plain_name(name: str) -> bool:
     """Tell whether a name means a file of the folder itself, and none of Plastron's own."""
-    if not name or name in {".", "..", MANIFEST_NAME} or name.startswith(TEMPORARY_PREFIX):
+    if not name or name in {".", "..", MANIFEST_NAME} or name.startswith(PREFIX):
         return False
     try:
         os.fsencode(name)
@@ -295,21 +313,42 @@ def _status(path: str) -> os.stat_result | None:
 
 def _read(path: str, shown: Path) -> bytes:
     try:
-        return Path(path).read_bytes()
+        return read_regular(path, LARGEST_OUTPUT)
     except OSError as error:
         raise _RefusedError(cannot_write(shown, error)) from error
 
 
+def is_protected(path: Path | str, status: os.stat_result) -> bool:
+    """Tell whether nobody is to write a file: a rename would, whatever its mode says.
+
+    Where nobody may write to the folder either, the writer says it better.
+    """
+    if not status.st_mode & 0o222:
+        return True
+    return not os.access(path, os.W_OK) and os.access(os.path.dirname(path) or ".", os.W_OK)
+
+
+def read_only(file: Path) -> Diagnostic:
+    """Return the diagnostic for a file that nobody is to write."""
+    message = f"cannot write `{file.name}`: it is read-only"
+    remedy = f"allow it with `chmod u+w {file.name}`, or write to another file"
+    return _diagnostic("cannot-write", message, file, remedy)
+
+
 def cannot_write(file: Path, error: Exception) -> Diagnostic:
     """Return the diagnostic for what the operating system said about a file."""
-    reason = getattr(error, "strerror", None) or str(error)
+    if isinstance(error, (FileExistsError, IsADirectoryError)) and error.filename is not None:
+        # No target that exists is an error: it is a name that the writer needs for itself.
+        name = error.filename if error.filename2 is None else error.filename2
+        file = Path(os.fsdecode(name))
+        return _diagnostic("cannot-write", f"`{file.name}` is in the way", file, "remove it")
     remedy = None
     number = getattr(error, "errno", None)
     if number in {errno.ENOSPC, errno.EDQUOT}:
         remedy = "free some space and run it again; nothing was changed"
     elif number in {errno.EACCES, errno.EPERM, errno.EROFS}:
         remedy = "choose a folder that you may write to with `-o`"
-    message = f"cannot write `{file.name}`: {reason[:1].lower()}{reason[1:]}"
+    message = f"cannot write `{file.name}`: {reason(error)}"
     return _diagnostic("cannot-write", message, file, remedy)
 
 

@@ -1,31 +1,41 @@
 """Files that are replaced all together or not at all.
 
-First every text is written to a temporary file beside its target and synced; only then are the
-targets renamed over, one after the other. Whatever fails, up to the last rename, is undone in
-reverse order. What stays possible is a machine that stops between two renames: then each single
-file is whole, and either old or new.
+First every text is written to a temporary file beside its target and synced; then a journal says
+what is about to happen, and is synced as well; only then are the targets renamed over, one after
+the other. Whatever fails, up to the last rename, is undone in reverse order. When the process, or
+the machine, stops in between, the next run finishes what the journal says: see `recovery`.
 """
 
 from __future__ import annotations
 
 import errno
-import fcntl
 import os
-import stat
-import time
 from collections.abc import Callable, Iterable
-from contextlib import ExitStack, suppress
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from types import TracebackType
 
+from plastron_tui.diagnostics import Diagnostic
+
+from .file_calls import (
+    copy_to,
+    is_unchanged,
+    link_or_copy,
+    remove,
+    sync_folder,
+    take_after,
+    write_new,
+)
 from .interrupts import Interrupts
-from .plan import TEMPORARY_PREFIX
+from .journal import BadJournalError, Entry, Journal, journal_text, read_journal
+from .layers import digest
+from .locks import BusyError, FolderLocks
+from .names import JOURNAL, JOURNAL_NEW, new_name
+from .recovery import drop_journals, recover, sweep
+from .replacement import ChangedError, Replacement, free_backup
 
-LOCK_SECONDS = 10.0
-"""How long to wait for another process that writes to the same folder."""
-
-# File systems that have no hard links, or a user who may not make one, answer with these.
-_NO_LINKS = {errno.EPERM, errno.EACCES, errno.EOPNOTSUPP, errno.ENOSYS, errno.EMLINK, errno.EXDEV}
+_MOST_TRIES = 5
+"""How often a folder may get another's journal between looking and locking."""
 
 
 @dataclass(slots=True)
@@ -40,6 +50,7 @@ class Step:
         before: its present text.
         keeps_backup: whether the present text stays beside it, as `NAME.bak`.
         backup: the backup's path, once there is one.
+        lost: the extended attributes that the new file could not be given.
     """
 
     path: str
@@ -49,32 +60,34 @@ class Step:
     before: bytes | None = None
     keeps_backup: bool = False
     backup: str | None = None
-
-
-class ChangedError(Exception):
-    """A file is no longer what it was when the plan was made."""
-
-
-class BusyError(Exception):
-    """Another process holds a folder's lock."""
+    lost: tuple[str, ...] = ()
 
 
 class Transaction:
-    """The steps that were taken, and how to undo them.
+    """The files that are replaced, and how to undo it.
 
-    `at` is the path that is worked on, for the diagnostic of an `OSError`. Leaving the context
-    without `commit` undoes everything; what could not be undone is in `failures`.
+    Leaving the context without `commit` undoes everything.
+
+    Attributes:
+        at: the path that is worked on, for the diagnostic of an `OSError`.
+        failures: what could not be undone; the next run tries it again.
+        left: the temporary files that could not be removed at the end.
+        notes: what was found of earlier writes, in the folders.
     """
 
     def __init__(self, interrupts: Interrupts) -> None:
         self.at = ""
         self.failures: list[tuple[str, OSError]] = []
+        self.left: list[tuple[str, OSError]] = []
+        self.notes: list[Diagnostic] = []
         self._interrupts = interrupts
-        self._undo = ExitStack()
-        self._locks = ExitStack()
-        self._folders: dict[str, int] = {}
-        self._synced_too: list[str] = []
-        self._temporaries: list[tuple[Step, str, str]] = []
+        self._locks = FolderLocks(interrupts.check)
+        self._made: list[str] = []
+        self._steps: dict[str, list[Step]] = {}
+        self._replacements: list[tuple[Step, Replacement]] = []
+        self._journals: list[str] = []
+        self._deciding: Journal | None = None
+        self._is_done = False
 
     def __enter__(self) -> Transaction:
         return self
@@ -86,35 +99,57 @@ class Transaction:
         traceback: TracebackType | None,
     ) -> None:
         try:
-            self._undo.close()
+            if not self._is_done:
+                self._undo()
         finally:
-            self._locks.close()
+            self._locks.release()
 
     def open_folders(self, folders: Iterable[str]) -> None:
         """Make the folders where they are missing, and lock each against other writers.
 
+        What earlier processes left there when they were killed is finished, or removed.
+
         Raises:
             OSError: the operating system refuses.
-            BusyError: another process did not give the lock back in `LOCK_SECONDS`.
+            BusyError: another process did not give the lock back in time.
         """
-        for folder in sorted(set(folders)):  # sorted, so that two writers cannot wait in a ring
+        wanted = sorted(set(folders))
+        for folder in wanted:
             self.at = folder
             self._make_folder(folder)
-            descriptor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
-            self._locks.callback(_close, descriptor)
-            self._folders[folder] = descriptor
-            self._lock(descriptor)
+        for _ in range(_MOST_TRIES):
+            for folder in wanted:
+                self.at = folder
+                if _has_journal(folder):
+                    self.notes += recover(folder, self._interrupts.check, is_writer=True)
+            self._locks.take(wanted)
+            if not any(_has_journal(folder) for folder in wanted):
+                break
+            self._locks.release()
+        else:
+            raise BusyError(self.at)
+        for folder in wanted:
+            self.at = folder
+            self.notes += sweep(folder)
 
     def stage(self, step: Step) -> None:
         """Write a step's text to a temporary file beside its target, and sync it."""
         self._interrupts.check()
         self.at = step.path
         folder = os.path.dirname(step.path)
-        stem = os.path.join(folder, f"{TEMPORARY_PREFIX}{len(self._temporaries)}")
-        new, old = f"{stem}.new", f"{stem}.old"
-        self._undo.callback(self._try, _remove, new)
-        _write_new(new, step)
-        self._temporaries.append((step, new, old))
+        steps = self._steps.setdefault(folder, [])
+        new = os.path.join(folder, new_name(len(steps)))
+        steps.append(step)
+        descriptor = write_new(new, step.text, 0o777 if step.is_executable else 0o666)
+        try:
+            if step.status is not None:
+                lost = take_after(
+                    descriptor, step.path, step.status, is_executable=step.is_executable
+                )
+                step.lost = tuple(lost)
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
 
     def commit(self) -> None:
         """Put all temporary files in their places.
@@ -126,56 +161,40 @@ class Transaction:
             ChangedError: a file is not what it was when the plan was made.
         """
         self._interrupts.check()
-        for step, _, old in self._temporaries:
-            if step.status is not None:
+        if not self._steps:
+            self._is_done = True
+            return
+        for folder, steps in self._steps.items():
+            for place, step in enumerate(steps):
                 self.at = step.path
-                self._keep(step, old)
+                self._replacements.append((step, _replacement(folder, place, step)))
+        for step, replacement in self._replacements:
+            self.at = step.path
+            if step.status is not None:
+                link_or_copy(step.path, replacement.old, step.before or b"", step.status)
         self._interrupts.check()
-        for step, new, old in self._temporaries:
+        for folder in {os.path.dirname(path) for path in self._made}:
+            self.at = folder
+            sync_folder(folder)
+        self._write_journals()
+        for step, replacement in self._replacements:
             self.at = step.path
             if not is_unchanged(step.path, step.status):
-                raise ChangedError
-            if step.status is None:
-                self._undo.callback(self._try, _take_away, step.path, new)
-            else:
-                self._undo.callback(self._try, _put_back, step.path, new, old)
-            os.replace(new, step.path)
-        for folder, descriptor in self._folders.items():
-            self.at = folder
-            _sync_folder(descriptor)
-        for folder in self._synced_too:
-            self.at = folder
-            self._sync_path(folder)
-        self._undo.pop_all()
-        with ExitStack() as leftovers:
-            for step, _, old in self._temporaries:
-                if step.status is not None:
-                    leftovers.callback(_remove_quietly, old)
-
-    def _keep(self, step: Step, old: str) -> None:
-        """Keep a file's present text aside, to put it back or as the backup."""
-        self._undo.callback(self._drop, old, step.path)
-        try:
-            _link_or_copy(step, old)
-        except FileExistsError:
-            _remove(old)  # left behind by a process that was killed: we hold the folder's lock
-            _link_or_copy(step, old)
-        if step.keeps_backup:
-            step.backup = self._back_up(step)
-
-    def _back_up(self, step: Step) -> str:
-        number = 0
-        while True:
-            backup = f"{step.path}.bak{number or ''}"
-            self._undo.callback(self._try, _remove_if_same, backup, step.path)
-            try:
-                was_linked = _link_or_copy(step, backup)
-            except FileExistsError:
-                number += 1
-                continue
-            if not was_linked:
-                self._undo.callback(self._try, _remove, backup)
-            return backup
+                raise ChangedError(step.path)
+            replacement.replace()
+        self._sync()
+        for step, replacement in self._replacements:
+            self.at = step.path
+            replacement.check()
+        for step, replacement in self._replacements:
+            self.at = step.path
+            step.backup = replacement.keep_backup()
+            if step.backup is not None and not os.path.lexists(step.backup):
+                raise FileNotFoundError(errno.ENOENT, "somebody removed its old text", step.backup)
+        if any(step.backup is not None for step, _ in self._replacements):
+            self._sync()
+        self._is_done = True
+        self._clean_up()
 
     def _make_folder(self, folder: str) -> None:
         missing = []
@@ -186,151 +205,132 @@ class Transaction:
                 break
             folder = parent
         for path in reversed(missing):
-            self._undo.callback(self._try, _remove_folder, path)
+            self._made.append(path)
             with suppress(FileExistsError):  # another process was faster; a file fails below
                 os.mkdir(path)
-            self._synced_too.append(os.path.dirname(path))
 
-    def _lock(self, descriptor: int) -> None:
-        deadline = time.monotonic() + LOCK_SECONDS
-        while True:
-            try:
-                fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-                return
-            except BlockingIOError:
-                if time.monotonic() > deadline:
-                    raise BusyError from None
-            except OSError:
-                # A file system without locks: each file is still replaced as a whole.
-                return
-            self._interrupts.check()
-            time.sleep(0.02)
+    def _write_journals(self) -> None:
+        """Say in each folder what is about to happen; with the last journal it is decided."""
+        write = os.urandom(16).hex()
+        first, *others = self._steps
+        # Undone in this order: without the one that decides the others count for nothing.
+        self._journals = [first, *others]
+        for folder in (*others, first):
+            self.at = folder
+            is_first = folder == first
+            journal = Journal(
+                write,
+                tuple(each.entry for _, each in self._replacements if each.folder == folder),
+                None if is_first else os.path.relpath(first, folder),
+                tuple(os.path.relpath(other, first) for other in others) if is_first else (),
+            )
+            self._put_journal(folder, journal)
+            self._deciding = journal
 
-    def _sync_path(self, folder: str) -> None:
-        if folder in self._folders:
-            return
-        descriptor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
+    def _put_journal(self, folder: str, journal: Journal) -> None:
+        path = os.path.join(folder, JOURNAL_NEW)
+        descriptor = write_new(path, journal_text(journal, folder), 0o600)
         try:
-            _sync_folder(descriptor)
-        finally:
-            os.close(descriptor)
-
-    def _drop(self, old: str, path: str) -> None:
-        """Remove a text that was kept aside, unless it is the last that is left of a file."""
-        if path not in (failed for failed, _ in self.failures):
-            self._try(_remove, old)
-
-    def _try(self, undo: Callable[..., None], path: str, *others: str) -> None:
-        try:
-            undo(path, *others)
-        except OSError as error:
-            self.failures.append((path, error))
-
-
-def is_unchanged(path: str, status: os.stat_result | None) -> bool:
-    """Tell whether a file is still the one that `status` was taken of (None: no file)."""
-    try:
-        now = os.lstat(path)
-    except FileNotFoundError:
-        return status is None
-    return status is not None and _identity(now) == _identity(status)
-
-
-def _identity(status: os.stat_result) -> tuple[int, int, int, int]:
-    return status.st_dev, status.st_ino, status.st_size, status.st_mtime_ns
-
-
-def _write_new(path: str, step: Step) -> None:
-    """Write and sync a file that must not exist, with the mode that its target shall have."""
-    # For a new file the process's umask has its say: what it masks is no business of ours.
-    descriptor = _create(path, 0o777 if step.is_executable else 0o666)
-    try:
-        _write_all(descriptor, step.text)
-        if step.status is not None:
-            _set_mode(descriptor, step.status, is_executable=step.is_executable)
-        os.fsync(descriptor)
-    finally:
-        os.close(descriptor)
-
-
-def _create(path: str, mode: int) -> int:
-    flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC
-    try:
-        return os.open(path, flags, mode)
-    except FileExistsError:
-        os.unlink(path)  # left behind, as above
-        return os.open(path, flags, mode)
-
-
-def _write_all(descriptor: int, text: bytes) -> None:
-    rest = memoryview(text)
-    while rest:
-        rest = rest[os.write(descriptor, rest) :]
-
-
-def _set_mode(descriptor: int, status: os.stat_result, *, is_executable: bool) -> None:
-    with suppress(OSError):  # only the superuser can write in another's name
-        os.fchown(descriptor, status.st_uid, status.st_gid)
-    mode = stat.S_IMODE(status.st_mode)
-    if is_executable and not mode & stat.S_IXUSR:
-        mode |= (mode & 0o444) >> 2  # whoever may read it may run it
-    os.fchmod(descriptor, mode)
-
-
-def _link_or_copy(step: Step, path: str) -> bool:
-    """Give a file's present text a second name; tell whether it is a link."""
-    try:
-        os.link(step.path, path)
-        return True
-    except OSError as error:
-        if error.errno not in _NO_LINKS or step.status is None:
-            raise
-    descriptor = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC, 0o600)
-    try:
-        try:
-            _write_all(descriptor, step.before or b"")
-            _set_mode(descriptor, step.status, is_executable=False)
             os.fsync(descriptor)
         finally:
             os.close(descriptor)
-    except BaseException:
-        _remove_quietly(path)
-        raise
-    return False
+        os.rename(path, os.path.join(folder, JOURNAL))
+        sync_folder(self._locks.descriptors[folder])
+
+    def _sync(self) -> None:
+        for folder in self._steps:
+            self.at = folder
+            sync_folder(self._locks.descriptors[folder])
+
+    def _clean_up(self) -> None:
+        """Remove the old texts, and then the journals: all is in its place."""
+        for _, replacement in self._replacements:
+            self._remove(replacement.old)
+        # With the journal the next run knows what is left, and that it may go.
+        ways = [self._drop_journals, self._mark_done]
+        self.at = os.path.join(self._journals[0], JOURNAL)
+        problem: OSError | None = None
+        for way in reversed(ways) if self.left else ways:
+            try:
+                way()
+                break
+            except OSError as error:
+                problem = error
+        if problem is not None and os.path.lexists(self.at):
+            self.left.append((self.at, problem))
+
+    def _drop_journals(self) -> None:
+        first, *others = self._journals
+        drop_journals([*others, first])
+
+    def _mark_done(self) -> None:
+        """Let the journal that decides take nothing back: the write is reported as done."""
+        if self._deciding is not None:
+            self._put_journal(self._journals[0], replace(self._deciding, is_done=True))
+
+    def _undo(self) -> None:
+        if self._journals:
+            self._take_back()
+        if self.failures:
+            return
+        replacements = [each for _, each in self._replacements]
+        for each in reversed(replacements):
+            self._remove(each.old)
+        for folder in self._journals:
+            self._remove(os.path.join(folder, JOURNAL_NEW))
+        for folder, steps in self._steps.items():
+            for place in reversed(range(len(steps))):
+                self._remove(os.path.join(folder, new_name(place)))
+        for folder in reversed(self._made):
+            self._remove(folder, _remove_folder)
+
+    def _take_back(self) -> None:
+        for step, replacement in reversed(self._replacements):
+            self._take_one_back(step, replacement)
+        if self.failures:
+            return
+        try:
+            self._sync()
+            drop_journals(self._journals)
+        except OSError as error:
+            self.failures.append((os.path.join(self._journals[0], JOURNAL), error))
+
+    def _take_one_back(self, step: Step, replacement: Replacement) -> None:
+        try:
+            try:
+                replacement.take_back()
+            except FileNotFoundError:
+                if step.before is None or step.status is None:
+                    raise
+                # Somebody removed the old text, which is still known here.
+                copy_to(replacement.old, step.path, step.before, step.status)
+                replacement.take_back()
+        except ChangedError:  # by hand, since it was replaced: that text stays
+            return
+        except OSError as error:
+            self.failures.append((step.path, error))
+
+    def _remove(self, path: str, call: Callable[[str], None] = remove) -> None:
+        try:
+            call(path)
+        except IsADirectoryError:  # in the way of a file that was not made
+            return
+        except OSError as error:
+            self.left.append((path, error))
 
 
-def _close(descriptor: int) -> None:
-    """Close a folder, which lets its lock go; there is nothing in it that could be lost."""
-    with suppress(OSError):
-        os.close(descriptor)
+def _replacement(folder: str, place: int, step: Step) -> Replacement:
+    before = None if step.status is None else digest(step.before or b"")
+    backup = os.path.basename(free_backup(step.path)) if step.keeps_backup else None
+    entry = Entry(os.path.basename(step.path), before, digest(step.text), backup)
+    return Replacement(folder, place, entry)
 
 
-def _take_away(path: str, new: str) -> None:
-    """Undo the rename of a file that is new, if it took place."""
-    if not os.path.lexists(new):
-        _remove(path)
-
-
-def _put_back(path: str, new: str, old: str) -> None:
-    """Undo the rename over a file, if it took place."""
-    if not os.path.lexists(new):
-        os.replace(old, path)
-
-
-def _remove(path: str) -> None:
-    if os.path.lexists(path):  # a read-only file system refuses even what is not there
-        os.unlink(path)
-
-
-def _remove_quietly(path: str) -> None:
-    with suppress(OSError):
-        os.unlink(path)
-
-
-def _remove_if_same(path: str, other: str) -> None:
-    with suppress(FileNotFoundError):
-        if _identity(os.lstat(path)) == _identity(os.lstat(other)):
-            os.unlink(path)
+def _has_journal(folder: str) -> bool:
+    try:
+        return read_journal(folder) is not None
+    except BadJournalError:
+        return False
 
 
 def _remove_folder(path: str) -> None:
@@ -340,12 +340,4 @@ def _remove_folder(path: str) -> None:
         os.rmdir(path)
     except OSError as error:
         if error.errno not in {errno.ENOENT, errno.ENOTEMPTY, errno.EEXIST}:
-            raise
-
-
-def _sync_folder(descriptor: int) -> None:
-    try:
-        os.fsync(descriptor)
-    except OSError as error:
-        if error.errno not in {errno.EINVAL, errno.EOPNOTSUPP}:  # it syncs files only
             raise

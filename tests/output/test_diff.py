@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plastron_tui.output.diff import file_diff, printable
+from plastron_tui.output.diff import file_diff, visible_patch
 from plastron_tui.output.manifest import Manifest
 from plastron_tui.output.plan import FileState, OutputFile, PlannedFile, make_plan
 
@@ -82,9 +82,9 @@ def test_text(before: bytes | None, after: bytes, expected: bytes) -> None:
 
 
 def test_identical_is_empty_and_a_missing_bit_is_shown(tmp_path: Path) -> None:
-    (tmp_path / "a.py").write_bytes(b"x\n")
+    (tmp_path / "a.py").write_bytes(b"#!x\n")
     (tmp_path / "a.py").chmod(0o644)
-    files = [OutputFile("a.py", b"x\n"), OutputFile("a.py", b"x\n", False)]
+    files = [OutputFile("a.py", b"#!x\n"), OutputFile("a.py", b"#!x\n", False)]
     (changed,) = make_plan(tmp_path, files[:1], Manifest())[0].files
     assert file_diff(changed) == b"diff --git a/a.py b/a.py\nold mode 100644\nnew mode 100755\n"
     (identical,) = make_plan(tmp_path, files[1:], Manifest())[0].files
@@ -101,4 +101,4 @@ def test_identical_is_empty_and_a_missing_bit_is_shown(tmp_path: Path) -> None:
     ],
 )
 def test_a_terminal_is_told_nothing_by_a_patch(patch: bytes, shown: str) -> None:
-    assert printable(patch) == shown
+    assert visible_patch(patch) == shown

@@ -17,7 +17,11 @@ STATES = {
     "missing": (None, 0, NONE, b"new", None, True, "create", True, None),
     "missing though remembered": (None, 0, OURS, b"new", None, True, "create", True, None),
     "same": (b"new", 0o755, NONE, b"new", None, True, "identical", True, None),
-    "same without the bit": (b"new", 0o644, NONE, b"new", None, True, "changed", True, None),
+    "same without the bit": (b"#!", 0o644, NONE, b"#!", None, True, "changed", True, None),
+    "same that none can run": (b"new", 0o644, NONE, b"new", None, True, "identical", True, None),
+    "read-only and without the bit": (
+        *(b"#!", 0o444, NONE, b"#!", None, True, "identical", True, None),
+    ),
     "same and no bit wanted": (b"new", 0o644, NONE, b"new", None, False, "identical", True, None),
     "ours": (b"ours", 0o755, OURS, b"new", None, True, "changed", True, None),
     "by hand": (b"hand", 0o755, OURS, b"new", None, True, "conflict", True, "file-conflict"),

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from plastron_tui.output import transaction
+from plastron_tui.output import locks
 from plastron_tui.output.manifest import NAME, load_manifest
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.output.writer import write
@@ -59,8 +59,17 @@ def test_an_existing_file_keeps_its_mode(
     path = tmp_path / "a.py"
     path.write_bytes(b"old")
     path.chmod(before)
-    write(plan(tmp_path, [OutputFile("a.py", b"new", is_executable, b"old")]))
-    assert (path.read_bytes(), mode(path)) == (b"new", after)
+    write(plan(tmp_path, [OutputFile("a.py", b"#!new", is_executable, b"old")]))
+    assert (path.read_bytes(), mode(path)) == (b"#!new", after)
+
+
+@pytest.mark.parametrize("before", [0o644, 0o755])
+def test_what_no_kernel_can_run_does_not_get_the_bit(tmp_path: Path, plan, before: int) -> None:
+    path = tmp_path / "a.py"
+    path.write_bytes(b"old")
+    path.chmod(before)
+    write(plan(tmp_path, [OutputFile("a.py", b"import rospy", True, b"old")]))
+    assert (path.read_bytes(), mode(path)) == (b"import rospy", before)
 
 
 def test_an_identical_file_is_not_touched(tmp_path: Path, plan) -> None:
@@ -72,7 +81,7 @@ def test_an_identical_file_is_not_touched(tmp_path: Path, plan) -> None:
 
 
 def test_a_missing_bit_is_mended(tmp_path: Path, plan) -> None:
-    files = [OutputFile("a.py", b"x")]
+    files = [OutputFile("a.py", b"#!x")]
     write(plan(tmp_path, files))
     (tmp_path / "a.py").chmod(0o644)
     assert len(write(plan(tmp_path, files)).written) == 1
@@ -91,7 +100,7 @@ def test_a_conflict_is_left_alone_and_the_others_are_written(tmp_path: Path, pla
 @pytest.mark.parametrize("has_links", [True, False])
 def test_force_never_overwrites_a_backup(tmp_path: Path, plan, monkeypatch, has_links) -> None:
     if not has_links:
-        monkeypatch.setattr(transaction.os, "link", no_links)
+        monkeypatch.setattr(os, "link", no_links)
     path = tmp_path / "a.py"
     for number, suffix in enumerate([".bak", ".bak1", ".bak2"]):
         path.write_bytes(b"by hand %d" % number)
@@ -173,7 +182,7 @@ def test_a_touched_file_is_still_the_same(tmp_path: Path, plan) -> None:
 
 
 def test_a_lock_that_is_not_given_back(tmp_path: Path, plan, snapshot, monkeypatch) -> None:
-    monkeypatch.setattr(transaction, "LOCK_SECONDS", 0.05)
+    monkeypatch.setattr(locks, "LOCK_SECONDS", 0.05)
     descriptor = os.open(tmp_path, os.O_RDONLY)
     fcntl.flock(descriptor, fcntl.LOCK_EX)
     made = plan(tmp_path, [OutputFile("a.py", b"x")])
@@ -211,15 +220,6 @@ def test_two_processes_at_once_forget_nothing(tmp_path: Path) -> None:
     assert load_manifest(folder)[0].digests.keys() == wanted
 
 
-def test_leftovers_of_a_killed_process_do_no_harm(tmp_path: Path, plan) -> None:
-    write(plan(tmp_path, [OutputFile("a.py", b"x")]))
-    for name in (".plastron-0.new", ".plastron-0.old", ".plastron-1.new"):
-        (tmp_path / name).write_bytes(b"half a te")
-    assert write(plan(tmp_path, [OutputFile("a.py", b"y")])).diagnostics == ()
-    assert (tmp_path / "a.py").read_bytes() == b"y"
-    assert names(tmp_path) == {"a.py", NAME}
-
-
 def test_in_another_thread(tmp_path: Path, plan) -> None:
     made = plan(tmp_path, [OutputFile("a.py", b"x")])
     results = []
@@ -230,9 +230,9 @@ def test_in_another_thread(tmp_path: Path, plan) -> None:
 
 
 def test_few_calls_a_file(tmp_path: Path, plan, monkeypatch) -> None:
-    """One sync a file, one for the manifest, one for each folder that got an entry."""
+    """One sync a file, manifest and journal; two for the folder, one for where it is new."""
     synced: list[int] = []
     real = os.fsync
-    monkeypatch.setattr(transaction.os, "fsync", lambda fd: (synced.append(fd), real(fd)))
+    monkeypatch.setattr(os, "fsync", lambda fd: (synced.append(fd), real(fd)))
     write(plan(tmp_path / "output", [OutputFile(f"{n}.py", b"x") for n in range(10)]))
-    assert len(synced) == 10 + 1 + 2
+    assert len(synced) == 10 + 1 + 1 + 2 + 1

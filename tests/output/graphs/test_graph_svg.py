@@ -8,6 +8,7 @@ from itertools import combinations, pairwise
 import pytest
 from graph_workspaces import TOPICS, Maker, tour, workspaces
 from hypothesis import given, settings
+from machine import examples
 
 from plastron_tui.model.graph import graph_of
 from plastron_tui.model.workspace import Workspace
@@ -97,7 +98,7 @@ def _touches(point, box: Box) -> bool:
     return abs(dy) <= box.height / 2 and min(abs(point.x - side) for side in sides) < 0.01
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(workspaces())
 def test_boxes_stand_apart_and_lines_join_them(workspace: Workspace) -> None:
     made = laid_out(workspace)
@@ -171,7 +172,7 @@ def _outline(group: ET.Element) -> tuple[Shape, tuple[float, float, float, float
     return Shape.SERVICE, (min(xs), min(ys), max(xs) - min(xs), max(ys) - min(ys))
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(workspaces())
 def test_a_picture_shows_each_thing_once_whatever_the_names(workspace: Workspace) -> None:
     check_document(render(graph_of(workspace)), workspace)
