@@ -12,16 +12,20 @@ from typing import TYPE_CHECKING, NamedTuple
 from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.model.setting import Loaded, LoadRequest
+from plastron_tui.model.source import LARGEST_FILE
 from plastron_tui.model.workspace import Generation
+from plastron_tui.output.names import is_own_name, settled
 from plastron_tui.output.stamps import Stamp, stamp_of
+from plastron_tui.regular_files import read_regular, reason
 
 if TYPE_CHECKING:
+    from plastron_tui.boundary import Boundary
     from plastron_tui.model.source import Origin, SourceFile
     from plastron_tui.output.layers import Author
     from plastron_tui.output.manifest import Reading
 
-LARGEST_FILE = 4 * 1024 * 1024
-"""The largest node file that is read, in bytes; a node is a few kilobytes."""
+_MOST_FOLDERS = 64
+"""How many manifests are remembered; a program writes to one folder, and loads from a few."""
 
 _SUFFIXES = (".py", ".cpp")
 _MANIFEST = ".plastron.json"
@@ -32,14 +36,23 @@ class FilesRead:
     """What was made of files until now, for loaders to come.
 
     Attributes:
-        nodes: what was read from a file, by its path and stamp.
+        nodes: what was read from a file, with the file's stamp then, by its path.
         starts: what a program started from when it wrote a file, by that file's path.
         manifests: what is remembered of the files of a folder, with the stamp of its file.
+        problems: what was found of writes to a folder that were interrupted.
     """
 
-    nodes: dict[tuple[Path, Stamp | None], Loaded] = field(default_factory=dict)
+    nodes: dict[Path, tuple[Stamp | None, Loaded]] = field(default_factory=dict)
     starts: dict[Path, _Known] = field(default_factory=dict)
     manifests: dict[Path, tuple[Stamp, Reading]] = field(default_factory=dict)
+    problems: dict[Path, tuple[Diagnostic, ...]] = field(default_factory=dict)
+
+    def settle(self, folder: Path) -> None:
+        """Finish what a process that was killed had begun to write to a folder."""
+        # What was finished stays told, what could not be only until it can.
+        done = [note for note in self.problems.pop(folder, ()) if not is_own_name(note.file)]
+        if notes := (*done, *(note for note in settled(folder) if note not in done)):
+            self.problems[folder] = notes
 
     def manifest(self, folder: Path) -> Reading:
         """Return a folder's manifest as it is now; it is read where it has changed."""
@@ -52,15 +65,26 @@ class FilesRead:
         found = load_manifest(folder)
         # One that cannot be read may be readable later, and no stamp tells.
         if stamp is not None and not found[1]:
+            if len(self.manifests) >= _MOST_FOLDERS:
+                self.manifests.clear()
             self.manifests[folder] = stamp, found
         return found
+
+    def keep(self, paths: set[Path]) -> None:
+        """Forget all files but these: what a program no longer loads it seldom loads again."""
+        for known in (self.nodes, self.starts):
+            # As a list at once: another thread may read a file meanwhile.
+            for path in list(known):
+                if path not in paths:
+                    known.pop(path, None)
 
 
 class NodeLoader:
     """Reads node files for one interpretation of a program, each file only once.
 
     A bare name is looked for in what the program generates, in the output folder, in the
-    program's folder and in the working folder; a path is relative to the program's folder.
+    program's folder and in the working folder; a path is relative to the program's folder. What
+    is found outside of the project is not read unless the project is trusted.
 
     A file that the program itself made on an earlier run stands for what the program started
     from then, with what was changed by hand since.
@@ -70,6 +94,7 @@ class NodeLoader:
         self,
         folder: Path,
         output: Path,
+        boundary: Boundary,
         rendered: Callable[[Generation], tuple[Path, bytes] | None],
         program: str = "",
         text: bytes = b"",
@@ -80,6 +105,7 @@ class NodeLoader:
         Args:
             folder: the program's folder.
             output: the output folder.
+            boundary: the project, which no `load` leaves unless it is trusted.
             rendered: makes the file of an earlier `generate_node` of the program.
             program: the name of the program's file, "" where it has none.
             text: the program.
@@ -87,10 +113,12 @@ class NodeLoader:
         """
         self._folder = folder
         self._output = output
+        self._boundary = boundary
         self._rendered = rendered
         self._program = program
         self._text = text
         self._files = files or FilesRead()
+        self._loaded: set[Path] = set()
 
     def __call__(self, request: LoadRequest) -> Loaded:
         """Read the file that a `load` asks for."""
@@ -102,11 +130,20 @@ class NodeLoader:
         candidates = list(self._candidates(request))
         for index, path in enumerate(candidates):
             # The functions of `os.path` take a path that is too long for one that is not there.
+            is_there = request.is_path or os.path.lexists(path)
+            if is_there and not self._boundary.allows(path):
+                return _outside(request, path, self._boundary)
+            if self._boundary.allows(path):
+                self._files.settle(path.parent)
             if os.path.isdir(path):  # noqa: PTH112
                 return _failed("unreadable-file", f"`{path.name}` is a folder")
             if os.path.isfile(path):  # noqa: PTH113
                 return self._in_front(path, candidates[index + 1 :])
         return self._not_found(request)
+
+    def forget_others(self) -> None:
+        """Forget what earlier loaders have read of files that this one was not asked for."""
+        self._files.keep(self._loaded)
 
     def _in_front(self, path: Path, others: Sequence[Path]) -> Loaded:
         """Read a file; warn where it hides another, and nothing tells whose it is."""
@@ -145,6 +182,7 @@ class NodeLoader:
                 yield folder / f"{request.source}{suffix}"
 
     def _read_once(self, path: Path) -> Loaded:
+        self._loaded.add(path)
         try:
             status = path.stat()
             if status.st_size > LARGEST_FILE:
@@ -154,13 +192,13 @@ class NodeLoader:
             started = self._started(path)
             if started is not None:
                 return started
-            key, nodes = (path, stamp_of(path)), self._files.nodes
-            if key not in nodes:
-                nodes[key] = read_node(path, path.read_bytes())
-            return nodes[key]
+            stamp, known = stamp_of(path), self._files.nodes.get(path)
+            if known is None or known[0] != stamp:
+                loaded = read_node(path, read_regular(path, LARGEST_FILE))
+                known = self._files.nodes[path] = stamp, loaded
+            return known[1]
         except OSError as error:
-            reason = (error.strerror or str(error)).lower()
-            return _failed("unreadable-file", f"`{path.name}` cannot be read: {reason}")
+            return _failed("unreadable-file", f"`{path.name}` cannot be read: {reason(error)}")
 
     def _started(self, path: Path) -> Loaded | None:
         """Read what the program started from when it wrote a file, None where it did not."""
@@ -172,7 +210,8 @@ class NodeLoader:
             return known.loaded
         from plastron_tui.generating.starting import find_start
 
-        start = find_start(path, self._author, lambda folder: self._files.manifest(folder)[0])
+        manifests, may_read = self._files.manifest, self._boundary.allows
+        start = find_start(path, self._author, lambda folder: manifests(folder)[0], may_read)
         files = [path, manifest]
         loaded = None
         if start is not None:
@@ -252,6 +291,13 @@ def _names(folder: Path, *, full: bool = False) -> list[str]:
 
 def _failed(code: str, message: str, remedy: str | None = None) -> Loaded:
     return Loaded(None, (Diagnostic(code, message, help=remedy),))
+
+
+def _outside(request: LoadRequest, path: Path, boundary: Boundary) -> Loaded:
+    """Say that a path leads out of the project, whether or not anything is there."""
+    where = "" if request.is_path else f" is `{path}`, which"
+    message = f"`{request.source}`{where} is {boundary.place_of(path)}"
+    return _failed("outside-project", message, boundary.remedy)
 
 
 def _not_there(message: str, remedy: str | None, right: str | None) -> Loaded:

@@ -3,17 +3,30 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Span, did_you_mean
+from plastron_tui.boundary import Boundary, belongs_to_another
+from plastron_tui.diagnostics import Diagnostic, Severity, Span, did_you_mean
+from plastron_tui.regular_files import read_regular
 from plastron_tui.ros.catalog import DISTRIBUTIONS
+from plastron_tui.trust import real_path
 
-FILE_NAME = "plastron.yaml"
-DEFAULT_OUTPUT = "output"
 LARGEST_PROJECT = 64 * 1024
 """The largest project file that is read, in bytes; one is a few lines."""
+
+TRUST_CODES = frozenset({"foreign-project", "outside-project", "untrusted-templates"})
+"""The codes of what the user has to trust the project for."""
+
+LONGEST_PATH = 4096
+"""The longest path of a folder, in characters, as Linux has it."""
+
+MOST_FOLDERS = 100
+"""The most folders of types; each is searched."""
+
+MOST_MISTAKES = 20
+"""The most mistakes that are reported one by one; the rest is counted."""
 
 _Node = Any
 """A node of PyYAML's tree: its `id` says whether it is a scalar, a sequence or a mapping."""
@@ -43,48 +56,62 @@ class Project(NamedTuple):
 
 
 def find_project(
-    folder: Path, libraries: Mapping[str, int]
+    boundary: Boundary, libraries: Mapping[str, int], overruled: Container[str] = ()
 ) -> tuple[Project, tuple[Diagnostic, ...]]:
-    """Read the project file of a folder, or of the nearest folder above that has one."""
-    for place in (folder, *folder.parents):
-        file = place / FILE_NAME
-        if os.path.isfile(file):  # noqa: PTH113 - a folder that may not be read has none
-            return read_project(file, libraries)
-    return Project(), ()
+    """Read the project file of a project; one that is another user's has to be trusted first.
+
+    Args:
+        boundary: the project.
+        libraries: the client libraries that there are, each with its generation of ROS.
+        overruled: the keys that the command line overrules, and that are therefore not judged.
+    """
+    file = boundary.project_file
+    if file is None:
+        return Project(), ()
+    try:
+        is_foreign = belongs_to_another(file)
+    except OSError as error:
+        return Project(file), (_unreadable(file, error),)
+    if is_foreign and not boundary.is_trusted:
+        return Project(file), (_foreign(file, boundary),)
+    return read_project(file, libraries, boundary, overruled)
 
 
 def read_project(
-    file: Path, libraries: Mapping[str, int]
+    file: Path,
+    libraries: Mapping[str, int],
+    boundary: Boundary,
+    overruled: Container[str] = (),
 ) -> tuple[Project, tuple[Diagnostic, ...]]:
     """Read a project file; what it says wrongly counts as not said.
+
+    Nor does what leads out of the project, nor do templates, until the user trusts the project.
 
     Args:
         file: the project file.
         libraries: the client libraries that there are, each with its generation of ROS.
+        boundary: the project.
+        overruled: the keys that the command line overrules.
     """
     import yaml
 
     try:
-        with file.open("rb") as stream:
-            source = stream.read(LARGEST_PROJECT + 1)
-        if len(source) > LARGEST_PROJECT:
-            raise ValueError(f"it is larger than {LARGEST_PROJECT // 1024} kB")
-        text = source.decode("utf-8")
+        text = read_regular(file, LARGEST_PROJECT).decode("utf-8")
         root = yaml.compose(text, Loader=yaml.SafeLoader)
     except (OSError, ValueError, RecursionError, yaml.YAMLError) as error:
         return Project(file), (_unreadable(file, error),)
-    reader = _Reader(file, text)
+    reader = _Reader(file, text, boundary, overruled)
     values = reader.pairs(root)
     project = Project(
         file,
         reader.choice("target", values.get("target"), libraries),
         reader.choice("distribution", values.get("distribution"), DISTRIBUTIONS),
         reader.folder("output", values.get("output")),
-        reader.folder("templates", values.get("templates"), must_exist=True),
+        reader.templates(values.get("templates")),
         tuple(reader.folders("types", values.get("types"))),
     )
     reader.check_agreement(project, values.get("distribution"), libraries)
-    return project, tuple(reader.diagnostics)
+    return project, reader.found()
 
 
 class _Reader:
@@ -94,10 +121,22 @@ class _Reader:
     its place, and what is written is never guessed to be a date or a number.
     """
 
-    def __init__(self, file: Path, text: str) -> None:
+    def __init__(
+        self, file: Path, text: str, boundary: Boundary, overruled: Container[str]
+    ) -> None:
         self.diagnostics: list[Diagnostic] = []
         self._file = file
         self._text = text
+        self._boundary = boundary
+        self._overruled = overruled
+
+    def found(self) -> tuple[Diagnostic, ...]:
+        """Return what is wrong; of many mistakes the first."""
+        more = len(self.diagnostics) - MOST_MISTAKES
+        if more <= 0:
+            return tuple(self.diagnostics)
+        last = Diagnostic("bad-project", f"… and {more} more mistakes", file=self._file)
+        return (*self.diagnostics[:MOST_MISTAKES], last)
 
     def pairs(self, root: _Node | None) -> dict[str, _Node]:
         """Return the nodes of the keys that there are."""
@@ -140,7 +179,9 @@ class _Reader:
     def folders(self, key: str, node: _Node | None) -> Iterator[Path]:
         """Yield the folders of a list, or of a single entry."""
         entries = [node] if node is None or node.id != "sequence" else node.value
-        for entry in entries:
+        for entry in entries[MOST_FOLDERS:][:1]:
+            self._report(entry, f"`{key}` lists more than {MOST_FOLDERS} folders")
+        for entry in entries[:MOST_FOLDERS]:
             folder = self.folder(key, entry, must_exist=True)
             if folder is not None:
                 yield folder
@@ -152,12 +193,27 @@ class _Reader:
         if node.id != "scalar" or node.tag != _TEXT or not node.value or "\0" in node.value:
             self._report(node, f"`{key}` is to be the path of a folder")
             return None
+        if len(node.value) > LONGEST_PATH:
+            self._report(node, f"the path of a folder has at most {LONGEST_PATH} characters")
+            return None
         # `Path.expanduser` raises for a user that there is none of.
         path: Path = self._file.parent / os.path.expanduser(node.value)  # noqa: PTH111
+        if key not in self._overruled and not self._boundary.allows(path):
+            self._report(node, *_outside(key, path, self._boundary), code="outside-project")
+            return None
         if must_exist and not os.path.isdir(path):  # noqa: PTH112 - a path too long is none
             self._report(node, f"there is no folder `{_short(node.value)}`")
             return None
         return path
+
+    def templates(self, node: _Node | None) -> Path | None:
+        """Return the folder of templates, None where there is none that the user trusts."""
+        folder = self.folder("templates", node, must_exist=True)
+        if folder is None or self._boundary.is_trusted:
+            return folder
+        message = "the templates of the project are not used until you trust it"
+        self._report(node, message, self._boundary.remedy, "untrusted-templates", Severity.WARNING)
+        return None
 
     def check_agreement(
         self, project: Project, node: _Node | None, libraries: Mapping[str, int]
@@ -175,11 +231,83 @@ class _Reader:
                 f"for `{target}` there is {fitting}",
             )
 
-    def _report(self, node: _Node, message: str, remedy: str | None = None) -> None:
+    def _report(
+        self,
+        node: _Node,
+        message: str,
+        remedy: str | None = None,
+        code: str = "bad-project",
+        severity: Severity = Severity.ERROR,
+    ) -> None:
         text = self._text
         start, end = node.start_mark.index, node.end_mark.index
         span = Span(len(text[:start].encode()), len(text[:end].rstrip().encode()))
-        self.diagnostics.append(Diagnostic("bad-project", message, span, self._file, help=remedy))
+        found = Diagnostic(code, message, span, self._file, help=remedy, severity=severity)
+        self.diagnostics.append(found)
+
+
+def as_error(found: Diagnostic) -> Diagnostic:
+    """Let what is not trusted stand against writing."""
+    return found._replace(severity=Severity.ERROR) if found.code in TRUST_CODES else found
+
+
+def outside_output(output: Path, boundary: Boundary) -> Diagnostic:
+    """Say that the output folder, which nobody named, is a link out of the project."""
+    message, remedy = _outside("output", output, boundary)
+    return Diagnostic("outside-output", message, file=output, help=remedy)
+
+
+def outside_program(path: Path, boundary: Boundary) -> Diagnostic | None:
+    """Return why a program is not to be written: it is a link out of its folder's project.
+
+    A file that is no link is where the user said; a link is where somebody else may have said.
+    """
+    if not path.is_symlink() or boundary.allows(path):
+        return None
+    message = f"`{path.name}` is a link to a file {boundary.place_of(path)}"
+    remedy = f"name the file itself; or {boundary.remedy}"
+    return Diagnostic("outside-project", message, file=path, help=remedy)
+
+
+def outside_definition(
+    file: Path, folders: Iterable[Path], boundary: Boundary
+) -> Diagnostic | None:
+    """Return why a definition is not read: on the way to it a link leads out of the project.
+
+    Args:
+        file: the definition.
+        folders: the folders of types; one that has the file in it is allowed itself.
+        boundary: the project.
+    """
+    if not any(_is_really_in(file, folder) for folder in folders) and not boundary.allows(file):
+        message = f"the definition `{file.name}` is {boundary.place_of(file)}, and is not read"
+        warning = Severity.WARNING
+        return Diagnostic(
+            "outside-project", message, file=file, help=boundary.remedy, severity=warning
+        )
+    return None
+
+
+def _is_really_in(file: Path, folder: Path) -> bool:
+    """Tell whether no link is on the way from a folder to a file."""
+    if not file.is_relative_to(folder):
+        return False
+    return real_path(file) == real_path(folder) / file.relative_to(folder)
+
+
+def _outside(key: str, path: Path, boundary: Boundary) -> tuple[str, str]:
+    """Say that a folder leads out of the project, and what to do."""
+    own_word = "; or name the folder with `-o`" if key == "output" else ""
+    return f"`{key}` is {boundary.place_of(path)}", f"{boundary.remedy}{own_word}"
+
+
+def _foreign(file: Path, boundary: Boundary) -> Diagnostic:
+    return Diagnostic(
+        "foreign-project",
+        "the project file, or the folder that it is in, belongs to another user",
+        file=file,
+        help=boundary.remedy,
+    )
 
 
 def _short(text: str) -> str:

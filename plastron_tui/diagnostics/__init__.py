@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from .data import Diagnostic, Edit, Fix, Label, Severity, Span, has_errors, write
 from .lines import LineIndex, Position
 from .suggest import did_you_mean, guess
+from .wording import listed, shortened
 
 if TYPE_CHECKING:
     from .codes import CODES, IO_CODES, Code
@@ -28,6 +29,8 @@ __all__ = [
     "did_you_mean",
     "guess",
     "has_errors",
+    "listed",
+    "shortened",
     "write",
 ]
 

@@ -18,9 +18,16 @@ CODES: dict[str, Code] = {
         *PROGRAM_CODES,
         *VALUE_CODES,
         Code(
+            "unusable-type",
+            "A type has a field whose name is a keyword of Python. ROS 2 generates a Python module "
+            "for it that Python cannot read, so that no Python node can use the type, nor one that "
+            "it is part of. Give the field another name, or write the node in another language.",
+        ),
+        Code(
             "template-error",
-            "A template in the project's template folder has a mistake, or asks for something that "
-            "a node does not have. Correct it, or take it away to use Plastron's own.",
+            "A template in the project's template folder has a mistake, asks for something that a "
+            "node does not have, lies outside of the folder, or takes more time, memory or text "
+            "than a node needs. Correct it, or take it away to use Plastron's own.",
         ),
         Code(
             "cannot-write",
@@ -30,7 +37,8 @@ CODES: dict[str, Code] = {
         Code(
             "outside-output",
             "A file would be written outside of the output folder: its name, or a symbolic link, "
-            "leads out. Remove the link, or name the folder with `-o`.",
+            "leads out; or the output folder itself is a link out of the project. Remove the link, "
+            "or name the folder with `-o`.",
         ),
         Code(
             "file-conflict",
@@ -40,6 +48,24 @@ CODES: dict[str, Code] = {
         Code(
             "changed-on-disk",
             "A file was changed by somebody else between reading and writing it. Run it again.",
+        ),
+        Code(
+            "interrupted-write",
+            "Plastron was killed, or the machine stopped, while files were replaced. The next run "
+            "made all of them new, or all old again, and says which; or it could not: you may not "
+            "write there, or have changed one of them since. Compare the files that are named with "
+            "what `plastron generate --diff` says.",
+        ),
+        Code(
+            "leftover-file",
+            "A temporary file of Plastron's (`.plastron-…`) cannot be removed, which the next run "
+            "tries again; or it held the only copy of a text, which is `.plastron-kept` now. Look "
+            "at it, and remove it.",
+        ),
+        Code(
+            "not-kept",
+            "A file was replaced, and something that is no part of its text did not come along: an "
+            "extended attribute, or other names of the file (hard links), which keep the old text.",
         ),
         Code(
             "bad-definition",
@@ -62,7 +88,8 @@ CODES: dict[str, Code] = {
         ),
         Code(
             "file-too-large",
-            "A file is larger than any node that a person writes, and is not read.",
+            "A file is larger than any node that a person writes, or has more comments in a row, "
+            "and is not read.",
         ),
         Code(
             "endpoint-in-use",
@@ -112,6 +139,39 @@ CODES: dict[str, Code] = {
             "bad-project",
             "The project file `plastron.yaml` has a mistake: it is no YAML, or a key or a value of "
             "it means nothing. What is wrong counts as not written.",
+        ),
+        Code(
+            "outside-project",
+            "A `load`, or a path in `plastron.yaml`, leads out of the project, by `..`, an "
+            "absolute path, `~` or a symbolic link; or into what is hidden (`.git`) or "
+            "installed (`site-packages`). Or a link leads there from a program that is to be "
+            "written, or from the definition of a type. Somebody else may have written it. Move "
+            "what is meant into the project, or trust the project once with `plastron trust`; "
+            "an output folder may also be named with `-o`.",
+        ),
+        Code(
+            "foreign-project",
+            "`plastron.yaml`, or the folder that it is in, belongs to another user. It is not read "
+            "until you trust the project with `plastron trust`.",
+        ),
+        Code(
+            "untrusted-templates",
+            "The project has templates of its own, which decide what is in the nodes. Until you "
+            "trust the project with `plastron trust`, Plastron's own are shown instead, and "
+            "nothing is generated.",
+        ),
+        Code(
+            "runs-by-itself",
+            "A node file would get a name that Python, pytest, a shell or git runs without being "
+            "asked (`usercustomize.py`, `conftest.py`, `.bashrc`), or that other nodes would "
+            "import in the place of a module of Python's or of ROS (`rospy.py`). Give the file "
+            "another name, or write it over the one that it comes from with `--in-place`.",
+        ),
+        Code(
+            "unsafe-trust-store",
+            "What `plastron trust` remembers in the user's state could have been written by "
+            "somebody else, or is broken, and counts for nothing. Remove it, and trust your "
+            "folders again.",
         ),
         Code(
             "unsupported-target",

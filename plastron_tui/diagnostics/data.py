@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from enum import Enum
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+from .wording import shortened
 
 
 class Severity(str, Enum):
@@ -52,8 +54,22 @@ class Label(NamedTuple):
     message: str
 
 
-class Diagnostic(NamedTuple):
+class _Parts(NamedTuple):
+    code: str
+    message: str
+    span: Span | None
+    file: Path | None
+    help: str | None
+    fix: Fix | None
+    labels: tuple[Label, ...]
+    severity: Severity
+
+
+class Diagnostic(_Parts):
     """One mistake.
+
+    Its texts have at most `LONGEST_TEXT` bytes: what a file of somebody else's holds may have a
+    name of any length.
 
     Attributes:
         code: the stable name of the kind of mistake, a key of `CODES`.
@@ -66,14 +82,31 @@ class Diagnostic(NamedTuple):
         severity: an error unless the code says otherwise.
     """
 
-    code: str
-    message: str
-    span: Span | None = None
-    file: Path | None = None
-    help: str | None = None
-    fix: Fix | None = None
-    labels: tuple[Label, ...] = ()
-    severity: Severity = Severity.ERROR
+    __slots__ = ()
+
+    def __new__(
+        cls,
+        code: str,
+        message: str,
+        span: Span | None = None,
+        file: Path | None = None,
+        help: str | None = None,  # noqa: A002 - the name that it has in JSON
+        fix: Fix | None = None,
+        labels: tuple[Label, ...] = (),
+        severity: Severity = Severity.ERROR,
+    ) -> Diagnostic:
+        """Make a mistake; a text that is too long is cut."""
+        message = shortened(message)
+        help = None if help is None else shortened(help)  # noqa: A001
+        if fix is not None:
+            fix = fix._replace(title=shortened(fix.title))
+        labels = tuple([label._replace(message=shortened(label.message)) for label in labels])
+        return super().__new__(cls, code, message, span, file, help, fix, labels, severity)
+
+    @classmethod
+    def _make(cls, iterable: Iterable[Any]) -> Diagnostic:  # type: ignore[override]
+        # What `_replace` puts in is cut too.
+        return cls(*iterable)
 
     def moved(self, by: int) -> Diagnostic:
         """Return the mistake in a text that has so many bytes more before it."""

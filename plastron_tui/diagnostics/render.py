@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import cache
 from itertools import accumulate
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from .data import Diagnostic, Severity, Span
 from .lines import LineIndex
+from .terminal import visible
 from .terminal import width as cell_width
+from .wording import shortened
 
 Lines = Callable[[Path | None], LineIndex | None]
 """Gives the lines of a file, for a diagnostic without a file those of the program at hand."""
@@ -32,7 +35,7 @@ class TextRenderer:
     """Renders diagnostics for people: where it is, the line with the mistake marked, the remedy."""
 
     def __init__(self, lines: Lines, program: Path | None = None, *, color: bool = False) -> None:
-        self._lines = lines
+        self._lines = cache(lines)
         self._program = program
         self._color = color
 
@@ -40,7 +43,7 @@ class TextRenderer:
         """Return the text of a diagnostic, without a newline at its end."""
         tint = _RED if diagnostic.severity is Severity.ERROR else _YELLOW
         head = self._paint(f"{diagnostic.severity.value}[{diagnostic.code}]", tint)
-        out = [head + self._paint(f": {printable(diagnostic.message)}", _BOLD)]
+        out = [head + self._paint(f": {_said(diagnostic.message)}", _BOLD)]
         file = diagnostic.file or self._program
         lines = self._lines(diagnostic.file)
         margin = 1
@@ -55,7 +58,7 @@ class TextRenderer:
             out.append(f" {self._paint('-->', _BLUE)} {_shown(file)}")
         if diagnostic.help is not None:
             sign = self._paint("= help:", _BLUE)
-            out.append(f"{' ' * margin} {sign} {printable(diagnostic.help)}")
+            out.append(f"{' ' * margin} {sign} {_said(diagnostic.help)}")
         return "\n".join(out)
 
     def _excerpt(
@@ -75,7 +78,7 @@ class TextRenderer:
                 yield f"{number} {bar} {window.text}".rstrip()
                 before = mark.line
             start, width = window.cells(mark.column, mark.stop)
-            note = f" {printable(mark.message)}" if mark.message else ""
+            note = f" {_said(mark.message)}" if mark.message else ""
             signs = self._paint(mark.sign * width + note, tint if mark.sign == "^" else _BLUE)
             yield f"{' ' * margin} {bar} {' ' * start}{signs}"
 
@@ -105,10 +108,10 @@ class _Window:
         start = 0
         if len(line) > _WIDEST_LINE:
             start = max(0, min(column - 1 - _WIDEST_LINE // 4, len(line) - _WIDEST_LINE))
-        cut = printable(line[start : start + _WIDEST_LINE])
+        cut = [visible(each) for each in line[start : start + _WIDEST_LINE]]
         before = "…" if start else ""
         after = "…" if start + _WIDEST_LINE < len(line) else ""
-        self.text = before + cut + after
+        self.text = before + "".join(cut) + after
         self._first = start + 1
         self._ends = [len(before), *accumulate(map(cell_width, cut), initial=len(before))][1:]
 
@@ -120,15 +123,13 @@ class _Window:
         return start, max(1, end - start)
 
 
-def printable(text: str) -> str:
-    """Return a text in which nothing can move a terminal's cursor or turn its direction."""
-    if text.isprintable():
-        return text
-    return "".join(character if character.isprintable() else "�" for character in text)
+def _said(text: str) -> str:
+    """Return a text as it is shown; what is escaped is longer than it was."""
+    return shortened(visible(text))
 
 
 def _shown(file: Path | None) -> str:
-    return "<input>" if file is None else printable(str(file))
+    return "<input>" if file is None else _said(str(file))
 
 
 def as_json(
@@ -140,6 +141,7 @@ def as_json(
     with `line` and `column`, both counted from 1, the column in characters), `help`, `fix` (null,
     or `title` and `edits`) and `labels`.
     """
+    lines = cache(lines)
     return [_describe(found, lines(found.file), found.file or program) for found in diagnostics]
 
 

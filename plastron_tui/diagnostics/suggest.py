@@ -9,15 +9,20 @@ from .data import Fix, Span, write
 
 # Beyond this many names a suggestion costs more than it helps.
 _MOST_NAMES = 5_000
+# Comparing takes the product of the lengths, and nobody slips in the name of a paragraph.
+_LONGEST_NAME = 200
 
 
 def nearest(word: str, names: Iterable[str]) -> str | None:
     """Return the name closest to `word`, or None when none is close."""
     from difflib import get_close_matches  # slow to import, and needed for mistakes only
 
+    if len(word) > _LONGEST_NAME:
+        return None
     by_lower: dict[str, str] = {}
     for name in islice(names, _MOST_NAMES):
-        by_lower.setdefault(name.lower(), name)
+        if len(name) <= _LONGEST_NAME:
+            by_lower.setdefault(name.lower(), name)
     found = get_close_matches(word.lower(), by_lower, n=1, cutoff=0.6)
     return by_lower[found[0]] if found else None
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
-from typing import TextIO
+from typing import Any, TextIO
 from unicodedata import category, east_asian_width
 
 # "Select graphic rendition" (ECMA-48, 8.3.117): colours and weights, which end with the line.
@@ -62,8 +62,48 @@ def visible_line(text: str, *, in_colour: bool) -> str:
     shown = ["".join(map(_visible, part)) for part in plain]
     if not in_colour or not colours:
         return "".join(shown)
-    pairs = zip(shown, [*colours, _RESET], strict=True)
+    last = "" if colours[-1] == _RESET else _RESET
+    pairs = zip(shown, [*colours, last], strict=True)
     return "".join(part + colour for part, colour in pairs)
+
+
+def visible_text(text: str, *, in_colour: bool = False) -> str:
+    """Return a text of several lines with what a terminal would obey escaped, as in each line."""
+    if text.isprintable():
+        return text
+    return "\n".join(visible_line(line, in_colour=in_colour) for line in text.split("\n"))
+
+
+class EscapingStream:
+    """A terminal to write texts to: what it would obey is escaped, except for colours.
+
+    It is the last of two guards: what quotes a file's text or name escapes colours too. Bytes
+    that are written to its `buffer` pass as they are.
+
+    Attributes:
+        terminal: the stream itself, for who draws on it.
+    """
+
+    def __init__(self, terminal: TextIO) -> None:
+        self.terminal = terminal
+
+    def write(self, text: str) -> int:
+        """Write a text."""
+        self.terminal.write(visible_text(text, in_colour=True))
+        return len(text)
+
+    def writelines(self, lines: Iterable[str]) -> None:
+        """Write texts one after the other."""
+        for line in lines:
+            self.write(line)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.terminal, name)
+
+
+def drawn_on(stream: TextIO) -> TextIO:
+    """Return a stream without the guard, for what escapes all that it writes by itself."""
+    return stream.terminal if isinstance(stream, EscapingStream) else stream
 
 
 def _visible(character: str) -> str:

@@ -66,6 +66,7 @@ class Derivation:
             layer.written,
             target.is_executable and not is_over,
             path=shown if is_elsewhere else None,
+            seen=((place.real.parent, place.manifest),),
         )
         if place.index is None:
             derived = Derived(self._first(file, place, layer))

@@ -2,24 +2,24 @@
 
 from __future__ import annotations
 
-import stat
 from collections import Counter
 from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Severity
-from plastron_tui.model.source import EndpointKind
+from plastron_tui.model.source import LARGEST_FILE, EndpointKind
 from plastron_tui.output.layers import Layer, Layers, are_untouched, live_layers
 from plastron_tui.output.manifest import Manifest
+from plastron_tui.regular_files import read_regular
 from plastron_tui.ros.interfaces import InterfaceName
 
 Shown = Counter[tuple[EndpointKind, str | None, InterfaceName | None]]
 
 
 def on_disk(path: Path) -> bytes | None:
-    """Return what a file holds, None for what is no file: reading a pipe would wait for ever."""
+    """Return what a file holds, None for what is no file, or larger than any node."""
     try:
-        return path.read_bytes() if stat.S_ISREG(path.stat().st_mode) else None
+        return read_regular(path, LARGEST_FILE)
     except (OSError, ValueError):
         return None
 

@@ -29,11 +29,22 @@ class Start(NamedTuple):
 
 
 def find_start(
-    path: Path, author: Author, manifests: Callable[[Path], Manifest], steps: int = _MOST_STEPS
+    path: Path,
+    author: Author,
+    manifests: Callable[[Path], Manifest],
+    may_read: Callable[[Path], bool],
+    steps: int = _MOST_STEPS,
 ) -> Start | None:
     """Return what a program started from when it wrote a file, None where it did not write it.
 
     The text has what was changed in the file by hand since, as far as that fits.
+
+    Args:
+        path: the file.
+        author: the program.
+        manifests: gives what is remembered of the files of a folder.
+        may_read: tells whether a manifest may lead to a file, whoever wrote it.
+        steps: how often the file may be made from one that the program made as well.
     """
     place = find_place(path, author, manifests)
     if place.index is None:
@@ -41,8 +52,8 @@ def find_start(
     layer = place.layers[place.index]
     first, original, is_torn = path, layer.original, False
     above = Path(os.path.normpath(place.real.parent / (layer.origin or "")))
-    if layer.origin is not None and steps and _is_near(above, author):
-        start = find_start(above, author, manifests, steps - 1)
+    if layer.origin is not None and steps and _is_near(above, author) and may_read(above):
+        start = find_start(above, author, manifests, may_read, steps - 1)
         found = on_disk(above) if start is None else start.text
         if found is not None:
             first = above

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from math import isinf
 
 from tree_sitter import Node as SyntaxNode
 
-from plastron_tui.diagnostics import Diagnostic, Span, write
+from plastron_tui.diagnostics import Diagnostic, Span, listed, write
 from plastron_tui.language.inputs import (
     Argument,
     Input,
@@ -39,6 +39,12 @@ from .values import MessageValue, Value
 Where = Callable[[], Span]
 """Tells a place when a mistake asks for it: most statements have none, and no place to tell."""
 
+Leaves = tuple[tuple[str, ...], ...]
+"""The paths of scalars, each the names that lead to it."""
+
+# The largest messages of ROS have a hundred; messages in messages can have millions.
+_MOST_LEAVES = 1_000
+
 _AtPath = tuple[tuple[str, ...], InputValue, SyntaxNode]
 """A value with the names that lead to its field, and what its mistakes are said of."""
 
@@ -53,7 +59,7 @@ class Fitter:
     def __init__(self, catalog: Catalog, earlier: Fitter | None = None) -> None:
         """Start with a catalog, and with what another one with the same catalog has fitted."""
         self._catalog = catalog
-        self._leaves: dict[InterfaceName, tuple[tuple[str, ...], ...] | None] = {}
+        self._leaves: dict[InterfaceName, Leaves | None] = {}
         # By identity, which the values keep as long as they stand here too.
         self._fitted: dict[int, tuple[Input, Interface, MessageValue]] = {}
         self._earlier: dict[int, tuple[Input, Interface, MessageValue]] = {}
@@ -98,13 +104,7 @@ class Fitter:
         if len(positional) < len(values):
             return self._named(name, fields, values, positional)
         if len(positional) == len(fields) and not self._should_flatten(fields, positional):
-            return MessageValue(
-                name,
-                {
-                    field.name: self._value(field.type, value, field.name)
-                    for field, value in zip(fields, positional, strict=True)
-                },
-            )
+            return self._in_order(name, fields, positional)
         leaves = self._leaves_of(name, fields)
         if (
             leaves is not None
@@ -115,7 +115,20 @@ class Fitter:
                 (path, value, value.syntax) for path, value in zip(leaves, positional, strict=True)
             ]
             return self._by_path(name, fields, pairs)
+        if leaves is None and len(positional) == len(fields):
+            return self._in_order(name, fields, positional)
         raise Misfit(wrong_count(name, fields, leaves, len(positional), where()))
+
+    def _in_order(
+        self, name: InterfaceName, fields: Sequence[Field], values: Sequence[InputValue]
+    ) -> MessageValue:
+        return MessageValue(
+            name,
+            {
+                field.name: self._value(field.type, value, field.name)
+                for field, value in zip(fields, values, strict=True)
+            },
+        )
 
     def _should_flatten(self, fields: Sequence[Field], values: Sequence[InputValue]) -> bool:
         """Tell whether scalars stand where a nested message of one leaf is meant."""
@@ -261,7 +274,7 @@ class Fitter:
         if nested.name in BUILTIN_TIMES and isinstance(value, Literal):
             return builtin_time(nested, value, field)
         if not isinstance(value, NestedValue):
-            names = ", ".join(inner.name for inner in nested.fields)
+            names = listed(inner.name for inner in nested.fields)
             raise Misfit(
                 Diagnostic(
                     "wrong-kind-of-value",
@@ -290,26 +303,30 @@ class Fitter:
             )
         return found
 
-    def _leaves_of(
-        self, name: InterfaceName, fields: Sequence[Field]
-    ) -> tuple[tuple[str, ...], ...] | None:
-        """Return the paths of all scalars in a message, None when an array is among its fields."""
+    def _leaves_of(self, name: InterfaceName, fields: Sequence[Field]) -> Leaves | None:
+        """Return the paths of all scalars in a message.
+
+        None when an array is among its fields, and for more scalars than anybody gives in order.
+        """
         if name not in self._leaves:
-            paths = list(self._walk_leaves(fields))
-            self._leaves[name] = None if None in paths else tuple(path for path in paths if path)
+            self._leaves[name] = self._find_leaves(fields)
         return self._leaves[name]
 
-    def _walk_leaves(self, fields: Sequence[Field]) -> Iterator[tuple[str, ...] | None]:
+    def _find_leaves(self, fields: Sequence[Field]) -> Leaves | None:
+        paths: list[tuple[str, ...]] = []
         for field in fields:
-            message = field.type.message
-            if field.type.is_array:
-                yield None
-            elif message is None:
-                yield (field.name,)
-            else:
-                found = self._catalog.find(message, InterfaceKind.MESSAGE)
-                if found is None:
-                    yield None
-                    return
-                for path in self._walk_leaves(found.fields):
-                    yield None if path is None else (field.name, *path)
+            inner = self._leaves_within(field.type)
+            if inner is None or len(paths) + len(inner) > _MOST_LEAVES:
+                return None
+            paths += [(field.name, *path) for path in inner]
+        return tuple(paths)
+
+    def _leaves_within(self, type_: FieldType) -> Leaves | None:
+        """Return the paths that lead on from a field of a type."""
+        if type_.is_array:
+            return None
+        if type_.message is None:
+            return ((),)
+        found = self._catalog.find(type_.message, InterfaceKind.MESSAGE)
+        # A type is looked into once, however many fields have it.
+        return None if found is None else self._leaves_of(found.name, found.fields)

@@ -14,7 +14,6 @@ from plastron_tui.diagnostics import Diagnostic, Label, Severity, Span, has_erro
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
 from plastron_tui.language.lowering import Program
-from plastron_tui.language.pause import collection_paused
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 
 from .agreement import Agreement
@@ -68,11 +67,10 @@ def interpret(
         pulse: called now and then; what it raises ends the interpretation.
     """
     interpreter = Interpreter(setting, fitters)
-    with collection_paused():
-        diagnostics = interpreter.run(program, pulse)
-        # In a program with a mistake, the statement that generates may be the mistake.
-        if not has_errors(diagnostics):
-            diagnostics += tuple(late_changes(program, interpreter.workspace))
+    diagnostics = interpreter.run(program, pulse)
+    # In a program with a mistake, the statement that generates may be the mistake.
+    if not has_errors(diagnostics):
+        diagnostics += tuple(late_changes(program, interpreter.workspace))
     return Interpretation(interpreter.workspace, diagnostics, interpreter.fitters)
 
 

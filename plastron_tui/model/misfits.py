@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 
 from tree_sitter import Node as SyntaxNode
 
-from plastron_tui.diagnostics import Diagnostic, Span, write
+from plastron_tui.diagnostics import Diagnostic, Span, listed, write
 from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.language.inputs import COMMENTS, InputValue, Literal
 from plastron_tui.ros.interfaces import Field, FieldType, InterfaceName
@@ -40,11 +40,10 @@ def wrong_count(
             "wrong-number-of-values", f"`{name}` takes no values", where, help="write `none`"
         )
     takes = f"{len(fields)} value{'' if len(fields) == 1 else 's'}"
-    names = ", ".join(field.name for field in fields)
-    text = f"in order: {names}"
+    text = f"in order: {listed(field.name for field in fields)}"
     if leaves is not None and len(leaves) != len(fields):
         takes += f", or {len(leaves)}"
-        text += f"; or: {', '.join('.'.join(path) for path in leaves)}"
+        text += f"; or: {listed('.'.join(path) for path in leaves)}"
     return Diagnostic(
         "wrong-number-of-values", f"`{name}` takes {takes}, not {count}", where, help=text
     )
@@ -144,5 +143,5 @@ def unknown_field(
     if guess is not None:
         text, fix = f"did you mean `{guess}`?", write(guess, where)
         return Diagnostic("unknown-field", message, where, help=text, fix=fix)
-    text = f"its fields are: {', '.join(fields)}" if fields else "it has no fields"
+    text = f"its fields are: {listed(fields)}" if fields else "it has no fields"
     return Diagnostic("unknown-field", message, where, help=text)

@@ -12,6 +12,9 @@ from plastron_tui.ros.interfaces import InterfaceName
 from .endpoints import Client, Publisher, Service, Subscription
 from .endpoints import EndpointKind as EndpointKind
 
+LARGEST_FILE = 4 * 1024 * 1024
+"""The largest node file that is read, in bytes; a node is a few kilobytes."""
+
 
 class SourceEndpoint(NamedTuple):
     """One call site.

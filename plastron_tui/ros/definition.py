@@ -32,6 +32,9 @@ from .primitives import PRIMITIVES, primitive
 MAX_DEFINITION_BYTES = 1_000_000
 """A longer file is no definition, whatever its name ends in."""
 
+MOST_MISTAKES = 20
+"""The most lines of a definition that are reported one by one; the rest is counted."""
+
 SECTION_COUNT = {InterfaceKind.MESSAGE: 1, InterfaceKind.SERVICE: 2, InterfaceKind.ACTION: 3}
 """How many sections each kind of interface has."""
 
@@ -70,7 +73,7 @@ def parse_definition(
     ros_version: int,
     file: Path | None = None,
 ) -> Definition:
-    """Read a definition; every line that is wrong is a diagnostic with its place in `file`."""
+    """Read a definition; a line that is wrong is a diagnostic with its place in `file`."""
     size = len(source)
     if size > MAX_DEFINITION_BYTES:
         message = f"a definition of {size} bytes is too long (up to {MAX_DEFINITION_BYTES})"
@@ -116,6 +119,7 @@ class _Reader:
         self.comment = ""
         self._block: list[str] = []
         self._is_leading = True
+        self._mistakes = 0
 
     def read(self, text: str, start: int) -> None:
         """Read the text, whose first byte is the byte `start` of the file."""
@@ -126,6 +130,9 @@ class _Reader:
                 self._report(mistake, raw, start)
             start += len(raw.encode("utf-8", "surrogateescape")) + 1
         self._end_leading_block()
+        if self._mistakes > MOST_MISTAKES:
+            message = f"… and {self._mistakes - MOST_MISTAKES} more lines are wrong"
+            self.diagnostics.append(Diagnostic("bad-definition", message, file=self.file))
         wanted = SECTION_COUNT[self.kind]
         if len(self.sections) != wanted and not self.diagnostics:
             message = (
@@ -135,6 +142,10 @@ class _Reader:
             self.diagnostics.append(Diagnostic("bad-definition", message, file=self.file))
 
     def _report(self, mistake: _Mistake, raw: str, start: int) -> None:
+        self._mistakes += 1
+        if self._mistakes > MOST_MISTAKES:
+            return
+
         def offset(column: int) -> int:
             return start + len(raw[:column].encode("utf-8", "surrogateescape"))
 

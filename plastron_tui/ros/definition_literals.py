@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from .interfaces import Scalar
 from .primitives import PRIMITIVES, check_scalar
 
+_OPENERS = frozenset({"", "=", "[", ","})
 _BOOLS = {"true": True, "1": True, "false": False, "0": False}
 _ESCAPES = {"\\": "\\", '"': '"', "'": "'", "n": "\n", "t": "\t"}
 
@@ -29,26 +28,26 @@ def split_comment(text: str, ros_version: int, type_name: str = "") -> tuple[str
 
 def _comment_start(text: str) -> int:
     """Return where the first `#` outside quotes is, -1 when there is none."""
-    bare, is_closed = _outside_quotes(
-        text, lambda at: text[:at].rstrip()[-1:] in ("", "=", "[", ",")
-    )
+    bare, is_closed = _outside_quotes(text, may_open_after=_OPENERS)
     found = next((at for at in bare if text[at] == "#"), -1)
     # A quote that nothing closes was an apostrophe.
     return found if found >= 0 or is_closed else text.find("#")
 
 
 def _outside_quotes(
-    text: str, may_open: Callable[[int], bool] = lambda at: True
+    text: str, may_open_after: frozenset[str] | None = None
 ) -> tuple[list[int], bool]:
     """Return the offsets of what is in no quotes, and whether each quote is closed.
 
     Args:
         text: what to look through.
-        may_open: whether a quote at an offset opens a string.
+        may_open_after: the characters after which a quote opens a string, spaces apart, and ""
+            for the start of the text; None for any.
     """
     bare: list[int] = []
     quote = ""
     is_escaped = False
+    before = ""
     for at, character in enumerate(text):
         if is_escaped:
             is_escaped = False
@@ -56,10 +55,12 @@ def _outside_quotes(
             is_escaped = character == "\\"
             if character == quote:
                 quote = ""
-        elif character in "\"'" and may_open(at):
+        elif character in "\"'" and (may_open_after is None or before in may_open_after):
             quote = character
         else:
             bare.append(at)
+        if not character.isspace():
+            before = character
     return bare, not quote
 
 

@@ -48,7 +48,7 @@ def test_width(text: str, cells: int) -> None:
     [
         ("a\tb\xa0c", "a\tb\xa0c", "a\tb\xa0c"),
         ("\x1b[1;31mred", "\x1b[1;31mred\x1b[0m", "red"),
-        ("\x1b[31ma\x1b[0mb", "\x1b[31ma\x1b[0mb\x1b[0m", "ab"),
+        ("\x1b[31ma\x1b[0mb", "\x1b[31ma\x1b[0mb", "ab"),
         ("\x1b[2Ja\r\x07", r"\x1b[2Ja\r\x07", r"\x1b[2Ja\r\x07"),
         ("\x9b31ma\u202eb", r"\x9b31ma\u202eb", r"\x9b31ma\u202eb"),
         ("\x1b]8;;http://x\x1b\\x", r"\x1b]8;;http://x\x1b" + "\\x", None),

@@ -9,6 +9,7 @@ from random import Random
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from machine import examples
 from workspaces import LIBRARIES, FakeReader, catalog
 
 from plastron_tui.diagnostics import CODES, Diagnostic
@@ -111,7 +112,7 @@ def test_ten_thousand_of_each(make: object, seed: int) -> None:
         swallow(make(random))
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=examples(200), deadline=None)
 @given(st.binary(max_size=200) | st.text(max_size=100).map(str.encode))
 def test_anything(text: bytes) -> None:
     swallow(text)

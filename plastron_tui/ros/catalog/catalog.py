@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from plastron_tui.diagnostics import Diagnostic, did_you_mean
+from plastron_tui.regular_files import read_regular, reason
 from plastron_tui.ros.definition import MAX_DEFINITION_BYTES, parse_definition
 from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.primitives import PRIMITIVES
@@ -33,6 +34,9 @@ _ADD_TWO_INTS = {1: "beginner_tutorials", 2: "example_interfaces"}
 
 _Key = tuple[InterfaceKind, InterfaceName]
 
+Refusal = Callable[[Path], "Diagnostic | None"]
+"""Tells why a definition is not to be read, None where it may be."""
+
 # Messages within messages, in files of a user's; real ones have fewer than ten levels.
 _DEEPEST_NESTING = 50
 
@@ -52,7 +56,13 @@ class Catalog:
             definition has a mistake is not found.
     """
 
-    def __init__(self, distribution: str, type_folders: Sequence[Path] = ()) -> None:
+    def __init__(
+        self,
+        distribution: str,
+        type_folders: Sequence[Path] = (),
+        installed: Sequence[Path] = (),
+        refusal: Refusal = lambda _: None,
+    ) -> None:
         """Make a catalog; no file is read yet.
 
         Args:
@@ -60,6 +70,8 @@ class Catalog:
             type_folders: folders that hold packages (at any depth), package folders, `msg`,
                 `srv` and `action` folders, or definitions themselves; the first that has a type
                 wins.
+            installed: such folders of an installed ROS, which come after the others.
+            refusal: asked before a definition in one of `type_folders` is read.
 
         Raises:
             ValueError: the distribution is not one of `DISTRIBUTIONS`.
@@ -69,7 +81,9 @@ class Catalog:
         self.distribution = distribution
         self.ros_version = DISTRIBUTIONS[distribution]
         self.problems: list[Diagnostic] = []
-        self._folders = TypeFolders(type_folders)
+        self._own = TypeFolders(type_folders)
+        self._installed = TypeFolders(installed)
+        self._refusal = refusal
         self._open: list[_Key] = []
         self._found: dict[_Key, Interface | None] = {}
         self._candidates: dict[tuple[InterfaceKind, str], tuple[InterfaceName, ...]] = {}
@@ -86,7 +100,9 @@ class Catalog:
         except KeyError:
             pass
         interface = self._read(key)
-        self._found[key] = interface
+        # A name that nothing has is not kept: a day of typing makes many.
+        if interface is not None or self._file(name, kind) is not None:
+            self._found[key] = interface
         return interface
 
     def candidates(self, bare: str, kind: InterfaceKind) -> tuple[InterfaceName, ...]:
@@ -98,13 +114,15 @@ class Catalog:
         key = (kind, bare)
         known = self._candidates.get(key)
         if known is None:
-            known = self._candidates[key] = tuple(self._meanings(bare, kind))
+            known = tuple(self._meanings(bare, kind))
+            if known:
+                self._candidates[key] = known
         return known
 
     def names(self, kind: InterfaceKind) -> Sequence[InterfaceName]:
         """Return the names of all interfaces of a kind, sorted."""
         own = data.index(self.distribution).names[kind]
-        return sorted({*own, *self._folders.names(kind)})
+        return sorted({*own, *self._own.names(kind), *self._installed.names(kind)})
 
     def packages(self, kind: InterfaceKind) -> Sequence[str]:
         """Return the packages that have interfaces of a kind, sorted."""
@@ -118,14 +136,23 @@ class Catalog:
         if package is not None:
             yield from (name for name in own if name.package == package)
         else:
-            yield from sorted({*own, *self._folders.by_bare(kind).get(bare, ())})
+            folders = (self._own, self._installed)
+            found = (name for each in folders for name in each.by_bare(kind).get(bare, ()))
+            yield from sorted({*own, *found})
+
+    def _file(self, name: InterfaceName, kind: InterfaceKind) -> Path | None:
+        """Return the file that defines an interface: one that is not to be read is the last."""
+        own = self._own.file(name, kind)
+        if own is not None and self._refusal(own) is None:
+            return own
+        return self._installed.file(name, kind) or own
 
     def _read(self, key: _Key) -> Interface | None:
         kind, name = key
         index = data.index(self.distribution)
         is_own = name in index.names[kind]
         if not is_own or name.package in index.partial:
-            file = self._folders.file(name, kind)
+            file = self._file(name, kind)
             if file is not None:
                 return self._read_file(key, file)
         if not is_own:
@@ -137,13 +164,14 @@ class Catalog:
 
     def _read_file(self, key: _Key, file: Path) -> Interface | None:
         kind, name = key
+        refusal = self._refusal(file) if file == self._own.file(name, kind) else None
+        if refusal is not None:
+            self.problems.append(refusal)
+            return None
         try:
-            with file.open("rb") as stream:
-                # One byte beyond the limit tells that a file is too long, however long it is.
-                source = stream.read(MAX_DEFINITION_BYTES + 1)
+            source = read_regular(file, MAX_DEFINITION_BYTES)
         except OSError as error:
-            reason = (error.strerror or "not a file").lower()
-            self._report(f"the definition of `{name}` cannot be read: {reason}", file)
+            self._report(f"the definition of `{name}` cannot be read: {reason(error)}", file)
             return None
         definition = parse_definition(source, name, kind, self.ros_version, file)
         self.problems += definition.diagnostics
@@ -169,7 +197,7 @@ class Catalog:
                 return False
             if self.find(message, InterfaceKind.MESSAGE) is None:
                 # A definition that is there has been reported itself.
-                if self._folders.file(message, InterfaceKind.MESSAGE) is None:
+                if self._file(message, InterfaceKind.MESSAGE) is None:
                     text = f"field `{field.name}` is of type `{message}`, which does not exist"
                     self._report(text, file, self._similar(message))
                 return False

@@ -8,15 +8,17 @@ from collections.abc import Iterator, Mapping, Sequence
 from keyword import iskeyword
 from pathlib import Path
 
+from plastron_tui.regular_files import read_regular
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 
 _KINDS = {kind.value: kind for kind in InterfaceKind}
 _TYPE_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
-_XML_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+_XML_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _XML_NAME = re.compile(r"<name>\s*([A-Za-z0-9_-]+)\s*</name>")
 # What tells ROS's own tools to leave a folder out.
 _IGNORE_MARKERS = frozenset({"CATKIN_IGNORE", "COLCON_IGNORE", "AMENT_IGNORE"})
 _MANIFESTS = frozenset({"package.xml", "manifest.xml"})
+_LARGEST_MANIFEST = 1024 * 1024
 _MOST_FOLDERS = 20_000
 _DEEPEST = 12
 
@@ -158,8 +160,8 @@ def _package_name(folder: Path) -> str:
     The name stands in import lines: one that no package can have is made into one that it can.
     """
     try:
-        with (folder / "package.xml").open("rb") as stream:
-            manifest = stream.read(100_000).decode("utf-8", "replace")
+        text = read_regular(folder / "package.xml", _LARGEST_MANIFEST)
+        manifest = text.decode("utf-8", "replace")
     except (OSError, ValueError):
         manifest = ""
     match = _XML_NAME.search(_XML_COMMENT.sub("", manifest))

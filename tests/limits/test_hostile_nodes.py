@@ -1,0 +1,78 @@
+"""Node files of at most 4 MB that something grows from."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from limited import NODE, Attacker, cases, make_project
+
+_BIG = 4_000_000 - 1_000
+
+NODES: dict[str, str | bytes] = {
+    "parentheses": "(" * _BIG,
+    "brackets": "x = " + "[" * _BIG,
+    "nested": "x = " + "(" * 200_000 + "1" + ")" * 200_000,
+    "indented": "".join(f"{' ' * n}if x:\n" for n in range(2_000)) + " " * 2_000 + "pass\n",
+    "sums": NODE + "t = " + " + ".join(["'a'"] * 400_000) + "\nrospy.Publisher(t, String)\n",
+    "doubled text": NODE
+    + "t0 = 'aaaaaaaa'\n"
+    + "".join(f"t{n + 1} = t{n} + t{n}\n" for n in range(60))
+    + "rospy.Publisher(t60, String)\n",
+    "repeated": NODE + "rospy.Publisher('a' * 10**9, String)\n",
+    "power": NODE + "x = 9**9**9**9\nrospy.Publisher('%d' % x, String)\n",
+    "width": NODE + "rospy.Publisher('%*d' % (999999999, 1), String)\n",
+    "width in braces": NODE + "rospy.Publisher('{:{}}'.format('a', 999999999), String)\n",
+    "precision": NODE + "rospy.Publisher(f'{1:999999999}', String)\n",
+    "digits": NODE + f"rospy.Publisher(str({'9' * 1_000_000}), String)\n",
+    "text of lines": NODE + "rospy.Publisher('" + "a" * _BIG + "', String)\n",
+    "attributes": NODE + "x = a" + ".a" * 1_000_000 + "\n",
+    "calls": NODE + "f" + "()" * 1_000_000 + "\n",
+    "names": NODE + "".join(f"n{n} = n{n - 1}\n" for n in range(1, 150_000)),
+    "same name": NODE + "t = 'a'\n" * 200_000 + "rospy.Publisher(t, String)\n" * 2_000,
+    "publishers": NODE + "".join(f"rospy.Publisher('t{n}', String)\n" for n in range(50_000)),
+    "same publishers": NODE + "rospy.Publisher('t', String)\n" * 50_000,
+    "functions": NODE
+    + "".join(f"def f{n}(t):\n    f{n + 1}(t)\n    f{n + 1}(t)\n" for n in range(40))
+    + "def f40(t):\n    rospy.Publisher(t, String)\nf0('a')\n",
+    "functions, many": NODE
+    + "".join(f"def f{n}(t):\n    f{n + 1}(t)\n" for n in range(20_000))
+    + "def f20000(t):\n    rospy.Publisher(t, String)\nf0('a')\n",
+    "one function": NODE
+    + "def f(t):\n    rospy.Publisher(t, String)\n"
+    + "".join(f"f('a{n}')\n" for n in range(50_000)),
+    "branching": NODE
+    + "".join(f"if x:\n    t{n + 1} = t{n}\nelse:\n    t{n + 1} = t{n} + 'x'\n" for n in range(40))
+    + "t0 = 'a'\nrospy.Publisher(t40, String)\n",
+    "classes": NODE
+    + "class A0:\n    pass\n"
+    + "".join(f"class A{n + 1}(A{n}, A{n}):\n    pass\n" for n in range(2_000))
+    + "rospy.Publisher(A2000().x, String)\n",
+    "imports": NODE + "from std_msgs.msg import String\n" * 50_000,
+    "stars": NODE + "from std_msgs.msg import *\n" * 50_000,
+    "lambdas": NODE + "x = " + "lambda: " * 100_000 + "1\n",
+    "decorators": NODE + "@a\n" * 100_000 + "def f(): pass\n",
+    "comments": NODE + "# rospy\n" * 400_000,
+    "subscripts": NODE + "x = a" + "[0]" * 500_000 + "\n",
+    "errors": NODE + "rospy.Publisher(((\n" * 50_000,
+    "no lines": NODE.replace("\n", "\r") * 10_000,
+    "format strings": NODE + "x = " + "f'{" * 5_000 + "1" + "}'" * 5_000 + "\n",
+    "unicode": (NODE + "rospy.Publisher('" + "\u202e" * 100_000 + "', String)\n").encode(),
+}
+
+_QUICK = {"nested", "doubled text", "power", "calls", "comments"}
+
+
+@pytest.mark.parametrize("name", cases(NODES, _QUICK))
+def test_a_node_ends_with_a_diagnostic(attacker: Attacker, tmp_path: Path, name: str) -> None:
+    folder = tmp_path / "project"
+    make_project(folder)
+    text = NODES[name]
+    (folder / "known.py").write_bytes(text.encode() if isinstance(text, str) else text)
+    for command in (
+        "inspect known.py",
+        "inspect --format json known.py",
+        "check p.plastron",
+        "generate p.plastron",
+    ):
+        attacker.run(folder, *command.split()).check()
