@@ -4,7 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from plastron_tui.project import FILE_NAME, LARGEST_PROJECT, Project, find_project, read_project
+from plastron_tui.boundary import PROJECT_FILE as FILE_NAME
+from plastron_tui.boundary import Boundary, find_boundary
+from plastron_tui.project import LARGEST_PROJECT, Project, find_project, read_project
 
 LIBRARIES = {"rospy": 1, "rclpy": 2}
 
@@ -14,7 +16,8 @@ def read(folder: Path, text: str | bytes) -> tuple[Project, list[tuple[str, str,
     file = folder / FILE_NAME
     source = text.encode() if isinstance(text, str) else text
     file.write_bytes(source)
-    project, diagnostics = read_project(file, LIBRARIES)
+    trusted = Boundary(folder, file, trusts=lambda _: True)
+    project, diagnostics = read_project(file, LIBRARIES, trusted)
     assert {(found.code, found.file) for found in diagnostics} <= {("bad-project", file)}
     return project, [
         (
@@ -146,8 +149,8 @@ def test_nearest_folder_counts(tmp_path: Path) -> None:
     deep = tmp_path / "a" / "b"
     deep.mkdir(parents=True)
     (tmp_path / FILE_NAME).write_text("target: rospy")
-    assert find_project(deep, LIBRARIES)[0].target == "rospy"
+    assert find_project(find_boundary(deep), LIBRARIES)[0].target == "rospy"
     (tmp_path / "a" / FILE_NAME).write_text("target: rclpy")
-    assert find_project(deep, LIBRARIES)[0].target == "rclpy"
+    assert find_project(find_boundary(deep), LIBRARIES)[0].target == "rclpy"
     (deep / FILE_NAME).mkdir()
-    assert find_project(deep, LIBRARIES)[0].file == tmp_path / "a" / FILE_NAME
+    assert find_project(find_boundary(deep), LIBRARIES)[0].file == tmp_path / "a" / FILE_NAME

@@ -18,6 +18,7 @@ from plastron_tui.output.remembered import recall, remember
 from .adaptation import Adaptation, Library
 from .changes import changes_of
 from .derivation import Derivation
+from .file_names import is_same_file, refuse_name
 from .handwork import (
     cover,
     kept_handwork,
@@ -135,11 +136,29 @@ def generate(
     """
     node = generation.node
     if node.source is None:
-        return _Creation(generation, library, writing, writing.manifests(writing.output)).result()
-    derived = Derivation(Adaptation(node, node.source, library, own), writing).result()
-    if derived.file is None:
-        return _refused(generation, derived.diagnostics)
-    return Generated(generation, derived.file, derived.diagnostics)
+        manifest = writing.manifests(writing.output)
+        made = _Creation(generation, library, writing, manifest).result()
+    else:
+        derived = Derivation(Adaptation(node, node.source, library, own), writing).result()
+        made = Generated(generation, derived.file, derived.diagnostics)
+    problem = _wrong_name(made, writing)
+    if made.file is None or problem is not None:
+        return _refused(generation, made.diagnostics if problem is None else (problem,))
+    return made
+
+
+def _wrong_name(made: Generated, writing: Writing) -> Diagnostic | None:
+    """Say why a file cannot have its name, None where it can, or where there is none."""
+    node, file = made.generation.node, made.file
+    if file is None:
+        return None
+    path, source = file.path or writing.output / file.name, node.source
+    return refuse_name(
+        file.name,
+        node.packages,
+        is_own=source is None,
+        is_in_place=source is not None and is_same_file(path, source.path),
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,7 +179,9 @@ class _Creation:
             return _refused(self.generation, rendered.diagnostics)
         name = target.file_name(node)
         base = remember(node, target.name, program)
-        file = OutputFile(name, rendered.text, target.is_executable, base=base)
+        file = OutputFile(
+            name, rendered.text, target.is_executable, base=base, seen=((output, manifest),)
+        )
         owner = _other_program(name, program, manifest)
         there = on_disk(output / name) if owner is not None else None
         if owner is not None and there not in (None, rendered.text):
