@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from plastron_tui.model.values import Value
-from plastron_tui.ros.interfaces import FieldType, InterfaceName
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import FieldType, Interface, InterfaceName
 
 from . import literals
 from .imports import Imports, Symbol
@@ -18,7 +19,8 @@ class Dialect:
     Attributes:
         library: its name, which is the template's folder too.
         ros_version: 1 or 2.
-        standard: modules of Python that a node imports that calls services; `sys` only where
+        standard: modules of Python that every node imports.
+        calling: modules of Python that a node imports that calls services; `sys` only where
             it ends then.
         modules: modules of ROS that every node imports whole.
         symbols: names that every node imports.
@@ -30,6 +32,7 @@ class Dialect:
     library: str
     ros_version: int
     standard: tuple[str, ...]
+    calling: tuple[str, ...]
     modules: tuple[str, ...]
     symbols: tuple[Symbol, ...]
     module_names: frozenset[str]
@@ -39,7 +42,7 @@ class Dialect:
     def reserved(self) -> set[str]:
         """Return the names that no imported type may have."""
         own = {name for _, name in self.symbols}
-        return {*self.standard, *self.modules, *own, *self.module_names}
+        return {*self.standard, *self.calling, *self.modules, *own, *self.module_names}
 
     def scalar(self, type_: FieldType, value: Value, imports: Imports) -> str:
         """Write one value of a primitive field."""
@@ -48,6 +51,11 @@ class Dialect:
     def field(self, name: str) -> str:
         """Return what the constructor of a message calls a field."""
         return name
+
+    def unusable(self, interface: Interface, catalog: Catalog) -> str | None:
+        """Return why there is no class of an interface, None where there is one."""
+        del interface, catalog
+        return None
 
     def request(self, type_: InterfaceName, imports: Imports) -> str:
         """Return the class of a service's requests."""

@@ -6,7 +6,6 @@ may be. It knows what templates need: brackets, commas and strings.
 
 from __future__ import annotations
 
-import ast
 import re
 from dataclasses import dataclass
 
@@ -113,7 +112,7 @@ def _break_string(text: str, indent: int, tail: str) -> list[str]:
     found = _STRING_ITEM.fullmatch(text)
     if found is None or " " not in found["literal"]:
         return []
-    value = ast.literal_eval(found["literal"])
+    value = str(literals.value_of(found["literal"]))
     margin = " " * indent
     room = LINE_LENGTH - indent - _INDENT
     whole = literals.string(value)

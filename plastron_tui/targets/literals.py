@@ -1,7 +1,8 @@
-"""Python literals that evaluate to exactly the value, written as `ruff format` leaves them."""
+"""Python literals: written as `ruff format` leaves them, and read."""
 
 from __future__ import annotations
 
+import ast
 import keyword
 
 _ESCAPES = {"\\": "\\\\", "\n": "\\n", "\r": "\\r", "\t": "\\t"}
@@ -30,6 +31,22 @@ def octet(value: int) -> str:
         return "b'\"'"
     text = _character(chr(byte), '"') if byte < 0x80 else f"\\x{byte:02x}"
     return f'b"{text}"'
+
+
+def value_of(literal: str) -> object:
+    """Return the value of a string, a number, or another constant.
+
+    As `ast.literal_eval` does, which leaves functions behind that refer to each other: only the
+    cycle collector frees them.
+
+    Raises:
+        ValueError: it is no literal.
+        SyntaxError, MemoryError, RecursionError: Python cannot parse it.
+    """
+    body = ast.parse(literal.lstrip(" \t"), mode="eval").body
+    if not isinstance(body, ast.Constant):
+        raise ValueError(literal)
+    return body.value
 
 
 def is_name(text: str) -> bool:

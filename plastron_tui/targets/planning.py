@@ -230,6 +230,9 @@ class Planner:
         if found is None:
             message = f"{self._catalog.distribution} has no type `{type_}`"
             self._refuse("unknown-type", message, span, self._note(type_))
+        reason = self._dialect.unusable(found, self._catalog)
+        if reason is not None:
+            self._refuse("unusable-type", reason, span)
         return found
 
     def _note(self, type_: InterfaceName) -> str | None:
@@ -244,10 +247,9 @@ class Planner:
 
 
 def _standard(dialect: Dialect, plan: NodePlan) -> tuple[str, ...]:
-    """Return the modules of Python that a node needs: those for calls, and for how they went."""
-    if not plan.calls:
-        return ()
-    return tuple(name for name in dialect.standard if name != "sys" or plan.ends)
+    """Return the modules of Python that a node needs, those for calls and how they went too."""
+    calling = dialect.calling if plan.calls else ()
+    return (*dialect.standard, *(name for name in calling if name != "sys" or plan.ends))
 
 
 def _period(rate: float) -> str:

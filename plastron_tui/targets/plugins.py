@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from functools import cache
+from functools import cache, lru_cache
 from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 from typing import ClassVar, TypeVar, cast
@@ -38,7 +38,7 @@ def registered() -> Mapping[str, EntryPoint]:
     return dict(sorted(found.items()))
 
 
-@cache
+@lru_cache(64)
 def factory_of(name: str) -> Factory | None:
     """Load what makes the target of a name, None where nobody registered one."""
     entry = registered().get(name)

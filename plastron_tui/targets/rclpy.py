@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import keyword
 from typing import ClassVar
 
 from plastron_tui.model.values import Value
-from plastron_tui.ros.interfaces import FieldType, InterfaceName
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import FieldType, Interface, InterfaceKind, InterfaceName
 
 from . import literals
 from .dialect import Dialect, plain_scalar
@@ -69,6 +71,23 @@ class _Rclpy(Dialect):
             return plain_scalar(float(value))
         return plain_scalar(value)
 
+    def unusable(self, interface: Interface, catalog: Catalog) -> str | None:
+        """Return which keyword of Python an interface, or a part of it, has as a field.
+
+        rosidl_generator_py warns of it, and writes a class that is no Python.
+        """
+        seen, left = {interface.name}, [interface]
+        while left:
+            each = left.pop()
+            for field in (field for section in each.sections for field in section.fields):
+                if keyword.iskeyword(field.name):
+                    return f"`{each.name}` has a field `{field.name}`, which is a keyword of Python"
+                if field.type.message is not None and field.type.message not in seen:
+                    seen.add(field.type.message)
+                    part = catalog.find(field.type.message, InterfaceKind.MESSAGE)
+                    left += [part] if part is not None else []
+        return None
+
     def request(self, type_: InterfaceName, imports: Imports) -> str:
         """Return the request class of a service's class."""
         return f"{imports.use(f'{type_.package}.srv', type_.name)}.Request"
@@ -81,7 +100,8 @@ class _Rclpy(Dialect):
 DIALECT = _Rclpy(
     library="rclpy",
     ros_version=2,
-    standard=("sys", "time"),
+    standard=(),
+    calling=("sys", "time"),
     modules=("rclpy",),
     symbols=(("rclpy.executors", "ExternalShutdownException"), ("rclpy.node", "Node")),
     module_names=frozenset({"SERVICE_TIMEOUT", "main", "node"}),

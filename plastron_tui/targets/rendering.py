@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from functools import cache
-from importlib import resources
+import os
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.workspace import Node
@@ -14,12 +12,8 @@ from plastron_tui.ros.catalog import Catalog
 from .base import Rendered
 from .dialect import Dialect
 from .layout import fit
+from .plan import NodePlan
 from .planning import Planner
-
-if TYPE_CHECKING:
-    from jinja2 import Environment
-
-_TEMPLATE = "node.py.j2"
 
 
 def render_python(
@@ -39,40 +33,28 @@ def render_python(
     if plan is None:
         return Rendered(None, tuple(planner.diagnostics))
     try:
-        template = _environment(dialect.library, template_folder).get_template(_TEMPLATE)
-        text = template.render(node=plan)
-    # What a template of a user's does wrong may be anything: a division by zero, say.
+        text = _text(plan, dialect.library, template_folder)
+    # A template may fail in any way; a user's does so in a process of its own.
     except Exception as error:
         return Rendered(None, (_template_error(dialect.library, template_folder, error),))
-    return Rendered(fit(text).encode())
+    return Rendered(text.encode())
 
 
-@cache
-def _environment(library: str, folder: Path | None) -> Environment:
-    from jinja2 import ChoiceLoader, FileSystemLoader, FunctionLoader, StrictUndefined
-    from jinja2.sandbox import ImmutableSandboxedEnvironment
+def _text(plan: NodePlan, library: str, folder: Path | None) -> str:
+    """Fill in the user's template where there is one, else Plastron's own."""
+    from .templates import NODE_TEMPLATE, render_template
 
-    own = resources.files("plastron_tui") / "templates" / library
+    if folder is not None and os.path.lexists(folder / library / NODE_TEMPLATE):
+        from .template_process import render_apart
 
-    def load_own(name: str) -> str | None:
-        file = own / name
-        return file.read_text(encoding="utf-8") if file.is_file() else None
-
-    loaders = [FunctionLoader(load_own)]
-    users = [FileSystemLoader(folder / library)] if folder is not None else []
-    # A project's own templates come with a repository of somebody else's: they are no programs.
-    return ImmutableSandboxedEnvironment(
-        loader=ChoiceLoader([*users, *loaders]),
-        undefined=StrictUndefined,
-        autoescape=False,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-    )
+        return render_apart(library, folder, plan)
+    return fit(render_template(library, None, plan))
 
 
 def _template_error(library: str, folder: Path | None, error: Exception) -> Diagnostic:
-    name = getattr(error, "name", None) or _TEMPLATE
+    from .templates import NODE_TEMPLATE
+
+    name = getattr(error, "name", None) or NODE_TEMPLATE
     line = getattr(error, "lineno", None)
     place = f"{library}/{name}" + (f", line {line}" if line is not None else "")
     return Diagnostic(

@@ -39,10 +39,11 @@ class _Rospy(Dialect):
 DIALECT = _Rospy(
     library="rospy",
     ros_version=1,
-    standard=("sys", "threading"),
+    standard=("_thread", "signal"),
+    calling=("sys", "threading"),
     modules=("rospy",),
     symbols=(),
-    module_names=frozenset({"SERVICE_TIMEOUT", "main", "node"}),
+    module_names=frozenset({"SERVICE_TIMEOUT", "main", "node", "shut_down"}),
     method_names=frozenset(),
     attribute_names=frozenset({"ask", "ask_in_time", "call", "call_services", "exit_status"}),
 )

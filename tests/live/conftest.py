@@ -86,7 +86,7 @@ def ros1_env(
     }
     master = Process(["/usr/bin/roscore", "-p", str(port)], env, home / "roscore.log")
     try:
-        wait_for("the master", lambda: _answers(uri), 30)
+        wait_for("the master", lambda: _answers(uri))
         yield env
     finally:
         master.interrupt(20)

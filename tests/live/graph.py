@@ -61,7 +61,7 @@ class Graph:
         probe = self._start(
             [self.python, self.probe, "listen", json.dumps(topics), str(seconds)], "listen"
         )
-        assert probe.wait(seconds + 40) == 0, probe.output
+        assert probe.wait(seconds + 120) == 0, probe.output
         found: dict[str, list[Received]] = {topic: [] for topic in topics}
         for line in probe.output.splitlines():
             if line.startswith('{"topic"'):
@@ -74,14 +74,14 @@ class Graph:
         probe = self._start(
             [self.python, self.probe, "call", service, type_, json.dumps(request)], "call"
         )
-        assert probe.wait(40) == 0, probe.output
+        assert probe.wait(120) == 0, probe.output
         response: dict[str, Any] = json.loads(probe.output.splitlines()[-1])
         return response
 
     def endpoints(self, node: str) -> dict[str, list[str]]:
         """Return what a node publishes, subscribes and provides, as the graph itself says."""
         probe = self._start([self.python, self.probe, "endpoints", node], "endpoints")
-        assert probe.wait(40) == 0, probe.output
+        assert probe.wait(120) == 0, probe.output
         found: dict[str, list[str]] = json.loads(probe.output.splitlines()[-1])
         return found
 
@@ -92,7 +92,7 @@ class Graph:
             found = self.endpoints(node)
             return found if name in found[kind] else None
 
-        return wait_for(f"{kind} {name} of {node}", look, 20)
+        return wait_for(f"{kind} {name} of {node}", look)
 
     def _start(self, command: Sequence[str | Path], name: str) -> Process:
         log = self.folder / f"{next(self._numbers)}-{name}.log"

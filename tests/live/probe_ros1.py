@@ -43,7 +43,7 @@ def listen(topics, seconds):
 
     for topic, type_name in topics.items():
         rospy.Subscriber(topic, load("msg", type_name), receive, callback_args=topic)
-    all_seen.wait(20)
+    all_seen.wait(60)
     time.sleep(seconds)
     with lock:
         sys.stdout.flush()
@@ -51,7 +51,7 @@ def listen(topics, seconds):
 
 def call(service, type_name, request):
     rospy.init_node("probe", anonymous=True, disable_signals=True)
-    rospy.wait_for_service(service, timeout=20)
+    rospy.wait_for_service(service, timeout=60)
     response = rospy.ServiceProxy(service, load("srv", type_name))(**request)
     print(json.dumps(plain(response)))
 

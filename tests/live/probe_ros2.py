@@ -37,7 +37,7 @@ def listen(node, executor, topics, seconds):
 
     for topic, type_name in topics.items():
         node.create_subscription(load("msg", type_name), topic, receiver(topic), 10)
-    end = time.monotonic() + 20
+    end = time.monotonic() + 60
     while time.monotonic() < end and len(seen) < len(topics):
         executor.spin_once(0.1)
     end = time.monotonic() + seconds
@@ -48,14 +48,14 @@ def listen(node, executor, topics, seconds):
 def call(node, executor, service, type_name, request):
     type_ = load("srv", type_name)
     client = node.create_client(type_, service)
-    assert client.wait_for_service(20), "the service is not there"
+    assert client.wait_for_service(60), "the service is not there"
     future = client.call_async(type_.Request(**request))
-    executor.spin_until_future_complete(future, 20)
+    executor.spin_until_future_complete(future, 60)
     print(json.dumps(plain(future.result())))
 
 
 def endpoints(node, executor, name):
-    end = time.monotonic() + 10
+    end = time.monotonic() + 60
     while name not in node.get_node_names() and time.monotonic() < end:
         executor.spin_once(0.1)
     time.sleep(0.5)

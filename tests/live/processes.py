@@ -19,9 +19,11 @@ T = TypeVar("T")
 
 # rospy closes its topics before `is_shutdown` says so: a timer whose turn it is in between
 # publishes to a closed topic, in a thread of rospy's own (`rospy.impl.registration`, `cleanup`).
+# Its server may likewise begin to accept when its socket is closed already (`tcpros_base`).
 CLOSED_BY_ROSPY = re.compile(
     r"Exception in thread (?:(?!Exception in thread).)*?"
-    r"rospy\.exceptions\.ROSException: publish\(\) to a closed topic\n",
+    r"(?:rospy\.exceptions\.ROSException: publish\(\) to a closed topic"
+    r"|self\.server_sock\.accept\(\)(?:(?!Exception in thread).)*?OSError: \[Errno 9\][^\n]*)\n",
     re.DOTALL,
 )
 
@@ -39,13 +41,13 @@ def generate(program: str, output: Path, target: str) -> dict[str, Path]:
     """
     command = [PLASTRON, "generate", PROGRAMS / f"{program}.plastron", "-o", output]
     done = subprocess.run(
-        [*map(str, command), "--target", target], capture_output=True, text=True, timeout=60
+        [*map(str, command), "--target", target], capture_output=True, text=True, timeout=120
     )
     assert done.returncode == 0, done.stdout + done.stderr
     return {file.name: file for file in sorted(output.glob("*.py"))}
 
 
-def wait_for(what: str, look: Callable[[], T | None], seconds: float = 15.0) -> T:
+def wait_for(what: str, look: Callable[[], T | None], seconds: float = 60.0) -> T:
     """Return the first result of `look` that is true."""
     deadline = time.monotonic() + seconds
     while time.monotonic() < deadline:
@@ -80,14 +82,14 @@ class Process:
         """Wait until it ends by itself, and return its exit status."""
         return self._popen.wait(seconds)
 
-    def wait_to_print(self, text: str, seconds: float = 20.0) -> None:
+    def wait_to_print(self, text: str, seconds: float = 60.0) -> None:
         """Wait until it has printed a text."""
         deadline = time.monotonic() + seconds
         while text not in self.output:
             assert time.monotonic() < deadline, f"no {text!r} in:\n{self.output}"
             time.sleep(0.05)
 
-    def interrupt(self, seconds: float = 10.0) -> int:
+    def interrupt(self, seconds: float = 60.0) -> int:
         """End it as Ctrl-C does, and return its exit status."""
         if self._popen.poll() is None:
             self._popen.send_signal(signal.SIGINT)
@@ -101,14 +103,9 @@ class Process:
                 ) from None
         return self._popen.returncode
 
-    def interrupt_or_kill(self, seconds: float) -> int:
-        """End it as Ctrl-C does, or for good where that has no effect; return its status."""
-        self._popen.send_signal(signal.SIGINT)
-        try:
-            self._popen.wait(seconds)
-        except subprocess.TimeoutExpired:
-            self.kill()
-        return self._popen.returncode
+    def send(self, signum: int) -> None:
+        """Send it a signal, and do not wait."""
+        self._popen.send_signal(signum)
 
     def kill(self) -> None:
         """End it at once, however it is."""

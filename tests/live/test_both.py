@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-import time
+from itertools import pairwise
 from pathlib import Path
+from statistics import median
 
 import pytest
 from graph import Graph, rate
@@ -14,7 +15,7 @@ pytestmark = pytest.mark.live
 
 
 WARM_UP = 300
-"""Messages until the nodes have found each other, at most; a thousand follow."""
+"""Messages until the nodes have found each other, at most; those that count follow."""
 
 FAST = """\
 create_node 'fast_talker' as talker
@@ -27,12 +28,13 @@ generate_node listener
 """
 
 
-def numbered(talker: str) -> str:
+def numbered(talker: str, count: int) -> str:
     """Return a generated talker whose messages are numbered, until the last says that it is."""
     lines = f"""
 import itertools
+import time
 
-numbers = map("number {{}} ".format, range({WARM_UP + 1000}))
+numbers = (f"number {{number}} at {{time.monotonic()}}" for number in range({WARM_UP + count}))
 words = itertools.chain(numbers, itertools.repeat("number done"))
 
 
@@ -53,7 +55,7 @@ def test_the_server_answers_every_call_of_the_client(graph: Graph, tmp_path: Pat
     nodes = generate("services", tmp_path / "output", graph.target)
     answerer = graph.run(nodes["answerer_server.py"])
     asker = graph.run(nodes["asker_client.py"])
-    assert asker.wait(40) == 0
+    assert asker.wait(120) == 0
     assert asker.output.count("set_bool: ") == 2
     assert asker.output.count("trigger: ") == 1
     assert asker.output.lower().count("success") == 3
@@ -72,7 +74,7 @@ def test_a_node_does_all_four_things(graph: Graph, tmp_path: Path) -> None:
     assert twist(0.5, 0, 0, 0, 0, -1.5) in sent
     assert twist(0, 0, 0, 0, 0, 0) in sent
     assert len({str(message) for message in sent}) == 2
-    assert rate(received) == pytest.approx(40, rel=0.1)
+    assert rate(received) == pytest.approx(40, rel=0.3)
     assert graph.call("/ready", "std_srvs/Trigger", {}) == {"success": False, "message": ""}
     mixture.wait_to_print("turn left")
     mixture.wait_to_print("set_bool: ")
@@ -96,24 +98,24 @@ def test_a_twist_is_the_same_however_it_is_written(graph: Graph, tmp_path: Path)
         assert {str(each.message) for each in received[topic]} == {str(fields)}
 
 
-def test_nothing_is_lost_at_a_hundred_hertz_for_ten_seconds(graph: Graph, tmp_path: Path) -> None:
+@pytest.mark.parametrize("count", [100, pytest.param(1000, marks=pytest.mark.long)])
+def test_nothing_is_lost_at_a_hundred_hertz(graph: Graph, tmp_path: Path, count: int) -> None:
     program = tmp_path / "fast.plastron"
     program.write_text(FAST)
     nodes = generate(str(program.with_suffix("")), tmp_path / "output", graph.target)
     talker_file = nodes["fast_talker_pub.py"]
-    talker_file.write_text(numbered(talker_file.read_text()))
+    talker_file.write_text(numbered(talker_file.read_text(), count))
     listener = graph.run(nodes["fast_listener_sub1.py"])
     talker = graph.run(talker_file)
-    listener.wait_to_print(f"number {WARM_UP} ", 30)
-    begin = time.monotonic()
-    listener.wait_to_print("number done", 20)
-    seconds = time.monotonic() - begin
+    listener.wait_to_print("number done")
     assert talker.interrupt() == 0
     assert listener.interrupt() == 0
-    heard = [int(number) for number in re.findall(r"number (\d+) ", listener.output)]
+    heard = re.findall(r"number (\d+) at ([\d.]+)", listener.output)
+    numbers = [int(number) for number, _ in heard]
     # What was sent before the two had found each other, in both directions, reaches nobody.
-    assert heard[0] < WARM_UP
-    counted = [number for number in heard if number >= WARM_UP]
-    assert counted == list(range(WARM_UP, WARM_UP + 1000))
-    assert 1000 / seconds == pytest.approx(100, rel=0.05)
+    assert numbers[0] < WARM_UP
+    counted = [number for number in numbers if number >= WARM_UP]
+    assert counted == list(range(WARM_UP, WARM_UP + count))
+    pauses = [float(later) - float(earlier) for (_, earlier), (_, later) in pairwise(heard)]
+    assert 1 / median(pauses) == pytest.approx(100, rel=0.25)
     assert not own_tracebacks(talker.output + listener.output)

@@ -19,6 +19,8 @@ EXAMPLES = sorted(
     path for path in FOLDER.glob("*.plastron") if "\nload " not in path.read_text(encoding="utf-8")
 )
 
+QUICK = {"service_and_client", "talker_listener"}
+
 
 def drawn(program: Path) -> dict[str, Any]:
     """Return the topics and services of a program."""
@@ -65,7 +67,13 @@ def traffic(graph: Graph, program: Path, output: Path) -> dict[str, Any]:
     return seen
 
 
-@pytest.mark.parametrize("program", EXAMPLES, ids=lambda path: path.stem)
+@pytest.mark.parametrize(
+    "program",
+    [
+        pytest.param(path, id=path.stem, marks=[] if path.stem in QUICK else pytest.mark.long)
+        for path in EXAMPLES
+    ],
+)
 def test_an_example_is_the_same_on_both(
     program: Path, ros1: Graph, ros2: Graph, tmp_path: Path
 ) -> None:

@@ -99,9 +99,16 @@ CASES = [
         prints=("/fleet/add: success: False",),
     ),
 ]  # fmt: skip
+QUICK = {"fleet.py", "lamp.py"}
 
 
-@pytest.mark.parametrize("case", CASES, ids=lambda case: case.file)
+@pytest.mark.parametrize(
+    "case",
+    [
+        pytest.param(case, id=case.file, marks=[] if case.file in QUICK else pytest.mark.long)
+        for case in CASES
+    ],
+)
 def test_a_hand_written_node_does_what_the_program_asked(
     case: Case, ros1: Graph, tmp_path: Path
 ) -> None:

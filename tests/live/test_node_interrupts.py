@@ -2,31 +2,42 @@
 
 from __future__ import annotations
 
+import re
 import signal
 import time
+from dataclasses import replace
 from pathlib import Path
+from xmlrpc.client import ServerProxy
 
 import pytest
 from graph import Graph
-from processes import generate, own_tracebacks
+from machine import free_port
+from processes import Process, generate, own_tracebacks, wait_for
 
 pytestmark = pytest.mark.live
 
-# Imports cannot be guarded by the file that makes them: they are over when this says "go".
+# What a file imports and defines cannot be guarded by it: that is over when this says "go". Then
+# comes what makes the node, interrupted at the call of a function (`*`: any) that has the number.
 START = """\
-import sys
+import ast, os, signal, sys
 from pathlib import Path
-modules, path = sys.argv[1:]
-for module in modules.split():
-    __import__(module)
-code = compile(Path(path).read_text(), path, "exec")
+path, function, number = sys.argv[1], sys.argv[2], int(sys.argv[3])
+*definitions, guard = ast.parse(Path(path).read_text()).body
+names = {"__name__": "__main__"}
+exec(compile(ast.Module(definitions, []), path, "exec"), names)
+called = 0
+def count(frame, event, argument):
+    global called
+    if event == "call" and function in ("*", frame.f_code.co_name):
+        called += 1
+        if called == number:
+            print(f"interrupted in {frame.f_code.co_name}", flush=True)
+            os.kill(os.getpid(), signal.SIGINT)
 print("go", flush=True)
-exec(code, {"__name__": "__main__"})
+if number:
+    sys.setprofile(count)
+exec(compile(ast.Module([guard], []), path, "exec"), names)
 """
-MODULES = {
-    "rospy": "threading rospy std_msgs.msg std_srvs.srv",
-    "rclpy": "time rclpy rclpy.node rclpy.executors std_msgs.msg std_srvs.srv",
-}
 PROGRAM = """\
 create_node 'busy' as busy
 create_message words of message_type String and input "hello"
@@ -39,10 +50,20 @@ generate_node busy
 DELAYS = [0.01 * 1.35**step for step in range(14)]
 """Seconds, close together where most happens: from 10 ms to half a second."""
 
-# rospy's signal handler speaks to the master. Where it interrupts the main thread in the midst
-# of the same, both wait for one lock, for ever (`rospy.core`, `XmlRpcProxy`): some milliseconds
-# of `init_node`, and nothing that a node's file could change.
-MOST_DEADLOCKS = {"rospy": 3, "rclpy": 0}
+EVERY_CALL = [("*", 2**power) for power in range(1, 14)]
+CALLS = {
+    # In the midst of `__request`, rospy holds the lock that what shuts it down takes.
+    "rospy": [("main", 1), ("start_node", 1), ("__request", 4)],
+    "rclpy": [("main", 1), ("create_publisher", 1), ("spin_once", 9)],
+}
+"""Where a node is interrupted: a function, and the number of its call."""
+MORE_CALLS = {
+    "rospy": [*(("__request", number) for number in range(1, 6)), *EVERY_CALL],
+    "rclpy": [("init", 1), *EVERY_CALL],
+}
+
+# Python goes on behind what a signal breaks off in a destructor of rclpy's own, and says so.
+IGNORED = re.compile(r"^Exception ignored in: .*\nTraceback .*\n(?: .*\n)*\S.*\n", re.MULTILINE)
 
 # As `main` does it, but for the end; and a look at what speaks to the master.
 CALL = """\
@@ -66,24 +87,130 @@ print("asked", *sorted(asked), flush=True)
 """
 
 
-def test_ctrl_c_while_a_node_starts(graph: Graph, tmp_path: Path) -> None:
-    program = tmp_path / "busy.plastron"
+def busy_node(graph: Graph, folder: Path) -> tuple[Path, Path]:
+    """Generate a node that has some of everything; return what starts it, and its file."""
+    program = folder / "busy.plastron"
     program.write_text(PROGRAM)
-    nodes = generate(str(program.with_suffix("")), tmp_path / "output", graph.target)
-    start = tmp_path / "start.py"
+    nodes = generate(str(program.with_suffix("")), folder / "output", graph.target)
+    start = folder / "start.py"
     start.write_text(START)
-    statuses = []
-    for delay in DELAYS:
-        node = graph.run_with(start, MODULES[graph.target], str(nodes["busy_node.py"]))
+    return start, nodes["busy_node.py"]
+
+
+def started(graph: Graph, start: Path, file: Path, function: str, number: int) -> Process:
+    """Start a node; a master of ROS 1 would end an earlier one of the same name."""
+    name = [f"__name:=n{len(graph.started)}"] if graph.target == "rospy" else []
+    return graph.run_with(start, str(file), function, str(number), *name)
+
+
+def assert_ended(graph: Graph, node: Process, status: int, where: str) -> None:
+    """A node ends by itself; rclpy's way of writing one lets an early signal end it, silently."""
+    accepted = {"rospy": {0}, "rclpy": {0, -signal.SIGINT}}[graph.target]
+    assert status in accepted, f"{where}:\n{node.output}"
+    output = IGNORED.sub("", node.output) if graph.target == "rclpy" else node.output
+    assert not own_tracebacks(output), f"{where}:\n{node.output}"
+
+
+def interrupt_at_calls(graph: Graph, folder: Path, calls: list[tuple[str, int]]) -> None:
+    start, file = busy_node(graph, folder)
+    nodes = [started(graph, start, file, *call) for call in calls]
+    for node, call in zip(nodes, calls, strict=True):
+        assert_ended(graph, node, node.wait(60), str(call))
+        # rospy speaks to the master in other threads too: how often the main one does, varies.
+        assert "interrupted in" in node.output, f"{call}:\n{node.output}"
+
+
+def interrupt_after(graph: Graph, folder: Path, delays: list[float]) -> None:
+    start, file = busy_node(graph, folder)
+    for delay in delays:
+        node = started(graph, start, file, "*", 0)
         node.wait_to_print("go")
         time.sleep(delay)
-        statuses.append(node.interrupt_or_kill(5))
-        assert not own_tracebacks(node.output), f"after {delay:.3f} s:\n{node.output}"
-    deadlocks = statuses.count(-signal.SIGKILL)
-    assert deadlocks <= MOST_DEADLOCKS[graph.target]
-    # As rclpy takes the signal over, it may still end the process itself: that is as silent.
-    ended = statuses.count(0) + statuses.count(-signal.SIGINT)
-    assert ended == len(DELAYS) - deadlocks
+        assert_ended(graph, node, node.interrupt(60), f"after {delay:.3f} s")
+
+
+def test_ctrl_c_at_a_call(graph: Graph, tmp_path: Path) -> None:
+    interrupt_at_calls(graph, tmp_path, CALLS[graph.target])
+
+
+@pytest.mark.long
+def test_ctrl_c_at_many_calls(graph: Graph, tmp_path: Path) -> None:
+    calls = MORE_CALLS[graph.target]
+    for index in range(0, len(calls), 3):
+        interrupt_at_calls(graph, tmp_path, calls[index : index + 3])
+
+
+def test_ctrl_c_while_a_node_starts(graph: Graph, tmp_path: Path) -> None:
+    interrupt_after(graph, tmp_path, DELAYS[::6])
+
+
+@pytest.mark.long
+def test_ctrl_c_at_many_moments_of_the_start(graph: Graph, tmp_path: Path) -> None:
+    interrupt_after(graph, tmp_path, DELAYS)
+
+
+CLOSING = """\
+    def closing():
+        print("closing", flush=True)
+        threading.Event().wait()
+
+    import threading
+    rospy.on_shutdown(closing)
+    rospy.spin()
+"""
+
+
+def listener(graph: Graph, folder: Path) -> Path:
+    program = folder / "listener.plastron"
+    program.write_text(
+        "create_node 'listener' as listener\n"
+        "subscribe listener to 'chatter' of message_type String\n"
+        "generate_node listener\n"
+    )
+    output = folder / "output"
+    return generate(str(program.with_suffix("")), output, graph.target)["listener_sub1.py"]
+
+
+def test_a_second_ctrl_c_ends_a_node_at_once(ros1: Graph, tmp_path: Path) -> None:
+    file = listener(ros1, tmp_path)
+    file.write_text(file.read_text().replace("    rospy.spin()\n", CLOSING))
+    start = tmp_path / "start.py"
+    start.write_text(START)
+    node = ros1.run_with(start, str(file), "spin", "1")
+    node.wait_to_print("closing", 60)
+    assert node.interrupt(60) == -signal.SIGINT, node.output
+    assert not own_tracebacks(node.output)
+
+
+def test_a_node_ends_when_it_is_terminated(graph: Graph, tmp_path: Path) -> None:
+    start = tmp_path / "start.py"
+    start.write_text(START.replace("signal.SIGINT", "signal.SIGTERM"))
+    # In `rclpy.spin`, the executor would be half made.
+    spin = {"rospy": "spin", "rclpy": "spin_once"}[graph.target]
+    node = graph.run_with(start, str(listener(graph, tmp_path)), spin, "1")
+    assert node.wait(60) == 0, node.output
+    assert not own_tracebacks(node.output)
+
+
+def test_ctrl_c_while_there_is_no_master(ros1: Graph, tmp_path: Path) -> None:
+    env = {**ros1.env, "ROS_MASTER_URI": f"http://127.0.0.1:{free_port()}/"}
+    start = tmp_path / "start.py"
+    start.write_text(START)
+    file = listener(ros1, tmp_path)
+    node = replace(ros1, env=env).run_with(start, str(file), "start_node", "1")
+    assert node.wait(60) == 0, node.output
+    assert not own_tracebacks(node.output)
+
+
+def test_rosnode_kill_ends_a_node(ros1: Graph, tmp_path: Path) -> None:
+    node = ros1.run(listener(ros1, tmp_path))
+    master = ServerProxy(ros1.env["ROS_MASTER_URI"])
+    uri = wait_for("the node", lambda: master.lookupNode("/test", "/listener")[2], 60)
+    wait_for("its topic", lambda: "/listener" in str(master.getSystemState("/test")), 60)
+    ServerProxy(str(uri)).shutdown("/test", "as `rosnode kill` does it")
+    assert node.wait(60) == 0, node.output
+    assert not own_tracebacks(node.output)
+    assert "/listener" not in str(master.getSystemState("/test"))
 
 
 def test_ctrl_c_while_a_service_does_not_answer(graph: Graph, tmp_path: Path) -> None:
@@ -110,10 +237,10 @@ def test_ctrl_c_while_a_service_does_not_answer(graph: Graph, tmp_path: Path) ->
     graph.run(mute).wait_to_print("", 1)
     node = graph.run(waiter)
     node.wait_to_print("no answer came in time", 30)
-    assert node.interrupt(15) == 0
-    assert not own_tracebacks(node.output)
+    assert_ended(graph, node, node.interrupt(15), "while it waits")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("graph", ["ros1"], indirect=True)
 def test_what_calls_services_leaves_the_main_thread_free(graph: Graph, tmp_path: Path) -> None:
     program = tmp_path / "asks.plastron"

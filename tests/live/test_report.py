@@ -25,7 +25,7 @@ def test_the_publisher_sends_its_five_messages_at_ten_hertz(graph: Graph, tmp_pa
     received = graph.listen({topic: type_ for topic, (type_, _) in TOPICS.items()}, 3.5)
     for topic, (_, fields) in TOPICS.items():
         assert [each.message for each in received[topic]] == [fields] * len(received[topic]), topic
-        assert rate(received[topic]) == pytest.approx(10, rel=0.1), topic
+        assert rate(received[topic]) == pytest.approx(10, rel=0.3), topic
     assert node.interrupt() == 0
     assert not own_tracebacks(node.output)
 
@@ -40,6 +40,12 @@ def test_the_subscriber_logs_what_another_node_sends(graph: Graph, tmp_path: Pat
     assert not own_tracebacks(subscriber.output)
 
 
+@pytest.mark.parametrize(
+    "service_graph",
+    # ROS 2 has no package of these services that pip installs: one is built.
+    ["ros1", pytest.param("ros2_with_services", marks=pytest.mark.long)],
+    indirect=True,
+)
 def test_the_server_answers_the_three_calls_of_the_client(
     service_graph: Graph, tmp_path: Path
 ) -> None:
@@ -47,7 +53,7 @@ def test_the_server_answers_the_three_calls_of_the_client(
     nodes = generate("client", tmp_path / "output", service_graph.target)
     server = service_graph.run(nodes["server_server.py"])
     client = service_graph.run(nodes["client_client.py"])
-    assert client.wait(40) == 0
+    assert client.wait(120) == 0
     # rospy writes `sum: 0`, rclpy `AddTwoInts_Response(sum=0)`.
     told = client.output.replace("=", ": ")
     for service, answer in {

@@ -6,6 +6,7 @@ import subprocess
 import sys
 
 import pytest
+from made_nodes import SPAN
 from ported_nodes import (
     CATALOGS,
     LISTENER_1,
@@ -17,6 +18,7 @@ from ported_nodes import (
     source,
 )
 
+from plastron_tui.model.workspace import Node
 from plastron_tui.targets import find_target
 
 SERVER_1 = """\
@@ -197,6 +199,8 @@ TO_RCLPY = [
         "rospy.Publisher('t', String, queue_size=None, latch=True)",
         f"{MARK}latch\nnode.create_publisher(String, 't', 10)",
     ),
+    ("rospy.signal_shutdown('the end')", "rclpy.try_shutdown()"),
+    ("start(rospy.signal_shutdown, 1)", "start(lambda reason: rclpy.try_shutdown(), 1)"),
     ("p = rospy.ServiceProxy('s', Trigger)", "p = node.create_client(Trigger, 's')"),
     (
         "rospy.Service('s', Trigger, lambda r: (True, ''))",
@@ -260,6 +264,23 @@ def test_there_and_back_shows_the_same_endpoints() -> None:
         there, _ = ported(before, library)
         back, _ = ported(there, OTHER[library])
         assert endpoints(source(back, library)) == endpoints(source(before, library))
+
+
+@pytest.mark.parametrize("library", OTHER)
+def test_a_node_that_plastron_wrote_leaves_nothing_to_port(library: str) -> None:
+    target = find_target(library)
+    assert target is not None
+    rendered = target.render(Node("robot", "robot", SPAN), CATALOGS[library])
+    assert rendered.text is not None
+    text, found = ported(rendered.text.decode(), library)
+    assert (list(found), MARK in text) == ([], False)
+
+
+def test_one_spin_waits_as_long_in_ros_1() -> None:
+    text, _ = ported(
+        LISTENER_2.replace("rclpy.spin(node)", "rclpy.spin_once(node, timeout_sec=0.1)"), "rclpy"
+    )
+    assert "rospy.sleep(0.1)\n" in text
 
 
 def test_windows_line_ends_stay() -> None:

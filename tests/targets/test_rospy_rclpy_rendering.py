@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
+from machine import examples
 from made_nodes import EVIL, SPAN, catalog, nodes
 
 from plastron_tui.model.source import EndpointKind
@@ -24,7 +25,7 @@ LIBRARIES = ["rospy", "rclpy"]
 RUFF = Path(sys.executable).with_name("ruff")
 
 thorough = settings(
-    max_examples=20,
+    max_examples=examples(20),
     deadline=None,
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
 )
@@ -133,7 +134,7 @@ def is_separable(node: Node) -> bool:
 
 
 @pytest.mark.parametrize("library", LIBRARIES)
-@settings(thorough, max_examples=60)
+@settings(thorough, max_examples=examples(60))
 @given(data=st.data())
 def test_no_string_becomes_code(library: str, data: st.DataObject) -> None:
     node = data.draw(nodes(library, EVIL))
@@ -154,7 +155,7 @@ def test_no_string_becomes_code(library: str, data: st.DataObject) -> None:
 
 
 @pytest.mark.parametrize("library", LIBRARIES)
-@settings(thorough, max_examples=40)
+@settings(thorough, max_examples=examples(40))
 @given(text=st.text() | EVIL | st.text("ab \"'\\é\n", min_size=50, max_size=400))
 def test_a_string_is_exactly_what_was_written(library: str, text: str) -> None:
     type_ = InterfaceName("std_msgs", "String")
@@ -169,7 +170,7 @@ def test_a_string_is_exactly_what_was_written(library: str, text: str) -> None:
 
 
 @pytest.mark.parametrize("library", LIBRARIES)
-@settings(thorough, max_examples=40)
+@settings(thorough, max_examples=examples(40))
 @given(data=st.data())
 def test_what_is_written_reads_as_the_same_node(library: str, data: st.DataObject) -> None:
     node = data.draw(nodes(library))

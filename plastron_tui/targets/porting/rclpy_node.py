@@ -45,7 +45,8 @@ def {wait}():
 
 def port_running(work: Work, node: str) -> bool:
     """Rewrite what runs the node, outside of callbacks; tell whether a thread has to spin."""
-    calls: dict[str, list[Node]] = {"rospy.spin": [], "rospy.is_shutdown": [], "rospy.Rate": []}
+    anywhere = ("rospy.is_shutdown", "rospy.signal_shutdown")
+    calls: dict[str, list[Node]] = {name: [] for name in ("rospy.spin", "rospy.Rate", *anywhere)}
     for call in work.analysis.captures.get("call", []):
         callee = call.child_by_field_name("function")
         if callee is not None:
@@ -53,7 +54,7 @@ def port_running(work: Work, node: str) -> bool:
             for name in work.qualified(callee):
                 found = name.replace("rospy.client.", "rospy.").replace("rospy.core.", "rospy.")
                 found = found.replace("rospy.timer.", "rospy.")
-                if found in calls and (is_free or found == "rospy.is_shutdown"):
+                if found in calls and (is_free or found in anywhere):
                     calls[found].append(call)
             if is_free and "roslib.load_manifest" in work.qualified(callee):
                 work.delete(statement_of(call))
@@ -67,6 +68,9 @@ def port_running(work: Work, node: str) -> bool:
         work.replace(call, f"{node}.create_rate({inner})")
     for call in calls["rospy.is_shutdown"]:
         replace_by_opposite(work, call, "rclpy.ok()")
+    for call in calls["rospy.signal_shutdown"]:
+        work.replace(call, "rclpy.try_shutdown()")
+    _port_handed_over(work)
     for call in calls["rospy.spin"]:
         work.replace(call, f"{wait}()" if in_thread else f"{spin}()")
     if in_thread or calls["rospy.spin"]:
@@ -81,6 +85,15 @@ def port_running(work: Work, node: str) -> bool:
         work.imports.add("import time")
     _port_interrupts(work)
     return in_thread
+
+
+def _port_handed_over(work: Work) -> None:
+    """Rewrite `rospy.signal_shutdown` where it is an argument, of what starts a thread, say."""
+    for node in walk(work.analysis.syntax.root):
+        is_name = node.type in ("attribute", "identifier")
+        is_argument = node.parent is not None and node.parent.type == "argument_list"
+        if is_name and is_argument and "rospy.signal_shutdown" in work.qualified(node):
+            work.replace(node, "lambda reason: rclpy.try_shutdown()")
 
 
 def _port_interrupts(work: Work) -> None:

@@ -239,6 +239,8 @@ def _port_running(work: Work) -> None:
         is_alone = statement.type == "expression_statement" and statement.named_children == [call]
         if names & {"rclpy.init"} and is_alone:
             work.delete(statement)
+        elif names & {"rclpy.spin_once"} and is_alone:
+            _port_spin_once(work, call)
         elif names & {"rclpy.spin"}:
             _port_spin(work, call, statement if is_alone else None)
         elif names & {"rclpy.shutdown", "rclpy.try_shutdown"}:
@@ -252,6 +254,14 @@ def _port_running(work: Work) -> None:
         is_caught = parent.type in ("except_clause", "as_pattern", "tuple")
         if is_caught and set(work.qualified(node)) & set(_INTERRUPTS):
             work.replace(node, "rospy.ROSInterruptException")
+
+
+def _port_spin_once(work: Work, call: Node) -> None:
+    """Wait as long as for what comes, which rospy handles in threads of its own."""
+    for each in parts_of(call.child_by_field_name("arguments")):
+        name, value = each.child_by_field_name("name"), each.child_by_field_name("value")
+        if name is not None and value is not None and work.slice(name) == "timeout_sec":
+            work.replace(call, f"rospy.sleep({work.text(value)})")
 
 
 def _port_spin(work: Work, call: Node, alone: Node | None) -> None:

@@ -1,0 +1,164 @@
+"""A template of the user's, which may come with a repository of somebody else's."""
+
+from __future__ import annotations
+
+import os
+import resource
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from made_nodes import SPAN, catalog
+
+from plastron_tui.model.workspace import Node
+from plastron_tui.targets import find_target, template_process
+from plastron_tui.targets.base import Rendered
+
+SECRET = "a line of a file that is none of the project's"
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """Give a template folder beside a file that is not its own."""
+    (tmp_path / "secret").write_text(SECRET)
+    (tmp_path / "mine" / "rospy").mkdir(parents=True)
+    return tmp_path / "mine"
+
+
+def render(folder: Path, template: str | None = None) -> Rendered:
+    if template is not None:
+        (folder / "rospy" / "node.py.j2").write_text(template)
+    target = find_target("rospy", folder)
+    assert target is not None
+    return target.render(Node("robot", "robot", SPAN), catalog("rospy"))
+
+
+def refusal(folder: Path, template: str | None = None) -> str:
+    rendered = render(folder, template)
+    assert rendered.text is None
+    (diagnostic,) = rendered.diagnostics
+    assert diagnostic.code == "template-error"
+    assert len(diagnostic.message) < 600
+    return diagnostic.message
+
+
+@pytest.mark.parametrize(
+    ("template", "reason"),
+    [
+        pytest.param(
+            "{% for a in range(99999) %}{% for b in range(99999) %}{% endfor %}{% endfor %}",
+            "it works for more than 2 s",
+            id="loops",
+        ),
+        pytest.param('{{ "a" * 3000000000 }}', "it needs more than 512 MB of memory", id="repeat"),
+        pytest.param('{{ "a"|center(3000000000) }}', "it needs more than 512 MB", id="filter"),
+        pytest.param('{{ "a" * 2000000 }}', "it writes more than 1 MB", id="text"),
+        pytest.param('{{ "(" * 9999 }}{{ ")" * 9999 }}', "recursion", id="nesting"),
+        pytest.param('{{ "\\ud800" }}', "surrogates not allowed", id="surrogate"),
+        pytest.param("{% include 'a' * 999999 %}", "cannot be used", id="message"),
+        pytest.param("{% include 'node.py.j2' %}", "recursion", id="itself"),
+    ],
+)
+def test_a_template_without_end_is_a_diagnostic(folder: Path, template: str, reason: str) -> None:
+    assert reason in refusal(folder, template)
+
+
+def test_templates_are_read_inside_of_their_folder(folder: Path) -> None:
+    (folder / "parts").mkdir()
+    (folder / "parts" / "head.j2").write_text("# ours\n")
+    (folder / "rospy" / "head.j2").symlink_to("../parts/head.j2")
+    assert render(folder, "{% include 'head.j2' %}").text == b"# ours\n"
+
+
+@pytest.mark.parametrize("use", ["{% include 'x' %}", "{% import 'x' as x %}", "{% extends 'x' %}"])
+@pytest.mark.parametrize("target", ["../../secret", "x", "/dev/zero"])
+def test_no_template_leads_out_of_the_folder(folder: Path, use: str, target: str) -> None:
+    (folder / "rospy" / "x").symlink_to(target)
+    message = refusal(folder, use)
+    assert SECRET not in message
+    assert message.startswith("the template rospy/x cannot be used: ")
+
+
+def test_the_template_itself_is_no_link_that_leads_out(folder: Path) -> None:
+    (folder / "rospy" / "node.py.j2").symlink_to("../../secret")
+    assert "a link that leads out of the template folder" in refusal(folder)
+
+
+def test_the_folder_of_a_library_is_no_link_that_leads_out(folder: Path) -> None:
+    (folder.parent / "node.py.j2").write_text(SECRET)
+    (folder / "rospy").rmdir()
+    (folder / "rospy").symlink_to("..")
+    assert "a link that leads out of the template folder" in refusal(folder)
+
+
+@pytest.mark.parametrize("name", ["../../secret", "/../../secret", "/etc/passwd"])
+def test_no_name_leads_out_of_the_folder(folder: Path, name: str) -> None:
+    assert SECRET not in refusal(folder, f"{{% include '{name}' %}}")
+
+
+def test_a_template_is_a_regular_file_that_is_not_too_large(folder: Path) -> None:
+    template = folder / "rospy" / "node.py.j2"
+    os.mkfifo(template)
+    assert "is not a regular file" in refusal(folder)
+    template.unlink()
+    template.mkdir()
+    assert "is a directory" in refusal(folder)
+    template.rmdir()
+    template.touch()
+    os.truncate(template, 2**40)
+    assert "is larger than 1 MB" in refusal(folder)
+    template.unlink()
+    template.symlink_to("node.py.j2")
+    assert "cannot be used" in refusal(folder)
+
+
+def test_no_module_is_taken_from_the_current_folder(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("jinja2", "markupsafe", "pickle", "plastron_tui"):
+        (folder / f"{name}.py").write_text("raise SystemExit('taken')\n")
+    monkeypatch.chdir(folder)
+    monkeypatch.setenv("PYTHONPATH", os.fspath(folder))
+    monkeypatch.setattr(sys, "path", ["", ".", *sys.path])
+    assert render(folder, "{{ node.name }}").text == b'"robot"'
+
+
+@pytest.mark.parametrize(
+    ("reply", "reason"),
+    [
+        ("import os; os.kill(os.getpid(), 9)", "its process ended with signal 9"),
+        ("sys.exit(3)", "its process ended with status 3"),
+        ("print('a\\n7x\\nb'); sys.exit(3)", "rospy/a cannot be used: b"),
+        ("sys.stdout.buffer.write(b'\\xff')", "its process ended with status 0"),
+        ("print('a' * 3_000_000)", "its process ended with status 0"),
+        ("import time; time.sleep(99)", "it did not end within 1 s"),
+    ],
+)
+def test_what_a_process_answers_is_text_only(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, reply: str, reason: str
+) -> None:
+    """As a template might that has got out of the sandbox."""
+    monkeypatch.setattr(template_process, "_START", f"import sys\n{reply}")
+    if "sleep" in reply:
+        monkeypatch.setattr(template_process, "LONGEST_WAIT", 1)
+    assert reason in refusal(folder, "")
+
+
+def test_limits_that_are_tighter_stay() -> None:
+    program = (
+        "import resource\n"
+        "from plastron_tui.targets import template_process\n"
+        "resource.setrlimit(resource.RLIMIT_CPU, (2, 9))\n"
+        "template_process._limit_itself()\n"
+        "print(resource.getrlimit(resource.RLIMIT_CPU), resource.getrlimit(resource.RLIMIT_AS)[0])"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert done.stdout == f"(2, 9) {template_process.MOST_MEMORY}\n"
+
+
+def test_the_limits_are_those_of_the_process_alone(folder: Path) -> None:
+    kinds = (resource.RLIMIT_AS, resource.RLIMIT_CPU)
+    before = [resource.getrlimit(kind) for kind in kinds]
+    assert render(folder, "{{ node.name }}").text is not None
+    assert before == [resource.getrlimit(kind) for kind in kinds]
