@@ -98,7 +98,9 @@ def plan_addition(
     if lines:
         writer.lines(added.place.offset, added.place.indent, lines)
     # A method may go right behind the statements: these come first then.
-    writer.splices = [*imports.splices(), *writer.splices, *functions]
+    imported = imports.splices()
+    writer.has_imports = bool(imported)
+    writer.splices = [*imported, *writer.splices, *functions]
     return writer
 
 
@@ -252,6 +254,7 @@ def _callback(added: Addition, interface: Interface) -> str:
             message = f"`{wanted}` is a method that every {added.dialect.library} node has"
             raise CannotAddError("invalid-function", message, endpoint.span)
     name = wanted or added.free_name(callback_naming(added.analysis, added.kind).name(added.name))
+    added.writer.names.add(name)
     added.stand(is_nested=False)
     added.writer.function(callback_place(added), _stub(added, name, interface))
     added.stand(is_nested=True)

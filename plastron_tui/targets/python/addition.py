@@ -52,13 +52,15 @@ class Addition:
 
     def free_name(self, wanted: str) -> str:
         """Return a name that the file does not use yet."""
-        return next(
+        free = next(
             name
             for name in numbered(wanted)
             if name not in self.dialect.method_names
             and literals.is_name(name)
             and not any(True for _ in identifiers(name, self.analysis))
         )
+        self.writer.names.add(free)
+        return free
 
     def rospy(self, name: str, *, in_callback: bool = False) -> str:
         """Return what the file calls a name of rospy, where the endpoint is or in a callback."""

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import ast
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
 from tree_sitter import Node
+
+from plastron_tui.targets import literals
 
 from .arguments import Arguments
 from .calls import Argument
@@ -17,6 +18,8 @@ from .syntax import Syntax, parts_of
 
 # What a person writes is far flatter; a file that is deeper was made to break readers.
 MOST_DEEP = 24
+# How often a name is bound at most that is looked up; a file may look a name up as often.
+MOST_BINDINGS = 200
 _PARAMETER_READERS = {
     "rospy.get_param": Argument(1, "default"),
     "rospy.client.get_param": Argument(1, "default"),
@@ -76,11 +79,12 @@ class Constants:
 
     def _literal(self, node: Node, scope: Scope, depth: int) -> Folded:
         try:
-            value = ast.literal_eval(self._syntax.slice(node))
+            value = literals.value_of(self._syntax.slice(node))
         except (ValueError, SyntaxError, MemoryError, RecursionError):
             return None
-        is_constant = value is None or isinstance(value, str | int | float)
-        return Known(value) if is_constant and not isinstance(value, bool) else None
+        if value is None or (isinstance(value, str | int | float) and not isinstance(value, bool)):
+            return Known(value)
+        return None
 
     def _string(self, node: Node, scope: Scope, depth: int) -> Folded:
         if not any(child.type == "interpolation" for child in node.named_children):
@@ -144,6 +148,8 @@ class Constants:
 
     def _fold_all(self, bindings: list[Binding], name: str, depth: int) -> Folded:
         """Fold what a name is bound to; None unless every binding says the same."""
+        if len(bindings) > MOST_BINDINGS:
+            return None
         bindings = without_none(bindings)
         if len(bindings) > 8:
             return None

@@ -6,25 +6,20 @@ from collections import Counter
 from collections.abc import Sequence
 
 from plastron_tui.diagnostics import Diagnostic
-from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceEndpoint, SourceFile
+from plastron_tui.model.source import Change, SourceEndpoint, SourceFile
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets.base import Rendered
 from plastron_tui.targets.compiling import syntax_error
 from plastron_tui.targets.dialect import Dialect
 
-from .adding import plan_addition
 from .analysis import Analysis
 from .calls import LIBRARIES
+from .edits import Edits, RefusedError, key_of
 from .imports import restore_imports
 from .messages import CannotAddError
-from .removal import find_sites, plan_removal
 from .sites import analyze
 from .splices import apply
-
-# A message that lists more lines than these is not read.
-_MOST_LINES = 20
-
-_Key = tuple[EndpointKind, str | None, str, str]
+from .writing import Key
 
 
 def edit_python(
@@ -38,22 +33,16 @@ def edit_python(
     if not changes:
         return Rendered(source.text)
     library = LIBRARIES[source.library]
-    before = analysis = analyze(source.text, library)
-    expected = Counter(map(_key, _endpoints(before)))
-    for change in changes:
-        try:
-            text = (
-                _remove(analysis, change, expected)
-                if isinstance(change, Remove)
-                else _add(analysis, change, catalog, dialect, expected)
-            )
-        except CannotAddError as refusal:
-            return Rendered(None, (refusal.diagnostic,))
-        except _RefusedError as refusal:
-            return Rendered(None, (refusal.diagnostic,))
-        except UnicodeEncodeError as error:
-            return Rendered(None, (not_encodable(source, error),))
-        analysis = analyze(text, library)
+    before = analyze(source.text, library)
+    expected = Counter(map(key_of, _endpoints(before)))
+    edits = Edits(before, catalog, dialect, expected)
+    try:
+        edits.make(changes)
+    except (CannotAddError, RefusedError) as refusal:
+        return Rendered(None, (refusal.diagnostic,))
+    except UnicodeEncodeError as error:
+        return Rendered(None, (not_encodable(source, error),))
+    analysis = edits.analysis
     restored = apply(analysis.syntax.text, restore_imports(before, analysis))
     if restored != analysis.syntax.text:
         analysis = analyze(restored, library)
@@ -71,65 +60,17 @@ def not_encodable(source: SourceFile, error: UnicodeEncodeError) -> Diagnostic:
     return Diagnostic("edit-refused", message, help="save the file in UTF-8 first")
 
 
-class _RefusedError(Exception):
-    def __init__(self, diagnostic: Diagnostic) -> None:
-        super().__init__(diagnostic.message)
-        self.diagnostic = diagnostic
-
-
 def _endpoints(analysis: Analysis) -> list[SourceEndpoint]:
     return [site.endpoint for site in analysis.sites]
 
 
-def _key(endpoint: SourceEndpoint) -> _Key:
-    name = endpoint.name if endpoint.name is not None else endpoint.expression
-    return (endpoint.kind, name, str(endpoint.type), endpoint.callback or "")
-
-
-def _remove(analysis: Analysis, change: Remove, expected: Counter[_Key]) -> bytes:
-    kind = change.kind.word
-    sites = find_sites(analysis, change)
-    if not sites:
-        message = f"the file has no {kind} `{change.name}`"
-        raise _RefusedError(Diagnostic("edit-refused", message, change.span))
-    removal = plan_removal(analysis, sites)
-    if removal.lines:
-        listed = sorted(removal.lines)
-        lines = ", ".join(map(str, listed[:_MOST_LINES]))
-        lines += f" and {more} more" if (more := len(listed) - _MOST_LINES) > 0 else ""
-        plural = "s" if len(removal.lines) > 1 else ""
-        raise _RefusedError(
-            Diagnostic(
-                "endpoint-in-use",
-                f"the {kind} `{change.name}` is used in line{plural} {lines}",
-                change.span,
-                help="change these lines in the file first" if plural else
-                "change this line in the file first",
-            )
-        )  # fmt: skip
-    expected.subtract(_key(site.endpoint) for site in removal.sites)
-    return apply(analysis.syntax.text, removal.splices)
-
-
-def _add(
-    analysis: Analysis,
-    change: Add,
-    catalog: Catalog,
-    dialect: Dialect,
-    expected: Counter[_Key],
-) -> bytes:
-    addition = plan_addition(analysis, change.endpoint, catalog, dialect)
-    expected.update(addition.endpoints)
-    return apply(analysis.syntax.text, addition.splices)
-
-
-def _problem(before: Analysis, after: Analysis, expected: Counter[_Key]) -> str | None:
+def _problem(before: Analysis, after: Analysis, expected: Counter[Key]) -> str | None:
     """Return what is wrong with a changed file, None where nothing is."""
     if after.syntax.errors > before.syntax.errors:
         return "leave a file that parses worse"
     if after.syntax.encoding != before.syntax.encoding:
         return "change the file's encoding"
-    found = Counter(map(_key, _endpoints(after)))
+    found = Counter(map(key_of, _endpoints(after)))
     if found != +expected:
         return "change other endpoints than the ones asked for"
     if not _has_same_nodes(before, after):

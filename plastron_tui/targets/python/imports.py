@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable
 
 from tree_sitter import Node
@@ -143,15 +144,18 @@ def restore_imports(before: Analysis, after: Analysis) -> list[Splice]:
     that it moved stays where it is.
     """
     old, new = _top_imports(before), _top_imports(after)
-    meanings = sorted(_meaning(each, after) for each in new)
-    if sorted(_meaning(each, before) for each in old) == meanings:
+    old_meanings = [_meaning(each, before) for each in old]
+    new_meanings = [_meaning(each, after) for each in new]
+    if sorted(old_meanings) == sorted(new_meanings):
         return [_rewritten(now, was, []) for was, now in zip(old, new, strict=True)]
     splices = []
-    for was in old:
-        module, names = _meaning(was, before)
-        alike = [each for each in new if _meaning(each, after)[0] == module]
-        is_only = len(alike) == 1 == sum(_meaning(each, before)[0] == module for each in old)
-        if not names or not module or not is_only:
+    count = Counter(module for module, _ in old_meanings)
+    by_module: dict[str, list[Node]] = {}
+    for each, (module, _) in zip(new, new_meanings, strict=True):
+        by_module.setdefault(module, []).append(each)
+    for was, (module, names) in zip(old, old_meanings, strict=True):
+        alike = by_module.get(module, [])
+        if not names or not module or not len(alike) == 1 == count[module]:
             continue
         found = [after.syntax.slice(each) for each in alike[0].children_by_field_name("name")]
         more = [each for each in found if each not in names]

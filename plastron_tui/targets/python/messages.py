@@ -51,6 +51,9 @@ class Messages:
             found = self._catalog.find(instead, kind)
         if found is None:
             self._refuse("unknown-type", f"{self._catalog.distribution} has no type `{type_}`")
+        reason = self._dialect.unusable(found, self._catalog)
+        if reason is not None:
+            self._refuse("unusable-type", reason)
         return found
 
     def type_class(self, interface: Interface) -> str:

@@ -13,7 +13,7 @@ from plastron_tui.ros.interfaces import InterfaceName
 from .arguments import Arguments
 from .callers import Callers, count_words
 from .calls import Argument, ClientLibrary
-from .constants import MOST_DEEP, Constants, Folded, Known, without_none
+from .constants import MOST_BINDINGS, MOST_DEEP, Constants, Folded, Known, without_none
 from .scopes import Binding, BindingKind, Scope, ScopeTree
 from .stars import star_interface
 from .syntax import Syntax, parts_of
@@ -51,7 +51,6 @@ class Resolver:
         self._calls = calls
         self._calls_of: dict[str, list[Node]] | None = None
         self._words: Counter[bytes] | None = None
-        self._constants = Constants(self, syntax, scopes)
 
     def qualified(self, node: Node | None, scope: Scope, depth: int = 0) -> tuple[str, ...]:
         """Return the qualified names that an imported name may stand for."""
@@ -70,7 +69,7 @@ class Resolver:
             own = (name + suffix,) if name in _LIBRARIES and stars else ()
             return own + tuple(f"{module}.{name}{suffix}" for module in stars)
         targets: dict[str, None] = {}
-        for binding in found[1]:
+        for binding in found[1][:MOST_BINDINGS]:
             for target in self._targets(binding, name, depth):
                 targets[target + suffix] = None
         if not targets and tail and found[0].self_name == name:
@@ -300,7 +299,8 @@ class Resolver:
 
     def fold(self, node: Node | None, scope: Scope, depth: int = 0) -> Folded:
         """Return the constant that an expression is."""
-        return self._constants.fold(node, scope, depth)
+        # Not kept: each would hold the other, and only the cycle collector would free them.
+        return Constants(self, self._syntax, self._scopes).fold(node, scope, depth)
 
     def calls_of(self, name: str) -> list[Node]:
         """Return the calls whose callee ends in a name."""

@@ -32,6 +32,8 @@ _LAST = frozenset({"while_statement", "return_statement", "raise_statement"})
 _HELD = (EndpointKind.PUBLISHER, EndpointKind.CLIENT)
 # What is around an endpoint and yet runs exactly once.
 _RUNS_ONCE = frozenset({"try_statement", "with_statement"})
+# More statements on one line than anybody writes; looking for the next takes the number of all.
+_MOST_ON_LINE = 100
 
 
 @dataclass(frozen=True, slots=True)
@@ -208,12 +210,10 @@ def _place(
     analysis: Analysis, statement: Node, scope: Scope, receiver: str, site: Site | None
 ) -> Place | None:
     text = analysis.syntax.text
-    while statement.next_named_sibling is not None and (
-        statement.next_named_sibling.start_point.row == statement.end_point.row
-        and statement.next_named_sibling.type != "comment"
-    ):
-        statement = statement.next_named_sibling
-    first = _first_on_line(statement)
+    ends = _ends_of_line(statement)
+    if ends is None:
+        return None
+    first, statement = ends
     start = line_start(text, first.start_byte)
     if text[start : first.start_byte].strip():
         return None
@@ -233,13 +233,22 @@ def _place(
     )
 
 
-def _first_on_line(statement: Node) -> Node:
-    first = statement
-    while (previous := first.prev_named_sibling) is not None:
-        if previous.end_point.row != first.start_point.row:
+def _ends_of_line(statement: Node) -> tuple[Node, Node] | None:
+    """Return the first and the last statement of a line; None for more than anybody writes."""
+    first = last = statement
+    for _ in range(_MOST_ON_LINE):
+        after = last.next_named_sibling
+        if after is None or after.start_point.row != last.end_point.row or after.type == "comment":
             break
-        first = previous
-    return first
+        last = after
+    else:
+        return None
+    for _ in range(_MOST_ON_LINE):
+        before = first.prev_named_sibling
+        if before is None or before.end_point.row != first.start_point.row:
+            return first, last
+        first = before
+    return None
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,6 +12,7 @@ from plastron_tui.targets.base import ReadResult
 
 from .analysis import Analysis, NodeSite, Site
 from .calls import LIBRARIES, ClientLibrary
+from .extent import comment_run
 from .scopes import Scope
 from .sites import analyze
 from .syntax import parse
@@ -19,6 +20,8 @@ from .syntax import parse
 MOST_BYTES = 4_000_000
 """Beyond this size a file is data, not a node that a person wrote."""
 
+_IMPORT = re.compile(rb"\b(?:import|from)\b")
+_ROSPY_ONLY = rb"^[ \t]*(import|from)[ \t]+(message_filters|actionlib)\b"
 # Part of a node whose class another file brings together may not import the library.
 _CREATION = re.compile(rb"\.create_(lifecycle_)?(publisher|subscription|service|client)\s*\(")
 
@@ -37,6 +40,10 @@ def read_python(path: Path, text: bytes, library: str | None = None) -> ReadResu
     is_guess = not candidates and _CREATION.search(text) is not None
     if not candidates and not is_guess:
         return _refuse(path, "no-node", "the file imports neither rospy nor rclpy")
+    long_run = comment_run(text)
+    if long_run is not None:
+        problem = f"the comments from line {long_run} on are too many to be read"
+        return _refuse(path, "file-too-large", problem)
     syntax = parse(text)
     analyses = [analyze(syntax, candidate) for candidate in candidates or [LIBRARIES["rclpy"]]]
     if is_guess and all(site.endpoint.type is None for site in analyses[0].sites):
@@ -52,21 +59,32 @@ def _refuse(path: Path, code: str, message: str) -> ReadResult:
 
 def _imported(text: bytes) -> list[ClientLibrary]:
     """Return the client libraries that a file imports."""
-    found = [
-        library
-        for name, library in LIBRARIES.items()
-        if re.search(rb"^[^#\n]*\b(import|from)\b[^#\n]*\b" + name.encode() + rb"\b", text, re.M)
-    ]
-    if not found and re.search(rb"^\s*from\s+[\w.]+\s+import\s+\*", text, re.M):
+    found = [library for name, library in LIBRARIES.items() if _imports(text, name.encode())]
+    if not found and re.search(rb"^[ \t]*from[ \t]+[\w.]+[ \t]+import[ \t]+\*", text, re.M):
         # A module of one's own may bring the library along.
         found = [
             library
             for name, library in LIBRARIES.items()
             if re.search(rb"^[^#\n]*\b" + name.encode() + rb"\.\w", text, re.M)
         ]
-    if not found and re.search(rb"^\s*(import|from)\s+(message_filters|actionlib)\b", text, re.M):
+    if not found and re.search(_ROSPY_ONLY, text, re.M):
         found = [LIBRARIES["rospy"]]
     return found
+
+
+def _imports(text: bytes, name: bytes) -> bool:
+    """Tell whether a line imports a module, or from it; what follows a `#` does not count."""
+    if name not in text:
+        return False
+    word = re.compile(rb"\b" + name + rb"\b")
+    for line in text.split(b"\n"):
+        if name in line:
+            code = line.partition(b"#")[0]
+            start = _IMPORT.search(code)
+            # One search after the other takes no more than the line's length.
+            if start is not None and word.search(code, start.end()):
+                return True
+    return False
 
 
 def group(analysis: Analysis) -> tuple[SourceNode, ...]:

@@ -101,12 +101,18 @@ class Scope:
 
 
 class ScopeTree:
-    """The scopes of a file, found by offset."""
+    """The scopes of a file, found by offset; it owns them."""
 
     def __init__(self, module: Scope) -> None:
         self.module = module
         self.all: list[Scope] = [module]
         self._starts: list[int] = []
+
+    def __del__(self) -> None:
+        """Part the scopes and their bindings, which only the cycle collector would free else."""
+        for scope in self.all:
+            scope.bindings.clear()
+            scope.attributes.clear()
 
     def at(self, offset: int) -> Scope:
         """Return the innermost scope whose body holds the offset."""

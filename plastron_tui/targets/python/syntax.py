@@ -24,6 +24,10 @@ _ASCII = bytes([9, 10, *range(32, 127)])
 _AS_LETTERS = bytes(byte if byte < 0x80 else ord("x") for byte in range(256))
 
 
+# A node within more others was made to break readers: a query takes the square of the depth.
+_DEEPEST = 1_000
+
+
 @cache
 def language() -> Language:
     """Return the Python grammar."""
@@ -74,7 +78,9 @@ class Syntax:
 
     def captures(self, name: str) -> dict[str, list[Node]]:
         """Run a query over the whole file; the nodes of a capture are in the order of the text."""
-        found = QueryCursor(query(name)).captures(self.root)
+        cursor = QueryCursor(query(name))
+        cursor.set_max_start_depth(_DEEPEST)
+        found = cursor.captures(self.root)
         for nodes in found.values():
             nodes.sort(key=lambda node: (node.start_byte, -node.end_byte))
         return found

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 
 from plastron_tui.model.source import EndpointKind
@@ -10,6 +11,8 @@ from .analysis import Analysis
 from .conventions import Conventions
 from .place import FunctionPlace
 from .splices import Splice
+
+_WORD = re.compile(r"\w+")
 
 Key = tuple[EndpointKind, str | None, str, str]
 
@@ -20,18 +23,25 @@ class Writer:
 
     Attributes:
         endpoints: what a reader must find in addition, once the splices are applied.
+        names: the names that the change brings into the file.
+        words: all words of what is inserted.
+        has_imports: whether imports are among the splices.
     """
 
     analysis: Analysis
     conventions: Conventions
     splices: list[Splice] = field(default_factory=list)
     endpoints: list[Key] = field(default_factory=list)
+    names: set[str] = field(default_factory=set)
+    words: set[str] = field(default_factory=set)
+    has_imports: bool = False
 
     def lines(self, offset: int, indent: str, lines: list[str]) -> None:
         """Insert lines at the start of a line; a tab in front of one is a level of indent."""
         newline = self.conventions.newline
         text = self.analysis.syntax.text
         written = "".join(self._indented(indent, line) + newline for line in lines)
+        self.words.update(_WORD.findall(written))
         if offset == len(text) and text and not text.endswith(b"\n"):
             written = newline + written[: -len(newline)]
         self.splices.append(Splice(offset, offset, self.analysis.syntax.encode(written)))

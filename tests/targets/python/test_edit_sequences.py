@@ -20,6 +20,7 @@ from edits import (
 )
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from machine import examples
 
 from plastron_tui.model.source import EndpointKind, Remove
 from plastron_tui.model.workspace import (
@@ -62,7 +63,7 @@ def names(source) -> Counter:
     )
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=examples(60), deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(st.sampled_from(NODES), st.lists(CHANGES, max_size=4, unique_by=id), st.randoms())
 def test_any_sequence_gives_the_endpoints_that_it_asks_for(path, additions, random):
     """Each step starts from the text of the one before, as load and generate do."""
