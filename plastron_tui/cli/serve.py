@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-import shlex
-import sys
+import socket
 from pathlib import Path
 
 import click
+
+from plastron_tui import import_path
+from plastron_tui.diagnostics.terminal import visible
 
 
 @click.command(epilog="Example: plastron serve talker.plastron --port 8000")
@@ -18,18 +20,32 @@ import click
 def command(file: Path | None, host: str, port: int) -> None:
     """Show the studio in a browser.
 
-    Whoever can reach the address can read and write files and run programs as you: leave it at
-    this machine, and go there by an SSH tunnel.
+    The URL that is printed has a token in it: whoever has it can read and write files and run
+    programs as you. Leave it at this machine, and go there by an SSH tunnel.
     """
     try:
-        from textual_serve.server import Server
+        from plastron_tui.web.server import StudioServer
     except ImportError:
         click.echo("error: the browser needs an extra; pip install 'plastron-tui[web]'", err=True)
         click.get_current_context().exit(2)
-    words = [sys.executable, "-m", "plastron_tui.studio"]
+    words = import_path.command("plastron_tui.studio.app:run_served")
     if file is not None:
         words.append(str(file.absolute()))
-    if host not in ("127.0.0.1", "localhost", "::1"):
-        click.echo(f"warning: {host} lets other machines in, to all your files", err=True)
-    click.echo(f"the studio is at http://{host}:{port} - Ctrl-C ends it", err=True)
-    Server(shlex.join(words), host=host, port=port, title="plastron").serve()
+    server = StudioServer(words, host, port)
+    server.run(lambda: _tell(host, port, server.access.token))
+
+
+def _tell(host: str, port: int, token: str) -> None:
+    """Say where the studio is, and who can reach it."""
+    from plastron_tui.web.access import is_any_address, is_loopback, url
+
+    if not is_loopback(host):
+        click.echo(
+            f"warning: {visible(host)} lets other machines in; who sees the URL, or what travels"
+            " on the network, has all your files",
+            err=True,
+        )
+    if is_any_address(host):
+        click.echo(f"other machines find it at {url(socket.gethostname(), port, token)}", err=True)
+        host = "127.0.0.1"
+    click.echo(f"the studio is at {visible(url(host, port, token))} - Ctrl-C ends it", err=True)

@@ -2,110 +2,118 @@
 
 from __future__ import annotations
 
-import asyncio
-import base64
-import re
-import shutil
-import subprocess
-import sys
 from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager, suppress
+from contextlib import asynccontextmanager
 from pathlib import Path
-from typing import Any
+from urllib.parse import urlsplit
 
 import pytest
+from chromium import CHROMIUM, browser, served
 from machine import free_port
 
-aiohttp = pytest.importorskip("aiohttp", reason="the extra [web] is not installed")
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
+pytest.importorskip("aiohttp", reason="the extra [web] is not installed")
+from aiohttp import web
+
+pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="there is no Chromium")
+
+# What a page tries: to draw from the socket, to read the page, and to have its script.
+ATTACK = """\
+(async () => {
+  const socket = new Promise((done) => {
+    const socket = new WebSocket("ws://PLACE/ws?width=80&height=24");
+    socket.onopen = () => done("open");
+    socket.onerror = () => done("refused");
+  });
+  const read = fetch("http://PLACE/", {credentials: "include"})
+    .then((answer) => answer.status, () => "refused");
+  const script = new Promise((done) => {
+    const script = document.createElement("script");
+    script.src = "http://PLACE/static/js/textual.js";
+    script.onload = () => done("loaded");
+    script.onerror = () => done("refused");
+    document.head.append(script);
+  });
+  return (await Promise.all([socket, read, script])).join(" ");
+})()
+"""
 
 
 @asynccontextmanager
-async def running(*command: str, cwd: Path) -> AsyncIterator[None]:
-    process = subprocess.Popen(
-        command, cwd=cwd, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-    )  # fmt: skip
+async def another_site(body: str) -> AsyncIterator[int]:
+    """Serve a page of somebody else's, and give its port."""
+
+    async def page(_: web.Request) -> web.Response:
+        return web.Response(text=f"<body>{body}</body>", content_type="text/html")
+
+    application = web.Application()
+    application.add_routes([web.get("/", page)])
+    runner = web.AppRunner(application)
+    await runner.setup()
+    port = free_port()
+    await web.TCPSite(runner, "127.0.0.1", port).start()
     try:
-        yield
+        yield port
     finally:
-        process.terminate()
-        with suppress(subprocess.TimeoutExpired):
-            process.wait(10)
-        process.kill()
+        await runner.cleanup()
 
 
-async def answer(session: Any, url: str) -> Any:
-    for _ in range(200):
-        with suppress(aiohttp.ClientError):
-            async with session.get(url) as response:
-                return await response.json(content_type=None) if "json" in url else True
-        await asyncio.sleep(0.1)
-    raise AssertionError(f"{url} does not answer")
-
-
-class Page:
-    """A tab of Chromium, by its debugging protocol."""
-
-    def __init__(self, socket_: Any) -> None:
-        self._socket = socket_
-        self._number = 0
-        self.received = ""
-
-    async def call(self, method: str, **params: Any) -> None:
-        """Do something, and wait until it is done."""
-        self._number += 1
-        await self._socket.send_json({"id": self._number, "method": method, "params": params})
-        while (await self._event()).get("id") != self._number:
-            pass
-
-    async def _event(self) -> dict[str, Any]:
-        event: dict[str, Any] = await asyncio.wait_for(self._socket.receive_json(), 30)
-        if event.get("method") == "Network.webSocketFrameReceived":
-            frame = event["params"]["response"]
-            data = frame["payloadData"]
-            if frame["opcode"] == 2:
-                data = base64.b64decode(data).decode("utf-8", "replace")
-            self.received += re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", data)
-        return event
-
-    async def until(self, text: str) -> None:
-        """Wait until the terminal in the page was sent a text."""
-        while text not in self.received:
-            await self._event()
-
-
-@pytest.mark.skipif(CHROMIUM is None, reason="there is no Chromium")
 async def test_a_statement_typed_in_a_browser_shows_its_node(tmp_path: Path) -> None:
-    port, debug = free_port(), free_port()
-    (tmp_path / "mine.plastron").touch()
-    server = [sys.executable, "-m", "plastron_tui", "serve", "mine.plastron", "--port", str(port)]
-    browser = [
-        str(CHROMIUM), "--headless", "--no-sandbox", "--disable-gpu",
-        f"--remote-debugging-port={debug}", "--remote-allow-origins=*",
-        f"--user-data-dir={tmp_path / 'browser'}", "about:blank",
-    ]  # fmt: skip
+    async with served(tmp_path) as url, browser(tmp_path) as page:
+        await page.open(url)
+        await page.until("no nodes yet")
+        await page.value("document.querySelector('textarea').focus()")
+        page.received = ""
+        for character in "create_node 'arm' as arm":
+            await page.call("Input.insertText", text=character)
+        await page.until("does nothing")
+        assert "arm" in page.received
+        assert await page.value("document.fonts.check(\"16px 'Roboto Mono'\")")
+
+        assert await page.value("location.href") == f"http://{urlsplit(url).netloc}/"
+        assert await page.value("history.length") == 2  # with about:blank
+        assert await page.value("document.cookie") == ""
+        places = {urlsplit(asked) for asked in page.asked}
+        assert {place.netloc for place in places if place.scheme != "data"} == {
+            urlsplit(url).netloc
+        }
+
+
+async def test_without_the_token_a_browser_is_told_why(tmp_path: Path) -> None:
+    async with served(tmp_path) as url, browser(tmp_path) as page:
+        parts = urlsplit(url)
+        await page.open(f"http://{parts.netloc}/")
+        shown = await page.text("Refused")
+        assert "only for those who have its token" in shown
+        assert "Open the URL that plastron serve wrote in its terminal" in shown
+        await page.open(f"http://{parts.netloc}/?token=wrong")
+        await page.text("this token is not that of the studio which runs now")
+        await page.value(f"document.querySelector('input').value = '{parts.query[6:]}'")
+        await page.value("document.querySelector('form').submit()")
+        await page.until("no nodes yet")
+
+
+async def test_other_pages_in_the_browser_stay_out(tmp_path: Path) -> None:
     async with (
-        running(*server, cwd=tmp_path),
-        aiohttp.ClientSession() as session,
-        running(*browser, cwd=tmp_path),
+        served(tmp_path) as url,
+        browser(tmp_path) as page,
+        another_site(f"<p>a site</p><a href='{url}'>to the studio</a>") as port,
     ):
-        await answer(session, f"http://127.0.0.1:{port}/")
-        tabs = await answer(session, f"http://127.0.0.1:{debug}/json")
-        url = next(tab for tab in tabs if tab["type"] == "page")["webSocketDebuggerUrl"]
-        async with session.ws_connect(url, max_msg_size=0) as socket_:
-            page = Page(socket_)
-            await page.call("Network.enable")
-            await page.call("Page.navigate", url=f"http://127.0.0.1:{port}/")
-            await page.until("no nodes yet")
-            await page.call(
-                "Runtime.evaluate", expression="document.querySelector('textarea').focus()"
-            )
-            page.received = ""
-            for character in "create_node 'arm' as arm":
-                await page.call("Input.insertText", text=character)
-            await page.until("does nothing")
-            assert "arm" in page.received
+        parts = urlsplit(url)
+        # From a link on another site the token works: a terminal may be in a page.
+        await page.open(f"http://evil.example:{port}/")
+        await page.text("a site")
+        await page.value("document.querySelector('a').click()")
+        await page.until("no nodes yet")
+        assert await page.value("location.search") == ""
+        # The browser has the cookie from now on.
+        for site in (f"evil.example:{port}", f"127.0.0.1:{port}"):
+            await page.open(f"http://{site}/")
+            await page.text("a site")
+            tried = await page.value(ATTACK.replace("PLACE", parts.netloc))
+            assert tried == "refused refused refused"
+        # A name that leads here is no name of this server's (DNS rebinding).
+        await page.open(f"http://evil.example:{parts.port}/?{parts.query}")
+        assert f"http://127.0.0.1:{parts.port}/" in await page.text("none that this studio")
 
 
 def test_it_listens_on_this_machine_only_unless_told() -> None:
