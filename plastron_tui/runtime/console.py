@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 from collections.abc import Callable, Iterable, Mapping
 from typing import TextIO
 
-from plastron_tui.diagnostics.terminal import visible_line, wants_colour
+from plastron_tui.diagnostics.terminal import visible, visible_line, wants_colour
 
 from .child import Exit, Process, Role
 from .table import Screen
@@ -24,6 +25,9 @@ class Console:
 
     Nodes' lines go to `out`, what the run itself has to say to `err`. When nobody reads any
     more (a closed terminal, a pipe to `head`), `on_gone` is called once and the rest is dropped.
+
+    Attributes:
+        failure: why nothing can be written any more; None also where a reader has left.
     """
 
     def __init__(
@@ -44,6 +48,7 @@ class Console:
         self._err = err
         self._on_gone = on_gone
         self._is_gone = False
+        self.failure: OSError | None = None
         self._screen: Screen | None = None
         self._out_colour = wants_colour(out, environ)
         self._err_colour = wants_colour(err, environ)
@@ -94,7 +99,7 @@ class Console:
                 self.notice(f"  {line}", is_bad=True)
 
     def _label(self, name: str, code: int, in_colour: bool) -> str:
-        label = f"{name:<{self._width}} |"
+        label = f"{visible(name):<{self._width}} |"
         return f"\x1b[{code}m{label}\x1b[0m " if in_colour else f"{label} "
 
     def _write(self, stream: TextIO, line: str) -> None:
@@ -108,8 +113,10 @@ class Console:
         try:
             stream.write(text)
             stream.flush()
-        except (OSError, ValueError):
+        except (OSError, ValueError) as error:
             self._is_gone = True
+            if isinstance(error, OSError) and error.errno != errno.EPIPE:
+                self.failure = error
             _silence(stream)
             if self._on_gone is not None:
                 self._on_gone()

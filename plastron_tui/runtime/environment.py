@@ -207,7 +207,9 @@ def _sourced_version(environ: Mapping[str, str]) -> int | None:
 def _find_sourced(
     version: int, environ: Mapping[str, str], interpreter: Path, debian_python: Path
 ) -> Environment | Half:
-    on_path = shutil.which("python3", path=environ.get("PATH"))
+    # An empty part of PATH is the current folder.
+    folders = filter(os.path.isabs, environ.get("PATH", os.defpath).split(os.pathsep))
+    on_path = shutil.which("python3", path=os.pathsep.join(folders))
     candidates = [*([Path(on_path)] if on_path else []), debian_python, interpreter]
     own = _without_wheels(dict(environ))
     half: Half | None = None

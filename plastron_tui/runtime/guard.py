@@ -22,6 +22,11 @@ import time
 _STEPS = ((signal.SIGINT, 1.5), (signal.SIGTERM, 0.5), (signal.SIGKILL, 0.5))
 
 
+def command() -> list[str]:
+    """Return the command that starts the guard, in a Python that looks for modules nowhere else."""
+    return [sys.executable, "-I", "-S", __file__]
+
+
 def _is_there(group: int) -> bool:
     try:
         os.killpg(group, 0)

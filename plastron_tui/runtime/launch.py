@@ -66,6 +66,10 @@ def run_nodes(
     """Run nodes until all have ended, the time is up, or a signal comes.
 
     The nodes' lines go to `out`, what there is to say about the run to `err`.
+
+    Raises:
+        OSError: neither can be written to, for another reason than that a reader has left; the
+            nodes have been stopped.
     """
     return _Run(nodes, options, out or sys.stdout, err or sys.stderr, environ).go()
 
@@ -109,6 +113,8 @@ class _Run:
                 self._tell(master)
             if not has_errors(diagnostics) and not self._supervisor.is_stopping:
                 self._run(master)
+        if self._console.failure is not None:
+            raise self._console.failure
         status = 1 if has_errors(diagnostics) else self._supervisor.status
         return RunResult(status, tuple(diagnostics))
 

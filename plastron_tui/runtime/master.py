@@ -15,6 +15,7 @@ from typing import Any
 from urllib.parse import urlsplit
 
 from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.import_path import LEAVE_OUT
 
 from .child import Process, Role
 from .environment import LOOPBACK, Environment, is_local, node_environ
@@ -28,7 +29,7 @@ _ATTEMPTS = 3
 
 # What rosmaster's own command does, with the port as its argument.
 _START = (
-    "import sys; from rosmaster import rosmaster_main; "
+    f"{LEAVE_OUT}from rosmaster import rosmaster_main; "
     "rosmaster_main(['rosmaster', '--core', '-p', sys.argv[1]])"
 )
 

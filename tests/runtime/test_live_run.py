@@ -7,7 +7,7 @@ import signal
 import socket
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -25,6 +25,8 @@ pytestmark = pytest.mark.live
 
 # Another interpreter than the running one may have the Python packages of ROS 2.
 ROS2_PYTHON = os.environ.get("PLASTRON_ROS2_PYTHON")
+
+STOPPED = 128 + signal.SIGINT
 
 # Runs every node of a folder, the file's name up to its last `_` being the node's.
 DRIVER = """
@@ -87,19 +89,45 @@ class Ros:
             check=False,
         )
 
+    def run_until(
+        self,
+        said: Callable[[str], object],
+        nodes: Path,
+        *,
+        watch: bool = False,
+        status: int = STOPPED,
+    ) -> str:
+        """Run nodes until something is said, interrupt them, and return all that was said."""
+        with self.running(nodes, watch=watch, status=status) as run:
+            wait_until(lambda: run.poll() is not None or said(self.said), "it is said", 120)
+        return self.said
+
+    @property
+    def said(self) -> str:
+        """What `running` nodes have said, and the run of them."""
+        return self._log.read_text()
+
+    @property
+    def _log(self) -> Path:
+        return self.folder / "running.log"
+
     @contextmanager
-    def running(self, nodes: Path) -> Iterator[subprocess.Popen[str]]:
-        with (self.folder / "running.log").open("w") as log:
+    def running(
+        self, nodes: Path, *, watch: bool = False, status: int = STOPPED
+    ) -> Iterator[subprocess.Popen[str]]:
+        with self._log.open("w") as log:
             run = subprocess.Popen(
-                self.command(nodes, 120), env=self.environ, stdout=log, stderr=log, text=True
+                self.command(nodes, 600, watch=watch),
+                env=self.environ,
+                stdout=log,
+                stderr=log,
+                text=True,
             )
             try:
                 yield run
             finally:
                 run.send_signal(signal.SIGINT)
-                assert run.wait(20) == 128 + signal.SIGINT, (
-                    self.folder / "running.log"
-                ).read_text()
+                assert run.wait(60) == status, self.said
 
     def described(self, names: set[str]) -> tuple[DescribedNode, ...]:
         """Return the graph, once these nodes are in it with all that they have."""
@@ -136,34 +164,50 @@ def _lines(output: str, name: str) -> list[str]:
     return [line for line in output.splitlines() if line.split(" |")[0].rstrip() == name]
 
 
+def _heard(output: str, name: str = "listener") -> list[str]:
+    return [line for line in _lines(output, name) if "hello" in line]
+
+
 def test_nodes_talk_and_stop(ros: Ros) -> None:
-    done = ros.run(ros.generate(TALKING, "nodes"), 6)
-    assert done.returncode == 0, done.stdout + done.stderr
-    assert len([line for line in _lines(done.stdout, "listener") if "hello" in line]) > 20
+    said = ros.run_until(lambda said: len(_heard(said)) > 20, ros.generate(TALKING, "nodes"))
     # rospy closes its topics before a timer of its own can know, and says so.
-    if "publish() to a closed topic" not in done.stdout:
-        assert "Traceback" not in done.stdout
+    if "publish() to a closed topic" not in said:
+        assert "Traceback" not in said
     if ros.environment.ros_version == 1:
         uri = ros.environ["ROS_MASTER_URI"]
-        assert f"started a ROS 1 master at {uri}" in done.stderr
+        assert f"started a ROS 1 master at {uri}" in said
         assert master_pid(uri) is None
 
 
-def test_the_watch_shows_topics_and_calls(ros: Ros) -> None:
-    done = ros.run(ros.generate(TALKING, "nodes"), 8, watch=True)
+@pytest.mark.long
+def test_nodes_run_for_a_time(ros: Ros) -> None:
+    done = ros.run(ros.generate(TALKING, "nodes"), 6)
     assert done.returncode == 0, done.stdout + done.stderr
-    told = [line.partition("| ")[2] for line in _lines(done.stdout, "watch")]
-    rates = [
-        float(line.split()[2]) for line in told if line.startswith("/chatter std_msgs/String ")
-    ]
-    assert 15 < max(rates) < 25
-    assert any(line.endswith('Hz data: "hello"') for line in told)
-    assert [line for line in told if line.startswith("/switch (data: True) → (success: ")]
 
 
+@pytest.mark.parametrize(
+    "ros", ["rclpy", pytest.param("rospy", marks=pytest.mark.long)], indirect=True
+)
+def test_the_watch_shows_topics_and_calls(ros: Ros) -> None:
+    def is_told(said: str) -> bool:
+        told = [line.partition("| ")[2] for line in _lines(said, "watch")]
+        topics = [line for line in told if line.startswith("/chatter std_msgs/String ")]
+        return (
+            any(15 < float(line.split()[2]) < 25 for line in topics)
+            and any(line.endswith('Hz data: "hello"') for line in told)
+            and any(line.startswith("/switch (data: True) → (success: ") for line in told)
+        )
+
+    ros.run_until(is_told, ros.generate(TALKING, "nodes"), watch=True)
+
+
+@pytest.mark.parametrize(
+    "ros", ["rclpy", pytest.param("rospy", marks=pytest.mark.long)], indirect=True
+)
 def test_a_description_run_again_is_the_same_graph(ros: Ros) -> None:
     names = {"/talker", "/listener", "/switcher", "/asker"}
     with ros.running(ros.generate(TALKING, "nodes")):
+        wait_until(lambda: _heard(ros.said) and _heard(ros.said, "asker"), "all talk", 120)
         before = ros.described(names)
     by_name = {node.name: node for node in before}
     assert [str(type_) for _, type_ in by_name["/talker"].publishers] == ["std_msgs/String"]
@@ -176,29 +220,30 @@ def test_a_description_run_again_is_the_same_graph(ros: Ros) -> None:
 def test_a_node_that_crashes_at_its_start(ros: Ros) -> None:
     nodes = ros.generate(TALKING, "nodes")
     (nodes / "crasher_pub.py").write_text("import no_such_module\n")
-    done = ros.run(nodes, 4)
-    assert done.returncode == 1
-    assert "plastron | crasher died with exit status 1" in done.stderr
-    assert ": ModuleNotFoundError: No module named 'no_such_module'" in done.stderr
-    assert _lines(done.stdout, "listener")
+    said = ros.run_until(
+        lambda said: "crasher died" in said and _lines(said, "listener"), nodes, status=1
+    )
+    assert "plastron | crasher died with exit status 1" in said
+    assert ": ModuleNotFoundError: No module named 'no_such_module'" in said
 
 
+@pytest.mark.parametrize(
+    "ros", ["rospy", pytest.param("rclpy", marks=pytest.mark.long)], indirect=True
+)
 def test_a_second_run_beside_the_first(ros: Ros) -> None:
     nodes = ros.generate(TALKING, "nodes")
     environ = {key: value for key, value in ros.environ.items() if key != "ROS_MASTER_URI"}
-    ros = Ros(ros.environment, environ, ros.folder)
-    with ros.running(nodes) as first:
-        wait_until(
-            lambda: "hello" in (ros.folder / "running.log").read_text(), "the first run talks", 60
-        )
-        second = ros.run(nodes, 5)
-        assert first.poll() is None
-    assert second.returncode == 0, second.stdout + second.stderr
-    assert [line for line in _lines(second.stdout, "listener") if "hello" in line]
+    first = Ros(ros.environment, environ, ros.folder)
+    second = Ros(ros.environment, environ, ros.folder / "second")
+    second.folder.mkdir()
+    with first.running(nodes) as run:
+        wait_until(lambda: "hello" in first.said, "the first run talks", 120)
+        said = second.run_until(_heard, nodes)
+        assert run.poll() is None
     if ros.environment.ros_version == 1:
-        assert "started a ROS 1 master" in second.stderr
-        assert f":{DEFAULT_PORT}\n" not in second.stderr
-    assert "died" not in (ros.folder / "running.log").read_text()
+        assert "started a ROS 1 master" in said
+        assert f":{DEFAULT_PORT}\n" not in said
+    assert "died" not in first.said
 
 
 def test_a_killed_run_takes_its_master_along(ros1: Ros) -> None:

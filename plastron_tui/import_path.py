@@ -1,0 +1,48 @@
+"""Modules come from where Python is installed, never from the folder that one happens to be in.
+
+Python looks there first with `-m` and with `-c`, and wherever `PYTHONPATH` has an empty part
+(`:/opt/…`, of a variable that was not set); in a folder of somebody else's lies whatever they
+like. This runs first, with that folder still in the path: it imports nothing that is not loaded.
+"""
+
+import os
+import sys
+
+LEAVE_OUT = "import sys; sys.path[:] = filter(None, sys.path); "
+"""The beginning of a program for `-c`, in any Python, that keeps it from the current folder.
+
+Python's own option for that, `-P`, is there from 3.11 on.
+"""
+
+
+def command(entry: str) -> list[str]:
+    """Return the command that calls a function of Plastron's in a Python of its own.
+
+    Args:
+        entry: the function, as `module:function`; its arguments follow as those of the program.
+    """
+    module, function = entry.split(":")
+    return [sys.executable, "-c", f"{LEAVE_OUT}from {module} import {function}; {function}()"]
+
+
+def leave_out_current_folder() -> None:
+    """Take the current folder off the path of this process, and of those that it starts.
+
+    Where `PYTHONPATH` has the folder by its full name it stays: that was somebody's wish.
+    """
+    parts = os.environ.get("PYTHONPATH", "").split(os.pathsep)
+    wanted = [part for part in parts if part not in ("", os.curdir)]
+    if wanted:
+        os.environ["PYTHONPATH"] = os.pathsep.join(wanted)
+    else:
+        os.environ.pop("PYTHONPATH", None)
+    try:
+        here = os.getcwd()  # noqa: PTH109 - pathlib may not be loaded
+    except OSError:  # it is gone
+        here = ""
+    if here in wanted:
+        return
+    # What comes after the standard library is from `site`, such as a checkout that is installed.
+    library = os.path.dirname(os.__file__)  # noqa: PTH120
+    before = sys.path.index(library) if library in sys.path else len(sys.path)
+    sys.path[:before] = [entry for entry in sys.path[:before] if entry not in ("", here)]
