@@ -3,11 +3,15 @@ from __future__ import annotations
 import sys
 from importlib import import_module
 
-_PARTS = ("language", "process", "output", "source", "editor", "studio")
+from plastron_tui import collector
+
+_PARTS = ("language", "process", "output", "source", "editor", "studio", "collector", "memory")
 
 
 def main() -> int:
     """Measure everything, or the parts that were named; 1 when a bound does not hold."""
+    # As in the processes that are measured.
+    collector.look_seldom()
     failed = False
     print(f"{'':4} {'measured':>9} {'bound':>7}  what")
     for part in sys.argv[1:] or _PARTS:

@@ -26,6 +26,7 @@ from textual.strip import Strip
 from textual.widget import Widget
 from textual.widgets import Label, TextArea
 
+from plastron_tui import collector
 from plastron_tui.language.grammar import LANGUAGE
 from plastron_tui.session import Session
 from plastron_tui.studio.editor import ProgramEditor
@@ -182,5 +183,6 @@ async def _edit() -> None:
 
 
 if __name__ == "__main__":
+    collector.look_seldom()
     asyncio.run(_edit())
     print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)

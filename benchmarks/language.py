@@ -8,6 +8,7 @@ import sys
 from collections.abc import Iterator
 from statistics import median
 
+from plastron_tui import collector
 from plastron_tui.language.grammar import new_parser
 from plastron_tui.session import Session
 
@@ -62,5 +63,6 @@ def _growth() -> Row:
 
 
 if __name__ == "__main__":
+    collector.look_seldom()
     held = understand(program(100_000))
     print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)

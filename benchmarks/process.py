@@ -11,7 +11,7 @@ from pathlib import Path
 from .row import Row, paired
 
 # Installed packages are compiled once; so is a checkout, where the environment allows it.
-_ENVIRON = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+ENVIRON = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
 
 EXAMPLES = sorted(Path(__file__).parent.parent.joinpath("examples").glob("*.plastron"))
 
@@ -29,4 +29,4 @@ def rows() -> Iterator[Row]:
 
 
 def _run(command: list[str]) -> None:
-    subprocess.run(command, check=True, capture_output=True, env=_ENVIRON)
+    subprocess.run(command, check=True, capture_output=True, env=ENVIRON)

@@ -12,7 +12,7 @@ import os
 import resource
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from statistics import median, quantiles
 from tempfile import TemporaryDirectory
@@ -24,6 +24,7 @@ from textual.geometry import Region
 from textual.pilot import Pilot
 from textual.strip import Strip
 
+from plastron_tui import collector
 from plastron_tui.diagnostics import Span
 from plastron_tui.language.grammar import new_parser
 from plastron_tui.studio.app import StudioApp
@@ -119,8 +120,8 @@ class _Watch:
             self.pauses.append(perf_counter() - start - 0.001)
 
 
-async def _measure(file: Path) -> _Times:
-    """Type for a while, then word by word."""
+async def measure(file: Path, ready: Callable[[], object] = lambda: None) -> _Times:
+    """Type for a while, then word by word; call `ready` before."""
     app = StudioApp(file)
     async with app.run_test(size=_SIZE) as pilot:
         main = app.main
@@ -131,6 +132,7 @@ async def _measure(file: Path) -> _Times:
         main.editor.go_to(middle)
         await studio.settled()
         await pilot.pause(0.5)
+        ready()
         async with _Watch() as watch:
             keys = await _type(studio)
         await studio.settled()
@@ -161,8 +163,8 @@ async def _type(studio: _Studio) -> list[float]:
 
 def rows() -> Iterator[Row]:
     with TemporaryDirectory() as folder:
-        file = _prepare(Path(folder))
-        times = asyncio.run(_measure(file))
+        file = prepare(Path(folder))
+        times = asyncio.run(measure(file))
     yield Row("a key in the studio, median", median(times.keys) * 1e3, 16, "ms")
     yield Row(
         "a key in the studio, 95th percentile", quantiles(times.keys, n=20)[-1] * 1e3, 33, "ms"
@@ -191,7 +193,7 @@ def rows() -> Iterator[Row]:
     yield from start_rows()
 
 
-def _prepare(folder: Path) -> Path:
+def prepare(folder: Path) -> Path:
     """Write the program; let what the studio remembers be in the folder too."""
     for name in ("XDG_CONFIG_HOME", "XDG_STATE_HOME"):
         os.environ[name] = str(folder)
@@ -201,6 +203,7 @@ def _prepare(folder: Path) -> Path:
 
 
 if __name__ == "__main__":
+    collector.look_seldom()
     with TemporaryDirectory() as own:
-        asyncio.run(_measure(_prepare(Path(own))))
+        asyncio.run(measure(prepare(Path(own))))
     print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)

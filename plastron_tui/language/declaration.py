@@ -130,17 +130,17 @@ class Declaration:
     @property
     def usage(self) -> str:
         """The sentence with its slots in capitals, and optional clauses in brackets."""
+        return " ".join(map(_usage, self.elements))
 
-        def show(element: Element) -> str:
-            match element:
-                case Slot(kind=kind):
-                    return kind.placeholder
-                case Clause(elements=parts):
-                    return "[" + " ".join(map(show, parts)) + "]"
-                case word:
-                    return word
 
-        return " ".join(map(show, self.elements))
+def _usage(element: Element) -> str:
+    match element:
+        case Slot(kind=kind):
+            return kind.placeholder
+        case Clause(elements=parts):
+            return "[" + " ".join(map(_usage, parts)) + "]"
+        case word:
+            return word
 
 
 # Not frozen: a program has one of these a line, and a frozen dataclass is five times as slow

@@ -18,7 +18,6 @@ from .declaration import DECLARATIONS, Declaration, SlotKind, Statement
 from .document import Document
 from .grammar import field_id, kind_id
 from .inputs import COMMENTS, DEEPEST_NESTING, TooDeep, lower_input, lower_number
-from .pause import collection_paused
 
 
 class Program(NamedTuple):
@@ -83,17 +82,16 @@ def lower(document: Document) -> Program:
     broken: list[Node] = []
     too_deep: list[Diagnostic] = []
     unread: set[str] = set()
-    with collection_paused():
-        for node in _flattened(root) if root.has_error else root.children:
-            plan = _PLANS.get(node.kind_id)
-            if plan is not None and not node.has_error:
-                try:
-                    found.append(_lower_statement(node, plan, source))
-                except TooDeep as problem:
-                    too_deep.append(_too_deep(problem.syntax))
-                    unread.update(_variables(node, source))
-            elif node.kind_id not in COMMENTS:
-                broken.append(node)
+    for node in _flattened(root) if root.has_error else root.children:
+        plan = _PLANS.get(node.kind_id)
+        if plan is not None and not node.has_error:
+            try:
+                found.append(_lower_statement(node, plan, source))
+            except TooDeep as problem:
+                too_deep.append(_too_deep(problem.syntax))
+                unread.update(_variables(node, source))
+        elif node.kind_id not in COMMENTS:
+            broken.append(node)
     if not broken:
         lost = frozenset(unread)
         return Program(tuple(found), tuple(too_deep), Broken(lost, lost))

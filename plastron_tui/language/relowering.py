@@ -18,7 +18,6 @@ from plastron_tui.diagnostics import Diagnostic, Span
 from .declaration import DECLARATIONS, Statement
 from .document import Document
 from .lowering import Program, lower
-from .pause import collection_paused
 
 _MOST_BROKEN = 200
 """With more broken lines than this, most of the work is to explain them, and all is done anew."""
@@ -53,8 +52,7 @@ def lower_edited(document: Document, earlier: Lowered | None) -> Program:
     is_large = 2 * (new.end - new.start) > len(text)
     if is_large or len(program.diagnostics) > _MOST_BROKEN:
         return lower(document)
-    with collection_paused():
-        return _Excerpts(program, before, text, old, new).lowered()
+    return _Excerpts(program, before, text, old, new).lowered()
 
 
 class _Excerpts:

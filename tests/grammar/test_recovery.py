@@ -8,6 +8,7 @@ import pytest
 import tree_sitter_plastron
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from machine import examples
 from tree_sitter import Language, Node, Parser
 
 from .statements import STATEMENTS
@@ -168,7 +169,7 @@ garbage = st.lists(st.one_of(words, words, wild_text), min_size=1, max_size=30).
 )
 
 
-@settings(max_examples=2000, deadline=None)
+@settings(max_examples=examples(2000), deadline=None)
 @given(
     garbage.filter(lambda line: "/*" not in line),
     st.sampled_from(WHOLE),
@@ -185,7 +186,7 @@ def test_garbage(
     assert_recovers(middle, before, after, newline)
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=examples(300), deadline=None)
 @given(st.lists(garbage.filter(lambda line: "/*" not in line), min_size=2, max_size=12))
 def test_garbage_on_many_lines(lines: list[str]) -> None:
     """Every second line is whole, and stays so."""
@@ -198,7 +199,7 @@ def test_garbage_on_many_lines(lines: list[str]) -> None:
         assert node.start_point.row % 2 == 0
 
 
-@settings(max_examples=500, deadline=None)
+@settings(max_examples=examples(500), deadline=None)
 @given(
     st.lists(st.one_of(st.sampled_from([t for _, t in WHOLE]), garbage), max_size=8),
     st.data(),

@@ -3,6 +3,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from machine import examples
 from plastron_programs import boundary
 
 from plastron_tui.language import Document, format_document, lower
@@ -49,7 +50,7 @@ def edits(draw: st.DrawFn) -> list[tuple[float, float, str, bool]]:
     return draw(st.lists(st.tuples(ends, ends, text, st.booleans()), min_size=1, max_size=8))
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 @given(edits())
 def test_an_edited_document_is_the_document_of_its_text(
     found: list[tuple[float, float, str, bool]],

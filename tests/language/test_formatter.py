@@ -3,6 +3,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from machine import examples
 from plastron_programs import read, shape, statements
 
 from plastron_tui.language import Document, format_document
@@ -69,7 +70,7 @@ def messy_programs(draw: st.DrawFn) -> str:
     return text
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 @given(messy_programs())
 def test_a_format_keeps_words_comments_and_meaning(text: str) -> None:
     laid_out = formatted(text)
@@ -79,7 +80,7 @@ def test_a_format_keeps_words_comments_and_meaning(text: str) -> None:
     assert formatted(laid_out) == laid_out
 
 
-@settings(max_examples=75, deadline=None)
+@settings(max_examples=examples(75), deadline=None)
 @given(messy_programs())
 def test_a_format_keeps_the_line_ending(text: str) -> None:
     windows = text.replace("\n", "\r\n")
@@ -99,7 +100,7 @@ broken_lines = st.sampled_from(
 )
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 @given(st.lists(st.tuples(broken_lines | statements(), st.booleans()), max_size=6))
 def test_a_format_keeps_broken_lines_byte_for_byte(found: list[tuple[str, bool]]) -> None:
     text = "".join(line + ("\n\n\n" if far else "\n") for line, far in found)
@@ -110,7 +111,7 @@ def test_a_format_keeps_broken_lines_byte_for_byte(found: list[tuple[str, bool]]
     assert formatted(laid_out) == laid_out
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=examples(200), deadline=None)
 @given(st.text(st.sampled_from("ab'\"/*\n\r \t(,.=)$é\\1\ufeff"), max_size=40))
 def test_a_format_of_anything_is_stable_and_loses_nothing(text: str) -> None:
     laid_out = formatted(text)

@@ -5,6 +5,7 @@ import math
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from machine import examples
 from plastron_programs import argument, read, shape, statements
 
 from plastron_tui.diagnostics import escapes
@@ -252,7 +253,7 @@ def test_nesting_has_a_limit(opening: str, closing: str) -> None:
         assert "m" in program.broken.declared
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 @given(st.lists(statements(), max_size=6), st.sampled_from(["\n", "\r\n", "\n\n // c\n"]))
 def test_every_statement_is_lowered(lines: list[str], ending: str) -> None:
     program = lower(Document(ending.join(lines).encode()))

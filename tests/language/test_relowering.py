@@ -3,6 +3,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from machine import examples
 from plastron_programs import boundary, broken_lines, read, shape, statements
 
 from plastron_tui.language import DECLARATIONS, Document, Program
@@ -72,7 +73,7 @@ def described(program: Program) -> list[object]:
     return [places, shape(program), program.diagnostics, program.broken]
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=examples(300), deadline=None)
 @given(st.lists(statements(), max_size=6).map("\n".join), st.booleans(), EDITS)
 def test_what_is_lowered_after_edits_is_what_is_lowered_anew(
     written: str, is_broken: bool, edits: list[tuple[float, float, str]]

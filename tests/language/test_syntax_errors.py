@@ -3,6 +3,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from machine import examples
 from plastron_programs import EXAMPLES, broken_lines, read
 
 from plastron_tui.diagnostics import Diagnostic
@@ -211,7 +212,7 @@ def test_each_of_two_broken_lines_has_a_mistake_of_its_own(line: str) -> None:
         assert (second.moved(-len(line.encode()) - 1),) == read(other).diagnostics
 
 
-@settings(max_examples=1000, deadline=None)
+@settings(max_examples=examples(1000), deadline=None)
 @given(st.lists(broken_lines | st.sampled_from(EXAMPLES), min_size=2, max_size=5))
 @example(["'a'load x as n", "n stop_publishing to 'a' unsubscribe n from 'b'", "'a'load x as n"])
 def test_a_line_says_what_it_says_alone(lines: list[str]) -> None:
