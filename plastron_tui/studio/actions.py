@@ -99,6 +99,8 @@ ACTIONS: tuple[Action, ...] = (
     Action("welcome", "Welcome", "screen.welcome", "alt+0",
            "Recent programs, examples and the tour.", "File"),
     Action("tour", "Take the tour", "screen.tour", "alt+i", "Two minutes around the screen."),
+    Action("trust", "Trust this project", "screen.trust", "alt+u",
+           "Use its templates, and let it lead out of its folder.", "File"),
     Action("theme", "Theme", "app.change_theme", "alt+t", "Choose other colours."),
     Action("keys", "Keys", "screen.keys", "alt+k", "All keys of what has the focus."),
     Action("config", "Edit the configuration", "screen.config", "alt+o",

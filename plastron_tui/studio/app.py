@@ -7,26 +7,33 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
+from types import FrameType
 from typing import ClassVar
 
 from textual import work
 from textual.app import App, SystemCommand
 from textual.binding import Binding, BindingType
+from textual.filter import LineFilter
+from textual.notifications import SeverityLevel
 from textual.screen import Screen
 from textual.worker import WorkerFailed
 
+from plastron_tui.diagnostics.terminal import visible_text
+from plastron_tui.private_files import sweep
 from plastron_tui.session import Options
+from plastron_tui.user_folders import state_folder
 
 from . import config as settings
 from .actions import ACTIONS, ids
 from .files import open_file
-from .journal import Kept, kept_texts
 from .key_order import InOrder
+from .only_text import ONLY_TEXT
 from .screens.main import MainScreen
+from .shown_places import not_saved
 from .state import opened
 from .terminal_keys import teach
 
@@ -35,8 +42,6 @@ _LOOKED_AFTER = 0.2
 """Seconds after the start, when there is something to see, when the ROS is looked for."""
 _ENDS_WITHIN = 5.0
 """Seconds that the studio has to end in good order once the system says so."""
-_TERMINATED = 128 + signal.SIGTERM
-"""The exit status, as a shell has it."""
 _SMALL = "ansi-dark"
 """The theme of terminals that have only their own sixteen colours."""
 _SMALL_TERMINALS = frozenset({"linux", "xterm", "screen", "rxvt", "ansi", "vt100", "vt220"})
@@ -62,8 +67,8 @@ class StudioApp(InOrder, inherit_bindings=False):
             first: the action of the main screen that is done first, instead of the welcome.
         """
         super().__init__()
-        self.state_folder = settings.state_folder() / "journal"
-        self._memory = settings.state_folder()
+        self.state_folder = state_folder() / "journal"
+        self._memory = state_folder()
         self.remembered = settings.load_remembered(self._memory)
         self.config, self._messages = settings.load_config(
             settings.config_file(), ids(), self.available_themes
@@ -73,7 +78,6 @@ class StudioApp(InOrder, inherit_bindings=False):
         self._options = options or Options()
         self._first = None if first is None else f"screen.{first}"
         self.looks_for_ros = False
-        self._kept: list[Kept] = []
         self._failures: set[str] = set()
         self.last_words = ""
 
@@ -83,6 +87,7 @@ class StudioApp(InOrder, inherit_bindings=False):
         if self._path is not None:
             found = open_file(self._path)
             disk = found.disk
+            self._messages += found.said
             if found.problem is not None:
                 self._messages += (found.problem.message,)
         return MainScreen(opened(disk, self.state_folder, self._options))
@@ -100,21 +105,24 @@ class StudioApp(InOrder, inherit_bindings=False):
         self.theme_changed_signal.subscribe(self, lambda theme: self._themed(theme.name, first))
         if self.config.keys:
             self.set_keymap(self.config.keys)
+        sweep(self._memory)
         for message in self._messages:
             self.notify(message, severity="warning", timeout=10, markup=False)
         if not self.is_headless:
             for number in (signal.SIGTERM, signal.SIGHUP):
                 signal.signal(number, partial(self._told_to_end, asyncio.get_running_loop()))
-        self._kept = kept_texts(self.state_folder)
-        path = self.main.open.path
-        own = [kept for kept in self._kept if path is None or kept.path == path.absolute()]
+        path, folder = self.main.open.path, self.main.open.session.folder
+        kept = self.main.not_saved()
+        own = [each for each in kept if each.belongs_to(path, folder)]
+        others = [each for each in kept if each not in own]
         if path is not None:
             self.opened(path)
-        others = sorted({kept.path.name for kept in self._kept if kept.path is not None}
-                        - {kept.path.name for kept in own if kept.path is not None})  # fmt: skip
-        if path is not None and others:
-            text = f"not saved when the studio ended: {', '.join(others)}"
-            self.notify(f"{text}\nopen it, and what was typed is offered", markup=False)
+        # The welcome lists them; it is not in front where something else was asked for.
+        if others and (path is not None or self._first is not None):
+            keys = next(action.keys for action in ACTIONS if action.id == "welcome")
+            page = f"the welcome page ({self.key_of('welcome', keys)})"
+            text = f"{not_saved(others)}\n{page} has what was typed"
+            self.notify(text, timeout=10, markup=False)
         # What is done first may depend on the ROS that is here, so that it waits for that.
         waiting = None if own else self._first
         if self.looks_for_ros:
@@ -171,6 +179,24 @@ class StudioApp(InOrder, inherit_bindings=False):
         """Do an action by its call."""
         await self.run_action(call, self.main)
 
+    def get_line_filters(self) -> Sequence[LineFilter]:
+        """Return what each line of the screen passes through: nothing in it is obeyed."""
+        return [*super().get_line_filters(), ONLY_TEXT]
+
+    def notify(
+        self,
+        message: str,
+        *,
+        title: str = "",
+        severity: SeverityLevel = "information",
+        timeout: float | None = None,
+        markup: bool = True,
+    ) -> None:
+        """Say something in the corner, with what is invisible in it escaped."""
+        super().notify(
+            visible_text(message), title=title, severity=severity, timeout=timeout, markup=markup
+        )
+
     def show_error(self, error: BaseException) -> None:
         """Show an error of Plastron's own, with the place of the journal and a report; once."""
         from .screens.failure import Failure, report_of
@@ -199,22 +225,25 @@ class StudioApp(InOrder, inherit_bindings=False):
                 return self.main.open.journal.file
         return None
 
-    def _told_to_end(self, loop: asyncio.AbstractEventLoop, *_: object) -> None:
+    def _told_to_end(
+        self, loop: asyncio.AbstractEventLoop, number: int, frame: FrameType | None
+    ) -> None:
         """End because the system says so: the terminal has gone, or the machine goes down."""
+        status = 128 + number  # as a shell has it
         # What Textual writes to a terminal that has gone is taken by nobody, and the event loop
         # may wait for that without end: it has its time, and no more.
-        guard = threading.Timer(_ENDS_WITHIN, self._end_at_once)
+        guard = threading.Timer(_ENDS_WITHIN, self._end_at_once, [status])
         guard.daemon = True
         guard.start()
-        loop.call_soon_threadsafe(self._end)
+        loop.call_soon_threadsafe(self._end, status)
 
-    def _end(self) -> None:
+    def _end(self, status: int) -> None:
         self._keep_all()
-        self.exit(return_code=_TERMINATED)
+        self.exit(return_code=status)
 
-    def _end_at_once(self) -> None:
+    def _end_at_once(self, status: int) -> None:
         self._keep_all()
-        os._exit(_TERMINATED)
+        os._exit(status)
 
     def on_app_focus(self) -> None:
         """Let the editor have the keys, when the window gets the focus before anything else."""
@@ -235,6 +264,11 @@ def run(path: Path | None, options: Options | None = None, first: str | None = N
     if app.last_words:
         print(app.last_words, file=sys.stderr)
     return app.return_code or 0
+
+
+def run_served() -> None:
+    """Run the studio for a browser's server, with the program's argument as its file, and exit."""
+    sys.exit(run(Path(sys.argv[1]) if len(sys.argv) > 1 else None))
 
 
 def has_few_colours(environ: Mapping[str, str]) -> bool:

@@ -11,27 +11,18 @@ from pathlib import Path
 from typing import Any
 
 from plastron_tui.diagnostics import did_you_mean
+from plastron_tui.private_files import read_private, write_private
+from plastron_tui.regular_files import read_regular, reason
+from plastron_tui.user_folders import config_folder
 
 _MOST_RECENT = 12
+_LARGEST = 1024**2
+"""The largest file of settings, or of what is remembered, in bytes."""
 
 
 def config_file(environ: Mapping[str, str] = os.environ) -> Path:
-    """Return where the configuration file is, by the XDG base directory specification."""
-    return _base(environ, "XDG_CONFIG_HOME", ".config") / "plastron" / "studio.yaml"
-
-
-def state_folder(environ: Mapping[str, str] = os.environ) -> Path:
-    """Return the folder of what is remembered, by the XDG base directory specification."""
-    return _base(environ, "XDG_STATE_HOME", ".local/state") / "plastron"
-
-
-def _base(environ: Mapping[str, str], variable: str, default: str) -> Path:
-    set_ = environ.get(variable, "")
-    if set_ and Path(set_).is_absolute():
-        return Path(set_)
-    with suppress(RuntimeError):
-        return Path.home() / default
-    return Path("/tmp") / f"plastron-{os.getuid()}"
+    """Return where the configuration file is."""
+    return config_folder(environ) / "studio.yaml"
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,11 +53,11 @@ def load_config(
 ) -> tuple[Config, tuple[str, ...]]:
     """Read the configuration; what is wrong with it is a message, and the default counts."""
     try:
-        text = file.read_bytes()
-    except FileNotFoundError:
+        text = read_regular(file, _LARGEST)
+    except (FileNotFoundError, NotADirectoryError):
         return Config(), ()
     except OSError as error:
-        return Config(), (f"{file.name} cannot be read: {(error.strerror or '').lower()}",)
+        return Config(), (f"{file.name} cannot be read: {reason(error)}",)
     import yaml
 
     try:
@@ -98,13 +89,10 @@ def template(file: Path, actions: Iterable[tuple[str, str]]) -> str | None:
         *(f"#   {action}: {keys or 'f11'}" for action, keys in actions),
     ]
     try:
-        file.parent.mkdir(parents=True, exist_ok=True)
-        with file.open("x", encoding="utf-8") as stream:
-            stream.write("\n".join(lines) + "\n")
-    except FileExistsError:
-        return None
+        if not os.path.lexists(file):
+            write_private(file, ("\n".join(lines) + "\n").encode())
     except OSError as error:
-        return f"{file} cannot be written: {(error.strerror or '').lower()}"
+        return f"{file} cannot be written: {reason(error)}"
     return None
 
 
@@ -174,8 +162,8 @@ _STATE_FILE = "studio.json"
 def load_remembered(folder: Path) -> Remembered:
     """Read what is remembered; what cannot be read is forgotten."""
     remembered = Remembered()
-    with suppress(OSError, ValueError):
-        data = json.loads((folder / _STATE_FILE).read_bytes())
+    with suppress(OSError, ValueError, RecursionError):
+        data = json.loads(read_private(folder / _STATE_FILE, _LARGEST))
         for key, default in asdict(remembered).items():
             value = data.get(key) if isinstance(data, dict) else None
             if isinstance(value, str if default is None else type(default)):
@@ -190,8 +178,5 @@ def load_remembered(folder: Path) -> Remembered:
 def save_remembered(folder: Path, remembered: Remembered) -> None:
     """Write what is remembered; a disk that takes nothing is no reason to stop."""
     file = folder / _STATE_FILE
-    temporary = file.with_name(f"{_STATE_FILE}.{os.getpid()}.tmp")
     with suppress(OSError):
-        folder.mkdir(parents=True, exist_ok=True, mode=0o700)
-        temporary.write_text(json.dumps(asdict(remembered), indent=1), encoding="utf-8")
-        temporary.replace(file)
+        write_private(file, json.dumps(asdict(remembered), indent=1).encode())

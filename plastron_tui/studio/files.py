@@ -6,9 +6,13 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.boundary import find_boundary
+from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.output.names import settled
 from plastron_tui.output.stamps import Stamp, stamp_of
-from plastron_tui.program_file import read_program
+from plastron_tui.program_file import LARGEST_PROGRAM, read_program
+from plastron_tui.project import outside_program
+from plastron_tui.regular_files import read_regular
 
 SUFFIX = ".plastron"
 
@@ -29,10 +33,24 @@ class OnDisk:
 
 @dataclass(frozen=True, slots=True)
 class Opened:
-    """A file that was asked for: what it holds, or why that is not known."""
+    """A file that was asked for: what it holds, or why that is not known.
+
+    Attributes:
+        disk: what it holds.
+        problem: why that is not known.
+        notes: what was found of a write to its folder that was interrupted; nobody finds it again.
+    """
 
     disk: OnDisk | None
     problem: Diagnostic | None = None
+    notes: tuple[Diagnostic, ...] = ()
+
+    @property
+    def said(self) -> tuple[str, ...]:
+        """The notes as texts."""
+        return tuple(
+            f"{note.message}\n{note.help}" if note.help else note.message for note in self.notes
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +59,7 @@ class Saved:
 
     Attributes:
         disk: what the file holds now, None when it was not written.
-        problem: why it was not.
+        problem: why it was not; or, where it was, a warning.
         found: when another text is in the file than the one that was read, that text.
     """
 
@@ -49,26 +67,31 @@ class Saved:
     problem: Diagnostic | None = None
     found: bytes | None = None
 
+    @property
+    def refusal(self) -> Diagnostic | None:
+        """Why it was not written, None where it was."""
+        return self.problem if self.disk is None else None
+
 
 def open_file(path: Path) -> Opened:
     """Read a program; a file that is not there yet is an empty one."""
+    notes = settled(path.parent)
     stamp = stamp_of(path)
     if stamp is None and not os.path.lexists(path):
-        return Opened(OnDisk(path, None, None))
+        return Opened(OnDisk(path, None, None), notes=notes)
     read = read_program(path)
     if read.text is None:
-        return Opened(None, read.diagnostics[0])
-    return Opened(OnDisk(path, read.text, stamp))
+        return Opened(None, read.diagnostics[0], (*read.diagnostics[1:], *notes))
+    return Opened(OnDisk(path, read.text, stamp), notes=(*read.diagnostics, *notes))
 
 
-def save_file(path: Path, text: bytes, known: OnDisk | None, *, force: bool = False) -> Saved:
+def save_file(path: Path, text: bytes, known: OnDisk | None) -> Saved:
     """Write a program: all of it or nothing; mode and, as the text has them, line endings stay.
 
     Args:
         path: where to.
         text: the program.
         known: what is known to be there; another text there is not written over.
-        force: write over it all the same.
     """
     from plastron_tui.output.manifest import Manifest
     from plastron_tui.output.plan import OutputFile, make_plan
@@ -76,29 +99,32 @@ def save_file(path: Path, text: bytes, known: OnDisk | None, *, force: bool = Fa
 
     present = _present(path)
     expected = known.text if known is not None and known.path == path else None
-    if not force and present is not None and present not in (expected, text):
+    if present is not None and present not in (expected, text):
         return Saved(None, found=present)
-    if not path.absolute().parent.is_dir():
+    folder = path.absolute().parent
+    if not folder.is_dir():
         return Saved(None, _gone(path))
-    if _is_protected(path):
-        return Saved(None, _protected(path))
+    outside = outside_program(path, find_boundary(folder))
+    if outside is not None:
+        return Saved(None, outside)
     # A program is handwork: no manifest remembers it.
     file = OutputFile(
         path.name, text, is_executable=False, merged_from=present, path=path, has_handwork=True
     )
-    plan, problems = make_plan(path.absolute().parent, [file], Manifest())
+    plan, problems = make_plan(folder, [file], Manifest())
     problems = (*problems, *plan.conflicts)
     if not problems:
         problems = write(plan).diagnostics
-    if problems:
-        return Saved(None, problems[0])
-    return Saved(OnDisk(path, text, stamp_of(path)))
+    errors = [found for found in problems if found.severity is Severity.ERROR]
+    if errors:
+        return Saved(None, errors[0])
+    return Saved(OnDisk(path, text, stamp_of(path)), problems[0] if problems else None)
 
 
 def _present(path: Path) -> bytes | None:
     try:
-        return path.read_bytes()
-    except OSError:
+        return read_regular(path, LARGEST_PROGRAM)
+    except (OSError, ValueError):
         return None
 
 
@@ -106,23 +132,6 @@ def _gone(path: Path) -> Diagnostic:
     folder = path.absolute().parent
     message = f"cannot write `{path.name}`: the folder `{folder.name}` is not there"
     return Diagnostic("cannot-write", message, file=path, help="save it under another name")
-
-
-def _is_protected(path: Path) -> bool:
-    """Tell whether nobody is to write a file: a rename would, whatever its mode says."""
-    try:
-        return not path.stat().st_mode & 0o222 or not os.access(path, os.W_OK)
-    except (OSError, ValueError):
-        return False
-
-
-def _protected(path: Path) -> Diagnostic:
-    return Diagnostic(
-        "cannot-write",
-        f"cannot write `{path.name}`: it is read-only",
-        file=path,
-        help=f"save it under another name, or allow it: chmod u+w {path.name}",
-    )
 
 
 def read_again(disk: OnDisk) -> OnDisk:

@@ -2,17 +2,27 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
+import threading
 from contextlib import suppress
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 from time import time
+from typing import Any
+
+from plastron_tui.private_files import is_running, process_mark, read_private, sweep, write_private
+from plastron_tui.program_file import LARGEST_PROGRAM
 
 _FORMAT = 1
 _LATEST = 4e9
 """A time that every calendar has, in seconds since the epoch; a broken journal may name others."""
+_LARGEST = 2 * LARGEST_PROGRAM
+"""The largest journal, in bytes: while one types, a program may be larger than one that is read."""
+_PATIENCE = 2.0
+"""Seconds to wait for a disk that is still busy with the text before."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,6 +32,7 @@ class Kept:
     Attributes:
         file: the journal.
         path: the program's file, None for a program that had none.
+        folder: where a program without a file was begun; None where that is not known.
         text: what was typed.
         cursor: where the cursor was, in bytes.
         when: when it was kept, in seconds since the epoch.
@@ -29,9 +40,16 @@ class Kept:
 
     file: Path
     path: Path | None
+    folder: Path | None
     text: bytes
     cursor: int
     when: float
+
+    def belongs_to(self, path: Path | None, folder: Path) -> bool:
+        """Tell whether it is the text of a program: of a file, or without one of a folder."""
+        if path is None or self.path is None:
+            return path is self.path and self.folder is not None and _is_same(self.folder, folder)
+        return _is_same(self.path, path)
 
     def drop(self) -> None:
         """Forget it."""
@@ -42,52 +60,90 @@ class Kept:
 class Journal:
     """The journal of one program that is open."""
 
-    def __init__(self, folder: Path, path: Path | None) -> None:
+    def __init__(self, journals: Path, path: Path | None, folder: Path | None = None) -> None:
         """Choose the file; nothing is written yet.
 
         Args:
-            folder: where journals are.
+            journals: where journals are.
             path: the program's file.
+            folder: the program's folder, where it has no file.
         """
         self.path = path
-        self._drops = 0
+        self.folder = folder
+        self._turns = 0
+        self._latest = 0
+        self._writing = threading.Lock()
+        self._counting = threading.Lock()
         name = "new" if path is None else _name(path)
         # With the process in its name no studio writes over what another one kept.
-        self.file = folder / f"{name}-{os.getpid()}.journal"
+        self.file = journals / f"{name}-{process_mark()}.journal"
 
-    def write(self, text: bytes, cursor: int) -> OSError | None:
-        """Keep a text in place of the one that was kept; return why that failed.
+    def turn(self) -> int:
+        """Return the number of a text among those to be kept; the last one is kept."""
+        with self._counting:
+            self._turns += 1
+            return self._turns
 
-        What is dropped while it is written, by another thread, stays dropped.
+    def write(self, text: bytes, cursor: int, turn: int | None = None) -> OSError | None:
+        """Keep a text in place of the one that was kept, from any thread; return why that failed.
+
+        Args:
+            text: the program.
+            cursor: where the cursor is, in bytes.
+            turn: the text's number, where it was taken before; what was dropped, or written, in a
+                later turn stays so.
         """
-        drops = self._drops
+        turn = turn or self.turn()
+        if not self._writing.acquire(timeout=_PATIENCE):
+            return OSError(errno.ETIMEDOUT, "the disk does not answer")
+        try:
+            if turn > self._latest:
+                self._write(self._head(cursor) + text)
+                self._written(turn)
+        except OSError as error:
+            return error
+        finally:
+            self._writing.release()
+        return None
+
+    def _head(self, cursor: int) -> bytes:
         head = {
             "plastron-journal": _FORMAT,
-            "path": None if self.path is None else os.fspath(self.path.absolute()),
+            "path": _text_of(self.path),
+            "folder": _text_of(self.folder),
             "cursor": cursor,
             "pid": os.getpid(),
             "when": time(),
         }
-        temporary = self.file.with_name(f"{self.file.name}.{os.getpid()}.tmp")
-        try:
-            self.file.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
-            descriptor = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
-            with os.fdopen(descriptor, "wb") as stream:
-                stream.write(json.dumps(head).encode() + b"\n" + text)
-            temporary.replace(self.file)
-            if self._drops != drops:
-                self.file.unlink()
-        except OSError as error:
-            with suppress(OSError):
-                temporary.unlink()
-            return error
-        return None
+        return json.dumps(head).encode() + b"\n"
+
+    def _write(self, data: bytes) -> None:
+        if len(data) > _LARGEST:
+            raise OSError(errno.EFBIG, f"it is larger than {_LARGEST // 1024**2} MB")
+        write_private(self.file, data)
+
+    def _written(self, turn: int) -> None:
+        with self._counting:
+            was_dropped = turn < self._latest
+            self._latest = max(turn, self._latest)
+        if was_dropped:
+            self.file.unlink(missing_ok=True)
 
     def drop(self) -> None:
         """Forget what was kept: it is saved, or not wanted."""
-        self._drops += 1
+        turn = self.turn()
+        with self._counting:
+            self._latest = turn
         with suppress(OSError):
             self.file.unlink()
+
+
+def _text_of(path: Path | None) -> str | None:
+    return None if path is None else os.fspath(path.absolute())
+
+
+def _is_same(path: Path, other: Path) -> bool:
+    return os.path.realpath(path) == os.path.realpath(other)
 
 
 def _name(path: Path) -> str:
@@ -95,11 +151,12 @@ def _name(path: Path) -> str:
     return f"{path.stem[:40]}-{sha256(whole).hexdigest()[:16]}"
 
 
-def kept_texts(folder: Path) -> list[Kept]:
+def kept_texts(journals: Path) -> list[Kept]:
     """Return what programs that are no longer open did not save, the newest first."""
+    sweep(journals)
     found = []
     with suppress(OSError):
-        for file in folder.glob("*.journal"):
+        for file in journals.glob("*.journal"):
             kept = _read(file)
             if kept is not None:
                 found.append(kept)
@@ -108,29 +165,21 @@ def kept_texts(folder: Path) -> list[Kept]:
 
 def _read(file: Path) -> Kept | None:
     try:
-        head, _, text = file.read_bytes().partition(b"\n")
+        head, _, text = read_private(file, _LARGEST).partition(b"\n")
         data = json.loads(head)
-        if data["plastron-journal"] != _FORMAT or _is_open(int(data["pid"])):
+        if data["plastron-journal"] != _FORMAT or is_running(int(data["pid"])):
             return None
-        path = None if data["path"] is None else Path(data["path"])
         when = min(max(float(data["when"]), 0.0), _LATEST)
-        return Kept(file, path, text, int(data["cursor"]), when)
-    except (OSError, ValueError, TypeError, KeyError):
+        # Earlier versions did not say the folder.
+        path, folder = _path_of(data["path"]), _path_of(data.get("folder"))
+        return Kept(file, path, folder, text, int(data["cursor"]), when)
+    except (OSError, ValueError, TypeError, KeyError, RecursionError):
         return None
 
 
-def _is_open(pid: int) -> bool:
-    """Tell whether the studio that wrote a journal still runs."""
-    if pid == os.getpid():
-        return False
-    try:
-        os.kill(pid, 0)
-    except ProcessLookupError:
-        return False
-    except (OSError, OverflowError):
-        return True
-    with suppress(OSError):
-        # Another program may have got the number meanwhile.
-        words = Path(f"/proc/{pid}/cmdline").read_bytes().split(b"\0")
-        return any(b"plastron" in word.rpartition(b"/")[2] for word in words)
-    return True
+def _path_of(value: Any) -> Path | None:
+    if value is None:
+        return None
+    if "\0" in value:
+        raise ValueError("no path has a NUL character")
+    return Path(value)

@@ -74,20 +74,20 @@ def previews_of(analysis: Analysis, variable: str) -> tuple[Preview, ...]:
 
 
 def _preview(analysis: Analysis, generation: Generation, is_asked: bool) -> Preview:
-    from plastron_tui.output.diff import file_diff, printable
+    from plastron_tui.output.diff import file_diff, visible_patch
 
     session = analysis.session
     made = session.generate(generation)
     if made.file is None:
         return Preview(generation.node.name, None, None, (), None, made.diagnostics)
-    plan, problems = session.plan_of([made])
+    plan, problems = session.plan_of([made], is_preview=True)
     if not plan.files:
         return Preview(made.file.name, None, None, (), None, problems)
     file = plan.files[0]
     diff = None
     source = generation.node.source
     if file.before is not None and file.state is not FileState.IDENTICAL:
-        diff = diff_lines(printable(file_diff(file)))
+        diff = diff_lines(visible_patch(file_diff(file)))
     elif source is not None and source.library == generation.library:
         diff = difference(source.text, file.text)
     state = file.state if is_asked else None

@@ -11,6 +11,8 @@ from pathlib import Path
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.language import statements
+from plastron_tui.program_file import LARGEST_PROGRAM
+from plastron_tui.regular_files import read_regular, reason
 from plastron_tui.session import Session
 
 from .files import OnDisk, open_file, save_file
@@ -58,7 +60,7 @@ def recipes(folder: Path | None = None) -> tuple[Recipe, ...]:
 
 
 def _recipe(path: Path) -> Recipe:
-    text = path.read_bytes()
+    text = read_regular(path, LARGEST_PROGRAM)
     about = _about(text.decode("utf-8"))
     title, _, description = about.partition(": ")
     if not description:
@@ -111,7 +113,7 @@ def place_files(recipe: Recipe, folder: Path) -> Placed:
             if saved.found is not None:
                 kept.append(file)
                 continue
-            problem = saved.problem
+            problem = saved.refusal
         if problem is not None:
             return Placed(tuple(written), tuple(kept), problem)
         written.append(file)
@@ -122,6 +124,7 @@ def _make_folder(folder: Path) -> Diagnostic | None:
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        reason = (error.strerror or str(error)).lower()
-        return Diagnostic("cannot-write", f"cannot make the folder `{folder.name}`: {reason}")
+        return Diagnostic(
+            "cannot-write", f"cannot make the folder `{folder.name}`: {reason(error)}"
+        )
     return None

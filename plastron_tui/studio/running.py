@@ -5,13 +5,13 @@ from __future__ import annotations
 import os
 import signal
 import subprocess
-import sys
 import threading
 from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
+from plastron_tui import import_path
 from plastron_tui.runtime import guard
 from plastron_tui.session import Options
 
@@ -110,7 +110,7 @@ class Running:
 
 
 def _command(path: Path, options: Options) -> list[str]:
-    command = [sys.executable, "-m", "plastron_tui", "run", os.fspath(path)]
+    command = [*import_path.command("plastron_tui.cli:main"), "run", os.fspath(path)]
     if options.target is not None:
         command += ["--target", options.target]
     if options.output is not None:
@@ -122,7 +122,7 @@ def _guarded(group: int) -> subprocess.Popen[bytes] | None:
     """Start the process that ends a group of processes when this one is gone, if that can be."""
     try:
         process = subprocess.Popen(
-            [sys.executable, guard.__file__],
+            guard.command(),
             stdin=subprocess.PIPE,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,

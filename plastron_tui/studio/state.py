@@ -63,17 +63,23 @@ class Open:
 
 
 def opened(
-    disk: OnDisk | None, folder: Path, options: Options | None = None, text: bytes | None = None
+    disk: OnDisk | None,
+    journals: Path,
+    options: Options | None = None,
+    text: bytes | None = None,
+    begun: Path | None = None,
 ) -> Open:
     """Open a program.
 
     Args:
         disk: its file; None for a new one.
-        folder: where journals are.
+        journals: where journals are.
         options: what the command line sets.
         text: another text than that of the file, which is then not saved yet.
+        begun: the folder of a new one; None for the working folder.
     """
     path = None if disk is None else disk.path
     if text is None:
         text = (disk.text or b"") if disk is not None else b""
-    return Open(Session(text, path, options), disk, Journal(folder, path))
+    session = Session(text, path, options, begun=begun)
+    return Open(session, disk, Journal(journals, path, session.folder if path is None else None))

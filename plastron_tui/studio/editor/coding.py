@@ -16,7 +16,8 @@ from textual.binding import Binding, BindingType
 
 from plastron_tui.diagnostics import Edit
 from plastron_tui.language import format_document
-from plastron_tui.program_file import check_text
+from plastron_tui.program_file import LARGEST_PROGRAM, check_text
+from plastron_tui.regular_files import read_regular, reason
 
 from .base import EditorBase
 from .names import Variable, variable_at, wrong_name
@@ -93,7 +94,7 @@ class CodingActions(EditorBase):
         try:
             there = EditedElsewhere(self.text, name)
         except OSError as error:
-            self._warn(f"no temporary file can be written: {error.strerror or error}".lower())
+            self._warn(f"no temporary file can be written: {reason(error)}")
             return
         with there:
             try:
@@ -107,18 +108,26 @@ class CodingActions(EditorBase):
 
     def _take(self, there: EditedElsewhere, problem: str | None) -> None:
         """Take what another editor has left, or say why that cannot be."""
-        text = there.text
-        if problem is not None:
+        try:
+            text = there.read()
+        except FileNotFoundError:
+            self._warn(problem or f"`{there.file.name}` is gone; the text is as it was")
+            return
+        except OSError as error:
+            self._keep(there, problem or f"`{there.file.name}` cannot be read: {reason(error)}")
+            return
+        checked = check_text(None, text)
+        if problem is not None and text == self.text:
             self._warn(problem)
-        elif text is None:
-            self._warn(f"`{there.file.name}` is gone; the text is as it was")
+        elif problem is not None or checked.text is None:
+            self._keep(there, problem or checked.diagnostics[0].message)
         else:
-            checked = check_text(None, text)
-            if checked.text is not None:
-                self.replace_all(checked.text)
-                return
-            there.is_kept = True
-            self._warn(f"{checked.diagnostics[0].message}; what you wrote is in {there.file}")
+            self.replace_all(checked.text)
+
+    def _keep(self, there: EditedElsewhere, problem: str) -> None:
+        """Leave what was written where it is, and say so."""
+        there.is_kept = True
+        self._warn(f"{problem}; what you wrote is in {there.file}")
 
 
 def external_editor(environ: Mapping[str, str]) -> list[str] | None:
@@ -141,15 +150,17 @@ def run_editor(command: list[str], file: Path) -> str | None:
     try:
         done = subprocess.run([*command, os.fspath(file)], check=False)
     except OSError as error:
-        reason = (error.strerror or str(error)).lower()
-        return f"`{command[0]}` cannot be started: {reason}"
+        return f"`{command[0]}` cannot be started: {reason(error)}"
     if done.returncode:
         return f"`{command[0]}` ended with status {done.returncode}; the text is as it was"
     return None
 
 
 class EditedElsewhere:
-    """A text in a temporary file, for another editor; it is gone afterwards unless it is kept."""
+    """A text in a temporary file, for another editor; it is gone afterwards unless it is kept.
+
+    After an error it stays: nobody has read what is in it.
+    """
 
     def __init__(self, text: bytes, name: str) -> None:
         self._folder = Path(mkdtemp(prefix="plastron-"))
@@ -157,17 +168,18 @@ class EditedElsewhere:
         self.file.write_bytes(text)
         self.is_kept = False
 
-    @property
-    def text(self) -> bytes | None:
-        """What is in the file; None when it is gone."""
-        try:
-            return self.file.read_bytes()
-        except OSError:
-            return None
+    def read(self) -> bytes:
+        """Return what is in the file.
+
+        Raises:
+            FileNotFoundError: it is gone.
+            OSError: it cannot be read, is no regular file, or is larger than a program may be.
+        """
+        return read_regular(self.file, LARGEST_PROGRAM)
 
     def __enter__(self) -> EditedElsewhere:
         return self
 
-    def __exit__(self, *_: object) -> None:
-        if not self.is_kept:
+    def __exit__(self, error: type[BaseException] | None, *_: object) -> None:
+        if error is None and not self.is_kept:
             rmtree(self._folder, ignore_errors=True)

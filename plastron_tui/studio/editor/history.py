@@ -6,6 +6,9 @@ from dataclasses import dataclass, field
 from enum import Enum, auto
 from typing import NamedTuple
 
+_MOST_STEPS, _MOST_BYTES = 10_000, 16 * 1024 * 1024
+"""How much can be undone: so many steps, of so many bytes together; the last step always can."""
+
 PAUSE = 2.0
 """Seconds without a key after which typing starts a step of its own."""
 
@@ -58,6 +61,11 @@ class Step:
     after: Selection
     time: float
 
+    @property
+    def size(self) -> int:
+        """The bytes of the texts that it keeps."""
+        return sum(len(change.old) + len(change.new) for change in self.changes)
+
 
 @dataclass(slots=True)
 class History:
@@ -66,9 +74,11 @@ class History:
     done: list[Step] = field(default_factory=list)
     undone: list[Step] = field(default_factory=list)
     _is_closed: bool = True
+    _size: int = 0
 
     def add(self, step: Step) -> None:
         """Remember a step, or let the last one go on."""
+        self._size += step.size - sum(each.size for each in self.undone)
         self.undone.clear()
         last = self.done[-1] if self.done and not self._is_closed else None
         if last is not None and _goes_on(last, step):
@@ -77,6 +87,8 @@ class History:
         else:
             self.done.append(step)
         self._is_closed = False
+        while len(self.done) > 1 and (len(self.done) > _MOST_STEPS or self._size > _MOST_BYTES):
+            self._size -= self.done.pop(0).size
 
     def close(self) -> None:
         """Let the next edit be a step of its own, because the cursor went elsewhere."""

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Severity
-from plastron_tui.diagnostics.render import printable
+from plastron_tui.diagnostics.terminal import visible
 
 from .offsets import Offsets
 from .state import Edited
@@ -77,7 +77,7 @@ class Marks:
         start = self._starts[index]
         diagnostic = self._diagnostics[index]
         end = start + self._lengths[index]
-        return Mark(start, end, diagnostic.severity, printable(diagnostic.message))
+        return Mark(start, end, diagnostic.severity, visible(diagnostic.message))
 
 
 def worst(marks: list[Mark]) -> Mark | None:

@@ -7,6 +7,8 @@ from typing import ClassVar
 from rich.segment import Segment
 from textual.strip import Strip
 
+from plastron_tui.diagnostics.terminal import visible
+
 from .tones import Toned
 
 
@@ -24,6 +26,7 @@ class Bar(Toned):
         self, left: tuple[tuple[str, str], ...], right: tuple[tuple[str, str], ...] = ()
     ) -> None:
         """Show pieces of text, each with the name of a component or ""."""
+        left, right = _visible(left), _visible(right)
         if (left, right) != (self.left, self.right):
             self.left, self.right = left, right
             self.refresh()
@@ -59,6 +62,10 @@ class Bar(Toned):
             left = Strip([*left.crop(0, max(0, room - 1)), Segment("…", base)])
         left = left.extend_cell_length(width - right.cell_length, base)
         return Strip([*left, *right]).crop(0, width)
+
+
+def _visible(pieces: tuple[tuple[str, str], ...]) -> tuple[tuple[str, str], ...]:
+    return tuple((visible(text), tone) for text, tone in pieces)
 
 
 def _shortened(pieces: tuple[tuple[str, str], ...], excess: int) -> tuple[tuple[str, str], ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import cache
+from functools import lru_cache
 from pathlib import Path
 
 from plastron_tui.diagnostics import Diagnostic, LineIndex, Severity, Span
@@ -215,7 +215,7 @@ def _problem(
         yield Entry(f"help {key}", found.help, sign="=", depth=1, span=span)
 
 
-@cache
+@lru_cache(4096)
 def _type(type_: InterfaceName | None) -> str:
     return "type unknown" if type_ is None else str(type_)
 

@@ -14,6 +14,8 @@ from textual.containers import Vertical
 from textual.widgets import Input, Label, OptionList
 from textual.widgets.option_list import Option
 
+from plastron_tui.diagnostics.terminal import visible
+
 from .dialog import Dialog
 
 _MOST = 2000
@@ -58,10 +60,12 @@ class ChooseFile(Dialog["Path | None"]):
     def _list(self) -> None:
         """List the programs and the folders that the written part fits."""
         folder, part = self._split()
-        self.query_one("#dialog-folder", Label).update(_shown(folder))
+        self.query_one("#dialog-folder", Label).update(visible(_shown(folder)))
         options = [Option("../", id="..")]
         names = _names(folder, self._must_be)
-        options += [Option(name, id=name) for name in names if part.lower() in name.lower()]
+        options += [
+            Option(visible(name), id=name) for name in names if part.lower() in name.lower()
+        ]
         options_list = self.query_one(OptionList)
         options_list.clear_options()
         options_list.add_options(options)

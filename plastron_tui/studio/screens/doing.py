@@ -10,6 +10,7 @@ from textual import on, work
 from textual.message import Message
 
 from plastron_tui.diagnostics import Diagnostic, Edit, Severity, Span
+from plastron_tui.regular_files import reason
 
 from ..panels.acting import Asked
 from ..panels.entry import Entry
@@ -214,7 +215,7 @@ class Doing(Part):
         try:
             self._nodes_run = Running(path, self.open.session.options, self._news)
         except OSError as error:
-            self.notify(f"cannot run: {error.strerror}", severity="error", markup=False)
+            self.notify(f"cannot run: {reason(error)}", severity="error", markup=False)
             return
         self.output.show(((Piece(f"plastron run {path.name}", "quiet"),),))
         self.show_title()
@@ -257,9 +258,9 @@ class Doing(Part):
 
 
 def _printed_line(text: str) -> Line:
-    from plastron_tui.diagnostics.render import printable
+    from plastron_tui.diagnostics.terminal import visible
 
-    shown = printable(text.expandtabs(4))
+    shown = visible(text.expandtabs(4))
     lower = shown.lower()
     if "error" in lower or "traceback" in lower:
         return (Piece(shown, "error"),)

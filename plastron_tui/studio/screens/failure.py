@@ -16,6 +16,7 @@ from textual.containers import Horizontal, Vertical
 from textual.widgets import Button, Label
 
 from plastron_tui import __version__
+from plastron_tui.private_files import write_private
 
 from ..panels.text_view import TextView
 from ..panels.tones import Piece
@@ -42,8 +43,7 @@ def last_words(error: BaseException, journal: Path | None, folder: Path) -> str:
     if journal is not None:
         lines += [f"What was not saved is kept in {journal}", "and is offered at the next start."]
     with suppress(OSError):
-        folder.mkdir(parents=True, exist_ok=True, mode=0o700)
-        file.write_text(report, encoding="utf-8", errors="backslashreplace")
+        write_private(file, report.encode("utf-8", "backslashreplace"))
         lines += [f"This report is in {file}, to send it:"]
     return "\n".join([*lines, "", report])
 

@@ -13,7 +13,7 @@ from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.output.stamps import stamp_of
 
 from ..analyst import Analyst
-from ..files import OnDisk, Saved, open_file, read_again, save_file, with_suffix
+from ..files import OnDisk, Opened, Saved, open_file, read_again, save_file, with_suffix
 from ..journal import Kept
 from ..state import Open, opened
 from .keeping import Keeping, difference_of
@@ -45,9 +45,14 @@ class Filing(Keeping):
             self.keep_soon()
         self.editor.focus()
 
+    def _say_notes(self, found: Opened) -> None:
+        for text in found.said:
+            self.notify(text, severity="warning", timeout=10, markup=False)
+
     def take_file(self, path: Path, *, kept: Kept | None = None) -> bool:
         """Open a file, or say why that cannot be; the text that is open is then left alone."""
         found = open_file(path)
+        self._say_notes(found)
         if found.problem is not None:
             self._say_problem(found.problem)
             return False
@@ -102,14 +107,18 @@ class Filing(Keeping):
             path = await self._ask_path()
             if path is None:
                 return False
-        text = self.open.text
-        disk = self.open.disk
-        saved = save_file(path, text, disk)
-        if saved.found is not None:
+        saved = await self._save_asking(path, self.open.text, self.open.disk)
+        return saved is not None and self._saved(path, saved)
+
+    async def _save_asking(self, path: Path, text: bytes, known: OnDisk | None) -> Saved | None:
+        """Save, and ask about each other text that is found there; None where it is to stay."""
+        saved = save_file(path, text, known)
+        while saved.found is not None:
             if not await self._may_overwrite(path, saved.found, text):
-                return False
-            saved = save_file(path, text, disk, force=True)
-        return self._saved(path, saved)
+                return None
+            # What was shown is known; somebody may have written another text meanwhile.
+            saved = save_file(path, text, OnDisk(path, saved.found, None))
+        return saved
 
     async def _ask_path(self, title: str = "Save as", name: str = "") -> Path | None:
         from .choose_file import ChooseFile
@@ -139,9 +148,9 @@ class Filing(Keeping):
         return answer == "overwrite"
 
     def _saved(self, path: Path, saved: Saved) -> bool:
+        if saved.problem is not None:
+            self._say_problem(saved.problem)
         if saved.disk is None:
-            if saved.problem is not None:
-                self._say_problem(saved.problem)
             return False
         open_ = self.open
         open_.journal.drop()
@@ -197,8 +206,11 @@ class Filing(Keeping):
         from .welcome import Welcome
 
         studio = self._studio
-        answer = await self.app.push_screen_wait(Welcome(studio.remembered.recent))
+        kept = self.not_saved()
+        answer = await self.app.push_screen_wait(Welcome(studio.remembered.recent, kept))
         match answer:
+            case ("kept", str(number)):
+                self.offer_kept(kept[int(number)])
             case ("open", str(path)):
                 if await self.may_leave():
                     self.take_file(Path(path))
@@ -221,25 +233,33 @@ class Filing(Keeping):
     async def take_recipe(self, recipe: Recipe) -> bool:
         """Open a recipe as a new program; one that brings files along gets its place first.
 
-        Tell whether it was opened.
+        The file that is open, where it has nothing in it yet, was named for what comes now. Tell
+        whether it was opened.
         """
         studio, options = self._studio, self.open.session.options
+        named = self.open.disk if not self.open.saved else None
         if not recipe.files:
-            self.take(opened(None, studio.state_folder, options, recipe.text))
+            self.take(opened(named, studio.state_folder, options, recipe.text))
             return True
         names = ", ".join(map(str, recipe.files))
-        path = await self._ask_path(f"Save as, with {names} beside it", recipe.path.name)
+        name = recipe.path.name if named is None else named.path.name
+        path = await self._ask_path(f"Save as, with {names} beside it", name)
         if path is None:
             return False
-        present = read_again(OnDisk(path, None, None)).text
-        if present not in (None, recipe.text):
-            assert present is not None
-            if not await self._may_overwrite(path, present, recipe.text):
+        present = read_again(OnDisk(path, None, None))
+        if present.text not in (None, recipe.text):
+            assert present.text is not None
+            if not await self._may_overwrite(path, present.text, recipe.text):
                 return False
         from ..recipes import place_files
 
         placed = place_files(recipe, path.absolute().parent)
-        problem = placed.problem or save_file(path, recipe.text, None, force=True).problem
+        problem = placed.problem
+        if problem is None:
+            saved = await self._save_asking(path, recipe.text, present)
+            if saved is None:
+                return False
+            problem = saved.refusal
         if problem is not None:
             self._say_problem(problem)
             return False
@@ -305,6 +325,7 @@ class Filing(Keeping):
         if answer != "load":
             return
         found = open_file(now.path)
+        self._say_notes(found)
         if found.problem is not None or found.disk is None:
             message = found.problem.message if found.problem is not None else "it has gone"
             self.notify(message, severity="error", markup=False)

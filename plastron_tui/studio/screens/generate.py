@@ -15,9 +15,9 @@ from textual.widgets import Button, Label, OptionList
 from textual.widgets.option_list import Option
 
 from plastron_tui.diagnostics import Diagnostic, has_errors
-from plastron_tui.output.diff import file_diff, printable
-from plastron_tui.output.plan import FileState, PlannedFile
-from plastron_tui.output.writer import WriteResult, write
+from plastron_tui.output.diff import file_diff, visible_patch
+from plastron_tui.output.plan import FilePlan, FileState, PlannedFile
+from plastron_tui.output.writer import WriteResult, write_current
 from plastron_tui.session import Session
 
 from ..panels.text_view import TextView
@@ -183,7 +183,7 @@ class GenerateDialog(Dialog[bool]):
     def _views(self, file: PlannedFile) -> Iterator[tuple[str, Lines, bool]]:
         """Yield how a file can be looked at: what it is called, the lines, whether numbered."""
         if file.before is not None and file.before != file.text:
-            yield "what changes on the disk", diff_lines(printable(file_diff(file))), False
+            yield "what changes on the disk", diff_lines(visible_patch(file_diff(file))), False
         source = self._origins.get(file.name)
         if source is not None and source.text not in (file.text, file.before):
             lines = difference(source.text, file.text)
@@ -209,13 +209,25 @@ class GenerateDialog(Dialog[bool]):
         self._write(force=True)
 
     def _write(self, *, force: bool) -> None:
-        result = write(self.plan, force=force)
-        if result.diagnostics:
-            found = result.diagnostics[0]
-            self.notify(found.message + (f"\n{found.help}" if found.help else ""),
-                        severity="error", timeout=10, markup=False)  # fmt: skip
-            return
-        self._wrote(result)
+        before = self.plan
+        result = write_current(self.plan, self._plan_again, force=force)
+        is_wrong = has_errors(result.diagnostics)
+        for found in result.diagnostics:
+            if has_errors([found]) or not is_wrong:
+                self.notify(found.message + (f"\n{found.help}" if found.help else ""),
+                            severity="error" if is_wrong else "warning", timeout=10,
+                            markup=False)  # fmt: skip
+        if not is_wrong:
+            self._wrote(result)
+        elif self.plan is not before:
+            self._show_plan()
+
+    def _plan_again(self) -> FilePlan | None:
+        """Find out anew what would be written: another process wrote to the folder meanwhile."""
+        session = self._session
+        fresh = Session(session.document.text, session.path, session.options, begun=session.folder)
+        self._take(fresh)
+        return None if has_errors((*fresh.diagnostics, *self.problems)) else self.plan
 
     def _wrote(self, result: WriteResult) -> None:
         backups = [written.backup.name for written in result.written if written.backup]
@@ -223,8 +235,7 @@ class GenerateDialog(Dialog[bool]):
             self.notify("kept as " + ", ".join(backups), markup=False)
         self.is_written = True
         # What was written is what is there: look again.
-        fresh = Session(self._session.document.text, self._session.path, self._session.options)
-        self._take(fresh)
+        self._plan_again()
         self._show_plan()
 
     def _show_plan(self) -> None:

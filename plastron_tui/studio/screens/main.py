@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import os
 from collections.abc import Callable
 from contextlib import suppress
@@ -36,6 +35,7 @@ from ..state import Open
 from .arranging import Arranging
 from .doing import Doing
 from .filing import Filing
+from .trusting import Trusting
 from .wizarding import Wizarding
 
 if TYPE_CHECKING:
@@ -50,7 +50,7 @@ _FIRST_PAUSE = 0.05
 LISTS = ("nodes", "topics", "services", "messages", "problems")
 
 
-class MainScreen(Arranging, Filing, Doing, Wizarding, Screen[None]):
+class MainScreen(Arranging, Filing, Doing, Wizarding, Trusting, Screen[None]):
     """Shows one program; its handlers own all that is open."""
 
     BINDINGS: ClassVar[list[BindingType]] = [*bindings()]
@@ -112,9 +112,6 @@ class MainScreen(Arranging, Filing, Doing, Wizarding, Screen[None]):
 
     def _settle(self) -> None:
         """Begin to work, now that there is something to see."""
-        # What is there now stays: the collector need not walk it, and may work from here on.
-        gc.freeze()
-        gc.enable()
         self._pause = self.set_timer(_FIRST_PAUSE, self.ask_anew)
         self.editor.statement_help = help_of(self.editor.expected)
         self.show_status()
@@ -182,6 +179,7 @@ class MainScreen(Arranging, Filing, Doing, Wizarding, Screen[None]):
             )
             self.show_counts()
             self.show_title()
+            self.tell_what_waits(analysis)
         for name, entries in analysis.entries.items():
             self.lists[name].show(entries)
         if analysis.drawing is not None:

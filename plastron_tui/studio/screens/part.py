@@ -9,6 +9,7 @@ from textual.screen import Screen
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from ..app import StudioApp
     from ..editor import ProgramEditor
     from ..journal import Kept
     from ..state import Open
@@ -22,6 +23,10 @@ class Part(Screen[None]):
         open: Open
         editor: ProgramEditor
 
+        @property
+        def studio(self) -> StudioApp:
+            """The app."""
+
         def take(self, open_: Open, cursor: int = 0) -> None:
             """Show another program."""
 
@@ -30,6 +35,9 @@ class Part(Screen[None]):
 
         async def save(self, *, other: bool = False) -> bool:
             """Save, and ask what has to be asked; tell whether it was done."""
+
+        async def may_leave(self) -> bool:
+            """Ask about what is not saved; tell whether the program may be closed."""
 
         def show_title(self) -> None:
             """Show the program's name."""

@@ -11,6 +11,8 @@ from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
 from textual.widgets import Button, Input, Label
 
+from plastron_tui.diagnostics.terminal import visible, visible_text
+
 from ..panels.text_view import TextView
 from ..panels.tones import Lines
 from .dialog import Dialog
@@ -51,9 +53,9 @@ class Question(Dialog[str]):
     def compose(self) -> ComposeResult:
         """Make the question and its answers."""
         with Vertical(id="dialog", classes="-tall" if self._lines else ""):
-            yield Label(self._title, id="dialog-title", markup=False)
+            yield Label(visible(self._title), id="dialog-title", markup=False)
             if self._text:
-                yield Label(self._text, id="dialog-text", markup=False)
+                yield Label(visible_text(self._text), id="dialog-text", markup=False)
             if self._lines is not None:
                 yield TextView(self._lines, id="dialog-view")
             with Horizontal(id="dialog-buttons"):
@@ -97,9 +99,9 @@ class Prompt(Dialog[str]):
     def compose(self) -> ComposeResult:
         """Make the question and the line."""
         with Vertical(id="dialog"):
-            yield Label(self._title, id="dialog-title", markup=False)
+            yield Label(visible(self._title), id="dialog-title", markup=False)
             if self._text:
-                yield Label(self._text, id="dialog-text", markup=False)
+                yield Label(visible_text(self._text), id="dialog-text", markup=False)
             yield Input(self._value, id="dialog-input", compact=True, select_on_focus=True)
 
     @on(Input.Submitted)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
+from collections.abc import Sequence
 from pathlib import Path
 from typing import ClassVar
 
@@ -14,7 +14,11 @@ from textual.content import Content
 from textual.widgets import Label, OptionList, Static
 from textual.widgets.option_list import Option
 
+from plastron_tui.diagnostics.terminal import visible
+
+from ..journal import Kept
 from ..recipes import recipes
+from ..shown_places import shown_folder, shown_name, shown_place
 from .dialog import Dialog
 
 _LOGO = """\
@@ -53,8 +57,15 @@ class Welcome(Dialog["Answer | None"]):
     ]
     AUTO_FOCUS = "#welcome-list"
 
-    def __init__(self, recent: list[str]) -> None:
+    def __init__(self, recent: list[str], kept: Sequence[Kept] = ()) -> None:
+        """Make the page.
+
+        Args:
+            recent: the files of late, the latest first.
+            kept: what was not saved when a studio ended; the answer has its number here.
+        """
         super().__init__()
+        self._kept = kept[:6]
         self._recent = [name for name in recent if Path(name).is_file()][:6]
         self._answers: list[Answer] = []
         self._rows = self._options()
@@ -76,11 +87,16 @@ class Welcome(Dialog["Answer | None"]):
 
         for entry in START:
             add(*entry)
+        if self._kept:
+            options.append(None)
+            for number, kept in enumerate(self._kept):
+                note = f"not saved, {shown_place(kept)}".removesuffix(", ")
+                add("kept", str(number), shown_name(kept), note)
         if self._recent:
             options.append(None)
             for name in self._recent:
                 path = Path(name)
-                add("open", name, path.name, _home(path.parent))
+                add("open", name, visible(path.name), shown_folder(path.parent))
         found = recipes()
         if found:
             options.append(None)
@@ -108,9 +124,3 @@ class Welcome(Dialog["Answer | None"]):
     def action_close(self) -> None:
         """Begin to write."""
         self.dismiss(None)
-
-
-def _home(folder: Path) -> str:
-    with suppress(ValueError, RuntimeError):
-        return f"~/{folder.relative_to(Path.home())}"
-    return str(folder)

@@ -8,7 +8,8 @@ from contextlib import suppress
 from itertools import islice
 from pathlib import Path
 
-from plastron_tui.loader import LARGEST_FILE
+from plastron_tui.model.source import LARGEST_FILE
+from plastron_tui.regular_files import read_regular
 
 from .ask import Ask, Choice
 from .kind import Kind
@@ -82,9 +83,7 @@ def _node_files(folder: Path) -> Iterator[tuple[Path, str]]:
 def _marked(folder: Path) -> Iterator[tuple[Path, str]]:
     for path in islice(_python_files(folder, 0), _MOST_ENTRIES):
         with suppress(OSError):
-            if path.stat().st_size > LARGEST_FILE:
-                continue
-            text = path.read_bytes()
+            text = read_regular(path, LARGEST_FILE)
             mark = next((each for each in _MARKS if each in text), None)
             if mark is not None:
                 yield path, mark.decode()
