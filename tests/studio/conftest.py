@@ -1,9 +1,26 @@
 from __future__ import annotations
 
+import asyncio
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import pytest
+from idle_loop import IdleLoop, wait_for_idle, wait_for_screen
 from studio_driver import PROGRAM
+
+
+@pytest.hookimpl
+def pytest_asyncio_loop_factories() -> Mapping[str, Callable[[], asyncio.AbstractEventLoop]]:
+    """Run the tests of the studio in a loop that knows when it is idle."""
+    return {"idle": IdleLoop}
+
+
+@pytest.fixture(autouse=True)
+def waiting_for_events(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let Textual's pilot go on as soon as the app has done what it was told, and not later."""
+    for module in ("textual.app", "textual.pilot"):
+        monkeypatch.setattr(f"{module}.wait_for_idle", wait_for_idle)
+    monkeypatch.setattr("textual.pilot.Pilot._wait_for_screen", wait_for_screen)
 
 
 @pytest.fixture(autouse=True)

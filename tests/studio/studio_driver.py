@@ -1,16 +1,19 @@
 from __future__ import annotations
 
-import time
+import os
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any
 
+from idle_loop import until
 from textual.pilot import Pilot
 from textual.widgets import Label
 
 from plastron_tui.studio.app import StudioApp
+from plastron_tui.studio.journal import Journal
 from plastron_tui.studio.screens.main import MainScreen
+from plastron_tui.user_folders import state_folder
 
 PROGRAM = """\
 create_node 'talker' as talker
@@ -23,15 +26,21 @@ subscribe listener to 'chatter' of message_type String
 generate_node listener
 """
 
-_PATIENCE = 30
-"""Seconds until a test gives up; only a machine with much else to do needs more than one."""
-
 SIZES = [(80, 24), (120, 40)]
 
 
 def fail(*_: object) -> None:
     """Stand for something of Plastron's own that has a mistake in it."""
     raise RuntimeError("a deliberate error")
+
+
+def leave_behind(path: Path | None, text: str, folder: Path | None = None, cursor: int = 0) -> Path:
+    """Leave a journal as a studio does that was killed; the folder is that of a new program."""
+    journal = Journal(state_folder() / "journal", path, folder)
+    # The process that tests is the one that finds it.
+    journal.file = journal.file.with_stem(f"{journal.file.stem}-{os.urandom(4).hex()}")
+    assert journal.write(text.encode(), cursor) is None
+    return journal.file
 
 
 class Driver:
@@ -75,7 +84,10 @@ class Driver:
     def is_current(self) -> bool:
         main = self.main
         analysis = main.open.analysis
+        session = main.open.session
         if analysis is None or analysis.text != main.open.text or main._pause is not None:
+            return False
+        if analysis.session.library != session.library or not main.analyst.is_idle:
             return False
         wanted = main.wanted()
         return (
@@ -85,13 +97,7 @@ class Driver:
         )
 
     async def until(self, condition: Callable[[], bool]) -> None:
-        end = time.monotonic() + _PATIENCE
-        while time.monotonic() < end:
-            await self.pilot.pause()
-            if condition():
-                return
-            await self.pilot.pause(0.01)
-        raise AssertionError(f"it did not happen within {_PATIENCE} seconds")
+        await until(self.pilot, condition)
 
     async def dialog(self, name: str) -> Any:
         """Wait for a dialog, by the name of its class."""

@@ -105,8 +105,7 @@ async def test_the_panels_follow_the_size_of_the_window(
 ) -> None:
     async with studio(program, (120, 40)) as driver:
         await driver.pilot.resize_terminal(*size)
-        await driver.pilot.pause(0.1)
-        assert {dock.id for dock in driver.main.docks if dock.display} == docks
+        await driver.until(lambda: {dock.id for dock in driver.main.docks if dock.display} == docks)
         assert driver.main.editor.view.size.height >= 1
         await driver.type("// x\n")
         for name in ("graph", "problems", "preview", "nodes"):

@@ -104,6 +104,7 @@ CASES: dict[str, Case] = {
     "save_as": Case(opens="ChooseFile"),
     "welcome": Case(opens="Welcome"),
     "tour": Case(opens="Tour"),
+    "trust": Case(lambda driver: "nothing in this project has to be trusted" in driver.notes()),
     "theme": Case(opens="CommandPalette"),
     "keys": Case(lambda driver: bool(driver.main.query("HelpPanel"))),
     "config": Case(lambda driver: "it counts from the next start on" in driver.notes()),

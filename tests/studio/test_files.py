@@ -4,11 +4,11 @@ import os
 from pathlib import Path
 
 import pytest
-from studio_driver import PROGRAM, SIZES, studio
+from studio_driver import PROGRAM, SIZES, leave_behind, studio
 
-from plastron_tui.studio.config import state_folder
-from plastron_tui.studio.journal import Journal, kept_texts
+from plastron_tui.studio.journal import kept_texts
 from plastron_tui.studio.screens.main import MainScreen
+from plastron_tui.user_folders import state_folder
 
 
 @pytest.mark.parametrize("size", SIZES)
@@ -237,13 +237,8 @@ async def test_what_was_typed_is_in_the_journal_within_a_second(program: Path) -
 
 
 @pytest.mark.parametrize(("key", "text"), [("r", "// kept\n"), ("f", ""), ("l", "")])
-async def test_what_a_crash_left_is_offered(
-    program: Path, monkeypatch: pytest.MonkeyPatch, key: str, text: str
-) -> None:
-    journal = Journal(state_folder() / "journal", program)
-    with monkeypatch.context() as patch:
-        patch.setattr(os, "getpid", lambda: 2**22 + 7)
-        assert journal.write(("// kept\n" + PROGRAM).encode(), 3) is None
+async def test_what_a_crash_left_is_offered(program: Path, key: str, text: str) -> None:
+    kept = leave_behind(program, "// kept\n" + PROGRAM, cursor=3)
     async with studio(program, welcome=True) as driver:
         dialog = await driver.dialog("Question")
         assert "+// kept" in dialog.query_one("TextView").text
@@ -253,12 +248,8 @@ async def test_what_a_crash_left_is_offered(
         if key == "r":
             assert driver.main.editor.cursor_offset == 3
             assert driver.main.open.is_changed
-        folder = state_folder() / "journal"
-        mine = f'"pid": {os.getpid()}'.encode()
-        if key == "r":
-            await driver.until(lambda: mine in journal.file.read_bytes())
-        else:
-            assert bool(kept_texts(folder)) == (key == "l")
+        await driver.until(lambda: kept.exists() == (key == "l"))
+        assert driver.main.open.journal.file.exists() == (key == "r")
 
 
 def test_a_journal_that_is_no_journal_is_left_out(tmp_path: Path) -> None:

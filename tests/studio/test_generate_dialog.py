@@ -8,6 +8,7 @@ from studio_driver import PROGRAM, SIZES, Driver, studio
 from textual.widgets import Button, Label
 
 from plastron_tui.diagnostics import Edit, Span
+from plastron_tui.output.writer import write
 from plastron_tui.session import Session
 
 FILE = """\
@@ -185,3 +186,15 @@ async def test_what_cannot_be_found_out_is_said_instead_of_awaited(
         driver.main.action_generate()
         dialog = await driver.dialog("Failure")
         assert "a deliberate error" in dialog.report
+
+
+async def test_a_file_that_another_process_writes_meanwhile(program: Path) -> None:
+    """What the dialog shows is no longer so: the plan is made again, as by the command line."""
+    async with studio(program) as driver:
+        dialog = await ask(driver)
+        others = Session(program.read_bytes().replace(b"hello", b"hallo"), program)
+        made, _ = others.plan()
+        write(made)
+        await driver.pilot.press("enter")
+        await driver.until(lambda: dialog.is_written)
+        assert not driver.app._notifications

@@ -11,20 +11,12 @@ import time
 from pathlib import Path
 
 import pytest
-from studio_driver import PROGRAM, SIZES, fail, studio
+from studio_driver import PROGRAM, SIZES, fail, leave_behind, studio
 
-from plastron_tui.studio.config import load_remembered, state_folder
+from plastron_tui.studio.config import load_remembered
 from plastron_tui.studio.journal import Journal, kept_texts
 from plastron_tui.studio.screens.main import MainScreen
-
-
-def leave_behind(path: Path | None, text: str, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Leave a journal as a studio does that was killed."""
-    with monkeypatch.context() as patch:
-        patch.setattr(os, "getpid", lambda: 2**22 + 7)
-        journal = Journal(state_folder() / "journal", path)
-        assert journal.write(text.encode(), 0) is None
-    return journal.file
+from plastron_tui.user_folders import state_folder
 
 
 @pytest.mark.parametrize("size", SIZES)
@@ -68,11 +60,11 @@ async def test_a_journal_that_cannot_be_written_is_said_once(program: Path) -> N
 
 
 async def test_opening_another_file_offers_what_was_typed_in_it(
-    program: Path, monkeypatch: pytest.MonkeyPatch
+    program: Path,
 ) -> None:
     other = program.with_name("other.plastron")
     other.write_text("// other\n")
-    leave_behind(other, "// other\n// typed\n", monkeypatch)
+    leave_behind(other, "// other\n// typed\n")
     async with studio(program) as driver:
         assert "other.plastron" in driver.notes()
         driver.main.open_path(other)
@@ -85,9 +77,9 @@ async def test_opening_another_file_offers_what_was_typed_in_it(
 
 
 async def test_what_is_put_off_is_offered_again_whatever_is_typed_meanwhile(
-    program: Path, monkeypatch: pytest.MonkeyPatch
+    program: Path,
 ) -> None:
-    kept = leave_behind(program, "// typed\n" + PROGRAM, monkeypatch)
+    kept = leave_behind(program, "// typed\n" + PROGRAM)
     async with studio(program, welcome=True) as driver:
         await driver.dialog("Question")
         await driver.pilot.press("l")
@@ -102,18 +94,18 @@ async def test_what_is_put_off_is_offered_again_whatever_is_typed_meanwhile(
 
 
 async def test_what_is_saved_already_is_not_offered(
-    program: Path, monkeypatch: pytest.MonkeyPatch
+    program: Path,
 ) -> None:
-    kept = leave_behind(program, PROGRAM, monkeypatch)
+    kept = leave_behind(program, PROGRAM)
     async with studio(program) as driver:
         await driver.until(lambda: not kept.exists())
         assert driver.text == PROGRAM
 
 
 def test_two_studios_keep_the_same_file_apart(
-    program: Path, monkeypatch: pytest.MonkeyPatch
+    program: Path,
 ) -> None:
-    first = leave_behind(program, "one", monkeypatch)
+    first = leave_behind(program, "one")
     assert Journal(state_folder() / "journal", program).file != first
 
 
@@ -201,14 +193,26 @@ def test_what_is_dropped_while_it_is_written_stays_dropped(
     program: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     journal = Journal(state_folder() / "journal", program)
-    replace = Path.replace
+    replace = os.replace
 
-    def replace_late(self: Path, target: Path) -> Path:
+    def replace_late(*arguments: str, **options: int) -> None:
         journal.drop()
-        return replace(self, target)
+        replace(*arguments, **options)
 
-    monkeypatch.setattr(Path, "replace", replace_late)
+    monkeypatch.setattr(os, "replace", replace_late)
     assert journal.write(b"old", 0) is None
+    assert not journal.file.exists()
+
+
+def test_of_texts_that_are_written_in_any_order_the_last_is_kept(program: Path) -> None:
+    journal = Journal(state_folder() / "journal", program)
+    first, second = journal.turn(), journal.turn()
+    assert journal.write(b"new", 0, second) is None
+    assert journal.write(b"old", 0, first) is None
+    assert journal.file.read_bytes().endswith(b"\nnew")
+    third = journal.turn()
+    journal.drop()
+    assert journal.write(b"dropped", 0, third) is None
     assert not journal.file.exists()
 
 

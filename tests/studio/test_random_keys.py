@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import asyncio
 from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+import idle_loop
 from hypothesis import HealthCheck, Phase, example, given, note, settings
 from hypothesis import strategies as some
+from machine import examples
 from rich.segment import Segment
 from studio_driver import PROGRAM, Driver, studio
 from textual.events import Key, Paste
@@ -243,11 +244,11 @@ async def run(steps: list[Step], ending: str = "\n", size: str = "120x40") -> No
 )
 @given(STEPS, some.sampled_from(["\n", "\r\n"]), some.sampled_from(SIZES[:4]))
 @settings(
-    max_examples=12,
+    max_examples=examples(12),
     deadline=None,
     suppress_health_check=list(HealthCheck),
     # To find fewer steps that fail as well takes longer than to read all of them.
     phases=[Phase.explicit, Phase.reuse, Phase.generate],
 )
 def test_random_keys(steps: list[Step], ending: str, size: str) -> None:
-    asyncio.run(run(steps, ending, size))
+    idle_loop.run(run(steps, ending, size))

@@ -182,3 +182,35 @@ async def test_a_folder_that_cannot_be_made_is_said(
         assert "cannot make the folder `nodes`" in driver.notes()
         assert driver.text == ""
     assert not list(tmp_path.glob("*.plastron"))
+
+
+@pytest.mark.parametrize("exists", [False, True])
+@pytest.mark.parametrize("recipe", [RECIPES[0], changing()], ids=["alone", "with files"])
+async def test_a_recipe_is_for_the_file_that_was_named(
+    recipe: Recipe, exists: bool, tmp_path: Path
+) -> None:
+    mine = tmp_path / "mine.plastron"
+    if exists:
+        mine.touch()
+    async with studio(mine) as driver:
+        driver.main.action_start_from(str(recipe.path))
+        if recipe.files:
+            dialog = await driver.dialog("ChooseFile")
+            assert dialog.query_one("Input").value == "mine.plastron"
+            await driver.pilot.press("enter")
+            if exists:
+                await driver.dialog("Question")
+                await driver.pilot.press("o")
+        await driver.until(lambda: driver.main.open.text == recipe.text)
+        await driver.back()
+        assert driver.main.open.path == mine
+        await driver.press("ctrl+s")
+        await driver.until(lambda: not driver.main.open.is_changed)
+    assert mine.read_bytes() == recipe.text
+
+
+async def test_a_recipe_takes_no_file_that_has_a_program(program: Path) -> None:
+    async with studio(program) as driver:
+        driver.main.action_start_from(str(RECIPES[0].path))
+        await driver.until(lambda: driver.main.open.text == RECIPES[0].text)
+        assert driver.main.open.path is None

@@ -5,13 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from studio_driver import Driver
+from studio_driver import Driver, leave_behind
 from test_terminal import Terminal, start
 from test_terminal import terminal as terminal
 
 from plastron_tui.studio.app import StudioApp
-from plastron_tui.studio.config import state_folder
-from plastron_tui.studio.journal import Journal
 
 
 def test_the_wizard_is_in_front_and_writes_into_the_file(
@@ -44,13 +42,12 @@ async def test_there_is_no_welcome_before_it(
 async def test_what_was_not_saved_is_offered_before(tmp_path: Path) -> None:
     path = tmp_path / "mine.plastron"
     path.write_text("// saved\n")
-    journal = Journal(state_folder() / "journal", path)
-    text = b"// saved\n// not saved\n"
-    assert journal.write(text, 0) is None
+    text = "// saved\n// not saved\n"
+    leave_behind(path, text)
     app = StudioApp(path, first="wizard")
     async with app.run_test() as pilot:
         driver = Driver(app, pilot)
         await driver.dialog("Question")
         await pilot.press("enter")
         await driver.dialog("Wizard")
-        assert app.main.open.text == text
+        assert app.main.open.text == text.encode()

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 
+from idle_loop import until
 from textual.app import App, ComposeResult
 from textual.pilot import Pilot
 
@@ -66,6 +67,9 @@ class Driver:
         """Do what the app does when no key comes."""
         self.editor.set_diagnostics(self.editor.session.diagnostics)
         await self.pilot.pause()
+
+    async def until(self, condition: Callable[[], object]) -> None:
+        await until(self.pilot, condition)
 
     @property
     def marked(self) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from idle_loop import until
 from textual.app import App, ComposeResult
 
 from plastron_tui.session import Session
@@ -30,10 +31,7 @@ async def test_a_bar_can_be_asked_for_before_it_is_made(action: str) -> None:
     async with app.run_test() as pilot:
         editor = app.editor
         bar = editor.find_bar if action in ("find", "replace") else editor.prompt_bar
-        for _ in range(50):
-            await pilot.pause(0.01)
-            if bar.has_focus_within:
-                break
+        await until(pilot, lambda: bar.has_focus_within)
         assert bar.display
         await pilot.press("x")
         assert editor.text == b"n stop_service 'a'\n"

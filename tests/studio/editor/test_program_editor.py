@@ -244,11 +244,7 @@ async def test_keys_that_come_all_at_once_keep_their_order() -> None:
 
 async def test_what_is_typed_right_after_a_key_is_for_the_bar_that_it_opens() -> None:
     async with editing("load a as b\n") as at:
-        for _ in range(20):
-            await at.pilot.pause()
-        assert at.editor._has_bars
+        await at.until(lambda: at.editor._has_bars)
         for key, character in (("ctrl+f", None), ("a", "a"), ("s", "s"), ("enter", "\r")):
             at.app.post_message(Key(key, character))
-        for _ in range(20):
-            await at.pilot.pause()
-        assert at.marked == "load a [as] b\n"
+        await at.until(lambda: at.marked == "load a [as] b\n")

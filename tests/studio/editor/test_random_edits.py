@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import asyncio
-
+import idle_loop
 from editor_host import Driver, editing
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as some
+from machine import examples
 
 from plastron_tui.language import Document
 from plastron_tui.session import Session
@@ -84,11 +84,11 @@ async def run(keys: list[str], *, wrap: bool) -> None:
 
 @given(KEYS, some.booleans())
 @settings(
-    max_examples=25,
+    max_examples=examples(25),
     deadline=None,
     suppress_health_check=list(HealthCheck),
     # To find fewer keys that fail as well takes longer than to read all of them.
     phases=[Phase.explicit, Phase.reuse, Phase.generate],
 )
 def test_random_keys(keys: list[str], wrap: bool) -> None:
-    asyncio.run(run(keys, wrap=wrap))
+    idle_loop.run(run(keys, wrap=wrap))

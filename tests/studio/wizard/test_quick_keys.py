@@ -88,7 +88,7 @@ async def slowly(it: WizardDriver, keys: Sequence[str]) -> None:
         await it.settle()
 
 
-@pytest.mark.parametrize("focus", ["editor", "nodes"])
+@pytest.mark.parametrize("focus", ["editor", pytest.param("nodes", marks=pytest.mark.long)])
 @pytest.mark.parametrize("keys", WAYS.values(), ids=WAYS.keys())
 async def test_a_burst_does_what_single_keys_do(here: Path, keys: list[str], focus: str) -> None:
     states = []
@@ -155,7 +155,9 @@ async def test_leaving_while_a_page_is_on_its_way(
         monkeypatch.setattr(Wizard, "_view", slow)
         monkeypatch.setattr(Button, "on_unmount", go_slowly, raising=False)
         await quickly(it, ["enter", "escape", "z"])
-        await asyncio.sleep(0.6)
+        await driver.until(lambda: driver.text == "z" and not it.is_open)
+        await driver.app.workers.wait_for_complete()
+        await driver.pilot.pause()
         assert driver.app.screen is driver.main
         assert driver.text == "z"
 

@@ -140,10 +140,11 @@ def go_and_check(
     return True
 
 
-def test_what_is_let_through_is_right(folder: Path) -> None:
+@pytest.mark.parametrize("tried", [30, pytest.param(150, marks=pytest.mark.long)])
+def test_what_is_let_through_is_right(folder: Path, tried: int) -> None:
     taken, through = Counter[tuple[str, bool]](), Counter[bool]()
 
-    @settings(max_examples=150)
+    @settings(max_examples=tried)
     @given(data=st.data(), program=st.sampled_from(PROGRAMS))
     def go(data: st.DataObject, program: str) -> None:
         through[go_and_check(data, program, folder / "program.plastron", taken)] += 1

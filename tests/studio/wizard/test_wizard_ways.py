@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from studio_driver import studio
+from textual.command import CommandList
 from wizard_courses import CHANGE, MAKE, MESSAGE, REACT, SEND, TWO_NODES
 from wizard_driver import WizardDriver, wizard
 
@@ -29,13 +30,10 @@ async def test_it_is_opened_from(here: Path, way: str) -> None:
                 await driver.pilot.press("alt+w")
             else:
                 await driver.pilot.press("f10")
-                await driver.dialog("CommandPalette")
-                for key in "wizard":
-                    await driver.pilot.press(key)
-                await driver.pilot.pause(0.5)
-                await driver.pilot.press("enter")
-                if not it.is_open:
-                    await driver.pilot.pause(0.2)
+                palette = await driver.dialog("CommandPalette")
+                await driver.pilot.press(*"wizard")
+                await driver.until(lambda: palette.query_one(CommandList).option_count == 1)
+                while driver.app.screen is palette:
                     await driver.pilot.press("enter")
         await driver.until(lambda: it.is_open)
 

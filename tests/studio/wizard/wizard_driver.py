@@ -168,6 +168,8 @@ class WizardDriver:
         await self.settle()
 
     async def click(self, selector: str) -> None:
+        """Click a button; one that still shows the last click takes no other."""
+        await self.driver.until(lambda: not self.screen.query_one(selector).has_class("-active"))
         assert await self.pilot.click(selector)
         await self.settle()
 
