@@ -4,7 +4,7 @@ import signal
 
 import pytest
 from hypothesis import settings
-from machine import IN_CI
+from machine import IN_CI, be_quick, examples
 
 # A shell starts what is in its background with SIGINT ignored, and every program that the tests
 # interrupt would inherit it.
@@ -14,9 +14,22 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 
 # How long an example takes says more about the machine than about the code. CI tries the same
 # examples each time, so that what it says is about the change; new ones are tried at home.
-settings.register_profile("plastron", deadline=None)
-settings.register_profile("ci", deadline=None, derandomize=True)
-settings.load_profile("ci" if IN_CI else "plastron")
+# Without `long` tests each property is tried on fewer examples; with them only, on all.
+def pytest_configure(config: pytest.Config) -> None:
+    if config.option.markexpr == "not long":
+        be_quick()
+    settings.register_profile(
+        "plastron", deadline=None, derandomize=IN_CI, max_examples=examples(100)
+    )
+    settings.load_profile("plastron")
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    if config.option.markexpr == "long":
+        for item in items:
+            if getattr(getattr(item, "obj", None), "is_hypothesis_test", False):
+                item.add_marker("long")
 
 
 # In CI everything is installed, and a skip, whoever made it, would hide a failure.

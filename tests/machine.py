@@ -14,7 +14,24 @@ import pytest
 
 from plastron_tui.runtime.environment import Environment, find_environments
 
-IN_CI = os.environ.get("CI") == "true"
+IN_CI = bool(os.environ.get("CI"))
+
+_QUICK = 5
+"""The quick suite tries one of so many examples; `long` tests try all."""
+
+_is_quick = False
+
+
+def be_quick() -> None:
+    """Try few examples from here on: called before the tests are read."""
+    global _is_quick
+    _is_quick = True
+
+
+def examples(number: int) -> int:
+    """Return how many examples a property is tried on: so many where tests may take long."""
+    return max(number // _QUICK, min(number, 10)) if _is_quick else number
+
 
 TALKING = """\
 create_node 'talker' as talker
@@ -69,7 +86,7 @@ def free_port() -> int:
     return port
 
 
-def wait_until(condition: Callable[[], object], what: str, limit: float = 40.0) -> None:
+def wait_until(condition: Callable[[], object], what: str, limit: float = 120.0) -> None:
     """Wait for a condition, and fail where it does not hold in time, in seconds."""
     deadline = time.monotonic() + limit
     while not condition():
