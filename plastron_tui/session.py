@@ -9,22 +9,25 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from copy import copy
-from functools import cached_property
+from dataclasses import replace
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+from plastron_tui.boundary import DEFAULT_OUTPUT, Boundary, find_boundary
 from plastron_tui.diagnostics import Diagnostic, LineIndex
 from plastron_tui.language import Document, Program
-from plastron_tui.language.pause import collection_paused
 from plastron_tui.language.relowering import Lowered, lower_edited
-from plastron_tui.project import DEFAULT_OUTPUT, Project, find_project
+from plastron_tui.output.names import has_leftovers
+from plastron_tui.program_file import lines_of
+from plastron_tui.project import TRUST_CODES, Project, as_error, find_project, outside_output
 from plastron_tui.targets import LIBRARIES, has_target
 
 if TYPE_CHECKING:
     # What a program means is found out when its text is there to see: the studio starts sooner.
     from plastron_tui.generating.adaptation import Library
     from plastron_tui.generating.generation import Generated
-    from plastron_tui.loader import FilesRead
+    from plastron_tui.loader import FilesRead, NodeLoader
     from plastron_tui.model.fitting import Fitter
     from plastron_tui.model.interpreter import Interpretation
     from plastron_tui.model.setting import Setting
@@ -48,6 +51,7 @@ class Options(NamedTuple):
         distribution: the distribution whose types count, for nodes of its generation of ROS.
         fallback: the client library where neither these nor a project file nor the environment
             says one; None for the default.
+        is_writing: whether files are to be written: what is not trusted is then an error.
     """
 
     target: str | None = None
@@ -56,6 +60,7 @@ class Options(NamedTuple):
     force: bool = False
     distribution: str | None = None
     fallback: str | None = None
+    is_writing: bool = False
 
 
 def _unsupported(generation: Generation) -> Diagnostic:
@@ -76,6 +81,7 @@ class Session:
         path: Path | None = None,
         options: Options | None = None,
         environ: Mapping[str, str] = os.environ,
+        begun: Path | None = None,
     ) -> None:
         """Start a session with a program's text; nothing is parsed twice, or before it is asked.
 
@@ -84,11 +90,13 @@ class Session:
             path: the program's file, None for one that has none yet.
             options: what the command line sets.
             environ: the environment variables that say which ROS is sourced.
+            begun: the folder of a program without a file; None for the working folder.
         """
         self.path = path
         self.options = options or Options()
         self.document = Document(text)
         self._environ = environ
+        self._begun = begun
         self._catalogs: dict[int, Catalog] = {}
         self._libraries: dict[str, Library | None] = {}
         self._program: Program | None = None
@@ -99,11 +107,20 @@ class Session:
     @cached_property
     def folder(self) -> Path:
         """The program's folder."""
-        return Path.cwd() if self.path is None else self.path.absolute().parent
+        if self.path is None:
+            return self._begun or Path.cwd()
+        return self.path.absolute().parent
+
+    @cached_property
+    def boundary(self) -> Boundary:
+        """How far the program's project reaches."""
+        named = () if self.options.output is None else (self.options.output.absolute(),)
+        return replace(find_boundary(self.folder), named=named)
 
     @cached_property
     def _project(self) -> tuple[Project, tuple[Diagnostic, ...]]:
-        return find_project(self.folder, LIBRARIES)
+        overruled = () if self.options.output is None else ("output",)
+        return find_project(self.boundary, LIBRARIES, overruled)
 
     @property
     def project(self) -> Project:
@@ -147,11 +164,13 @@ class Session:
         return catalog
 
     def _new_catalog(self, distribution: str) -> Catalog:
+        from plastron_tui.project import outside_definition
         from plastron_tui.ros.catalog import DISTRIBUTIONS, Catalog, installed_folders
 
         own = self.project.types or (self.folder,)
         installed = installed_folders(self._environ, DISTRIBUTIONS[distribution])
-        return Catalog(distribution, (*own, *installed))
+        refusal = partial(outside_definition, folders=own, boundary=self.boundary)
+        return Catalog(distribution, own, installed, refusal)
 
     def snapshot(self) -> Session:
         """Return a session of the program as it is now, for another thread.
@@ -174,13 +193,21 @@ class Session:
         """Let what an earlier snapshot of the same program has found out help with this one."""
         if earlier._program is not None:
             self._earlier = Lowered(earlier.document.text, earlier._program)
-        if earlier._interpretation is not None:
+        if earlier._interpretation is not None and earlier._project is self._project:
             self._fitters = earlier._interpretation.fitters
 
     def fall_back_to(self, library: str) -> None:
         """Take a client library where nobody chose one."""
         self.options = self.options._replace(fallback=library)
         self.__dict__.pop("library", None)
+        self._interpretation = None
+
+    def trust_changed(self) -> None:
+        """Read the project file anew when it is asked next: the user trusts the project, or not."""
+        for name in ("_project", "library"):
+            self.__dict__.pop(name, None)
+        self._catalogs, self._libraries = {}, {}
+        self._fitters = {}
         self._interpretation = None
 
     def files_changed(self) -> None:
@@ -200,14 +227,12 @@ class Session:
         if self._interpretation is None:
             from plastron_tui.model.interpreter import interpret
 
-            with collection_paused():
-                self._interpretation = interpret(self.program, self.setting, self._fitters, pulse)
-                self._fitters = {}
+            loader = self._new_loader()
+            setting = self._new_setting(loader)
+            self._interpretation = interpret(self.program, setting, self._fitters, pulse)
+            self._fitters = {}
+            loader.forget_others()
         return self._interpretation
-
-    @property
-    def _meaning(self) -> Interpretation:
-        return self.interpret()
 
     @cached_property
     def _files(self) -> FilesRead:
@@ -218,12 +243,22 @@ class Session:
     @property
     def setting(self) -> Setting:
         """What the program is interpreted in, as it is now; it asks this session alone."""
+        # Not kept here: it would be a cycle, and the collector works seldom.
+        return self._new_setting(self._new_loader())
+
+    def _new_loader(self) -> NodeLoader:
         from plastron_tui.loader import NodeLoader
+
+        program = self._name, self.document.text
+        # What a program may not lead to, it does not let be written to either.
+        if has_leftovers(self.output) and self.boundary.allows(self.output):
+            self._files.settle(self.output)
+        places = self.folder, self.output, self.boundary
+        return NodeLoader(*places, self._rendered, *program, self._files)
+
+    def _new_setting(self, loader: NodeLoader) -> Setting:
         from plastron_tui.model.setting import Setting
 
-        # Not kept here: it would be a cycle, and the collector rests while programs are edited.
-        program = self._name, self.document.text
-        loader = NodeLoader(self.folder, self.output, self._rendered, *program, self._files)
         return Setting(self.library, LIBRARIES, self.catalog, loader, self.is_library_chosen)
 
     @property
@@ -234,14 +269,16 @@ class Session:
     @property
     def workspace(self) -> Workspace:
         """What the program builds."""
-        return self._meaning.workspace
+        return self.interpret().workspace
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
         """All that is wrong with the program, its project file, and the types that it uses."""
         # The types are read when the program is interpreted.
-        meaning = self._meaning.diagnostics
-        return (*self._project[1], *meaning, *self._unwritten(), *self.type_problems)
+        meaning = self.interpret().diagnostics
+        left = self._files.problems.values()
+        found = (*meaning, *self._unwritten(), *(each for problems in left for each in problems))
+        return (*self.project_problems, *found, *self.type_problems)
 
     def _unwritten(self) -> Iterator[Diagnostic]:
         """Yield a diagnostic for each node whose client library nothing here can write."""
@@ -255,21 +292,21 @@ class Session:
     @property
     def project_problems(self) -> tuple[Diagnostic, ...]:
         """What is wrong with the project file."""
-        return self._project[1]
+        found = self._project[1]
+        return tuple(map(as_error, found)) if self.options.is_writing else found
 
     @property
     def type_problems(self) -> tuple[Diagnostic, ...]:
         """What is wrong with the definitions that were read so far."""
-        return tuple(found for catalog in self._catalogs.values() for found in catalog.problems)
+        problems = (found for catalog in self._catalogs.values() for found in catalog.problems)
+        # The catalogs of both generations of ROS may have asked for one definition.
+        return tuple(dict.fromkeys(problems))
 
     def lines(self, file: Path | None) -> LineIndex | None:
         """Return the lines of a file that a diagnostic is about; None is the program."""
         if file is None or file == self.path:
             return self.document.lines
-        try:
-            return LineIndex(file.read_bytes())
-        except OSError:
-            return None
+        return lines_of(file)
 
     def generated(self) -> tuple[Generated, ...]:
         """Make the files that the program asks for.
@@ -277,8 +314,6 @@ class Session:
         Of two `generate_node` of one variable the last counts; and a file that the program
         generates, loads and generates again is made as it is at the end.
         """
-        from dataclasses import replace
-
         from plastron_tui.generating.generation import Manifests, last_of_each
 
         manifests = Manifests(self._files.manifest)
@@ -338,14 +373,28 @@ class Session:
         """
         return self.plan_of(self.generated())
 
-    def plan_of(self, made: Sequence[Generated]) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
-        """Compare files with the disk, as `plan` does for all that the program asks for."""
-        from plastron_tui.output.plan import make_plan
+    def plan_of(
+        self, made: Sequence[Generated], *, is_preview: bool = False
+    ) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
+        """Compare files with the disk, as `plan` does for all that the program asks for.
 
+        Args:
+            made: the files.
+            is_preview: whether the plan is only looked at: where the project is not trusted, it
+                is made without what that stands against.
+        """
+        from plastron_tui.output.plan import FilePlan, make_plan
+
+        found = [found for generated in made for found in generated.diagnostics]
+        refusals = [as_error(each) for each in self._project[1] if each.code in TRUST_CODES]
+        if not is_preview:
+            found += refusals
+        is_named = self.options.output is not None
+        if not (is_named or self.boundary.allows(self.output)):
+            return FilePlan(self.output, ()), (*found, outside_output(self.output, self.boundary))
         files = [generated.file for generated in made if generated.file is not None]
         manifest, _ = self._files.manifest(self.output)
-        is_default = self.options.output is None and self.project.output is None
-        within = self.folder if is_default else None
+        is_free = is_named or self.project.output is not None or self.boundary.is_trusted
+        within = None if is_free else self.folder
         plan, problems = make_plan(self.output, files, manifest, within=within)
-        found = (*(found for generated in made for found in generated.diagnostics), *problems)
-        return plan, found
+        return plan, (*found, *problems)

@@ -11,6 +11,7 @@ from plastron_tui.output.plan import FileState
 from plastron_tui.output.writer import write
 from plastron_tui.program_file import check_text, read_program
 from plastron_tui.session import Options, Session
+from plastron_tui.trust import TrustStore
 
 TALKER = """\
 create_node 'talker' as talker
@@ -164,17 +165,31 @@ def test_distribution_by_precedence(
     assert made.catalog(2) is made.catalog(2)
 
 
-def test_output_folder_by_precedence(tmp_path: Path) -> None:
+@pytest.fixture
+def trusted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> TrustStore:
+    """What the user trusts, in a state of the test's own."""
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+    return TrustStore()
+
+
+def test_output_folder_by_precedence(tmp_path: Path, trusted: TrustStore) -> None:
     assert session(tmp_path).output == tmp_path / "output"
+    (tmp_path / "plastron.yaml").write_text("output: nodes")
+    assert session(tmp_path).output == tmp_path / "nodes"
     (tmp_path / "plastron.yaml").write_text("output: ../nodes")
+    assert session(tmp_path).output == tmp_path / "output"
+    trusted.add(tmp_path)
     assert session(tmp_path).output == tmp_path / ".." / "nodes"
     assert session(tmp_path, output=Path("x")).output == Path("x")
 
 
-def test_output_folder_of_the_project_may_lie_anywhere(tmp_path: Path) -> None:
+def test_output_folder_of_a_trusted_project_may_lie_anywhere(
+    tmp_path: Path, trusted: TrustStore
+) -> None:
     home = tmp_path / "home"
     home.mkdir()
     (home / "plastron.yaml").write_text("output: ../nodes")
+    trusted.add(home)
     plan, diagnostics = session(home).plan()
     assert diagnostics == ()
     assert write(plan).diagnostics == ()

@@ -8,6 +8,7 @@ from weakref import ref
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from machine import examples
 
 from plastron_tui.output.writer import write
 from plastron_tui.session import Options, Session
@@ -116,7 +117,7 @@ def _place(text: bytes, first: float, last: float, *, is_line: bool) -> tuple[in
     return start, end if newline < 0 else newline
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 @given(st.lists(LINES | values(), max_size=25), st.lists(edits(), min_size=1, max_size=8))
 def test_what_is_learnt_from_an_earlier_text_changes_nothing(
     lines: list[str], found: list[tuple[float, float, str]]

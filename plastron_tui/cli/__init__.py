@@ -1,5 +1,9 @@
 """The command line."""
 
-from .main import main
+from plastron_tui.import_path import leave_out_current_folder
+
+leave_out_current_folder()
+
+from .main import main  # noqa: E402
 
 __all__ = ["main"]

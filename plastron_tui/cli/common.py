@@ -100,19 +100,19 @@ def format_option(*formats: str) -> _Decorator:
 
 def shown_path(path: Path) -> str:
     """Return a path as a person reads it: from the working folder where it lies within."""
-    from plastron_tui.diagnostics.render import printable
+    from plastron_tui.diagnostics.terminal import visible
 
     with suppress(OSError, ValueError):
         path = path.relative_to(Path.cwd())
-    return printable(str(path))
+    return visible(str(path))
 
 
 def print_text(text: str) -> None:
     """Write a result that quotes a user's files: what a terminal would obey is replaced."""
-    from plastron_tui.diagnostics.render import printable
+    from plastron_tui.diagnostics.terminal import visible
 
     lines = text.rstrip("\n").split("\n")
-    click.echo("\n".join("\t".join(map(printable, line.split("\t"))) for line in lines))
+    click.echo("\n".join("\t".join(map(visible, line.split("\t"))) for line in lines))
 
 
 class Report:
@@ -188,6 +188,7 @@ def open_session(file: Path, report: Report, options: Options | None = None) -> 
     if read.text is None:
         report.unreadable(_with_suffix_hint(found, file) for found in read.diagnostics)
         return None
+    report.add(read.diagnostics, lambda _: None)
     return Session(read.text, path, options)
 
 

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import click
 
 from plastron_tui.diagnostics import Diagnostic, has_errors
 from plastron_tui.diagnostics.terminal import wants_colour
-from plastron_tui.output.diff import file_diff, printable
+from plastron_tui.output.diff import file_diff, visible_patch
 from plastron_tui.output.plan import FilePlan, FileState
-from plastron_tui.output.writer import write
+from plastron_tui.output.writer import write_current
 from plastron_tui.session import Options, Session
 
 from .common import (
@@ -25,6 +25,8 @@ from .common import (
     shown_path,
     target_option,
 )
+
+Planned = tuple[FilePlan, tuple[Diagnostic, ...]]
 
 _COLORS = {
     FileState.CREATE: "green",
@@ -57,7 +59,9 @@ def command(
     changed by hand are never lost: they are merged, or reported as a conflict.
     """
     report = Report()
-    sessions = open_sessions(files, report, Options(target, output, in_place, force))
+    sessions = open_sessions(
+        files, report, Options(target, output, in_place, force, is_writing=True)
+    )
     for session in sessions:
         report.add(session.diagnostics, session.lines, session.path)
     if not report.status:
@@ -94,24 +98,60 @@ def _plan(sessions: Sequence[Session], report: Report) -> list[FilePlan]:
 def _carry_out(
     sessions: Sequence[Session], plans: Sequence[FilePlan], report: Report, *, force: bool
 ) -> None:
-    if not force and any(plan.conflicts for plan in plans):
-        report.add([found for plan in plans for found in plan.conflicts], lambda _: None)
+    conflicts = [found for plan in plans for found in plan.conflicts]
+    is_stale = len(plans) == 1 and all(found.code == "changed-on-disk" for found in conflicts)
+    if conflicts and not force and not is_stale:
+        report.add(conflicts, lambda _: None)
         return
     for session, plan in zip(sessions, plans, strict=True):
         write_plan(plan, session, report, force=force)
 
 
-def write_plan(plan: FilePlan, session: Session, report: Report, *, force: bool = False) -> bool:
-    """Write the files of a plan, all or, where one is in conflict, none; tell whether it was."""
-    if plan.conflicts and not force:
-        report.add(plan.conflicts, lambda _: None, session.path)
-        return False
-    result = write(plan, force=force)
+def write_plan(
+    plan: FilePlan,
+    session: Session,
+    report: Report,
+    *,
+    force: bool = False,
+    again: Callable[[], Planned] | None = None,
+) -> bool:
+    """Write the files of a plan, all or, where one is in conflict, none; tell whether it was.
+
+    Where another process wrote to the folder meanwhile, the plan is made again.
+
+    Args:
+        plan: what to write.
+        session: the program.
+        report: where to say what is wrong.
+        force: overwrite what is in conflict.
+        again: makes the plan again; without it, that of the whole program.
+    """
+    before = plan
+
+    def plan_again() -> FilePlan | None:
+        nonlocal before
+        session.files_changed()
+        plan, diagnostics = (again or session.plan)()
+        problems = (*session.diagnostics, *diagnostics)
+        if has_errors(problems):
+            report.add(problems, session.lines, session.path)
+            return None
+        show_plan(_differing(plan, before), force=force)
+        before = plan
+        return plan
+
+    result = write_current(plan, plan_again, force=force)
     report.add(result.diagnostics, lambda _: None, session.path)
     for written in result.written:
         if written.backup is not None:
             click.echo(f"{'backup':>9}  {shown_path(written.backup)}")
-    return not result.diagnostics
+    return not has_errors(result.diagnostics)
+
+
+def _differing(plan: FilePlan, before: FilePlan) -> FilePlan:
+    """Return the files of a plan to which something else happens than in an earlier one."""
+    known = {(file.path, file.state) for file in before.files}
+    return FilePlan(plan.folder, tuple(x for x in plan.files if (x.path, x.state) not in known))
 
 
 def show_diff(plan: FilePlan) -> None:
@@ -119,7 +159,7 @@ def show_diff(plan: FilePlan) -> None:
     for file in plan.files:
         patch = file_diff(file)
         if sys.stdout.isatty():
-            click.echo(printable(patch), nl=False)
+            click.echo(visible_patch(patch), nl=False)
         else:
             sys.stdout.flush()
             sys.stdout.buffer.write(patch)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import os
 import sys
 from importlib import import_module
@@ -12,7 +11,8 @@ import click
 
 from plastron_tui import __version__
 
-from .main import discard, has_terminal
+from .main import has_terminal
+from .streams import discard
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -28,22 +28,13 @@ _COMMANDS = {
     "run": "Start the nodes of a program.",
     "serve": "Show the studio in a browser.",
     "shell": "Take one statement at a time.",
+    "trust": "Trust a folder that somebody else made.",
     "types": "List interface types, or show one.",
     "wizard": "Build a program from menus, step by step.",
 }
 
 _STUDIO = "studio"
 """The command that a file's name, or nothing at all, stands for."""
-
-_WITH_SCREEN = (_STUDIO, "wizard")
-"""The commands that say themselves when the cycle collector looks around."""
-
-_ALLOCATIONS = 50_000
-"""How many objects more there are each time it does so for the others.
-
-Modules are most of what they make, and live as long as the process. With Python's 700 a sixth of
-the time of `plastron check` goes by in looking among them.
-"""
 
 
 class LazyGroup(click.Group):
@@ -53,7 +44,12 @@ class LazyGroup(click.Group):
         """Open the studio where nothing is said in a terminal."""
         if not args and not ctx.resilient_parsing and has_terminal():
             args = [_STUDIO]
-        return super().parse_args(ctx, args)
+        try:
+            return super().parse_args(ctx, args)
+        except BrokenPipeError:
+            # Of the help: click would make it an error.
+            discard(sys.stdout)
+            ctx.exit(0)
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Return the names of the commands."""
@@ -63,8 +59,6 @@ class LazyGroup(click.Group):
         """Import a command; None when there is none of that name."""
         if cmd_name not in _COMMANDS and cmd_name != _STUDIO:
             return None
-        if cmd_name not in _WITH_SCREEN:
-            gc.set_threshold(_ALLOCATIONS)
         module = import_module(f"plastron_tui.cli.{cmd_name}")
         command: click.Command = module.command
         return command

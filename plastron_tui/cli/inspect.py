@@ -8,10 +8,12 @@ from pathlib import Path
 import click
 
 from plastron_tui.diagnostics import Diagnostic, LineIndex
-from plastron_tui.loader import LARGEST_FILE, read_node
+from plastron_tui.loader import read_node
 from plastron_tui.model.inspection import inspect_json, inspect_text
 from plastron_tui.model.program_text import program_of
-from plastron_tui.model.source import SourceFile
+from plastron_tui.model.source import LARGEST_FILE, SourceFile
+from plastron_tui.output.names import settled
+from plastron_tui.regular_files import read_named, reason
 from plastron_tui.targets import LIBRARIES
 
 from .common import Report, finish, format_option, print_text
@@ -43,16 +45,11 @@ def command(files: tuple[Path, ...], format_: str) -> None:
 
 
 def _read(file: Path, report: Report) -> SourceFile | None:
+    report.add(settled(file.parent), lambda _: None)
     try:
-        with file.open("rb") as stream:
-            text = stream.read(LARGEST_FILE + 1)
+        text = read_named(file, LARGEST_FILE)
     except (OSError, ValueError) as error:
-        reason = (getattr(error, "strerror", None) or str(error)).lower()
-        report.unreadable([_unreadable(file, f"the file cannot be read: {reason}")])
-        return None
-    if len(text) > LARGEST_FILE:
-        limit = LARGEST_FILE // (1024 * 1024)
-        report.unreadable([_unreadable(file, f"the file is larger than {limit} MB")])
+        report.unreadable([_unreadable(file, f"the file cannot be read: {reason(error)}")])
         return None
     if file.suffix == ".plastron":
         report.add([_program(file)], lambda _: None)

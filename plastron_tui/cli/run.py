@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,6 +11,7 @@ from typing import TYPE_CHECKING
 import click
 
 from plastron_tui.diagnostics import Diagnostic, did_you_mean, has_errors
+from plastron_tui.diagnostics.terminal import drawn_on, visible
 from plastron_tui.ros.catalog import DISTRIBUTIONS, default_distribution
 from plastron_tui.session import Options, Session
 
@@ -70,7 +72,7 @@ def command(
     from plastron_tui.runtime.launch import run_nodes
 
     report = Report()
-    session = open_session(file, report, Options(target, output))
+    session = open_session(file, report, Options(target, output, is_writing=True))
     if session is None:
         finish(report)
         return
@@ -78,7 +80,9 @@ def command(
     session.options = run_options(session, found)
     files = _prepare(session, nodes, found, report)
     if not report.status and files:
-        result = run_nodes(files, RunOptions(seconds, network, watch))
+        options = RunOptions(seconds, network, watch)
+        # The table is drawn over itself; what nodes print is escaped before it comes there.
+        result = run_nodes(files, options, out=drawn_on(sys.stdout), err=drawn_on(sys.stderr))
         report.add(result.diagnostics, lambda _: None, session.path)
         report.status = max(report.status, result.status)
     finish(report)
@@ -105,7 +109,7 @@ def _prepare(
     session: Session, names: Sequence[str], found: Found, report: Report
 ) -> list[NodeFile]:
     """Generate the nodes and find a ROS for each; what fails is reported."""
-    from .generate import show_plan, write_plan
+    from .generate import Planned, show_plan, write_plan
 
     report.add(session.diagnostics, session.lines, session.path)
     if report.status:
@@ -123,9 +127,13 @@ def _prepare(
     if report.status:
         return []
     for library, environment in environments.items():
-        click.echo(f"running {library} nodes on {environment.words}", err=True)
+        click.echo(visible(f"running {library} nodes on {environment.words}"), err=True)
     show_plan(plan, only_changes=True)
-    if not write_plan(plan, session, report):
+
+    def again() -> Planned:
+        return session.plan_of([each for each in session.generated() if _is_chosen(each, names)])
+
+    if not write_plan(plan, session, report, again=again):
         return []
     return _node_files(chosen, environments, session.output)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import sys
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
@@ -10,13 +11,13 @@ from pathlib import Path
 import click
 
 from plastron_tui.diagnostics import Diagnostic, LineIndex, Span, did_you_mean, has_errors
-from plastron_tui.diagnostics.render import printable
+from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.generating.generation import Generated
 from plastron_tui.generating.handwork import on_disk
 from plastron_tui.language import DECLARATIONS, Document, lower
 from plastron_tui.model.interpreter import Interpreter
 from plastron_tui.model.workspace import Generation
-from plastron_tui.output.writer import write
+from plastron_tui.output.writer import MOST_TRIES, write
 from plastron_tui.program_file import check_text
 from plastron_tui.session import Options, Session
 
@@ -39,7 +40,7 @@ def command(output: Path | None, target: str | None) -> None:
     where Ctrl-C drops a line.
     """
     report = Report()
-    shell = Shell(Session(options=Options(target, output)), report)
+    shell = Shell(Session(options=Options(target, output, is_writing=True)), report)
     is_terminal = sys.stdin.isatty()
     if is_terminal:
         click.echo(
@@ -91,15 +92,21 @@ class Shell:
         self._done = len(generations)
 
     def _generate(self, generation: Generation, start: int) -> None:
-        made = self._over_own(self._session.generate(generation))
-        plan, diagnostics = self._session.plan_of([made])
-        diagnostics = (*diagnostics, *plan.conflicts)
-        if not has_errors(diagnostics):
-            show_plan(plan)
+        for _ in range(MOST_TRIES):
+            made = self._over_own(self._session.generate(generation))
+            plan, diagnostics = self._session.plan_of([made])
+            diagnostics = (*diagnostics, *plan.conflicts)
+            if has_errors(diagnostics):
+                break
             result = write(plan)
+            if result.is_stale:
+                diagnostics = (*diagnostics, *result.diagnostics)
+                continue
+            show_plan(plan)
             diagnostics = (*diagnostics, *result.diagnostics)
-            for file in plan.files if not result.diagnostics else ():
+            for file in plan.files if not has_errors(result.diagnostics) else ():
                 self._wrote[file.path] = generation.node.variable, file.text
+            break
         # Another place than the statement's own is in a line that was said before.
         self._add(
             [
@@ -140,12 +147,15 @@ def _moved(found: Diagnostic, start: int) -> Diagnostic:
 
 
 def _typed() -> Iterator[bytes]:
-    while (line := _ask()) is not None:
+    interrupt = _Interrupt()
+    signal.signal(signal.SIGINT, interrupt)
+    while (line := _ask(interrupt)) is not None:
         yield line.encode("utf-8", "surrogateescape")
 
 
-def _ask() -> str | None:
+def _ask(interrupt: _Interrupt) -> str | None:
     try:
+        interrupt.is_armed = True
         return input(_PROMPT)
     except EOFError:
         click.echo()
@@ -153,6 +163,22 @@ def _ask() -> str | None:
     except KeyboardInterrupt:
         click.echo()
         return ""
+
+
+class _Interrupt:
+    """Ctrl-C at the prompt: it raises once a line, so that none interrupts the answer to another.
+
+    Attributes:
+        is_armed: whether the next one raises.
+    """
+
+    def __init__(self) -> None:
+        self.is_armed = True
+
+    def __call__(self, number: int, frame: object) -> None:
+        if self.is_armed:
+            self.is_armed = False
+            raise KeyboardInterrupt
 
 
 def _prepare_line_editing() -> None:
@@ -192,4 +218,4 @@ def _show_help(words: list[str]) -> None:
     if not chosen:
         known = [declaration.keyword for declaration in DECLARATIONS.values()]
         hint = did_you_mean(words[0], known) or f"there are {', '.join(known)}"
-        click.echo(printable(f"no statement `{words[0]}`; {hint}"))
+        click.echo(visible(f"no statement `{words[0]}`; {hint}"))

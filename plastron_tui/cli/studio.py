@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import sys
 from pathlib import Path
 
@@ -10,7 +9,7 @@ import click
 
 from plastron_tui.session import Options
 
-from .common import output_option, target_option
+from .common import output_option, shown_path, target_option
 
 
 @click.command(
@@ -35,13 +34,11 @@ def open_studio(file: Path | None, options: Options, first: str | None = None) -
     """
     context = click.get_current_context()
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
-        name = "FILE" if file is None else str(file)
+        name = "FILE" if file is None else shown_path(file)
         click.echo(
             f"error: the studio needs a terminal; without one: plastron check {name}", err=True
         )
         context.exit(2)
-    # There is nothing to collect until the screen is there, which then says so.
-    gc.disable()
     from plastron_tui.studio.app import run
 
     status = run(file, options, first)

@@ -6,7 +6,7 @@ from fnmatch import fnmatchcase
 
 import click
 
-from plastron_tui.diagnostics.render import printable
+from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.model.types import TypeProblem, TypeResolver
 from plastron_tui.ros.catalog import DISTRIBUTIONS, Catalog
 from plastron_tui.ros.definition_text import format_definition
@@ -50,7 +50,7 @@ def command(pattern: str | None, target: str | None, distribution: str | None) -
         print_text("\n".join(listed))
     else:
         report.status = max(report.status, 1)
-        click.echo(printable(_nothing(catalog, pattern or "")), err=True)
+        click.echo(visible(_nothing(catalog, pattern or "")), err=True)
     report.add(catalog.problems, session.lines)
     finish(report)
 

@@ -9,6 +9,7 @@ import pytest
 from again_driver import LIBRARIES, WAYS, Bench, shown
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from machine import examples
 from test_generate_again import programs
 
 LISTENING = {
@@ -56,7 +57,7 @@ class Writer:
         return "\n".join([*lines[:row], *new, *lines[row:]])
 
 
-@settings(max_examples=25)
+@settings(max_examples=examples(25))
 @given(data=st.data(), library=st.sampled_from(LIBRARIES), way=st.sampled_from(sorted(WAYS)))
 def test_random_programs_over_handwork(
     tmp_path_factory: pytest.TempPathFactory, data: st.DataObject, library: str, way: str

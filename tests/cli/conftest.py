@@ -34,7 +34,7 @@ def run(here: Path) -> Run:
             cwd=cwd,
             input=stdin,
             capture_output=True,
-            timeout=60,
+            timeout=120,
             env={**os.environ, **(env or {})},
         )
         assert b"Traceback" not in result.stderr, result.stderr.decode()

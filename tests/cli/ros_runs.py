@@ -5,13 +5,15 @@ from __future__ import annotations
 import os
 import signal
 import subprocess
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
 from command_line import PLASTRON
-from machine import find_ros, graph_environ
+from machine import find_ros, graph_environ, wait_until
+
+STOPPED = 128 + signal.SIGINT
 
 
 @dataclass(frozen=True)
@@ -48,11 +50,27 @@ class Ros:
     def run(self, file: str, *arguments: str) -> subprocess.CompletedProcess[str]:
         return self.plastron("run", file, *arguments, "--target", self.library)
 
+    def run_until(
+        self, said: Callable[[str], object], file: str, *arguments: str, status: int = STOPPED
+    ) -> str:
+        """Run a program until something is said, interrupt it, and return all that was said."""
+        with self.running(file, *arguments, status=status) as run:
+            wait_until(lambda: run.poll() is not None or said(self.said(file)), "it is said", 120)
+        return self.said(file)
+
+    def said(self, file: str) -> str:
+        """Return what a program that is `running` has said, with what is said of it."""
+        return self._log(file).read_text()
+
+    def _log(self, file: str) -> Path:
+        return self.folder / f"{file}.log"
+
     @contextmanager
-    def running(self, file: str, *arguments: str) -> Iterator[subprocess.Popen[bytes]]:
+    def running(
+        self, file: str, *arguments: str, status: int = STOPPED
+    ) -> Iterator[subprocess.Popen[bytes]]:
         """Run a program beside the test, and interrupt it at the end."""
-        log = self.folder / f"{file}.log"
-        with log.open("wb") as stream:
+        with self._log(file).open("wb") as stream:
             process = subprocess.Popen(
                 [*PLASTRON, "run", file, "--target", self.library, *arguments],
                 cwd=self.folder,
@@ -65,7 +83,7 @@ class Ros:
             yield process
         finally:
             process.send_signal(signal.SIGINT)
-            assert process.wait(30) == 128 + signal.SIGINT, log.read_text()
+            assert process.wait(60) == status, self.said(file)
 
     def processes(self) -> list[int]:
         """Return the processes whose command line names this folder."""

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 from machine import TALKING, wait_until
-from ros_runs import Ros, make_ros
+from ros_runs import Ros, make_ros, said_by
 
 
 @pytest.fixture(params=["rospy", "rclpy"])
@@ -12,8 +12,9 @@ def ros(request: pytest.FixtureRequest, tmp_path: Path) -> Ros:
     return make_ros(request.param, tmp_path)
 
 
-def described(ros: Ros) -> str:
-    """Return the graph as a program, once all of it is there."""
+def described(ros: Ros, file: str) -> str:
+    """Return the graph of a program that runs as a program, once all of it is there."""
+    wait_until(lambda: has_begun(ros, file), "the nodes talk", 120)
     found = ""
     parts = ("talker", "listener", "switcher", "asker", "provides_service", "generate_node asker")
 
@@ -27,16 +28,24 @@ def described(ros: Ros) -> str:
     return found
 
 
+def has_begun(ros: Ros, file: str) -> bool:
+    said = ros.said(file)
+    return all(said_by(said, node) for node in ("listener", "asker"))
+
+
 @pytest.mark.live
+@pytest.mark.parametrize(
+    "ros", ["rospy", pytest.param("rclpy", marks=pytest.mark.long)], indirect=True
+)
 def test_a_description_generated_and_run_shows_the_same_graph(ros: Ros) -> None:
     ros.write("first.plastron", TALKING)
     with ros.running("first.plastron"):
-        before = described(ros)
+        before = described(ros, "first.plastron")
     ros.write("second.plastron", before)
     checked = ros.plastron("check", "second.plastron")
     assert checked.returncode == 0, checked.stderr
     with ros.running("second.plastron", "-o", "second"):
-        assert described(ros) == before
+        assert described(ros, "second.plastron") == before
 
 
 @pytest.mark.live

@@ -132,9 +132,9 @@ def fill_in(file: Path, more: str = "") -> str:
     """Fill in a callback as a user does, and add a function of the user's own."""
     text = file.read_text()
     assert "def on_chatter(" in text
-    head, tail = text.split("\n\n\ndef main", 1)
+    head, tail = text.split("\n\n\ndef ", 1)
     text = f"{head}\n        self.heard = message.data  # mine{more}\n\n\n"
-    text += f"def own():\n    return 'mine'\n\n\ndef main{tail}"
+    text += f"def own():\n    return 'mine'\n\n\ndef {tail}"
     file.write_text(text)
     return text
 
@@ -320,6 +320,7 @@ def test_load_of_what_the_program_generates(run: Run, here: Path, flags: list[st
 
 
 def test_folders_are_searched_in_order(run: Run, here: Path) -> None:
+    (here / ".git").mkdir()
     for folder in ("work", "program", "program/output"):
         (here / folder).mkdir()
         topic = folder.replace("/", "_")
@@ -341,7 +342,7 @@ def test_folders_are_searched_in_order(run: Run, here: Path) -> None:
         ("'output/listener_sub.py'", "file-not-found", "did you mean `output/listener_sub1.py`?"),
         ("'output'", "unreadable-file", None),
         ("node", "unsupported-target", None),
-        ("'/dev/null'", "file-not-found", None),
+        ("'/dev/null'", "outside-project", None),
         (f"'{'x/' * 3000}'", "file-not-found", None),
         ("x" * 400, "file-not-found", None),
         ("'~nobody-at-all/x.py'", "file-not-found", None),

@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 
 from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Label, LineIndex, Severity, Span
-from plastron_tui.diagnostics.render import TextRenderer, as_json, printable
+from plastron_tui.diagnostics.render import TextRenderer, as_json
+from plastron_tui.diagnostics.terminal import visible
 
 
 def spot(text: str, part: str, start: int = 0) -> Span:
@@ -33,10 +34,10 @@ def found(span: Span | None, *labels: Label, help: str | None = None) -> Diagnos
         pytest.param("a 日本 b", "日本", "1 | a 日本 b", "  |   ^^^^", id="wide marked"),
         pytest.param("e\u0301 two", "two", "1 | e\u0301 two", "  |   ^^^", id="combining"),
         pytest.param("🤖 two", "two", "1 | 🤖 two", "  |    ^^^", id="emoji"),
-        pytest.param("a\x1b[31m two", "two", "1 | a�[31m two", "  |        ^^^", id="escape"),
-        pytest.param("a\u202e two", "two", "1 | a� two", "  |    ^^^", id="bidirectional"),
-        pytest.param("a\x9b two", "two", "1 | a� two", "  |    ^^^", id="c1"),
-        pytest.param("a\rb two", "two", "1 | a�b two", "  |     ^^^", id="carriage return"),
+        pytest.param("\x1b[31m two", "two", r"1 | \x1b[31m two", "  |          ^^^", id="escape"),
+        pytest.param("a\u202e two", "two", r"1 | a\u202e two", "  |         ^^^", id="bidi"),
+        pytest.param("a\x9b two", "two", r"1 | a\x9b two", "  |       ^^^", id="c1"),
+        pytest.param("a\rb two", "two", r"1 | a\rb two", "  |      ^^^", id="carriage return"),
         pytest.param("one\ntwo three\nfour", "two three\nfo", "2 | two three", "  | ^^^^^^^^^",
                      id="several lines"),
     ],
@@ -133,8 +134,14 @@ def test_nothing_of_a_terminal_passes() -> None:
     assert shown.replace("\n", "").isprintable()
 
 
-def test_printable_leaves_text_alone() -> None:
-    assert printable("grüße, 日本 🤖") == "grüße, 日本 🤖"
+def test_what_is_escaped_is_no_longer_than_a_message() -> None:
+    evil = "\x1b" * 2_000
+    shown = TextRenderer(lambda _: None).render(Diagnostic("code", evil, help=evil))
+    assert max(map(len, shown.split("\n"))) <= 2_100
+
+
+def test_what_is_visible_is_left_alone() -> None:
+    assert visible("grüße, 日本 🤖") == "grüße, 日本 🤖"
 
 
 def test_json_has_every_part() -> None:

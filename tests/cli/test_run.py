@@ -47,24 +47,34 @@ def ros2(tmp_path: Path) -> Ros:
 @pytest.mark.live
 def test_a_program_is_generated_and_run(ros: Ros) -> None:
     ros.write("p.plastron", TALKER + LISTENER)
-    done = ros.run("p.plastron", "--for", "5")
-    assert done.returncode == 0, done.stderr
-    assert f"running {ros.library} nodes on ROS " in done.stderr
-    assert "   create  output/talker_pub.py\n" in done.stdout
+    said = ros.run_until(lambda said: len(heard_by(said, "listener")) > 10, "p.plastron")
+    assert f"running {ros.library} nodes on ROS " in said
+    assert "   create  output/talker_pub.py\n" in said
     assert (ros.folder / "output" / "talker_pub.py").exists()
-    heard = [line for line in said_by(done.stdout, "listener") if "hello" in line]
-    assert len(heard) > 10
     assert not ros.processes()
     assert master_pid(ros.environ["ROS_MASTER_URI"]) is None
+
+
+def heard_by(said: str, name: str) -> list[str]:
+    return [line for line in said_by(said, name) if "hello" in line]
+
+
+@pytest.mark.long
+@pytest.mark.live
+def test_a_program_runs_for_a_time(ros: Ros) -> None:
+    ros.write("p.plastron", TALKER + LISTENER)
+    done = ros.run("p.plastron", "--for", "8")
+    assert done.returncode == 0, done.stderr
+    assert not ros.processes()
 
 
 @pytest.mark.live
 def test_only_the_named_nodes_run(ros2: Ros) -> None:
     ros2.write("p.plastron", TALKING)
-    done = ros2.run("p.plastron", "listener", "talker", "--for", "3")
-    assert done.returncode == 0, done.stderr
-    assert said_by(done.stdout, "listener")
-    assert not said_by(done.stdout, "asker")
+    said = ros2.run_until(
+        lambda said: heard_by(said, "listener"), "p.plastron", "listener", "talker"
+    )
+    assert not said_by(said, "asker")
     written = {path.name for path in (ros2.folder / "output").glob("*.py")}
     assert written == {"listener_sub1.py", "talker_pub.py"}
 
@@ -175,10 +185,9 @@ def test_a_node_that_crashes_at_its_start(ros: Ros) -> None:
     listener = ros.folder / "output" / "listener_sub1.py"
     text = listener.read_text()
     listener.write_text(text.replace("\nclass ", '\nraise ValueError("no such motor")\n\n\nclass '))
-    done = ros.run("p.plastron", "--for", "4")
-    assert done.returncode == 1
-    assert "listener died with exit status 1" in done.stderr
-    assert "ValueError: no such motor" in done.stderr
+    said = ros.run_until(lambda said: "listener died" in said, "p.plastron", status=1)
+    assert "listener died with exit status 1" in said
+    assert "ValueError: no such motor" in said
     assert not ros.processes()
 
 
@@ -217,19 +226,19 @@ def test_a_node_that_never_starts(ros: Ros) -> None:
 
 
 @pytest.mark.live
+@pytest.mark.parametrize(
+    "ros", ["rclpy", pytest.param("rospy", marks=pytest.mark.long)], indirect=True
+)
 def test_a_second_run_beside_the_first(ros: Ros) -> None:
     ros.write("p.plastron", TALKER + LISTENER)
-    log = ros.folder / "p.plastron.log"
     with ros.running("p.plastron") as first:
-        wait_until(lambda: "hello" in log.read_text(), "the first run talks")
+        wait_until(lambda: "hello" in ros.said("p.plastron"), "the first run talks", 120)
         other = Ros(ros.library, ros.folder / "other", ros.environ)
         other.folder.mkdir()
         other.write("q.plastron", LISTENER.replace("'listener'", "'second'"))
-        second = other.run("q.plastron", "--for", "4")
+        other.run_until(lambda said: heard_by(said, "second"), "q.plastron")
         assert first.poll() is None
-    assert second.returncode == 0, second.stderr
-    assert [line for line in said_by(second.stdout, "second") if "hello" in line]
-    assert "died" not in log.read_text()
+    assert "died" not in ros.said("p.plastron")
 
 
 @pytest.mark.live
@@ -248,16 +257,40 @@ def test_a_terminal_that_is_closed(ros: Ros) -> None:
     _, status = os.waitpid(pid, 0)
     # The signal, or an output that nobody reads any more: whichever is seen first ends the run.
     assert os.waitstatus_to_exitcode(status) in (0, -signal.SIGHUP, 128 + signal.SIGHUP)
-    wait_until(lambda: not ros.processes(), "the nodes are gone", 15)
+    wait_until(lambda: not ros.processes(), "the nodes are gone")
     assert master_pid(ros.environ["ROS_MASTER_URI"]) is None
 
 
 @pytest.mark.live
+@pytest.mark.parametrize(
+    "ros", ["rospy", pytest.param("rclpy", marks=pytest.mark.long)], indirect=True
+)
 def test_the_watch(ros: Ros) -> None:
+    def is_told(said: str) -> bool:
+        told = said_by(said, "watch")
+        topics = [line for line in told if line.startswith("/chatter std_msgs/String")]
+        return any(15 < float(line.split()[2]) < 25 for line in topics) and any(
+            line.startswith("/switch (data: True) → (success: ") for line in told
+        )
+
     ros.write("p.plastron", TALKING)
-    done = ros.run("p.plastron", "--watch", "--for", "8")
-    assert done.returncode == 0, done.stderr
-    told = said_by(done.stdout, "watch")
-    rates = [float(line.split()[2]) for line in told if line.startswith("/chatter std_msgs/String")]
-    assert 15 < max(rates) < 25
-    assert any(line.startswith("/switch (data: True) → (success: ") for line in told)
+    ros.run_until(is_told, "p.plastron", "--watch")
+
+
+@pytest.mark.live
+def test_a_full_disk_under_the_output_ends_the_run_with_2(ros2: Ros) -> None:
+    ros2.write("p.plastron", TALKING)
+    # So that the nodes are what writes first.
+    assert ros2.plastron("generate", "p.plastron", "--target", "rclpy").returncode == 0
+    with Path("/dev/full").open("wb") as full:
+        done = subprocess.run(
+            [*PLASTRON, "run", "p.plastron", "--target", "rclpy", "--watch"],
+            cwd=ros2.folder,
+            env=ros2.environ,
+            stdout=full,
+            stderr=subprocess.PIPE,
+            timeout=90,
+        )
+    assert done.returncode == 2
+    assert done.stderr.endswith(b"error: no space left on device\n")
+    assert not ros2.processes()

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from machine import examples
 from merging_driver import LIBRARIES, STRING, SUBSCRIBE, Folder, fill_in
 
 Shown = tuple[str, str, str]
@@ -76,7 +77,7 @@ def add_by_hand(text: str, library: str, topic: str) -> tuple[str, str]:
     return f"{head}{found}{line}\n{tail}", line
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=examples(25), deadline=None)
 @given(data=st.data(), library=st.sampled_from(LIBRARIES))
 def test_random_programs_and_handwork(
     tmp_path_factory: pytest.TempPathFactory, data: st.DataObject, library: str
