@@ -155,9 +155,15 @@ into `ears_sub2.py`. What was written by hand goes along, and a warning names th
 stays.
 
 `load NAME` looks for `NAME.py`, then `NAME.cpp`, in the output folder, the program's folder and the
-working folder; `load 'path/to/file.py'` starts at the program's folder. A loaded node keeps its
-file's name, and goes into the output folder, with `--in-place` over the file it came from: what no
-statement asked to change stays as it is, byte for byte.
+working folder; `load 'path/to/file.py'` starts at the program's folder. A file outside of the
+project (the repository, else the folder of `plastron.yaml`, else the program's) is read once you
+[trust the project](commands.md#plastron-trust). A loaded node keeps its file's name, and goes into
+the output folder, with `--in-place` over the file it came from: what no statement asked to change
+stays as it is, byte for byte.
+
+No node gets the name of a file that Python, pytest, a shell or git runs by itself (`conftest.py`,
+`usercustomize.py`, `test_….py`, `.bashrc`), or of a module that nodes import (`rospy.py`), unless it
+is written over the file it came from.
 
 A program may be generated as often as you like: what it loads and wrote itself stands for what it
 started from at first, with what was changed by hand since ([more](commands.md#plastron-generate)).
