@@ -292,9 +292,13 @@ def in_child(folder: Path, act: Callable[[], object]) -> tuple[int, object]:
 
 
 def outcomes(scene: Scene, base: Path, root: Path, following: str) -> Iterator[Outcome]:
-    """Yield what the next command leads to where nothing is interrupted: after nothing, and all."""
-    for acts in ((), (scene.act,)):
-        fresh(base, root, scene)
+    """Yield what the next command leads to where nothing is interrupted: after nothing, and all.
+
+    And where there was no crash: what had begun may be taken back as well as finished.
+    """
+    ways = [(scene, ()), (scene, (scene.act,)), (scene._replace(crash=None), ())]
+    for each, acts in ways:
+        fresh(base, root, each)
         for act in acts:
             assert in_child(root, act)[0] == 0
         yield in_child(root, scene.following[following]), snapshot(root)
