@@ -27,6 +27,9 @@ if TYPE_CHECKING:
 _MOST_FOLDERS = 64
 """How many manifests are remembered; a program writes to one folder, and loads from a few."""
 
+_MOST_TURNS = 100
+"""How often a program may generate a file and load it again: each time it is read as a whole."""
+
 _SUFFIXES = (".py", ".cpp")
 _MANIFEST = ".plastron.json"
 
@@ -119,6 +122,8 @@ class NodeLoader:
         self._text = text
         self._files = files or FilesRead()
         self._loaded: set[Path] = set()
+        # By the object, which is kept beside: nodes have no hash.
+        self._made: dict[int, tuple[Generation, tuple[Path, Loaded] | None]] = {}
 
     def __call__(self, request: LoadRequest) -> Loaded:
         """Read the file that a `load` asks for."""
@@ -168,10 +173,29 @@ class NodeLoader:
             node, source = generation.node, generation.node.source
             # Rendering costs more than asking for the name: a node's name starts its file's.
             if request.source.startswith(node.name if source is None else source.path.stem):
-                rendered = self._rendered(generation)
-                if rendered is not None and rendered[0].name in names:
-                    loaded = read_node(*rendered)
-                    yield loaded if source is None else _with_origin(loaded, _chained(source))
+                made = self._made_by(generation)
+                if made is not None and made[0].name in names:
+                    yield made[1]
+
+    def _made_by(self, generation: Generation) -> tuple[Path, Loaded] | None:
+        """Return the file that a `generate_node` makes, as a `load` of it gets it."""
+        key = id(generation)
+        if key not in self._made:
+            self._made[key] = generation, self._make(generation)
+        return self._made[key][1]
+
+    def _make(self, generation: Generation) -> tuple[Path, Loaded] | None:
+        rendered, source = self._rendered(generation), generation.node.source
+        if rendered is None:
+            return None
+        path, text = rendered
+        if source is None:
+            return path, read_node(path, text)
+        origin = _chained(source)
+        if origin.turns > _MOST_TURNS:
+            reason = f"the program generates and loads it more than {_MOST_TURNS} times in turn"
+            return path, _failed("unreadable-file", f"`{path.name}` is not read: {reason}")
+        return path, _with_origin(read_node(path, text), origin)
 
     def _candidates(self, request: LoadRequest) -> Iterator[Path]:
         if request.is_path:

@@ -79,8 +79,9 @@ def chained(source: SourceFile) -> Origin:
     """Return the origin of what a program generates from a source, and loads again."""
     known = source.origin
     if known is None:
-        return Origin(source.path, source.text, start=source.text)
-    return known._replace(start=source.text if known.start is None else known.start)
+        return Origin(source.path, source.text, start=source.text, turns=1)
+    start = source.text if known.start is None else known.start
+    return known._replace(start=start, turns=known.turns + 1)
 
 
 def _is_right(path: Path, text: bytes, original: bytes, layer: Layer, present: bytes) -> bool:

@@ -67,6 +67,7 @@ class Origin(NamedTuple):
         start: for a source that the program itself generates: the text that it makes it from.
         is_torn: the file at `path` was changed, and the output has handwork that the program
             has changed since.
+        turns: how often the program generated it and loaded that again.
     """
 
     path: Path
@@ -74,6 +75,7 @@ class Origin(NamedTuple):
     output: Path | None = None
     start: bytes | None = None
     is_torn: bool = False
+    turns: int = 0
 
 
 class SourceFile(NamedTuple):

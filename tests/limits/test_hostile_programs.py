@@ -46,7 +46,7 @@ PROGRAMS: dict[str, str] = {
     "chains": "load known as k0\n"
     + "".join(
         f"subscribe k{n} to 'c{n}' {_STRING}\ngenerate_node k{n}\nload known as k{n + 1}\n"
-        for n in range(60)
+        for n in range(1_000)
     ),
     "loads": _repeated(300, f"load known as k#\nsubscribe k# to 'c#' {_STRING}\n"),
     "two types": "load known as n\n"
