@@ -68,7 +68,7 @@ def _run(work: str, policy: str) -> str:
 
 def _check() -> None:
     sys.argv[1:] = ["check", *map(str, EXAMPLES)]
-    import_module("plastron_tui.cli.main").main()
+    import_module("plastron_tui.cli").main()
 
 
 def _understand() -> None:

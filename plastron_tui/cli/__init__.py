@@ -1,9 +1,16 @@
 """The command line."""
 
-from plastron_tui.import_path import leave_out_current_folder
-
-leave_out_current_folder()
-
-from .main import main  # noqa: E402
-
 __all__ = ["main"]
+
+
+def main() -> None:
+    """Run the command line, with no module from the current folder, and exit with its status."""
+    from plastron_tui.import_path import leave_out_current_folder
+
+    leave_out_current_folder()
+    from plastron_tui import collector
+
+    collector.look_seldom()
+    from .entry import run
+
+    run()

@@ -11,7 +11,7 @@ import click
 
 from plastron_tui import __version__
 
-from .main import has_terminal
+from .entry import has_terminal
 from .streams import discard
 
 if TYPE_CHECKING:

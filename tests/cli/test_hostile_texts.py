@@ -84,9 +84,9 @@ def test_no_command_writes_what_a_terminal_obeys(hostile: Path) -> None:
 
 
 def test_an_error_of_python_is_no_way_out(hostile: Path) -> None:
-    code = "import sys; from plastron_tui.cli import main\n"
+    code = "from plastron_tui.cli import entry, main\n"
     code += f"def fail(): raise RuntimeError({PAYLOAD!r})\n"
-    code += "sys.modules['plastron_tui.cli.main']._run_command = fail\nmain()"
+    code += "entry._run_command = fail\nmain()"
     said = on_terminal([sys.executable, "-c", code, "check", "x"], hostile)
     assert "RuntimeError" in said
     assert not obeyed(said.replace("\x1b[35;5m", ""))

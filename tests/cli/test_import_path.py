@@ -198,6 +198,12 @@ def test_a_python_that_plastron_starts(traps: Path, names: set[str], command: li
     assert imported(traps) == ""
 
 
+def test_importing_the_command_line_changes_nothing() -> None:
+    code = "import gc, sys; before = [*sys.path], gc.get_threshold(); import plastron_tui.cli.group"
+    code += "; sys.exit(before != ([*sys.path], gc.get_threshold()))"
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
 PATHS: list[tuple[str, Callable[[str], list[str]], Callable[[str], list[str]]]] = [
     ("", lambda here: [here, "/lib"], lambda here: ["/lib"]),
     (":/opt/ros", lambda here: [here, "/opt/ros", "/lib"], lambda here: ["/opt/ros", "/lib"]),

@@ -66,7 +66,7 @@ def test_help_and_completion_import_no_command(here: Path) -> None:
     modules = imported_by(here, "--help")
     assert not {name for name in modules if name.startswith("plastron_tui.cli.")} - {
         "plastron_tui.cli.group",
-        "plastron_tui.cli.main",
+        "plastron_tui.cli.entry",
         "plastron_tui.cli.streams",
     }
     assert "tree_sitter" not in modules

@@ -20,13 +20,12 @@ from .streams import discard, flush_streams, guard_terminals, open_closed_stream
 INTERRUPTED = 130
 
 
-def main() -> None:
-    """Run the command line, and exit with its status.
+def run() -> None:
+    """Run the command line in this process, and exit with its status.
 
     0: done; 1: a program or a file has errors; 2: wrong usage, or a file that cannot be read or
     written; 130: interrupted; 129, 143: ended because its terminal was closed, or by SIGTERM.
     """
-    collector.look_seldom()
     open_closed_streams()
     if hasattr(sys.stdout, "reconfigure"):
         # Whatever the terminal's encoding is, a result is written; a file name need be no text.
@@ -77,9 +76,9 @@ def _is_for_studio(arguments: Sequence[str]) -> bool:
 
 
 def _open_studio(arguments: Sequence[str]) -> int:
-    from plastron_tui.studio.app import run
+    from plastron_tui.studio.app import run as run_studio
 
-    return run(Path(arguments[0]) if arguments else None)
+    return run_studio(Path(arguments[0]) if arguments else None)
 
 
 def has_terminal() -> bool:
