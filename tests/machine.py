@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import os
-import random
 import socket
 import time
+import zlib
 from collections.abc import Callable
+from itertools import count
 from pathlib import Path
 from typing import NoReturn
 
@@ -74,8 +75,23 @@ def graph_environ(folder: Path) -> dict[str, str]:
         "ROS_HOME": str(folder / "ros"),
         "ROS_LOG_DIR": str(folder / "ros" / "log"),
         "ROS_MASTER_URI": f"http://127.0.0.1:{free_port()}",
-        "ROS_DOMAIN_ID": str(random.randint(1, 100)),
+        "ROS_DOMAIN_ID": domain_id(),
     }
+
+
+_domains = count()
+
+
+def domain_id() -> str:
+    """Return a domain that no other graph of this run is in, as long as one test needs it.
+
+    Above 101 the ports of a domain are those that the system gives away:
+    https://docs.ros.org/en/rolling/Concepts/Intermediate/About-Domain-ID.html
+    """
+    run = zlib.crc32(os.environ.get("PYTEST_XDIST_TESTRUNUID", str(os.getpid())).encode())
+    worker = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
+    each = 100 // int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))
+    return str(1 + (run + worker * each + next(_domains) % each) % 100)
 
 
 def free_port() -> int:

@@ -2,7 +2,6 @@ from __future__ import annotations
 
 import fcntl
 import os
-import random
 import shutil
 import subprocess
 import sys
@@ -14,7 +13,7 @@ import pytest
 from graph import Graph
 from interfaces import build
 from interfaces import environ as interfaces_environ
-from machine import free_port, skip_or_fail
+from machine import domain_id, free_port, skip_or_fail
 from processes import Process, processes, wait_for
 
 ROS1_PYTHON = Path("/usr/bin/python3")
@@ -178,7 +177,7 @@ def _ros2(python: Path, folder: Path, environ: Mapping[str, str]) -> Iterator[Gr
     logs.mkdir()
     env = {
         **environ,
-        "ROS_DOMAIN_ID": str(random.randint(1, 100)),
+        "ROS_DOMAIN_ID": domain_id(),
         "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
         "ROS_LOG_DIR": str(logs),
         "RMW_IMPLEMENTATION": "rmw_fastrtps_cpp",

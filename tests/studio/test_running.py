@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import random
 import signal
 import socket
 import subprocess
@@ -13,6 +12,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from machine import domain_id
 from studio_driver import Driver, studio
 from test_terminal import Terminal, start
 from test_terminal import terminal as terminal
@@ -46,7 +46,7 @@ def talking(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def graph_of_its_own(folder: Path) -> dict[str, str]:
     return {
-        "ROS_DOMAIN_ID": str(random.randint(1, 100)),
+        "ROS_DOMAIN_ID": domain_id(),
         "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
         "ROS_LOG_DIR": str(folder / "log"),
     }

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import os
-import random
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from machine import domain_id
 from wizard_courses import MAKE, REACT, SEND
 from wizard_driver import wizard_from_welcome
 
@@ -30,7 +30,7 @@ async def test_run_from_the_wizard_shows_the_message_arriving(
 ) -> None:
     """With every suggestion accepted, from nothing to the message in the output panel."""
     monkeypatch.setattr(screen, "installed", libraries.installed)
-    monkeypatch.setenv("ROS_DOMAIN_ID", str(random.randint(1, 100)))
+    monkeypatch.setenv("ROS_DOMAIN_ID", domain_id())
     monkeypatch.setenv("ROS_LOG_DIR", str(here / "log"))
     async with wizard_from_welcome() as it:
         driver = it.driver
