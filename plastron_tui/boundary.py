@@ -34,7 +34,7 @@ class Boundary:
     Attributes:
         root: its folder, without symbolic links.
         project_file: the project file that counts, None where there is none.
-        is_shallow: whether it is the home folder, or one above. Such a folder is a project by
+        is_home_or_above: whether it is the home folder, or one above. Such a folder is a project by
             accident: of it the files beside the program count, and the default output folder.
         named: folders that the command line names, which is the user's own word.
         trusts: tells whether the user trusts a project's folder.
@@ -42,7 +42,7 @@ class Boundary:
 
     root: Path
     project_file: Path | None = None
-    is_shallow: bool = False
+    is_home_or_above: bool = False
     named: tuple[Path, ...] = ()
     trusts: Callable[[Path], bool] = field(default=_is_trusted)
 
@@ -61,7 +61,7 @@ class Boundary:
         What is hidden is none (`.git` has hooks, `.venv` has modules), nor are installed packages.
         """
         parts = self._parts(path)
-        return parts is not None and not _is_apart(parts)
+        return parts is not None and not _is_hidden_or_installed(parts)
 
     def place_of(self, path: Path) -> str:
         """Say where a path is that is no part of the project."""
@@ -76,7 +76,7 @@ class Boundary:
         except (OSError, ValueError):
             return None
         is_deep = len(parts) > 1 and parts[0] != DEFAULT_OUTPUT
-        return None if self.is_shallow and is_deep else parts
+        return None if self.is_home_or_above and is_deep else parts
 
     def _is_named(self, path: Path) -> bool:
         try:
@@ -108,24 +108,24 @@ def find_boundary(folder: Path) -> Boundary:
     start = real_path(folder)
     project_file = None
     for place in (start, *start.parents):
-        is_roof = _is_roof(place)
-        if is_roof and place != start:
+        ends_search = _ends_search(place)
+        if ends_search and place != start:
             break
         file = place / PROJECT_FILE
         # The functions of `os.path` take what may not be looked at for what is not there.
         if project_file is None and os.path.isfile(file):  # noqa: PTH113
             project_file = file
-        if is_roof or os.path.exists(place / _REPOSITORY):  # noqa: PTH110
-            return Boundary(place, project_file, is_roof)
+        if ends_search or os.path.exists(place / _REPOSITORY):  # noqa: PTH110
+            return Boundary(place, project_file, ends_search)
     root = start if project_file is None else project_file.parent
     return Boundary(root, project_file)
 
 
-def _is_apart(parts: tuple[str, ...]) -> bool:
+def _is_hidden_or_installed(parts: tuple[str, ...]) -> bool:
     return any(part.startswith(".") or part in _INSTALLED for part in parts)
 
 
-def _is_roof(folder: Path) -> bool:
+def _ends_search(folder: Path) -> bool:
     """Tell whether a folder is the home folder, or one above it."""
     if folder == folder.parent:
         return True

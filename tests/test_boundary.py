@@ -54,7 +54,7 @@ def test_root_and_project_file(
     found = find_boundary(tmp_path / folder)
     expected = None if project_file is None else tmp_path / project_file
     assert (found.root, found.project_file) == (tmp_path / root, expected)
-    assert found.is_shallow == (root == "home")
+    assert found.is_home_or_above == (root == "home")
 
 
 def test_a_link_to_a_folder_is_in_the_folders_project(tmp_path: Path) -> None:
@@ -73,7 +73,7 @@ def test_a_home_folder_that_is_none(
 
 
 def test_the_root_of_the_file_system_is_no_project_by_accident() -> None:
-    assert find_boundary(Path("/")).is_shallow
+    assert find_boundary(Path("/")).is_home_or_above
 
 
 INSIDE = ["a.py", "a/b.py", ".", "not/there.py", "a/../b.py", "site/x.py"]
@@ -96,7 +96,7 @@ def test_what_is_in_a_project(tmp_path: Path, path: str, is_inside: bool) -> Non
 
 
 def test_of_the_home_folder_little_is_a_project(tmp_path: Path) -> None:
-    boundary = Boundary(tmp_path, is_shallow=True)
+    boundary = Boundary(tmp_path, is_home_or_above=True)
     for inside in ("a.py", "output", "output/a.py", "."):
         assert boundary.contains(tmp_path / inside)
     for outside in (".bashrc", ".local/lib/a.py", "ws/src/a.py", "bin/a.py", "output/.x"):

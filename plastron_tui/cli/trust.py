@@ -54,7 +54,7 @@ def _add(store: TrustStore, folder: Path | None, report: Report) -> None:
     if not place.is_dir():
         raise click.BadParameter(f"there is no folder '{shown}'", param_hint="'[DIR]'")
     boundary = find_boundary(place)
-    if boundary.is_shallow and folder is None:
+    if boundary.is_home_or_above and folder is None:
         raise click.UsageError(f"'{shown}' is no project of its own; name it if you mean it")
     store.add(boundary.root)
     print_text(f"trusted  {boundary.root}")

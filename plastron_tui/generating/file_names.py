@@ -83,6 +83,6 @@ def _runner(name: str, packages: Container[str], *, is_own: bool) -> str | None:
     return None
 
 
-def is_same_file(path: Path, other: Path) -> bool:
+def is_same_path(path: Path, other: Path) -> bool:
     """Tell whether two paths lead to one file, which need not be there."""
     return os.path.realpath(path) == os.path.realpath(other)

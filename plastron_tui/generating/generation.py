@@ -18,7 +18,7 @@ from plastron_tui.output.remembered import recall, remember
 from .adaptation import Adaptation, Library
 from .changes import changes_of
 from .derivation import Derivation
-from .file_names import is_same_file, refuse_name
+from .file_names import is_same_path, refuse_name
 from .handwork import (
     cover,
     kept_handwork,
@@ -157,7 +157,7 @@ def _wrong_name(made: Generated, writing: Writing) -> Diagnostic | None:
         file.name,
         node.packages,
         is_own=source is None,
-        is_in_place=source is not None and is_same_file(path, source.path),
+        is_in_place=source is not None and is_same_path(path, source.path),
     )
 
 

@@ -24,9 +24,12 @@ if TYPE_CHECKING:
 _SWITCH = 0.001
 """Seconds after which a busy thread lets the event loop go on; Python's own are five times that."""
 
-_IDLE, _KEPT = 0.3, 4
-"""Seconds without a question after which what is no longer shown is let go, and how many analyses
-may wait for that: to let one of a large program go stops everything for some milliseconds."""
+_IDLE = 0.3
+"""Seconds without a question after which what is no longer shown is let go: with a large program
+that stops everything for some milliseconds."""
+
+_MOST_KEPT = 4
+"""How many analyses may wait for that."""
 
 _REST = 3.0
 """Seconds without a question after which nobody types, and the collector may work."""
@@ -136,7 +139,7 @@ class Analyst:
                     self._old.append(session)
             except Exception as error:
                 self._post(AnalysisFailed(error))
-            del self._old[:-_KEPT]
+            del self._old[:-_MOST_KEPT]
 
     @property
     def _patience(self) -> float:

@@ -37,7 +37,7 @@ class Filing(Keeping):
         if cursor:
             self.editor.go_to(cursor)
         if open_.path is not None:
-            self._studio.opened(open_.path)
+            self.studio.opened(open_.path)
         self.clear_panels()
         self.show_title()
         self.ask_anew()
@@ -58,7 +58,7 @@ class Filing(Keeping):
             return False
         text = None if kept is None else kept.text
         options = self.open.session.options
-        self.take(opened(found.disk, self._studio.state_folder, options, text),
+        self.take(opened(found.disk, self.studio.state_folder, options, text),
                   0 if kept is None else kept.cursor)  # fmt: skip
         if kept is None:
             self.offer_of(path)
@@ -68,7 +68,7 @@ class Filing(Keeping):
     async def action_new(self) -> None:
         """Start an empty program."""
         if await self.may_leave():
-            self.take(opened(None, self._studio.state_folder, self.open.session.options))
+            self.take(opened(None, self.studio.state_folder, self.open.session.options))
 
     @work(exclusive=True, group="file")
     async def action_open(self) -> None:
@@ -159,8 +159,8 @@ class Filing(Keeping):
             open_.told = None
         else:
             cursor = self.editor.cursor_offset
-            self.take(opened(saved.disk, self._studio.state_folder, open_.session.options), cursor)
-        self._studio.opened(path)
+            self.take(opened(saved.disk, self.studio.state_folder, open_.session.options), cursor)
+        self.studio.opened(path)
         self.show_title()
         self.notify(f"saved {path.name}", timeout=2, markup=False)
         return True
@@ -205,7 +205,7 @@ class Filing(Keeping):
         """Show recent programs, examples and the tour."""
         from .welcome import Welcome
 
-        studio = self._studio
+        studio = self.studio
         kept = self.not_saved()
         answer = await self.app.push_screen_wait(Welcome(studio.remembered.recent, kept))
         match answer:
@@ -236,7 +236,7 @@ class Filing(Keeping):
         The file that is open, where it has nothing in it yet, was named for what comes now. Tell
         whether it was opened.
         """
-        studio, options = self._studio, self.open.session.options
+        studio, options = self.studio, self.open.session.options
         named = self.open.disk if not self.open.saved else None
         if not recipe.files:
             self.take(opened(named, studio.state_folder, options, recipe.text))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
 from textual import work
 from textual.timer import Timer
@@ -18,7 +18,6 @@ from ..state import opened
 from .part import Part
 
 if TYPE_CHECKING:
-    from ..app import StudioApp
     from ..panels.tones import Lines
 
 _KEEP = 0.5
@@ -31,10 +30,6 @@ class Keeping(Part):
     _keeping: Timer | None = None
     _is_writing = False
     _journal_failed = False
-
-    @property
-    def _studio(self) -> StudioApp:
-        return cast("StudioApp", self.app)
 
     def keep_soon(self) -> None:
         """Keep the text within half a second."""
@@ -88,7 +83,7 @@ class Keeping(Part):
 
     def not_saved(self) -> list[Kept]:
         """Return what studios that have ended did not save, the newest first."""
-        kept = kept_texts(self._studio.state_folder)
+        kept = kept_texts(self.studio.state_folder)
         return [each for each in kept if each.file != self.open.journal.file]
 
     @work(exclusive=True, group="kept", description="kept")
@@ -134,7 +129,7 @@ class Keeping(Part):
         if begun is not None and not begun.is_dir():
             begun = None
             self.notify("the folder in which it was begun is gone", severity="warning")
-        journals, options = self._studio.state_folder, self.open.session.options
+        journals, options = self.studio.state_folder, self.open.session.options
         self.take(opened(None, journals, options, kept.text, begun), kept.cursor)
 
     def _adopt(self, kept: Kept) -> None:
