@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import gc
 import signal
 
 import pytest
@@ -30,6 +31,14 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         for item in items:
             if getattr(getattr(item, "obj", None), "is_hypothesis_test", False):
                 item.add_marker("long")
+
+
+# Thousands of tests and all modules stay to the end: to walk among them again and again took half
+# of the processor's time.
+def pytest_collection_finish() -> None:
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(200_000, 10, 10)
 
 
 # In CI everything is installed, and a skip, whoever made it, would hide a failure.

@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable, Coroutine
 from typing import Any
 
+from textual._context import active_app
 from textual.pilot import Pilot
 
 _SOON = 0.02
@@ -17,8 +18,11 @@ _LONGEST = 1.0
 """Seconds of processor time after which a loop counts as idle, though it goes on: what floods it
 may do so for ever, and a machine with much else to do gives it little time."""
 
-_ROUNDS = 5
-"""How often that many seconds of the clock may pass meanwhile."""
+_SLOWEST = 5.0
+"""How many times as many seconds of the clock may pass meanwhile."""
+
+_SLICE = 0.1
+"""Seconds after which it is looked whether the app has ended, whose screen then updates in vain."""
 
 _PATIENCE = 60
 """Seconds until a test gives up; only a machine with much else to do needs more than one."""
@@ -48,6 +52,11 @@ class _Selector(selectors.DefaultSelector):
         return events
 
 
+def _has_ended() -> bool:
+    app = active_app.get(None)
+    return app is not None and app._exit
+
+
 def _call(calls: list[Callable[[], object]]) -> list[Callable[[], object]]:
     for call in calls:
         call()
@@ -64,8 +73,9 @@ class IdleLoop(asyncio.SelectorEventLoop):
     async def idle(self, longest: float = _LONGEST) -> None:
         """Wait until no task can go on, or has worked for so many seconds."""
         end = time.thread_time() + longest
-        for _ in range(_ROUNDS):
-            if await self._told(self._watched.before_sleep, longest) or time.thread_time() > end:
+        for _ in range(int(longest * _SLOWEST / _SLICE)):
+            is_idle = await self._told(self._watched.before_sleep, _SLICE)
+            if is_idle or _has_ended() or time.thread_time() > end:
                 return
 
     async def moved(self, longest: float) -> None:
