@@ -6,10 +6,10 @@ import os
 import socket
 import time
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Iterable
 from itertools import count
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
 
 import pytest
 
@@ -32,6 +32,28 @@ def be_quick() -> None:
 def examples(number: int) -> int:
     """Return how many examples a property is tried on: so many where tests may take long."""
     return max(number // _QUICK, min(number, 10)) if _is_quick else number
+
+
+def mostly_long(
+    values: Iterable[Any], quick: Collection[Any], name: Callable[[Any], str] | None = None
+) -> list[Any]:
+    """Return values for `parametrize`: but for the quick ones they make `long` tests.
+
+    Args:
+        values: one argument of a test each.
+        quick: those that count in the quick suite; by name, where names are given.
+        name: names a value.
+    """
+    named = [(value, value if name is None else name(value)) for value in values]
+    assert {key for _, key in named} >= set(quick), quick
+    return [
+        pytest.param(
+            value,
+            id=None if name is None else str(key),
+            marks=() if key in quick else pytest.mark.long,
+        )
+        for value, key in named
+    ]
 
 
 TALKING = """\

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from command_line import BROKEN, LISTENER, PLASTRON, TALKER, Run
-from machine import TALKING, wait_until
+from machine import TALKING, mostly_long, wait_until
 from ros_runs import Ros, make_ros, said_by
 
 from plastron_tui.cli.run import run_options
@@ -179,6 +179,7 @@ def test_half_a_ros(here: Path) -> None:
 
 
 @pytest.mark.live
+@pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rclpy"]), indirect=True)
 def test_a_node_that_crashes_at_its_start(ros: Ros) -> None:
     ros.write("p.plastron", TALKER + LISTENER)
     assert ros.plastron("generate", "p.plastron", "--target", ros.library).returncode == 0
@@ -192,6 +193,7 @@ def test_a_node_that_crashes_at_its_start(ros: Ros) -> None:
 
 
 @pytest.mark.live
+@pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rclpy"]), indirect=True)
 def test_a_client_that_gets_no_answer_has_failed(ros: Ros) -> None:
     ros.write(
         "p.plastron",
@@ -210,6 +212,7 @@ def test_a_client_that_gets_no_answer_has_failed(ros: Ros) -> None:
 
 
 @pytest.mark.live
+@pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rospy"]), indirect=True)
 def test_a_node_that_never_starts(ros: Ros) -> None:
     ros.write("p.plastron", TALKER + LISTENER)
     assert ros.plastron("generate", "p.plastron", "--target", ros.library).returncode == 0
@@ -226,9 +229,7 @@ def test_a_node_that_never_starts(ros: Ros) -> None:
 
 
 @pytest.mark.live
-@pytest.mark.parametrize(
-    "ros", ["rclpy", pytest.param("rospy", marks=pytest.mark.long)], indirect=True
-)
+@pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rclpy"]), indirect=True)
 def test_a_second_run_beside_the_first(ros: Ros) -> None:
     ros.write("p.plastron", TALKER + LISTENER)
     with ros.running("p.plastron") as first:
@@ -242,6 +243,7 @@ def test_a_second_run_beside_the_first(ros: Ros) -> None:
 
 
 @pytest.mark.live
+@pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rospy"]), indirect=True)
 def test_a_terminal_that_is_closed(ros: Ros) -> None:
     ros.write("p.plastron", TALKER + LISTENER)
     command = [*PLASTRON, "run", "p.plastron", "--target", ros.library]
@@ -262,9 +264,7 @@ def test_a_terminal_that_is_closed(ros: Ros) -> None:
 
 
 @pytest.mark.live
-@pytest.mark.parametrize(
-    "ros", ["rospy", pytest.param("rclpy", marks=pytest.mark.long)], indirect=True
-)
+@pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rospy"]), indirect=True)
 def test_the_watch(ros: Ros) -> None:
     def is_told(said: str) -> bool:
         told = said_by(said, "watch")

@@ -16,6 +16,7 @@ from pathlib import Path
 
 import pytest
 from command_line import BROKEN, PLASTRON, TALKER
+from machine import mostly_long
 
 HUNG_UP = 128 + signal.SIGHUP
 
@@ -42,13 +43,7 @@ QUICK = ("--help", "graph right.plastron", "shell", "check wrong.plastron")
 
 def each(commands: dict[str, int]) -> pytest.MarkDecorator:
     """Try each of the commands, in the quick suite some."""
-    return pytest.mark.parametrize(
-        "command",
-        [
-            pytest.param(command, marks=[] if command in QUICK else [pytest.mark.long])
-            for command in commands
-        ],
-    )
+    return pytest.mark.parametrize("command", mostly_long(commands, QUICK))
 
 
 @contextmanager

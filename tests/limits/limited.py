@@ -4,12 +4,9 @@ from __future__ import annotations
 
 import json
 import subprocess
-from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
-
-import pytest
 
 PROGRAM = """\
 create_node 'talker' as talker
@@ -108,9 +105,3 @@ def make_project(folder: Path) -> None:
     }
     for name, text in texts.items():
         (folder / name).write_text(text)
-
-
-def cases(table: Mapping[str, object], quick: Collection[str]) -> list[object]:
-    """Return the names of a table for `parametrize`; all but the quick ones take long."""
-    assert set(quick) <= set(table)
-    return [pytest.param(name, marks=() if name in quick else pytest.mark.long) for name in table]

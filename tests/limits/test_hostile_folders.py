@@ -8,7 +8,8 @@ import zlib
 from pathlib import Path
 
 import pytest
-from limited import Attacker, cases, make_project
+from limited import Attacker, make_project
+from machine import mostly_long
 
 
 def _layers(count: int) -> bytes:
@@ -35,7 +36,7 @@ MANIFESTS: dict[str, str | bytes] = {
 _QUICK = {"packed", "depth"}
 
 
-@pytest.mark.parametrize("name", cases(MANIFESTS, _QUICK))
+@pytest.mark.parametrize("name", mostly_long(MANIFESTS, _QUICK))
 def test_a_manifest_ends_with_a_diagnostic(attacker: Attacker, tmp_path: Path, name: str) -> None:
     folder = tmp_path / "project"
     make_project(folder)
@@ -72,7 +73,7 @@ YAML: dict[str, str] = {
 _QUICK_YAML = {"types", "keys", "unknown alias"}
 
 
-@pytest.mark.parametrize("name", cases(YAML, _QUICK_YAML))
+@pytest.mark.parametrize("name", mostly_long(YAML, _QUICK_YAML))
 def test_a_project_file_ends_with_a_diagnostic(
     attacker: Attacker, tmp_path: Path, name: str
 ) -> None:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from limited import Attacker, cases, make_project
+from limited import Attacker, make_project
+from machine import mostly_long
 
 _STRING = "of message_type String"
 _MESSAGE = f"create_message m {_STRING} and input "
@@ -64,7 +65,7 @@ _COMMANDS = ("check", "check --format json", "generate", "fmt --check", "graph")
 _QUICK = {"nested", "long type", "long load"}
 
 
-@pytest.mark.parametrize("name", cases(PROGRAMS, _QUICK))
+@pytest.mark.parametrize("name", mostly_long(PROGRAMS, _QUICK))
 def test_a_program_ends_with_a_diagnostic(attacker: Attacker, tmp_path: Path, name: str) -> None:
     folder = tmp_path / "project"
     make_project(folder)

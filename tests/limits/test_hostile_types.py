@@ -6,7 +6,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from limited import Attacker, cases, make_project
+from limited import Attacker, make_project
+from machine import mostly_long
 
 Make = Callable[[Path], object]
 
@@ -100,7 +101,7 @@ TYPES: dict[str, Make] = {
 _QUICK = {"doubled", "doubled, empty", "many fields", "quotes"}
 
 
-@pytest.mark.parametrize("name", cases(TYPES, _QUICK))
+@pytest.mark.parametrize("name", mostly_long(TYPES, _QUICK))
 def test_a_type_ends_with_a_diagnostic(attacker: Attacker, tmp_path: Path, name: str) -> None:
     folder = tmp_path / "project"
     make_project(folder)

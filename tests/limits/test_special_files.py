@@ -8,7 +8,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from limited import Attacker, cases, make_project
+from limited import Attacker, make_project
+from machine import mostly_long
 
 
 def _sparse(path: Path) -> None:
@@ -77,7 +78,7 @@ def test_a_special_file_ends_with_a_diagnostic(
         attacker.run(folder, name, *rest, *given).check()
 
 
-@pytest.mark.parametrize("kind", cases(SPECIAL, _QUICK))
+@pytest.mark.parametrize("kind", mostly_long(SPECIAL, _QUICK))
 def test_a_special_file_is_no_trust(attacker: Attacker, tmp_path: Path, kind: str) -> None:
     folder = tmp_path / "project"
     make_project(folder)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from limited import Attacker, cases
+from limited import Attacker
+from machine import mostly_long
 from test_special_files import SPECIAL
 
 _LOOKS = """
@@ -34,7 +35,7 @@ Welcome([str(here / "x.plastron")])
 """
 
 
-@pytest.mark.parametrize("kind", cases(SPECIAL, {"fifo", "device"}))
+@pytest.mark.parametrize("kind", mostly_long(SPECIAL, {"fifo", "device"}))
 def test_the_studio_looks_at_no_special_file(attacker: Attacker, tmp_path: Path, kind: str) -> None:
     folder = tmp_path / "here"
     folder.mkdir()

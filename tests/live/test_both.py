@@ -9,6 +9,7 @@ from statistics import median
 
 import pytest
 from graph import Graph, rate
+from machine import mostly_long
 from processes import generate, own_tracebacks
 
 pytestmark = pytest.mark.live
@@ -85,6 +86,7 @@ def test_a_node_does_all_four_things(graph: Graph, tmp_path: Path) -> None:
         assert not own_tracebacks(node.output)
 
 
+@pytest.mark.parametrize("graph", mostly_long(["ros1", "ros2"], ["ros2"]), indirect=True)
 def test_a_twist_is_the_same_however_it_is_written(graph: Graph, tmp_path: Path) -> None:
     nodes = generate("twists", tmp_path / "output", graph.target)
     graph.run(nodes["twists_pub.py"])

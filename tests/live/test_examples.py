@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 from graph import Graph
+from machine import mostly_long
 from processes import PLASTRON, generate, own_tracebacks
 
 pytestmark = pytest.mark.live
@@ -19,7 +20,7 @@ EXAMPLES = sorted(
     path for path in FOLDER.glob("*.plastron") if "\nload " not in path.read_text(encoding="utf-8")
 )
 
-QUICK = {"service_and_client", "talker_listener"}
+QUICK = {"service_and_client"}
 
 
 def drawn(program: Path) -> dict[str, Any]:
@@ -67,13 +68,7 @@ def traffic(graph: Graph, program: Path, output: Path) -> dict[str, Any]:
     return seen
 
 
-@pytest.mark.parametrize(
-    "program",
-    [
-        pytest.param(path, id=path.stem, marks=[] if path.stem in QUICK else pytest.mark.long)
-        for path in EXAMPLES
-    ],
-)
+@pytest.mark.parametrize("program", mostly_long(EXAMPLES, QUICK, lambda path: path.stem))
 def test_an_example_is_the_same_on_both(
     program: Path, ros1: Graph, ros2: Graph, tmp_path: Path
 ) -> None:

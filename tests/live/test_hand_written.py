@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from graph import Graph
+from machine import mostly_long
 from processes import PLASTRON, own_tracebacks
 
 pytestmark = pytest.mark.live
@@ -102,13 +103,7 @@ CASES = [
 QUICK = {"fleet.py", "lamp.py"}
 
 
-@pytest.mark.parametrize(
-    "case",
-    [
-        pytest.param(case, id=case.file, marks=[] if case.file in QUICK else pytest.mark.long)
-        for case in CASES
-    ],
-)
+@pytest.mark.parametrize("case", mostly_long(CASES, QUICK, lambda case: case.file))
 def test_a_hand_written_node_does_what_the_program_asked(
     case: Case, ros1: Graph, tmp_path: Path
 ) -> None:

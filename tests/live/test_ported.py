@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from graph import Graph
+from machine import mostly_long
 from processes import PLASTRON, Process, own_tracebacks
 
 pytestmark = pytest.mark.live
@@ -196,6 +197,7 @@ def run_ported(graph: Graph, file: Path, text: str) -> Process:
     return graph.run(file.parent / "output" / file.name)
 
 
+@pytest.mark.parametrize("graph", mostly_long(["ros1", "ros2"], ["ros2"]), indirect=True)
 def test_a_ported_node_sends_what_rospy_makes_messages_of(graph: Graph, tmp_path: Path) -> None:
     node = run_ported(graph, tmp_path / "plain.py", PLAIN)
     topics = {
@@ -229,6 +231,7 @@ def test_a_ported_node_sends_what_rospy_makes_messages_of(graph: Graph, tmp_path
     assert " of /plain" in node.output
 
 
+@pytest.mark.parametrize("graph", mostly_long(["ros1", "ros2"], ["ros1"]), indirect=True)
 def test_a_ported_node_talks(graph: Graph, tmp_path: Path) -> None:
     source = RCLPY if graph.target == "rospy" else ROSPY
     node = run_ported(graph, tmp_path / "repeater.py", source)

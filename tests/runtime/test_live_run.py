@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from machine import TALKING, find_ros, graph_environ, wait_until
+from machine import TALKING, find_ros, graph_environ, mostly_long, wait_until
 from supervised import all_gone
 
 from plastron_tui.runtime.describe import Described, DescribedNode, describe
@@ -185,9 +185,7 @@ def test_nodes_run_for_a_time(ros: Ros) -> None:
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-@pytest.mark.parametrize(
-    "ros", ["rclpy", pytest.param("rospy", marks=pytest.mark.long)], indirect=True
-)
+@pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rclpy"]), indirect=True)
 def test_the_watch_shows_topics_and_calls(ros: Ros) -> None:
     def is_told(said: str) -> bool:
         told = [line.partition("| ")[2] for line in _lines(said, "watch")]
@@ -201,9 +199,7 @@ def test_the_watch_shows_topics_and_calls(ros: Ros) -> None:
     ros.run_until(is_told, ros.generate(TALKING, "nodes"), watch=True)
 
 
-@pytest.mark.parametrize(
-    "ros", ["rclpy", pytest.param("rospy", marks=pytest.mark.long)], indirect=True
-)
+@pytest.mark.long
 def test_a_description_run_again_is_the_same_graph(ros: Ros) -> None:
     names = {"/talker", "/listener", "/switcher", "/asker"}
     with ros.running(ros.generate(TALKING, "nodes")):
@@ -217,6 +213,7 @@ def test_a_description_run_again_is_the_same_graph(ros: Ros) -> None:
         assert ros.described(names) == before
 
 
+@pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rospy"]), indirect=True)
 def test_a_node_that_crashes_at_its_start(ros: Ros) -> None:
     nodes = ros.generate(TALKING, "nodes")
     (nodes / "crasher_pub.py").write_text("import no_such_module\n")
@@ -227,9 +224,7 @@ def test_a_node_that_crashes_at_its_start(ros: Ros) -> None:
     assert ": ModuleNotFoundError: No module named 'no_such_module'" in said
 
 
-@pytest.mark.parametrize(
-    "ros", ["rospy", pytest.param("rclpy", marks=pytest.mark.long)], indirect=True
-)
+@pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rospy"]), indirect=True)
 def test_a_second_run_beside_the_first(ros: Ros) -> None:
     nodes = ros.generate(TALKING, "nodes")
     environ = {key: value for key, value in ros.environ.items() if key != "ROS_MASTER_URI"}

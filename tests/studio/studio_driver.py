@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from idle_loop import until
+from machine import mostly_long
 from textual.pilot import Pilot
 from textual.widgets import Label
 
@@ -26,7 +27,7 @@ subscribe listener to 'chatter' of message_type String
 generate_node listener
 """
 
-SIZES = [(80, 24), (120, 40)]
+SIZES = mostly_long([(80, 24), (120, 40)], [(80, 24)])
 
 
 def fail(*_: object) -> None:

@@ -89,7 +89,7 @@ async def choose(driver: object, recipe: Recipe) -> None:
     await driver.pilot.press("home", *["down"] * at, "enter")  # type: ignore[attr-defined]
 
 
-@pytest.mark.parametrize("size", [*SIZES, (60, 20)])
+@pytest.mark.parametrize("size", [*SIZES, pytest.param((60, 20), marks=pytest.mark.long)])
 @every_recipe
 async def test_a_recipe_is_opened_from_the_welcome(
     recipe: Recipe, size: tuple[int, int], tmp_path: Path, monkeypatch: pytest.MonkeyPatch

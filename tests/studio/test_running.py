@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from machine import domain_id
+from machine import domain_id, mostly_long
 from studio_driver import Driver, studio
 from test_terminal import Terminal, start
 from test_terminal import terminal as terminal
@@ -199,7 +199,9 @@ async def test_what_prints_without_end_leaves_the_studio_responsive(
 
 
 @needs_ros2
-@pytest.mark.parametrize("how", [signal.SIGHUP, signal.SIGTERM, signal.SIGKILL])
+@pytest.mark.parametrize(
+    "how", mostly_long([signal.SIGHUP, signal.SIGTERM, signal.SIGKILL], [signal.SIGKILL])
+)
 def test_however_the_studio_ends_the_nodes_end(
     talking: Path, tmp_path: Path, terminal: Terminal, how: signal.Signals
 ) -> None:

@@ -7,6 +7,7 @@ from functools import partial
 from pathlib import Path
 
 import pytest
+from machine import mostly_long
 from studio_driver import Driver
 from wizard_courses import NODE_FILE, TWO_NODES
 from wizard_driver import WizardDriver, way_to, wizard, wizard_from_welcome
@@ -21,20 +22,15 @@ Pick = Callable[[str], Awaitable[None]]
 
 ALL = list(DECLARATIONS.values())
 
-QUICK = ("subscribe", "publish", "load")
+QUICK = ("publish", "load")
 """What is gone through in every way, where `long` tests are left out."""
-
-some_in_quick = pytest.mark.parametrize(
-    "declaration",
-    [
-        pytest.param(one, id=one.keyword, marks=[] if one.keyword in QUICK else pytest.mark.long)
-        for one in ALL
-    ],
-)
 
 
 def keyword(declaration: Declaration) -> str:
     return declaration.keyword
+
+
+some_in_quick = pytest.mark.parametrize("declaration", mostly_long(ALL, QUICK, keyword))
 
 
 @pytest.fixture
@@ -138,7 +134,7 @@ async def test_back_from_every_step_keeps_what_was_entered(
         assert it.statements == statements
 
 
-@pytest.mark.parametrize("steps", range(6))
+@pytest.mark.parametrize("steps", mostly_long(range(6), [0, 3, 5]))
 async def test_escape_leaves_without_a_trace(file: Path, steps: int) -> None:
     async with wizard(file) as it:
         for _ in range(steps):

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from machine import mostly_long
 from studio_driver import Driver, studio
 from test_terminal import Terminal, start
 from test_terminal import terminal as terminal
@@ -89,8 +90,8 @@ async def slowly(it: WizardDriver, keys: Sequence[str]) -> None:
 
 
 @pytest.mark.parametrize("focus", ["editor", pytest.param("nodes", marks=pytest.mark.long)])
-@pytest.mark.parametrize("keys", WAYS.values(), ids=WAYS.keys())
-async def test_a_burst_does_what_single_keys_do(here: Path, keys: list[str], focus: str) -> None:
+@pytest.mark.parametrize("way", mostly_long(WAYS, ["a value", "to the end"]))
+async def test_a_burst_does_what_single_keys_do(here: Path, way: str, focus: str) -> None:
     states = []
     for send in (slowly, quickly):
         path = here / f"{send.__name__}.plastron"
@@ -100,12 +101,14 @@ async def test_a_burst_does_what_single_keys_do(here: Path, keys: list[str], foc
                 await driver.press("alt+1")
                 assert driver.main.lists["nodes"].has_focus
             it = WizardDriver(driver)
-            await send(it, ["ctrl+u", *keys])
+            await send(it, ["ctrl+u", *WAYS[way]])
             states.append(await state(it))
     assert states[1] == states[0]
 
 
-@pytest.mark.parametrize("way", ["two pages on", "a value", "a choice", "to the end"])
+@pytest.mark.parametrize(
+    "way", mostly_long(["two pages on", "a value", "a choice", "to the end"], ["to the end"])
+)
 async def test_a_key_waits_for_all_that_follows_from_the_one_before(
     here: Path, way: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -6,6 +6,7 @@ import random
 from pathlib import Path
 
 import pytest
+from machine import mostly_long
 from studio_driver import studio
 from wizard_courses import NODE_FILE
 from wizard_driver import WizardDriver
@@ -20,9 +21,7 @@ KEYS = (
 )  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    "seed", [0, *(pytest.param(seed, marks=pytest.mark.long) for seed in (1, 2))]
-)
+@pytest.mark.parametrize("seed", mostly_long(range(3), [0]))
 async def test_random_keys(two: Path, seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(MainScreen, "action_run", lambda _: None)
     two.with_name("sonar.py").write_text(NODE_FILE)

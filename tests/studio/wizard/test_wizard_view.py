@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from machine import mostly_long
 from studio_driver import studio
 from wizard_courses import CHANGE, MAKE, MORE, NODE_FILE, REACT, SEND
 from wizard_driver import WizardDriver, wizard
@@ -15,7 +16,7 @@ from plastron_tui.studio.wizard.course import PageKind
 SIZES = [(60, 20), (80, 24), (120, 40), (200, 60)]
 
 
-@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("size", mostly_long(SIZES, [(60, 20), (120, 40)]))
 async def test_statement_code_and_graph_are_in_view_as_they_grow(
     here: Path, size: tuple[int, int]
 ) -> None:
@@ -94,7 +95,9 @@ async def test_another_size_keeps_what_was_entered(here: Path) -> None:
         assert '"hi"' in it.statements[1]
 
 
-@pytest.mark.parametrize("theme", ["ansi-dark", "ansi-light", "textual-light", "nord"])
+@pytest.mark.parametrize(
+    "theme", mostly_long(["ansi-dark", "ansi-light", "textual-light", "nord"], ["ansi-light"])
+)
 async def test_it_works_in_other_colours(here: Path, theme: str) -> None:
     async with studio(None) as driver:
         driver.app.theme = theme
