@@ -110,7 +110,9 @@ def _hint(name: str) -> str:
     from plastron_tui.diagnostics import did_you_mean
 
     hint = did_you_mean(name, _COMMANDS)
-    return "" if hint is None else f"; {hint.replace('`', chr(39))}"
+    if hint is None:
+        return ", and no program: that is a file, or a name that ends in '.plastron'"
+    return f"; {hint.replace('`', chr(39))}"
 
 
 @click.group(

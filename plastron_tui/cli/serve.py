@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import socket
 from pathlib import Path
 
@@ -32,7 +33,15 @@ def command(file: Path | None, host: str, port: int) -> None:
     if file is not None:
         words.append(str(file.absolute()))
     server = StudioServer(words, host, port)
-    server.run(lambda: _tell(host, port, server.access.token))
+    try:
+        server.run(lambda: _tell(host, port, server.access.token))
+    except OSError as error:
+        if error.errno != errno.EADDRINUSE:
+            raise
+        click.echo(
+            f"error: port {port} of {visible(host)} is in use; choose another with --port", err=True
+        )
+        click.get_current_context().exit(2)
 
 
 def _tell(host: str, port: int, token: str) -> None:
@@ -46,6 +55,9 @@ def _tell(host: str, port: int, token: str) -> None:
             err=True,
         )
     if is_any_address(host):
-        click.echo(f"other machines find it at {url(socket.gethostname(), port, token)}", err=True)
+        click.echo(
+            f"other machines find it at\n  {url(socket.gethostname(), port, token)}", err=True
+        )
         host = "127.0.0.1"
-    click.echo(f"the studio is at {visible(url(host, port, token))} - Ctrl-C ends it", err=True)
+    # On a line of its own, a URL is whole in a terminal of 80 columns, to be clicked or copied.
+    click.echo(f"the studio is at\n  {visible(url(host, port, token))}\nCtrl-C ends it", err=True)

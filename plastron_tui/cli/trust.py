@@ -22,7 +22,7 @@ def command(folder: Path | None, remove: bool, is_list: bool) -> None:
     """Trust the project of a folder, without DIR that of the working folder.
 
     Its templates are then used, and its programs and its plastron.yaml may lead out of it. Look at
-    them first. What you trust is remembered in your own state, never in the folder.
+    them first. What you trust is remembered among your own files, never in the folder.
     """
     if is_list and (remove or folder is not None):
         raise click.UsageError("--list goes alone")
@@ -41,8 +41,11 @@ def command(folder: Path | None, remove: bool, is_list: bool) -> None:
 
 
 def _list(store: TrustStore, report: Report) -> None:
-    for folder in store.folders():
+    folders = store.folders()
+    for folder in folders:
         print_text(str(folder))
+    if not folders:
+        click.echo("you trust no folder yet", err=True)
     for file in store.broken():
         found = _unsafe(f"`{file}` is broken, or not yours alone", f"remove it: {file}")
         report.add([found._replace(severity=Severity.WARNING)], lambda _: None)

@@ -90,8 +90,8 @@ def refused(refusal: Refusal, address: str) -> str:
     where = escape(address)
     if refusal is Refusal.HOST:
         remedy = (
-            f"<p>The studio is at <code>{where}</code>. A tunnel to it has the same port at both "
-            "ends.</p>"
+            f"<p>The studio is at <code>{where}</code>. Through a tunnel it is at "
+            "<code>127.0.0.1</code> or <code>localhost</code>, with the port at your end.</p>"
         )
     elif refusal is Refusal.ORIGIN:
         remedy = f"<p>Only the studio's own page, at <code>{where}</code>, may use it.</p>"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import random
+import socket
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -299,6 +300,30 @@ def test_files_of_the_other_kind(run: Run, here: Path) -> None:
     result = run("inspect", "talker.plastron")
     assert result.returncode == 1
     assert b"`plastron check` and `plastron graph` read programs" in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("genrate", b"no command 'genrate'; did you mean 'generate'?"),
+        ("talker.plstron", b"and no program: that is a file, or a name that ends in '.plastron'"),
+    ],
+)
+def test_a_word_that_is_no_command(run: Run, name: str, said: bytes) -> None:
+    result = run(name)
+    assert result.returncode == 2
+    assert said in result.stderr
+
+
+def test_a_port_that_is_in_use(run: Run) -> None:
+    pytest.importorskip("aiohttp", reason="the extra [web] is not installed")
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+        result = run("serve", "--port", str(port))
+    assert result.returncode == 2
+    assert result.stderr.decode() == (
+        f"error: port {port} of 127.0.0.1 is in use; choose another with --port\n"
+    )
 
 
 def test_a_name_without_its_suffix(run: Run, here: Path) -> None:

@@ -165,11 +165,12 @@ async def test_the_studio_that_is_served(traps: Path) -> None:
     )
     try:
         assert server.stderr is not None
+        assert await server.stderr.readline() == b"the studio is at\n"
         line = (await server.stderr.readline()).decode()
-        found = re.search(r"(http://\S+)\?token=(\S+)", line)
+        found = re.fullmatch(r"  (http://\S+)\?token=(\S+)\n", line)
         assert found is not None, line
         async with aiohttp.ClientSession(cookie_jar=aiohttp.CookieJar(unsafe=True)) as session:
-            await session.get(found.group())
+            await session.get(found.group().strip())
             origin = found[1].rstrip("/")
             async with session.ws_connect(f"{origin}/ws", headers={"Origin": origin}) as socket:
                 shown = b""

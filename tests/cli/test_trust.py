@@ -35,7 +35,8 @@ def foreign(here: Path) -> Path:
 def test_trust_list_and_remove(go: Run, here: Path) -> None:
     folder = here / "work"
     (folder / "inner").mkdir()
-    assert go("trust", "--list").stdout == b""
+    none = go("trust", "--list")
+    assert (none.returncode, none.stdout, none.stderr) == (0, b"", b"you trust no folder yet\n")
     assert go("trust", "inner").stdout.decode() == f"trusted  {folder}\n"
     assert go("trust", "--list").stdout.decode() == f"{folder}\n"
     assert go("trust", "--remove").stdout.decode() == f"no longer trusted  {folder}\n"
