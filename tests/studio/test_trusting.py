@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from studio_driver import PROGRAM, studio
+from textual.widgets._toast import Toast, ToastRack
 
 from plastron_tui.trust import TrustStore
 
@@ -62,3 +63,38 @@ async def test_a_project_of_ones_own_asks_nothing(program: Path) -> None:
         await driver.settle()
         assert "trust" not in driver.notes()
         assert driver.text == PROGRAM
+
+
+@pytest.mark.parametrize("key", ["f5", "f6"])
+async def test_what_only_waits_for_trust_is_no_mistake_of_the_program(
+    program: Path, key: str
+) -> None:
+    (program.parent / "plastron.yaml").write_text("output: ../elsewhere\n")
+    async with studio(program) as driver:
+        await driver.settle()
+        await driver.press(key)
+        await driver.until(lambda: driver.main.lists["problems"].has_focus)
+        assert "only once you trust this project: alt+u" in driver.notes()
+        assert "mended" not in driver.notes()
+        await driver.press("enter")
+        assert "this is about plastron.yaml:1, not about a statement" in driver.notes()
+
+
+async def test_messages_leave_the_answers_in_sight(foreign: Path) -> None:
+    (foreign.parent / "plastron.yaml").write_text("output: ../elsewhere\n")
+    async with studio(foreign, (80, 24)) as driver:
+        # In a test Textual shows no messages, unless they are asked for.
+        driver.app._disable_notifications = False
+        await driver.until(lambda: "is outside of the project" in driver.notes())
+        await driver.press("f5", "f6")
+        await driver.until(lambda: driver.notes().count("only once you trust") == 2)
+        await driver.pilot.press("alt+u")
+        dialog = await driver.dialog("Question")
+        rack = dialog.get_child_by_type(ToastRack)
+        await driver.until(lambda: any(toast.region.area for toast in rack.query(Toast)))
+        answers = dialog.query_one("#dialog-buttons").region
+        assert not any(toast.region.overlaps(answers) for toast in rack.query(Toast))
+        await driver.pilot.press("t")
+        await driver.back()
+        await driver.pilot.press("alt+u")
+        assert "you trust this project already" in driver.notes()

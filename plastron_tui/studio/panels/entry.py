@@ -39,7 +39,8 @@ class Entry(NamedTuple):
         span: the statement that it comes from, None for what was read from a file.
         subject: what it is about.
         node: the variable of the node that it belongs to.
-        name: the topic, service or variable as the program has it.
+        name: the topic, service or variable as the program has it; of a problem in another file
+            that file and the line.
         edits: a fix that can be applied.
         is_branch: whether entries below belong to it.
     """
@@ -72,6 +73,13 @@ class Entry(NamedTuple):
                 return f"{self.node} stop_request '{self.name}'"
             case _:
                 return None
+
+    @property
+    def elsewhere(self) -> str:
+        """What is said when there is no statement to go to."""
+        if self.subject is not Subject.PROBLEM:
+            return f"{self.text} is not written in this program"
+        return f"this is about {self.name or 'the whole program'}, not about a statement"
 
 
 class Entries:

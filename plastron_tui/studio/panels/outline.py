@@ -206,13 +206,22 @@ def _problem(
         "error" if is_error else "warning",
         span=found.span if own else None,
         subject=Subject.PROBLEM,
+        name=None if own else where,
         edits=found.fix.edits if found.fix is not None and own else (),
         warning=found.fix.title if found.fix is not None and own else "",
         is_branch=found.help is not None,
     )
     if found.help is not None:
         span = found.span if own else None
-        yield Entry(f"help {key}", found.help, sign="=", depth=1, span=span)
+        yield Entry(
+            f"help {key}",
+            found.help,
+            sign="=",
+            depth=1,
+            span=span,
+            subject=Subject.PROBLEM,
+            name=None if own else where,
+        )
 
 
 @lru_cache(4096)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -151,7 +152,7 @@ class Doing(Part):
         session = self.open.session
         errors = await self._errors()
         if errors:
-            self._say_errors(len(errors))
+            self._say_errors(errors)
             return
         await self.app.push_screen_wait(GenerateDialog(session))
         session.files_changed()
@@ -177,11 +178,10 @@ class Doing(Part):
         found = known.diagnostics if known and is_known else open_.session.diagnostics
         return [each for each in found if each.severity is Severity.ERROR]
 
-    def _say_errors(self, count: int) -> None:
-        self.notify(
-            f"{count} {'mistake has' if count == 1 else 'mistakes have'} to be mended first",
-            severity="warning",
-        )
+    def _say_errors(self, errors: Sequence[Diagnostic]) -> None:
+        count = len(errors)
+        said = f"{count} {'mistake has' if count == 1 else 'mistakes have'} to be mended first"
+        self.notify(self.trust_first(errors) or said, severity="warning")
         self.bring("problems", focus=True)
 
     # Running.
@@ -202,7 +202,7 @@ class Doing(Part):
             return
         errors = await self._errors()
         if errors:
-            self._say_errors(len(errors))
+            self._say_errors(errors)
             return
         if self.open.is_changed and not await self.save():
             return

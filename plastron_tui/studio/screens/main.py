@@ -221,7 +221,7 @@ class MainScreen(Arranging, Filing, Doing, Wizarding, Trusting, Screen[None]):
         """Go to the statement of an entry."""
         span = message.entry.span
         if span is None:
-            self.notify(f"{message.entry.text} is not written in this program", markup=False)
+            self.notify(message.entry.elsewhere, markup=False)
             return
         self.editor.go_to(span.start)
         self.editor.focus()

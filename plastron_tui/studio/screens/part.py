@@ -7,7 +7,10 @@ from typing import TYPE_CHECKING
 from textual.screen import Screen
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from pathlib import Path
+
+    from plastron_tui.diagnostics import Diagnostic
 
     from ..app import StudioApp
     from ..editor import ProgramEditor
@@ -50,6 +53,9 @@ class Part(Screen[None]):
 
         def bring(self, name: str, *, focus: bool = False) -> None:
             """Bring a panel in sight."""
+
+        def trust_first(self, errors: Sequence[Diagnostic]) -> str | None:
+            """Say that trust is all that is missing, where that is so."""
 
         def ask_anew(self) -> None:
             """Ask what the text means."""

@@ -13,9 +13,13 @@ from plastron_tui.project import TRUST_CODES
 from .part import Part
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from plastron_tui.diagnostics import Diagnostic
 
     from ..analysis import Analysis
+
+_NOTHING = "nothing in this project has to be trusted"
 
 
 class Trusting(Part):
@@ -25,15 +29,24 @@ class Trusting(Part):
 
     def tell_what_waits(self, analysis: Analysis) -> None:
         """Say, once for a project, that something in it is not used until it is trusted."""
-        from ..actions import BY_ID
-
         waiting, root = _waiting(analysis), analysis.session.boundary.root
         if not waiting or root == self._told:
             return
         self._told = root
-        key = self.studio.key_of("trust", BY_ID["trust"].keys)
-        message = f"{visible(waiting[0].message)}\nIf you trust it: {key}"
+        message = f"{visible(waiting[0].message)}\nIf you trust it: {self._trust_key}"
         self.notify(message, severity="warning", timeout=10, markup=False)
+
+    def trust_first(self, errors: Sequence[Diagnostic]) -> str | None:
+        """Say that trust is all that is missing; None where something else is wrong."""
+        if any(found.code not in TRUST_CODES for found in errors):
+            return None
+        return f"only once you trust this project: {self._trust_key}"
+
+    @property
+    def _trust_key(self) -> str:
+        from ..actions import BY_ID
+
+        return self.studio.key_of("trust", BY_ID["trust"].keys)
 
     @work(exclusive=True, group="trust")
     async def action_trust(self) -> None:
@@ -45,7 +58,9 @@ class Trusting(Part):
         open_ = self.open
         waiting = [] if open_.analysis is None else _waiting(open_.analysis)
         if not waiting:
-            self.notify("nothing in this project has to be trusted", timeout=3)
+            is_trusted = open_.session.boundary.is_trusted
+            said = "you trust this project already" if is_trusted else _NOTHING
+            self.notify(said, timeout=3)
             return
         root = open_.session.boundary.root
         said = "\n".join(dict.fromkeys(visible(found.message) for found in waiting[:4]))
