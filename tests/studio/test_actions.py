@@ -165,6 +165,8 @@ async def test_the_tour_goes_around(tmp_path: Path) -> None:
         titles = []
         while driver.app.screen is dialog:
             titles.append(str(dialog.query_one("#dialog-title", Label).content))
+            await driver.settle()
+            assert dialog.query_one("#dialog-keys").size.height == 1
             await driver.pilot.press("enter")
             await driver.pilot.pause()
         assert len(titles) == len(set(titles)) == 6

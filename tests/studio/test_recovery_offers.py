@@ -76,7 +76,7 @@ async def test_a_new_program_of_the_same_folder_is_offered_with_its_folder(elsew
     leave_behind(None, PROGRAM, Path.cwd())
     async with wizard(None) as driver:
         await driver.dialog("Question")
-        assert label(driver, "title") == "a new program was not saved"
+        assert label(driver, "title") == "A new program was not saved"
         assert label(driver, "text").startswith(f"Begun in {shown_folder(Path.cwd())}: the studio")
         await driver.pilot.press("r")
         await driver.dialog("Wizard")

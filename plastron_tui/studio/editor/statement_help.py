@@ -6,7 +6,7 @@ from plastron_tui.language import Clause, Slot
 from plastron_tui.language.declaration import Element
 from plastron_tui.language.expectations import Expectation
 
-START = "a statement starts with create_node, load, create_message, subscribe, …, or with a node"
+START = "a statement starts with create_node, load, subscribe, …, or with a node"
 
 
 def help_of(expected: Expectation) -> str:

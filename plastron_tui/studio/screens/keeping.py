@@ -106,7 +106,9 @@ class Keeping(Part):
         when = datetime.fromtimestamp(kept.when).strftime("%H:%M on %d %B")
         answer = await self.app.push_screen_wait(
             Question(
-                f"{shown_name(kept)} was not saved",
+                "A new program was not saved"
+                if kept.path is None
+                else f"{shown_name(kept)} was not saved",
                 [("restore", "Restore"), ("later", "Later"), ("drop", "Forget it")],
                 text=_sentence(kept, when),
                 lines=difference_of(before, kept.text),

@@ -95,8 +95,8 @@ class Tour(Dialog[None]):
         self.query_one("#dialog-text", Label).update(step.text)
         last = self.at + 1 == len(STEPS)
         self.query_one("#dialog-keys", Label).update(
-            f"{self.at + 1} of {len(STEPS)}   Enter {'ends the tour' if last else 'goes on'}   "
-            + ("← back   " if self.at else "") + "Esc leaves"
+            f"{self.at + 1} of {len(STEPS)}   Enter {'ends the tour' if last else 'goes on'}"
+            + ("   ← back" if self.at else "") + ("" if last else "   Esc leaves")
         )  # fmt: skip
         if step.panel is not None:
             from .main import MainScreen
