@@ -64,6 +64,8 @@ class Trusting(Part):
             return
         root = open_.session.boundary.root
         said = "\n".join(dict.fromkeys(visible(found.message) for found in waiting[:4]))
+        # The question says what they said.
+        self.app.clear_notifications()
         answer = await self.app.push_screen_wait(
             Question(
                 "Do you trust this project?",
