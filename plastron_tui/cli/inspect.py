@@ -49,7 +49,8 @@ def _read(file: Path, report: Report) -> SourceFile | None:
     try:
         text = read_named(file, LARGEST_FILE)
     except (OSError, ValueError) as error:
-        report.unreadable([_unreadable(file, f"the file cannot be read: {reason(error)}")])
+        message = f"`{file.name or file}` cannot be read: {reason(error)}"
+        report.unreadable([_unreadable(file, message)])
         return None
     if file.suffix == ".plastron":
         report.add([_program(file)], lambda _: None)

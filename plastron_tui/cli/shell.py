@@ -7,6 +7,8 @@ import sys
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
+from shutil import get_terminal_size
+from textwrap import wrap
 
 import click
 
@@ -27,6 +29,7 @@ from .generate import show_plan
 _PROMPT = ">> "
 _LEAVE = ("exit", "quit")
 _HELP = ("help", "?")
+_NARROWEST = 40
 
 
 @click.command(epilog="Example: echo \"create_node 'a' as a\" | plastron shell")
@@ -43,9 +46,7 @@ def command(output: Path | None, target: str | None) -> None:
     shell = Shell(Session(options=Options(target, output, is_writing=True)), report)
     is_terminal = sys.stdin.isatty()
     if is_terminal:
-        click.echo(
-            "Plastron. `help` lists the statements, `help subscribe` explains one; `exit` leaves."
-        )
+        click.echo("`help` lists the statements, `help subscribe` explains one, `exit` leaves.")
         _prepare_line_editing()
     lines: Iterable[bytes] = _typed() if is_terminal else sys.stdin.buffer
     for line in lines:
@@ -210,12 +211,24 @@ def _show_help(words: list[str]) -> None:
         if not words or words[0] in (declaration.keyword, *declaration.keyword.split("_"))
     ]
     for declaration in chosen:
-        click.echo(f"{declaration.usage}\n    {declaration.summary}")
+        _echo(declaration.usage)
+        _echo(declaration.summary, "    ")
         if words:
             for slot in declaration.slots:
-                click.echo(f"    {slot.kind.placeholder}: {slot.help}")
-            click.echo(f"    Example: {declaration.example}")
+                _echo(f"{slot.kind.placeholder}: {slot.help}", "    ")
+            _echo(f"Example: {declaration.example}", "    ")
     if not chosen:
         known = [declaration.keyword for declaration in DECLARATIONS.values()]
         hint = did_you_mean(words[0], known) or f"there are {', '.join(known)}"
-        click.echo(visible(f"no statement `{words[0]}`; {hint}"))
+        _echo(visible(f"no statement `{words[0]}`; {hint}"))
+
+
+def _echo(line: str, indent: str = "") -> None:
+    """Write a line of help; a terminal would break it within a word."""
+    width = max(get_terminal_size().columns, _NARROWEST)
+    further = f"{indent}        "
+    lines = wrap(
+        line, width, initial_indent=indent, subsequent_indent=further, break_long_words=False,
+        break_on_hyphens=False,
+    )  # fmt: skip
+    click.echo("\n".join(lines))

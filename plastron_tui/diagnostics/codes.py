@@ -132,8 +132,8 @@ CODES: dict[str, Code] = {
         ),
         Code(
             "unreadable-file",
-            "A file cannot be read as text: it is a folder, too large, not UTF-8, has NUL bytes, "
-            "or the operating system refuses. Save it as UTF-8, or name another file.",
+            "A file cannot be read as text: it is not there, a folder, too large, not UTF-8, has "
+            "NUL bytes, or the operating system refuses. Save it as UTF-8, or name another file.",
         ),
         Code(
             "bad-project",
@@ -169,7 +169,7 @@ CODES: dict[str, Code] = {
         ),
         Code(
             "unsafe-trust-store",
-            "What `plastron trust` remembers in the user's state could have been written by "
+            "What `plastron trust` remembers among your own files could have been written by "
             "somebody else, or is broken, and counts for nothing. Remove it, and trust your "
             "folders again.",
         ),
