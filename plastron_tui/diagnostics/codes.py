@@ -200,7 +200,8 @@ CODES: dict[str, Code] = {
             "merged-by-hand",
             "A generated file was changed by hand. It is kept, and what changed in the "
             "program since the file was written is changed in it. A warning of its own names each "
-            "place where file and program now differ. `--force` writes it anew and keeps a backup.",
+            "place where file and program now differ. `generate --force` writes it anew and "
+            "keeps a backup.",
         ),
         Code(
             "left-behind",

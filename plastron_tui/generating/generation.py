@@ -319,8 +319,8 @@ def _stale(path: Path, current: str) -> Diagnostic:
         "file-conflict",
         f"`{path.name}` was changed by hand, and later the node went on in `{current}`",
         file=path,
-        help=f"remove `{path.name}`, and what `{current}` holds goes there; or use `--force` to "
-        "overwrite it and keep a backup",
+        help=f"remove `{path.name}`, and what `{current}` holds goes there; or use "
+        "`generate --force` to overwrite it and keep a backup",
     )
 
 

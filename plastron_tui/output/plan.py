@@ -240,7 +240,10 @@ def _state(
         message = f"`{file.name}` was changed by hand"
     else:
         message = f"`{file.name}` exists and was not written by plastron"
-    remedy = "`load` it to keep what it holds, or use `--force` to overwrite it and keep a backup"
+    remedy = (
+        "`load` it to keep what it holds, or use `generate --force` to overwrite it and keep a "
+        "backup"
+    )
     return FileState.CONFLICT, _diagnostic("file-conflict", message, shown, remedy)
 
 

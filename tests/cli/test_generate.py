@@ -118,6 +118,7 @@ def test_file_of_somebody_else_is_a_conflict(run: Run, here: Path) -> None:
     before = snapshot(here)
     result = run("generate", "a.plastron")
     assert (result.returncode, b"error[file-conflict]" in result.stderr) == (1, True)
+    assert b"or use `generate --force` to overwrite it" in result.stderr
     assert b" conflict  output/talker_pub.py\n" in result.stdout
     assert snapshot(here) == before
     forced = run("generate", "--force", "a.plastron")
@@ -214,6 +215,7 @@ def test_what_cannot_be_merged_is_a_conflict_that_says_why(run: Run, here: Path)
     result = run("generate", "a.plastron")
     assert (result.returncode, b"error[file-conflict]" in result.stderr) == (1, True)
     assert f"the publisher `chatter` is used in line {line}" in result.stderr.decode()
+    assert b"`generate --force` to write it anew" in result.stderr
     assert snapshot(here) == before
     assert run("generate", "--force", "a.plastron").returncode == 0
     assert file.with_name("talker_pub.py.bak").read_text() == text
