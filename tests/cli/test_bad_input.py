@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 from command_line import BROKEN, LISTENER, TALKER, Run, snapshot
-from machine import skip_or_fail
+from machine import examples, mostly_long, skip_or_fail
 
 COMMANDS = [("check",), ("generate",), ("graph",), ("fmt",), ("inspect",)]
 
@@ -45,7 +45,7 @@ def make_file(path: Path) -> Path:
     return path
 
 
-@pytest.mark.parametrize("command", COMMANDS)
+@pytest.mark.parametrize("command", mostly_long(COMMANDS, [("check",), ("fmt",)]))
 @pytest.mark.parametrize("what", UNREADABLE)
 def test_file_that_cannot_be_read_is_2(
     run: Run, here: Path, command: tuple[str, ...], what: str
@@ -63,7 +63,10 @@ def test_file_that_cannot_be_read_is_2(
     assert sorted(here.rglob("*")) == before
 
 
-@pytest.mark.parametrize("command", [("check",), ("generate",), ("graph",), ("fmt",)])
+@pytest.mark.parametrize(
+    "command",
+    mostly_long([("check",), ("generate",), ("graph",), ("fmt",)], [("check",), ("fmt",)]),
+)
 @pytest.mark.parametrize("what", NO_TEXT)
 def test_file_that_is_no_text_is_2(
     run: Run, here: Path, command: tuple[str, ...], what: str
@@ -263,7 +266,7 @@ def test_noise_through_the_process(run: Run, here: Path) -> None:
     for command in ("check", "graph", "fmt"):
         result = run(command, *names)
         assert result.returncode == 2
-    for seed in range(40):
+    for seed in range(examples(40)):
         assert run("check", "-", stdin=noise(seed)).returncode in (0, 1, 2)
 
 

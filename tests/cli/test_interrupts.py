@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from command_line import PLASTRON, snapshot
-from machine import wait_until
+from machine import mostly_long, wait_until
 
 COUNT = 40
 
@@ -59,7 +59,7 @@ def generate_with_signal(
     ],
 )
 @pytest.mark.parametrize("name", ["fsync", "rename", "replace", "open"])
-@pytest.mark.parametrize("has_files", [False, True])
+@pytest.mark.parametrize("has_files", mostly_long([False, True], [True]))
 def test_interrupt_while_writing(here: Path, name: str, call: int, has_files: bool) -> None:
     program = here / "a.plastron"
     if has_files:

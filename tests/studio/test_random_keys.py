@@ -7,6 +7,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import idle_loop
+import pytest
 from hypothesis import HealthCheck, Phase, example, given, note, settings
 from hypothesis import strategies as some
 from machine import examples
@@ -230,6 +231,7 @@ async def run(steps: list[Step], ending: str = "\n", size: str = "120x40") -> No
             await check_screen(driver)
 
 
+@pytest.mark.long
 @example(
     [
         ("size", "160x50"),

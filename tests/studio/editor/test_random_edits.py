@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import idle_loop
+import pytest
 from editor_host import Driver, editing
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as some
@@ -82,6 +83,7 @@ async def run(keys: list[str], *, wrap: bool) -> None:
         assert at.editor.text.decode() == PROGRAM
 
 
+@pytest.mark.long
 @given(KEYS, some.booleans())
 @settings(
     max_examples=examples(25),
