@@ -14,7 +14,7 @@ NODES: dict[str, str | bytes] = {
     "parentheses": "(" * _BIG,
     "brackets": "x = " + "[" * _BIG,
     "nested": "x = " + "(" * 200_000 + "1" + ")" * 200_000,
-    "indented": "".join(f"{' ' * n}if x:\n" for n in range(2_000)) + " " * 2_000 + "pass\n",
+    "indented": NODE + "".join(f"{' ' * n}if x:\n" for n in range(2_000)) + f"{' ' * 2_000}pass\n",
     "sums": NODE + "t = " + " + ".join(["'a'"] * 400_000) + "\nrospy.Publisher(t, String)\n",
     "doubled text": NODE
     + "t0 = 'aaaaaaaa'\n"

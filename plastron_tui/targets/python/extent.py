@@ -6,7 +6,7 @@ import re
 
 # Bytes times lines; the largest files of ROS packages have a hundredth.
 _MOST_WORK = 200_000_000
-_COMMENTS = re.compile(rb"(?:[ \t\f]*(?:#[^\n]*)?\r?\n){64,}")
+_COMMENTS = re.compile(rb"^(?:[ \t\f]*(?:#[^\n]*)?\r?\n){64,}", re.MULTILINE)
 
 
 def comment_run(text: bytes) -> int | None:

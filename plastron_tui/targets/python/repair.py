@@ -7,6 +7,12 @@ import re
 from plastron_tui.targets.compiling import syntax_error
 
 _MOST_LINES = 24
+_WIDEST_INDENT = 255
+"""In columns. Blocks within blocks have indents that grow, so that there are no more of them."""
+
+# The scanner adds up what stands before and after a backslash at the end of a line.
+_INDENT = re.compile(rb"^(?:[ \t\f\r]|\\\r?\n){32,}", re.MULTILINE)
+_NO_COLUMN = bytes.maketrans(b" \t", b"\f\f")
 _TAB_AFTER_SPACE = re.compile(rb"^[ \t]* \t[ \t]*", re.MULTILINE)
 _OPENS_BLOCK = re.compile(rb"\s*(async\s+)?(def|class|if|elif|else|for|while|try|except|with)\b")
 
@@ -24,6 +30,23 @@ def _straightened(indent: re.Match[bytes]) -> bytes:
     column = len(indent[0].expandtabs(8))
     straight = b"\t" * (column // 8) + b" " * (column % 8)
     return straight.rjust(len(indent[0]), b"\f")
+
+
+def bound_indents(source: bytes) -> bytes:
+    """Return a text of the same length in which no line is indented by more than 255 columns.
+
+    The scanner of tree-sitter-python has room for some 500 blocks within each other, and crashes
+    at more; Python itself reads 100.
+    """
+    return _INDENT.sub(_bounded, source)
+
+
+def _bounded(indent: re.Match[bytes]) -> bytes:
+    text = indent[0]
+    if text.count(b" ") + 8 * text.count(b"\t") <= _WIDEST_INDENT:
+        return text
+    start = max(text.rfind(b"\n") + 1, len(text) - _WIDEST_INDENT)
+    return text[:start].translate(_NO_COLUMN) + b" " * (len(text) - start)
 
 
 def mask_errors(source: bytes) -> bytes:

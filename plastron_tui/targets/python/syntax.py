@@ -11,7 +11,7 @@ from pathlib import Path
 import tree_sitter_python
 from tree_sitter import Language, Node, Parser, Query, QueryCursor, Tree
 
-from .repair import mask_errors, straighten
+from .repair import bound_indents, mask_errors, straighten
 
 # PEP 263: a coding line is one of the first two lines.
 _CODING = re.compile(rb"^[ \t\f]*#.*?coding[:=][ \t]*([-\w.]+)")
@@ -89,7 +89,7 @@ class Syntax:
 def parse(text: bytes) -> Syntax:
     """Parse a file, whatever its encoding, without moving an offset."""
     encoding = _encoding(text)
-    source = text if encoding == "utf-8" else text.translate(_AS_LETTERS)
+    source = bound_indents(text if encoding == "utf-8" else text.translate(_AS_LETTERS))
     parser = Parser(language())
     tree = parser.parse(source)
     errors = count_errors(tree.root_node)
