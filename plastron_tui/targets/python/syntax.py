@@ -19,10 +19,16 @@ _CODING = re.compile(rb"^[ \t\f]*#.*?coding[:=][ \t]*([-\w.]+)")
 # What an encoding has to leave as it is, so that the grammar can be parsed from the bytes.
 _ASCII = bytes([9, 10, *range(32, 127)])
 
+# In these a part of a file has no meaning of its own, and some take the square of its length.
+_NO_TEXT = frozenset({"idna", "punycode", "raw-unicode-escape", "unicode-escape", "utf-7"})
+
 # A byte that is not UTF-8 ends a string or a comment for tree-sitter. In a file of another
 # encoding every such byte is parsed as a letter, so that no offset moves.
 _AS_LETTERS = bytes(byte if byte < 0x80 else ord("x") for byte in range(256))
 
+
+# Python ends a line there; for tree-sitter the line goes on, and takes the square of its length.
+_OLD_LINE_END = re.compile(rb"\r(?!\n)")
 
 # A node within more others was made to break readers: a query takes the square of the depth.
 _DEEPEST = 1_000
@@ -89,7 +95,8 @@ class Syntax:
 def parse(text: bytes) -> Syntax:
     """Parse a file, whatever its encoding, without moving an offset."""
     encoding = _encoding(text)
-    source = bound_indents(text if encoding == "utf-8" else text.translate(_AS_LETTERS))
+    source = text if encoding == "utf-8" else text.translate(_AS_LETTERS)
+    source = bound_indents(_OLD_LINE_END.sub(b"\n", source))
     parser = Parser(language())
     tree = parser.parse(source)
     errors = count_errors(tree.root_node)
@@ -131,7 +138,7 @@ def _declared(text: bytes) -> str | None:
                 codec = codecs.lookup(name).name
             except (LookupError, UnicodeError):
                 return None
-            if not is_text:
+            if not is_text or codec in _NO_TEXT:
                 return None
             return "utf-8" if codec in ("utf-8", "utf-8-sig") else name
         if line.split(b"#")[0].strip():
