@@ -8,6 +8,8 @@ import pytest
 from limited import NODE, Attacker, make_project
 from machine import mostly_long
 
+RCLPY = "import rclpy\nfrom rclpy.node import Node\nfrom std_msgs.msg import String\n"
+
 _BIG = 4_000_000 - 1_000
 
 NODES: dict[str, str | bytes] = {
@@ -36,6 +38,44 @@ NODES: dict[str, str | bytes] = {
     "functions": NODE
     + "".join(f"def f{n}(t):\n    f{n + 1}(t)\n    f{n + 1}(t)\n" for n in range(40))
     + "def f40(t):\n    rospy.Publisher(t, String)\nf0('a')\n",
+    "names in names": NODE
+    + "n0 = ''\n"
+    + "".join(f"n{n + 1} = f'{f'{{n{n}}}' * 50}'\n" for n in range(12))
+    + "rospy.Publisher(n12, String)\n",
+    "names for names": NODE
+    + "n0 = rospy.Publisher\n"
+    + "".join(f"n{n + 1} = n{n}\n" * 8 for n in range(23))
+    + "n23('a', String)\n",
+    "nodes without a name": RCLPY
+    + "class C0(Node):\n    def __init__(self):\n        super().__init__()\n"
+    + "".join(
+        f"class C{n + 1}(C{n}):\n    def __init__(self):\n        super().__init__()\n"
+        for n in range(60)
+    ),
+    "nodes that derive from each other": RCLPY
+    + "".join(
+        f"class {a}({b}, Node):\n    def __init__(self):\n        super().__init__()\n"
+        for a, b in ("AB", "BA")
+    ),
+    "nodes, many": RCLPY
+    + "".join(
+        f"class C{n}(Node):\n    def __init__(self):\n        super().__init__('c{n}')\n"
+        f"        self.create_publisher(String, 'a{n}', 10)\n"
+        for n in range(20_000)
+    ),
+    "attributes, many": NODE
+    + "".join(
+        f"class C{n}:\n    def __init__(self):\n        self.n = 'a{n}'\n"
+        "        rospy.Publisher(self.n, String)\n"
+        for n in range(900)
+    ),
+    "parameters, many": NODE
+    + "def f(x):\n"
+    + "    rospy.Publisher(x, String)\n" * 6_000
+    + "f('a')\n" * 6_000,
+    "old line ends": (NODE + "x = 1\n" * 100_000).replace("\n", "\r"),
+    "idna": "# coding: idna\n" + NODE + "x = 'aaaaaaaaaaaaaa'\n" * 10,
+    "punycode": "# coding: punycode\n" + NODE + "x = 'aaaaaaaaaaaaaa'\n" * 100_000,
     "functions, many": NODE
     + "".join(f"def f{n}(t):\n    f{n + 1}(t)\n" for n in range(20_000))
     + "def f20000(t):\n    rospy.Publisher(t, String)\nf0('a')\n",

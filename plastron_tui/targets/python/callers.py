@@ -59,7 +59,10 @@ class Callers:
         values = set()
         for call in self.calls:
             given = Arguments.of(call, self.syntax).get(self._argument(binding, name))
-            values.add(self._folded(given, call) if given is not None else None)
+            value = self._folded(given, call) if given is not None else None
+            if value is None:
+                return None
+            values.add(value)
         return values.pop() if len(values) == 1 else None
 
     def _argument(self, binding: Binding, name: str) -> Argument:

@@ -13,6 +13,7 @@ from plastron_tui.targets import literals
 
 from .arguments import Arguments
 from .calls import Argument
+from .effort import Effort
 from .scopes import Binding, BindingKind, Scope, ScopeTree
 from .syntax import Syntax, parts_of
 
@@ -49,6 +50,8 @@ Folded = Known | Defaulted | None
 class Names(Protocol):
     """What folding asks of names, which ask for constants in turn."""
 
+    effort: Effort
+
     def attribute_bindings(self, node: Node, scope: Scope, depth: int = 0) -> list[Binding]:
         """Return what an attribute of an object of the file is bound to."""
 
@@ -72,7 +75,7 @@ class Constants:
 
     def fold(self, node: Node | None, scope: Scope, depth: int = 0) -> Folded:
         """Return the constant that an expression is."""
-        if node is None or depth > MOST_DEEP:
+        if node is None or depth > MOST_DEEP or not self._names.effort.spend():
             return None
         handler = _FOLDERS.get(node.type)
         return handler(self, node, scope, depth + 1) if handler is not None else None
@@ -220,6 +223,8 @@ class Constants:
     def _declared_default(self, wanted: Known | Defaulted, depth: int) -> Folded:
         found: set[Folded] = set()
         for call in self._names.calls_of("declare_parameter"):
+            if not self._names.effort.spend():
+                return None
             scope = self._scopes.at(call.start_byte)
             arguments = Arguments.of(call, self._syntax)
             if self.fold(arguments.get(Argument(0, "name")), scope, depth) == wanted:

@@ -6,6 +6,9 @@ import re
 
 # Bytes times lines; the largest files of ROS packages have a hundredth.
 _MOST_WORK = 200_000_000
+MOST_CLASSES = 1_000
+"""The most classes of a file: each may derive from each of the others."""
+
 _COMMENTS = re.compile(rb"^(?:[ \t\f]*(?:#[^\n]*)?\r?\n){64,}", re.MULTILINE)
 
 

@@ -14,6 +14,7 @@ from .arguments import Arguments
 from .callers import Callers, count_words
 from .calls import Argument, ClientLibrary
 from .constants import MOST_BINDINGS, MOST_DEEP, Constants, Folded, Known, without_none
+from .effort import Effort, bounded
 from .scopes import Binding, BindingKind, Scope, ScopeTree
 from .stars import star_interface
 from .syntax import Syntax, parts_of
@@ -51,7 +52,12 @@ class Resolver:
         self._calls = calls
         self._calls_of: dict[str, list[Node]] | None = None
         self._words: Counter[bytes] | None = None
+        self._derived: dict[Scope, list[Scope]] | None = None
+        self._bases: dict[Scope, list[Scope]] = {}
+        self._foreign: dict[Scope, list[str]] = {}
+        self.effort = Effort(len(syntax.text))
 
+    @bounded(())
     def qualified(self, node: Node | None, scope: Scope, depth: int = 0) -> tuple[str, ...]:
         """Return the qualified names that an imported name may stand for."""
         tail: list[str] = []
@@ -82,6 +88,8 @@ class Resolver:
         if owner is None:
             return ()
         own = owner.attributes.get(first, []) + owner.bindings.get(first, [])
+        if len(own) > MOST_BINDINGS:
+            return ()
         # Most attributes hold what a call made, which is cheaper to see than their other values.
         if not any(map(_may_name, own)) and (own or not owner.bases):
             return ()
@@ -110,6 +118,7 @@ class Resolver:
             return ()
         return self.qualified(value, binding.scope, depth + 1)
 
+    @bounded(None)
     def interface(self, node: Node | None, scope: Scope, depth: int = 0) -> InterfaceName | None:
         """Return the interface type that an expression names."""
         if node is None or depth > MOST_DEEP:
@@ -169,13 +178,24 @@ class Resolver:
         if not own:
             for base in bases:
                 own = own + base.attributes.get(name, []) + base.bindings.get(name, [])
-        for other in self._scopes.classes():
-            if other is not owner and owner in self._base_scopes(other):
-                own = own + other.attributes.get(name, []) + other.bindings.get(name, [])
+        for other in self._derived_from(owner):
+            own = own + other.attributes.get(name, []) + other.bindings.get(name, [])
         return own
 
+    def _derived_from(self, owner: Scope) -> list[Scope]:
+        """Return the other classes of the file that derive from a class."""
+        if self._derived is None:
+            self._derived = {}
+            for other in self._scopes.classes():
+                for base in self._base_scopes(other):
+                    if base is not other:
+                        self._derived.setdefault(base, []).append(other)
+        return self._derived.get(owner, [])
+
     def _base_scopes(self, owner: Scope) -> list[Scope]:
-        found: list[Scope] = []
+        if owner in self._bases:
+            return self._bases[owner]
+        found = self._bases[owner] = []
         pending = [owner]
         while pending and len(found) < 64:
             current = pending.pop()
@@ -192,13 +212,9 @@ class Resolver:
 
     def derives_from(self, owner: Scope, classes: frozenset[str]) -> bool:
         """Whether a class of the file derives from one of the named classes."""
-        for scope in (owner, *self._base_scopes(owner)):
-            for base in scope.bases:
-                if scope.parent is not None and any(
-                    name in classes for name in self.qualified(base, scope.parent)
-                ):
-                    return True
-        return False
+        if owner not in self._foreign:
+            self._foreign[owner] = self.foreign_bases(owner)
+        return not classes.isdisjoint(self._foreign[owner])
 
     def base_scopes(self, owner: Scope) -> list[Scope]:
         """Return the classes of the file that a class derives from."""
@@ -214,6 +230,7 @@ class Resolver:
             for name in self.qualified(base, scope.parent)
         ]
 
+    @bounded(None)
     def instance(self, node: Node | None, scope: Scope, depth: int = 0) -> Instance | None:
         """Return what an expression is an instance of; None where the file does not say it."""
         if node is None or depth > MOST_DEEP:
@@ -239,6 +256,8 @@ class Resolver:
             bindings = found[1]
         elif node.type == "attribute":
             bindings = self.attribute_bindings(node, scope, depth + 1)
+        if len(bindings) > MOST_BINDINGS:
+            return None
         kinds = {self._instance_of(binding, node, depth) for binding in without_none(bindings)}
         return kinds.pop() if len(kinds) == 1 else None
 
@@ -297,6 +316,7 @@ class Resolver:
             return Instance(None, NODE)
         return Instance(None, names[0]) if names and names[0] not in _ANYTHING else None
 
+    @bounded(None)
     def fold(self, node: Node | None, scope: Scope, depth: int = 0) -> Folded:
         """Return the constant that an expression is."""
         # Not kept: each would hold the other, and only the cycle collector would free them.
@@ -320,9 +340,8 @@ class Resolver:
         if function.name != "__init__" or owner is None:
             return self.calls_of(function.name)
         callers = list(self.calls_of(owner.name))
-        for other in self._scopes.classes():
-            if owner in self._base_scopes(other):
-                callers += self.calls_of(other.name)
+        for other in self._derived_from(owner):
+            callers += self.calls_of(other.name)
         for call in self.calls_of("__init__"):
             inside = self._scopes.at(call.start_byte).enclosing("class")
             if inside is not owner and inside is not None and owner in self._base_scopes(inside):
@@ -359,6 +378,8 @@ class Resolver:
         if self._words is None:
             self._words = count_words(self._syntax.text)
         calls = self._callers_of(function)
+        if len(calls) > MOST_BINDINGS:
+            return None
         known = (self._syntax, self._scopes, self.fold, self._words)
         return Callers(function, calls, *known, depth)
 

@@ -12,7 +12,7 @@ from plastron_tui.targets.base import ReadResult
 
 from .analysis import Analysis, NodeSite, Site
 from .calls import LIBRARIES, ClientLibrary
-from .extent import comment_run
+from .extent import MOST_CLASSES, comment_run
 from .scopes import Scope
 from .sites import analyze
 from .syntax import parse
@@ -45,6 +45,9 @@ def read_python(path: Path, text: bytes, library: str | None = None) -> ReadResu
         problem = f"the comments from line {long_run} on are too many to be read"
         return _refuse(path, "file-too-large", problem)
     syntax = parse(text)
+    if len(syntax.captures("structure").get("class", [])) > MOST_CLASSES:
+        problem = f"the file has more than {MOST_CLASSES} classes, and is not read"
+        return _refuse(path, "file-too-large", problem)
     analyses = [analyze(syntax, candidate) for candidate in candidates or [LIBRARIES["rclpy"]]]
     if is_guess and all(site.endpoint.type is None for site in analyses[0].sites):
         return _refuse(path, "no-node", "the file imports neither rospy nor rclpy")

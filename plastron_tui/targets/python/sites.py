@@ -55,6 +55,7 @@ class _Finder:
         self._node_calls = analysis.library.node_calls
         self._node_classes = analysis.library.node_classes
         self._nodes_by_use: set[tuple[int, str]] = set()
+        self._class_names: dict[Scope, tuple[Node | None, str | None, str]] = {}
         self._unsure: list[tuple[Node, CallShape, Scope, Node, Arguments]] = []
 
     def visit(self, call: Node) -> None:
@@ -145,6 +146,13 @@ class _Finder:
 
     def _class_name(self, owner: Scope) -> tuple[Node | None, str | None, str]:
         """Find the call that names a node class: its own constructor's, or its maker's."""
+        if owner not in self._class_names:
+            # Classes may derive from each other, in a file that does not run.
+            self._class_names[owner] = None, None, ""
+            self._class_names[owner] = self._find_class_name(owner)
+        return self._class_names[owner]
+
+    def _find_class_name(self, owner: Scope) -> tuple[Node | None, str | None, str]:
         syntax = self._a.syntax
         found: list[tuple[Node | None, str | None, str]] = []
         for call in self._a.captures.get("call", []):
