@@ -249,7 +249,8 @@ RUN_BY_THEMSELVES = [
     "usercustomize.py", "sitecustomize.py", "conftest.py", "__init__.py", "__main__.py",
     "setup.py", "noxfile.py", "tasks.py", "test_robot.py", "robot_test.py", ".bashrc", ".profile",
     ".zshrc", "UserCustomize.py", "pre-commit", "rospy.py", "std_msgs.py", "threading.py",
-    "random.py", "x.pth",
+    "random.py", "x.pth", "rosgraph_msgs.py", "rcl_interfaces.py", "typing_extensions.py",
+    "_rclpy_pybind11.py",
 ]  # fmt: skip
 
 

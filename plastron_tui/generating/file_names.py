@@ -37,10 +37,16 @@ _GIT_HOOKS = frozenset(
 """The hooks of githooks(5): a repository may keep them in any folder (`core.hooksPath`)."""
 
 _MODULES = (sys.stdlib_module_names - {"antigravity", "test", "this", "turtle"}) | {
-    "actionlib", "catkin", "genmsg", "genpy", "launch", "message_filters", "numpy", "rclpy",
-    "rosbag", "rosgraph", "roslib", "rospkg", "rospy", "rpyutils", "tf", "tf2_ros", "yaml",
+    "actionlib", "ament_index_python", "catkin", "catkin_pkg", "cryptodome", "cv_bridge",
+    "defusedxml", "distro", "em", "genmsg", "genpy", "gnupg", "image_geometry", "lark", "launch",
+    "launch_ros", "message_filters", "netifaces", "numpy", "pyparsing", "rclpy", "regex",
+    "rosbag", "roscpp", "rosgraph", "roslib", "roslz4", "rospkg", "rospy", "rpyutils", "six",
+    "tf", "tf2_py", "tf2_ros", "typing_extensions", "yaml",
 }  # fmt: skip
 """What nodes and their client libraries import; nobody imports the four that are left out."""
+
+# What packages of interfaces are called, and what of ROS makes Python of them.
+_INTERFACES = re.compile(r".+_(msgs|srvs|interfaces|pybind11)|rosidl_.+")
 
 
 def refuse_name(
@@ -78,7 +84,7 @@ def _runner(name: str, packages: Container[str], *, is_own: bool) -> str | None:
     if name in _GIT_HOOKS:
         return "git runs a file of this name"
     stem = name.removesuffix(".py")
-    if stem != name and (stem in _MODULES or stem in packages):
+    if stem != name and (stem in _MODULES or stem in packages or _INTERFACES.fullmatch(stem)):
         return f"other nodes in the folder would import it in the place of the module `{stem}`"
     return None
 
