@@ -88,8 +88,8 @@ CODES: dict[str, Code] = {
         ),
         Code(
             "file-too-large",
-            "A file is larger than any node that a person writes, or has more comments in a row, "
-            "and is not read.",
+            "A file is larger than any node that a person writes, or has more comments in a row "
+            "or more classes, and is not read.",
         ),
         Code(
             "endpoint-in-use",
