@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import click
@@ -151,7 +152,8 @@ def write_plan(
 def _differing(plan: FilePlan, before: FilePlan) -> FilePlan:
     """Return the files of a plan to which something else happens than in an earlier one."""
     known = {(file.path, file.state) for file in before.files}
-    return FilePlan(plan.folder, tuple(x for x in plan.files if (x.path, x.state) not in known))
+    files = tuple(x for x in plan.files if (x.path, x.state) not in known)
+    return replace(plan, files=files)
 
 
 def show_diff(plan: FilePlan) -> None:

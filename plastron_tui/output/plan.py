@@ -117,10 +117,18 @@ class PlannedFile:
 
 @dataclass(frozen=True, slots=True)
 class FilePlan:
-    """All files of one `generate`, in the order in which they were asked for."""
+    """All files of one `generate`, in the order in which they were asked for.
+
+    Attributes:
+        folder: the output folder, as it was named.
+        files: the files.
+        real_folder: the folder that the name led to when the plan was made and judged; None where
+            there was no such plan.
+    """
 
     folder: Path
     files: tuple[PlannedFile, ...]
+    real_folder: Path | None = None
 
     @property
     def conflicts(self) -> tuple[Diagnostic, ...]:
@@ -170,7 +178,7 @@ def make_plan(
             message = f"two nodes would be written to `{file.name}`"
             remedy = "give one of the nodes another name"
             diagnostics.append(_diagnostic("same-file", message, folder / file.name, remedy))
-    return FilePlan(folder, tuple(planned.values())), tuple(diagnostics)
+    return FilePlan(folder, tuple(planned.values()), Path(real_folder)), tuple(diagnostics)
 
 
 def _plan_or_refuse(

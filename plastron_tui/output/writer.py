@@ -77,7 +77,9 @@ def write(plan: FilePlan, *, force: bool = False) -> WriteResult:
     """
     wanted = [file for file in plan.files if force or file.state is not FileState.CONFLICT]
     conflicts = () if force else plan.conflicts
-    if not _has_work(plan.folder, wanted):
+    # A link may lead elsewhere by now.
+    folder = plan.real_folder or Path(os.path.realpath(plan.folder))
+    if not _has_work(folder, wanted):
         return WriteResult((), conflicts)
     with Interrupts() as interrupts:
         transaction = Transaction(interrupts)
@@ -86,7 +88,7 @@ def write(plan: FilePlan, *, force: bool = False) -> WriteResult:
         notes: list[Diagnostic] = []
         try:
             with transaction:
-                written = _write(plan.folder, wanted, transaction, notes)
+                written = _write(folder, wanted, transaction, notes)
         except ChangedError:
             problem = _changed(transaction.at)
         except BusyError:
@@ -279,7 +281,7 @@ def _news(folder: Path, files: list[PlannedFile]) -> dict[str, _News]:
 
     It is the output folder, but for what is known of a file that is changed in place.
     """
-    home = os.path.realpath(folder)
+    home = os.fspath(folder)
     news: dict[str, _News] = {}
 
     def at(folder: str) -> _News:

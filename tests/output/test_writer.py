@@ -166,6 +166,18 @@ def test_a_link_that_appears_after_the_plan_is_not_followed(tmp_path: Path, plan
     assert victim.read_bytes() == b"mine"
 
 
+def test_a_folder_that_becomes_another_after_the_plan_gets_nothing(tmp_path: Path, plan) -> None:
+    for name in ("real", "other"):
+        (tmp_path / name).mkdir()
+    (tmp_path / "out").symlink_to("real")
+    made = plan(tmp_path / "out", [OutputFile("a.py", b"1\n")])
+    (tmp_path / "out").unlink()
+    (tmp_path / "out").symlink_to("other")
+    write(made)
+    assert sorted(path.name for path in (tmp_path / "real").iterdir()) == [NAME, "a.py"]
+    assert not list((tmp_path / "other").iterdir())
+
+
 def test_another_process_that_wrote_the_same_is_no_mistake(tmp_path: Path, plan) -> None:
     files = [OutputFile("a.py", b"x"), OutputFile("b.py", b"y")]
     first, second = plan(tmp_path, files), plan(tmp_path, files)
