@@ -143,7 +143,7 @@ def generate_and_quit(terminal: Terminal, folder: Path) -> None:
     terminal.keys("Enter")
     terminal.wait(lambda screen: "plastron run mine.plastron" in screen)
     terminal.keys("Escape")
-    terminal.wait(lambda screen: "Generate into" not in screen)
+    terminal.wait(lambda screen: "Close" not in screen)
     terminal.keys("C-q")
     terminal.wait_end()
     node = folder / "output" / "node1_pub.py"
