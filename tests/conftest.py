@@ -35,10 +35,12 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 # Thousands of tests and all modules stay to the end: to walk among them again and again took half
 # of the processor's time.
+gc.set_threshold(200_000, 10, 10)
+
+
 def pytest_collection_finish() -> None:
     gc.collect()
     gc.freeze()
-    gc.set_threshold(200_000, 10, 10)
 
 
 # In CI everything is installed, and a skip, whoever made it, would hide a failure.

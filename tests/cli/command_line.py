@@ -2,14 +2,65 @@
 
 from __future__ import annotations
 
+import os
+import signal
 import subprocess
 import sys
-from collections.abc import Callable
+import traceback
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from tempfile import TemporaryFile
+
+from plastron_tui.cli.entry import run
 
 PLASTRON = [sys.executable, "-c", "from plastron_tui.cli import main; main()"]
 
 Run = Callable[..., subprocess.CompletedProcess[bytes]]
+
+_PATIENCE = 120
+"""Seconds after which a command is ended; none takes more than one."""
+
+
+def run_in_copy(
+    arguments: Sequence[str], folder: Path, stdin: bytes, environ: Mapping[str, str]
+) -> subprocess.CompletedProcess[bytes]:
+    """Run plastron in a copy of this process, which has its modules: most of its time is theirs."""
+    with TemporaryFile() as given, TemporaryFile() as out, TemporaryFile() as err:
+        given.write(stdin)
+        given.seek(0)
+        child = os.fork()
+        if child == 0:
+            _become(arguments, folder, environ, [given.fileno(), out.fileno(), err.fileno()])
+        status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+        out.seek(0)
+        err.seek(0)
+        return subprocess.CompletedProcess(["plastron", *arguments], status, out.read(), err.read())
+
+
+def _become(
+    arguments: Sequence[str], folder: Path, environ: Mapping[str, str], streams: Sequence[int]
+) -> None:
+    status: object = 1
+    try:
+        signal.alarm(_PATIENCE)
+        os.chdir(folder)
+        os.environ.update(environ)
+        for number, stream in enumerate(streams):
+            os.dup2(stream, number)
+        sys.stdin, sys.stdout, sys.stderr = (
+            os.fdopen(number, mode, encoding="utf-8") for number, mode in enumerate("rww")
+        )
+        sys.argv = ["plastron", *arguments]
+        run()
+    except SystemExit as end:
+        status = end.code
+    except BaseException:
+        traceback.print_exc()
+    finally:
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(status if isinstance(status, int) else 0)
+
 
 TALKER = """\
 create_node 'talker' as talker

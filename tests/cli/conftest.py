@@ -5,7 +5,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from command_line import PLASTRON, Run
+from command_line import Run, run_in_copy
 
 
 @pytest.fixture
@@ -21,7 +21,7 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 @pytest.fixture
 def run(here: Path) -> Run:
-    """Run plastron as a process in the working folder."""
+    """Run plastron as a process in the working folder; it comes out with no traceback."""
 
     def run(
         *arguments: str | Path,
@@ -29,14 +29,7 @@ def run(here: Path) -> Run:
         env: dict[str, str] | None = None,
         cwd: Path = here,
     ) -> subprocess.CompletedProcess[bytes]:
-        result = subprocess.run(
-            [*PLASTRON, *arguments],
-            cwd=cwd,
-            input=stdin,
-            capture_output=True,
-            timeout=120,
-            env={**os.environ, **(env or {})},
-        )
+        result = run_in_copy([os.fspath(each) for each in arguments], cwd, stdin, env or {})
         assert b"Traceback" not in result.stderr, result.stderr.decode()
         return result
 

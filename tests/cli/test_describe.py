@@ -3,7 +3,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from machine import TALKING, mostly_long, wait_until
+from machine import TALKING, wait_until
 from ros_runs import Ros, make_ros, said_by
 
 
@@ -34,7 +34,7 @@ def has_begun(ros: Ros, file: str) -> bool:
 
 
 @pytest.mark.live
-@pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rospy"]), indirect=True)
+@pytest.mark.long
 def test_a_description_generated_and_run_shows_the_same_graph(ros: Ros) -> None:
     ros.write("first.plastron", TALKING)
     with ros.running("first.plastron"):

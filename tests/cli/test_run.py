@@ -228,8 +228,8 @@ def test_a_node_that_never_starts(ros: Ros) -> None:
     assert not ros.processes()
 
 
+@pytest.mark.long
 @pytest.mark.live
-@pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rclpy"]), indirect=True)
 def test_a_second_run_beside_the_first(ros: Ros) -> None:
     ros.write("p.plastron", TALKER + LISTENER)
     with ros.running("p.plastron") as first:
@@ -263,8 +263,8 @@ def test_a_terminal_that_is_closed(ros: Ros) -> None:
     assert master_pid(ros.environ["ROS_MASTER_URI"]) is None
 
 
+@pytest.mark.long
 @pytest.mark.live
-@pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rospy"]), indirect=True)
 def test_the_watch(ros: Ros) -> None:
     def is_told(said: str) -> bool:
         told = said_by(said, "watch")

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from graph import Graph, rate
+from machine import mostly_long
 from processes import generate, own_tracebacks
 
 pytestmark = pytest.mark.live
@@ -19,6 +20,7 @@ TOPICS = {
 }
 
 
+@pytest.mark.parametrize("graph", mostly_long(["ros1", "ros2"], ["ros2"]), indirect=True)
 def test_the_publisher_sends_its_five_messages_at_ten_hertz(graph: Graph, tmp_path: Path) -> None:
     nodes = generate("publisher", tmp_path / "output", graph.target)
     node = graph.run(nodes["publisher_pub.py"])
@@ -30,6 +32,7 @@ def test_the_publisher_sends_its_five_messages_at_ten_hertz(graph: Graph, tmp_pa
     assert not own_tracebacks(node.output)
 
 
+@pytest.mark.parametrize("graph", mostly_long(["ros1", "ros2"], ["ros1"]), indirect=True)
 def test_the_subscriber_logs_what_another_node_sends(graph: Graph, tmp_path: Path) -> None:
     generate("subscriber", tmp_path / "output", graph.target)
     nodes = generate("talker", tmp_path / "output", graph.target)
