@@ -35,13 +35,17 @@ def command(file: Path | None, host: str, port: int) -> None:
     server = StudioServer(words, host, port)
     try:
         server.run(lambda: _tell(host, port, server.access.token))
+    except UnicodeError:  # of a name with an empty part, or one too long for the Internet
+        _refuse(f"{visible(host)} is no name of a machine")
     except OSError as error:
         if error.errno != errno.EADDRINUSE:
             raise
-        click.echo(
-            f"error: port {port} of {visible(host)} is in use; choose another with --port", err=True
-        )
-        click.get_current_context().exit(2)
+        _refuse(f"port {port} of {visible(host)} is in use; choose another with --port")
+
+
+def _refuse(reason: str) -> None:
+    click.echo(f"error: {reason}", err=True)
+    click.get_current_context().exit(2)
 
 
 def _tell(host: str, port: int, token: str) -> None:

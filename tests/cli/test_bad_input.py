@@ -329,6 +329,12 @@ def test_a_port_that_is_in_use(run: Run) -> None:
     )
 
 
+def test_a_host_that_is_no_name_is_2(run: Run) -> None:
+    result = run("serve", "--host", "a..b")
+    assert (result.returncode, result.stdout) == (2, b"")
+    assert result.stderr == b"error: a..b is no name of a machine\n"
+
+
 def test_a_name_without_its_suffix(run: Run, here: Path) -> None:
     here.joinpath("talker.plastron").write_text(TALKER)
     assert b"did you mean `talker.plastron`?" in run("check", "talker").stderr

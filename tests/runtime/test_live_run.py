@@ -224,7 +224,7 @@ def test_a_node_that_crashes_at_its_start(ros: Ros) -> None:
     assert ": ModuleNotFoundError: No module named 'no_such_module'" in said
 
 
-@pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rospy"]), indirect=True)
+@pytest.mark.long
 def test_a_second_run_beside_the_first(ros: Ros) -> None:
     nodes = ros.generate(TALKING, "nodes")
     environ = {key: value for key, value in ros.environ.items() if key != "ROS_MASTER_URI"}

@@ -133,6 +133,7 @@ async def test_the_values_are_a_form_with_a_row_a_field(here: Path) -> None:
         assert it.statements[0].endswith("and input linear.x=0.5")
 
 
+@pytest.mark.long
 async def test_constants_are_offered(here: Path) -> None:
     async with wizard() as it:
         await it.pick(MESSAGE)
@@ -198,6 +199,7 @@ async def test_tab_leads_from_the_last_field_on(here: Path) -> None:
         assert it.kind is PageKind.PURPOSE
 
 
+@pytest.mark.long
 async def test_a_service_that_nobody_answers_is_told(here: Path) -> None:
     async with wizard() as it:
         await it.go(MAKE, ASK)

@@ -80,6 +80,7 @@ async def test_of_a_file_that_exists_the_change_is_shown(here: Path) -> None:
         assert not [line for line in lines if line.startswith("-")]
 
 
+@pytest.mark.long
 async def test_another_size_keeps_what_was_entered(here: Path) -> None:
     async with wizard() as it:
         await it.go(MAKE, SEND)
