@@ -8,21 +8,15 @@ like. This runs first, with that folder still in the path: it imports nothing th
 import os
 import sys
 
-LEAVE_OUT = "import sys; sys.path[:] = filter(None, sys.path); "
-"""The beginning of a program for `-c`, in any Python, that keeps it from the current folder.
 
-Python's own option for that, `-P`, is there from 3.11 on.
-"""
-
-
-def command(entry: str) -> list[str]:
-    """Return the command that calls a function of Plastron's in a Python of its own.
+def command(entry: str, python: str = sys.executable) -> list[str]:
+    """Return the command that calls a function in a Python of its own.
 
     Args:
         entry: the function, as `module:function`; its arguments follow as those of the program.
+        python: the interpreter.
     """
-    module, function = entry.split(":")
-    return [sys.executable, "-c", f"{LEAVE_OUT}from {module} import {function}; {function}()"]
+    return [python, __file__.rpartition("/")[0] + "/start.py", entry]
 
 
 def leave_out_current_folder() -> None:

@@ -15,7 +15,7 @@ from typing import Any
 from urllib.parse import urlsplit
 
 from plastron_tui.diagnostics import Diagnostic, Severity
-from plastron_tui.import_path import LEAVE_OUT
+from plastron_tui.import_path import command
 
 from .child import Process, Role
 from .environment import LOOPBACK, Environment, is_local, node_environ
@@ -27,11 +27,8 @@ _ANSWER_LIMIT = 2.0
 _START_LIMIT = 15.0
 _ATTEMPTS = 3
 
-# What rosmaster's own command does, with the port as its argument.
-_START = (
-    f"{LEAVE_OUT}from rosmaster import rosmaster_main; "
-    "rosmaster_main(['rosmaster', '--core', '-p', sys.argv[1]])"
-)
+_MASTER = "rosmaster:rosmaster_main"
+"""What rosmaster's own command calls."""
 
 
 class MasterError(Exception):
@@ -141,7 +138,7 @@ def _start(
     uri = named or f"http://{'localhost' if network else LOOPBACK}:{port}"
     process = Process(
         "master",
-        (str(environment.python), "-c", _START, str(port)),
+        (*command(_MASTER, str(environment.python)), "--core", "-p", str(port)),
         node_environ(environment, environ, network=network, master_uri=uri),
         role=Role.MASTER,
     )

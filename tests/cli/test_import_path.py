@@ -188,7 +188,7 @@ async def test_the_studio_that_is_served(traps: Path) -> None:
     [
         import_path.command("plastron_tui.cli:main"),
         guard.command(),
-        [sys.executable, "-c", import_path.LEAVE_OUT + "import socket, rosmaster"],
+        import_path.command("rosmaster:rosmaster_main"),
     ],
     ids=["plastron", "the guard", "the master"],
 )
