@@ -9,14 +9,14 @@ import os
 import sys
 
 
-def command(entry: str, python: str = sys.executable) -> list[str]:
+def command(entry: str, python: str | None = None) -> list[str]:
     """Return the command that calls a function in a Python of its own.
 
     Args:
         entry: the function, as `module:function`; its arguments follow as those of the program.
-        python: the interpreter.
+        python: the interpreter; None for this one.
     """
-    return [python, __file__.rpartition("/")[0] + "/start.py", entry]
+    return [python or sys.executable, __file__.rpartition("/")[0] + "/start.py", entry]
 
 
 def leave_out_current_folder() -> None:
