@@ -39,11 +39,11 @@ class _Rospy(Dialect):
 DIALECT = _Rospy(
     library="rospy",
     ros_version=1,
-    standard=("_thread", "signal"),
+    standard=("signal",),
     calling=("sys", "threading"),
     modules=("rospy",),
     symbols=(),
-    module_names=frozenset({"SERVICE_TIMEOUT", "main", "node", "shut_down"}),
+    module_names=frozenset({"SERVICE_TIMEOUT", "interrupt", "main", "node"}),
     method_names=frozenset(),
     attribute_names=frozenset({"ask", "ask_in_time", "call", "call_services", "exit_status"}),
 )

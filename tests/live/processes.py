@@ -19,11 +19,14 @@ T = TypeVar("T")
 
 # rospy closes its topics before `is_shutdown` says so: a timer whose turn it is in between
 # publishes to a closed topic, in a thread of rospy's own (`rospy.impl.registration`, `cleanup`).
-# Its server may likewise begin to accept when its socket is closed already (`tcpros_base`).
+# Its server may likewise begin to accept when its socket is closed already (`tcpros_base`). What
+# a timer's thread says is cut off where the process ends meanwhile.
 CLOSED_BY_ROSPY = re.compile(
     r"Exception in thread (?:(?!Exception in thread).)*?"
-    r"(?:rospy\.exceptions\.ROSException: publish\(\) to a closed topic"
-    r"|self\.server_sock\.accept\(\)(?:(?!Exception in thread).)*?OSError: \[Errno 9\][^\n]*)\n",
+    r"(?:rospy\.exceptions\.ROSException: (?:publish\(\) to a closed topic"
+    r"|topic was closed during publish\(\))\n"
+    r"|self\.server_sock\.accept\(\)(?:(?!Exception in thread).)*?OSError: \[Errno 9\][^\n]*\n"
+    r"|\nTraceback[^\n]*\n(?: [^\n]*\n?)*\Z)",
     re.DOTALL,
 )
 

@@ -202,6 +202,35 @@ def test_ctrl_c_while_there_is_no_master(ros1: Graph, tmp_path: Path) -> None:
     assert not own_tracebacks(node.output)
 
 
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_ctrl_c_while_the_master_is_gone(
+    ros1: Graph, tmp_path: Path, number: signal.Signals
+) -> None:
+    """rospy then holds the lock of all topics while it tries to register another one."""
+    uri = f"http://127.0.0.1:{(port := free_port())}/"
+    graph = replace(ros1, env={**ros1.env, "ROS_MASTER_URI": uri})
+    master = Process(["/usr/bin/rosmaster", "--core", "-p", str(port)], graph.env, tmp_path / "log")
+    ros1.started.append(master)
+    file = listener(graph, tmp_path)
+    gone = tmp_path / "gone"
+    waiting = f"""\
+        import os, time
+        print("joined", flush=True)
+        while not os.path.exists("{gone}"):
+            time.sleep(0.01)
+"""
+    subscribing = "        rospy.Subscriber("
+    file.write_text(file.read_text().replace(subscribing, waiting + subscribing))
+    node = graph.run(file)
+    node.wait_to_print("joined", 60)
+    master.interrupt(20)
+    gone.touch()
+    node.wait_to_print("Unable to register", 60)
+    node.send(number)
+    assert node.wait(60) == 0, node.output
+    assert not own_tracebacks(node.output)
+
+
 def test_rosnode_kill_ends_a_node(ros1: Graph, tmp_path: Path) -> None:
     node = ros1.run(listener(ros1, tmp_path))
     master = ServerProxy(ros1.env["ROS_MASTER_URI"])
