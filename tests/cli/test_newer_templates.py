@@ -17,9 +17,9 @@ TEMPLATES = Path(__file__).parents[2] / "templates"
 # What the shipped template says, and what an earlier one said at that place.
 EARLIER = {
     "rospy": {
-        "    signal.signal(signal.SIGINT, shut_down)\n": "    watch_signals()\n",
-        "    signal.signal(signal.SIGTERM, shut_down)\n": "",
-        "def shut_down(number, frame):": "def watch_signals(number, frame):",
+        "    signal.signal(signal.SIGINT, interrupt)\n": "    watch_signals()\n",
+        "    signal.signal(signal.SIGTERM, interrupt)\n": "",
+        "def interrupt(number, frame):": "def watch_signals(number, frame):",
     },
     "rclpy": {
         "    rclpy.init(args=args)\n": "    rclpy.init()\n",

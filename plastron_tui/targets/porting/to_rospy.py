@@ -329,7 +329,7 @@ def _is_maker(work: Work, site: NodeSite) -> bool:
 
 def _has_file_base(work: Work, owner: Scope) -> bool:
     """Tell whether a class derives from a node class of the file."""
-    bases = [each for each in work.analysis.resolver.base_scopes(owner) if each is not owner]
+    bases = [each for each in work.analysis.resolver.classes.bases(owner) if each is not owner]
     classes = work.analysis.library.node_classes
     return any(work.analysis.resolver.derives_from(base, classes) for base in bases)
 

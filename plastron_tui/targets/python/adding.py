@@ -262,7 +262,7 @@ def _callback(added: Addition, interface: Interface) -> str:
 
 
 def _has_method(added: Addition, owner: Scope, name: str) -> bool:
-    scopes = [owner, *added.analysis.resolver.base_scopes(owner)]
+    scopes = [owner, *added.analysis.resolver.classes.bases(owner)]
     return any(
         binding.kind is BindingKind.FUNCTION
         for scope in scopes

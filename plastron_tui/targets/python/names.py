@@ -13,6 +13,7 @@ from plastron_tui.ros.interfaces import InterfaceName
 from .arguments import Arguments
 from .callers import Callers, count_words
 from .calls import Argument, ClientLibrary
+from .classes import Classes
 from .constants import MOST_BINDINGS, MOST_DEEP, Constants, Folded, Known, without_none
 from .effort import Effort, bounded
 from .scopes import Binding, BindingKind, Scope, ScopeTree
@@ -52,8 +53,7 @@ class Resolver:
         self._calls = calls
         self._calls_of: dict[str, list[Node]] | None = None
         self._words: Counter[bytes] | None = None
-        self._derived: dict[Scope, list[Scope]] | None = None
-        self._bases: dict[Scope, list[Scope]] = {}
+        self.classes = Classes(syntax, scopes)
         self._foreign: dict[Scope, list[str]] = {}
         self.effort = Effort(len(syntax.text))
 
@@ -93,7 +93,7 @@ class Resolver:
         # Most attributes hold what a call made, which is cheaper to see than their other values.
         if not any(map(_may_name, own)) and (own or not owner.bases):
             return ()
-        bindings = without_none(self._class_attribute(owner, first))
+        bindings = without_none(self.classes.attribute(owner, first))
         if len(bindings) != 1:
             return ()
         return tuple(".".join((each, *rest)) for each in self._targets(bindings[0], "", depth))
@@ -158,7 +158,7 @@ class Resolver:
         if holder is None or name is None or depth > MOST_DEEP:
             return []
         owner = self.class_scope(holder, scope, depth + 1)
-        return self._class_attribute(owner, self._syntax.slice(name)) if owner is not None else []
+        return self.classes.attribute(owner, self._syntax.slice(name)) if owner is not None else []
 
     def class_scope(self, node: Node, scope: Scope, depth: int = 0) -> Scope | None:
         """Return the class of the file that an expression is, or is an instance of."""
@@ -171,60 +171,17 @@ class Resolver:
         instance = self.instance(node, scope, depth)
         return instance.scope if instance is not None else None
 
-    def _class_attribute(self, owner: Scope, name: str) -> list[Binding]:
-        """Collect the bindings of an attribute, those of base and derived classes included."""
-        own = owner.attributes.get(name, []) + owner.bindings.get(name, [])
-        bases = [base for base in self._base_scopes(owner) if base is not owner]
-        if not own:
-            for base in bases:
-                own = own + base.attributes.get(name, []) + base.bindings.get(name, [])
-        for other in self._derived_from(owner):
-            own = own + other.attributes.get(name, []) + other.bindings.get(name, [])
-        return own
-
-    def _derived_from(self, owner: Scope) -> list[Scope]:
-        """Return the other classes of the file that derive from a class."""
-        if self._derived is None:
-            self._derived = {}
-            for other in self._scopes.classes():
-                for base in self._base_scopes(other):
-                    if base is not other:
-                        self._derived.setdefault(base, []).append(other)
-        return self._derived.get(owner, [])
-
-    def _base_scopes(self, owner: Scope) -> list[Scope]:
-        if owner in self._bases:
-            return self._bases[owner]
-        found = self._bases[owner] = []
-        pending = [owner]
-        while pending and len(found) < 64:
-            current = pending.pop()
-            for base in current.bases:
-                if base.type == "identifier" and current.parent is not None:
-                    local = current.parent.lookup(self._syntax.slice(base))
-                    for binding in local[1] if local is not None else []:
-                        if binding.owner is None or binding.kind is not BindingKind.CLASS:
-                            continue
-                        if binding.owner not in found:
-                            found.append(binding.owner)
-                            pending.append(binding.owner)
-        return found
-
     def derives_from(self, owner: Scope, classes: frozenset[str]) -> bool:
         """Whether a class of the file derives from one of the named classes."""
         if owner not in self._foreign:
             self._foreign[owner] = self.foreign_bases(owner)
         return not classes.isdisjoint(self._foreign[owner])
 
-    def base_scopes(self, owner: Scope) -> list[Scope]:
-        """Return the classes of the file that a class derives from."""
-        return self._base_scopes(owner)
-
     def foreign_bases(self, owner: Scope) -> list[str]:
         """Return the qualified names of the imported classes that a class derives from."""
         return [
             name
-            for scope in (owner, *self._base_scopes(owner))
+            for scope in (owner, *self.classes.bases(owner))
             for base in scope.bases
             if scope.parent is not None
             for name in self.qualified(base, scope.parent)
@@ -340,11 +297,11 @@ class Resolver:
         if function.name != "__init__" or owner is None:
             return self.calls_of(function.name)
         callers = list(self.calls_of(owner.name))
-        for other in self._derived_from(owner):
+        for other in self.classes.derived(owner):
             callers += self.calls_of(other.name)
         for call in self.calls_of("__init__"):
             inside = self._scopes.at(call.start_byte).enclosing("class")
-            if inside is not owner and inside is not None and owner in self._base_scopes(inside):
+            if inside is not owner and inside is not None and owner in self.classes.bases(inside):
                 callers.append(call)
         return callers
 

@@ -133,8 +133,8 @@ def _expression(node: Node, variable: Variable, analysis: Analysis) -> Node | No
 def _is_related(one: Scope, other: Scope, analysis: Analysis) -> bool:
     return (
         one is other
-        or other in analysis.resolver.base_scopes(one)
-        or one in analysis.resolver.base_scopes(other)
+        or other in analysis.resolver.classes.bases(one)
+        or one in analysis.resolver.classes.bases(other)
     )
 
 

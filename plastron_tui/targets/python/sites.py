@@ -182,7 +182,7 @@ class _Finder:
         name, expression = self._node_name(call, scope, Argument(offset, "node_name"))
         if name is None and not expression:
             # A base class of the file may name the node.
-            for base in self._a.resolver.base_scopes(owner)[:8]:
+            for base in self._a.resolver.classes.bases(owner)[:8]:
                 if base is not owner:
                     _, name, expression = self._class_name(base)
                     if name is not None:
@@ -230,7 +230,7 @@ class _Finder:
 
     def _is_mixin(self, owner: Scope, shape: CallShape, arguments: Arguments, scope: Scope) -> bool:
         """Whether the method must be that of a node, which another class or file brings in."""
-        scopes = [owner, *self._a.resolver.base_scopes(owner)]
+        scopes = [owner, *self._a.resolver.classes.bases(owner)]
         if any(name in each.bindings for each in scopes for name in shape.callees):
             return False
         if self.heir(owner) is not None or not self._a.resolver.foreign_bases(owner):
@@ -250,7 +250,7 @@ class _Finder:
     def heir(self, owner: Scope) -> Scope | None:
         """Return the node class of the file that inherits from a class that is none itself."""
         for other in self._a.scopes.classes():
-            if owner in self._a.resolver.base_scopes(other) and self._a.resolver.derives_from(
+            if owner in self._a.resolver.classes.bases(other) and self._a.resolver.derives_from(
                 other, self._node_classes
             ):
                 return other
