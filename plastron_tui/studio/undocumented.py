@@ -25,6 +25,21 @@ def known_sequences() -> MutableMapping[str, Any] | None:
     return cast("MutableMapping[str, Any]", ANSI_SEQUENCES_KEYS)
 
 
+def forget_removed_widgets() -> None:
+    """Free what removed widgets last showed; a cache of Textual's keeps a thousand of them.
+
+    `StylesCache.get_inner_outer` remembers its results by the object that it is called on, which
+    has the rendered lines of a widget. Without it the memory grows with each dialog, to a bound.
+    """
+    try:
+        from textual._styles_cache import StylesCache
+    except ImportError:
+        return
+    clear = getattr(getattr(StylesCache, "get_inner_outer", None), "cache_clear", None)
+    if clear is not None:
+        clear()
+
+
 class Failing(App[None], inherit_bindings=False):
     """An app that is told what went wrong in it.
 

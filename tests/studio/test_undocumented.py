@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+import gc
 import sys
+import weakref
 
 import pytest
+from textual._styles_cache import StylesCache
 from textual.app import App
 from textual.worker import WorkerFailed
 
 from plastron_tui.studio.app import StudioApp
 from plastron_tui.studio.terminal_keys import teach
-from plastron_tui.studio.undocumented import Failing, known_sequences
+from plastron_tui.studio.undocumented import (
+    Failing,
+    forget_removed_widgets,
+    known_sequences,
+)
 
 
 def test_this_version_of_textual_has_it() -> None:
@@ -19,6 +26,7 @@ def test_this_version_of_textual_has_it() -> None:
     assert "\x1bOP" in known
     assert callable(App._handle_exception)
     assert isinstance(App[None]()._exit_renderables, list)
+    assert callable(StylesCache.get_inner_outer.cache_clear)
 
 
 @pytest.mark.parametrize("module", [None, type(sys)("without")])
@@ -49,3 +57,30 @@ async def test_without_a_word_of_errors_the_studio_starts(monkeypatch: pytest.Mo
         await pilot.pause()
         assert app.survives(WorkerFailed(RuntimeError("a deliberate error")))
     assert len(shown) == 1
+
+
+async def test_a_dialog_that_was_left_is_freed() -> None:
+    app = StudioApp()
+    async with app.run_test(size=(80, 24)) as pilot:
+        await pilot.press("f1")
+        await pilot.pause()
+        assert app.screen is not app.main
+        shown = [weakref.ref(each._styles_cache) for each in app.screen.query("*")]
+        await pilot.press("escape")
+        await pilot.pause()
+        assert app.screen is app.main
+        gc.collect()
+        assert [each() for each in shown if each() is not None] == []
+
+
+@pytest.mark.parametrize("module", [None, type(sys)("without")])
+def test_without_the_cache_of_lines_nothing_is_freed(
+    module: object, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "textual._styles_cache", module)
+    forget_removed_widgets()
+
+
+def test_a_cache_of_lines_of_another_kind_is_left_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delattr(StylesCache, "get_inner_outer")
+    forget_removed_widgets()

@@ -5,6 +5,8 @@ from __future__ import annotations
 from textual.await_complete import AwaitComplete
 from textual.screen import ModalScreen, ScreenResultType
 
+from ..undocumented import forget_removed_widgets
+
 
 class Dialog(ModalScreen[ScreenResultType]):
     """A screen that gives one answer, however often it is pressed for."""
@@ -17,3 +19,7 @@ class Dialog(ModalScreen[ScreenResultType]):
         if self.app.screen is not self:
             return AwaitComplete()
         return super().dismiss(result)
+
+    def on_unmount(self) -> None:
+        """Let go of its widgets."""
+        forget_removed_widgets()
