@@ -44,8 +44,11 @@ _LINE = re.compile(
     r"[ \t]+(?P<name>[A-Za-z0-9_]+)[ \t]*(?P<rest>.*)",
     re.ASCII | re.DOTALL,
 )
-_FIELD_NAME = {1: re.compile(r"[A-Za-z][A-Za-z0-9_]*"), 2: re.compile(r"[a-z](?:_?[a-z0-9]+)*")}
-_CONSTANT_NAME = {1: _FIELD_NAME[1], 2: re.compile(r"[A-Z](?:_?[A-Z0-9]+)*")}
+_FIELD_NAME = {
+    1: re.compile(r"[A-Za-z][A-Za-z0-9_]*"),
+    2: re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)*"),
+}
+_CONSTANT_NAME = {1: _FIELD_NAME[1], 2: re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*")}
 _NAME_RULE = {
     1: "letters, digits and `_`, a letter first",
     2: "lower-case letters, digits and single `_`, a letter first",

@@ -84,6 +84,8 @@ TYPES: dict[str, Make] = {
     ),
     "huge array": _both(_message("uint8[999999999] data\nint32 x\n"), _program(_sent("x=1"))),
     "long name": _both(_message(f"int32 {'x' * 900_000}\n"), _program(_sent("1, 2"))),
+    "almost a name": _both(_message(f"int32 {'x' * 900_000}X\n"), _program(_sent("1, 2"))),
+    "almost a constant": _both(_message(f"int32 {'X' * 900_000}x=1\n"), _program(_sent("1, 2"))),
     "long type name": _both(_message(f"{'X' * 900_000} x\n"), _program(_sent("1"))),
     "wrong lines": _both(_message("?\n" * 400_000), _program(_sent("1"))),
     "quotes": _both(_message("string x " + "'#" * 400_000), _program(_sent("1"))),
