@@ -52,13 +52,18 @@ def _text(plan: NodePlan, library: str, folder: Path | None) -> str:
 
 
 def _template_error(library: str, folder: Path | None, error: Exception) -> Diagnostic:
-    from .templates import NODE_TEMPLATE
+    from jinja2 import TemplateError
 
-    name = getattr(error, "name", None) or NODE_TEMPLATE
+    from .template_process import TemplateFailedError
+    from .templates import NODE_TEMPLATE, path_of
+
+    # A module or an attribute that is missing has a name as well.
+    is_told = isinstance(error, TemplateError | TemplateFailedError)
+    name = (is_told and getattr(error, "name", None)) or NODE_TEMPLATE
     line = getattr(error, "lineno", None)
     place = f"{library}/{name}" + (f", line {line}" if line is not None else "")
     return Diagnostic(
         "template-error",
         f"the template {place} cannot be used: {error}",
-        file=folder / library / name if folder is not None else None,
+        file=path_of(name, folder / library) if folder is not None else None,
     )

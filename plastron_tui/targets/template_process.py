@@ -17,6 +17,7 @@ import tempfile
 import time
 from collections.abc import Sequence
 from contextlib import suppress
+from itertools import islice
 from pathlib import Path
 
 from .layout import fit
@@ -36,8 +37,9 @@ _START = (
     "import sys; sys.path[:] = sys.argv[1:]; "
     "from plastron_tui.targets.template_process import main; sys.exit(main())"
 )
-_REFUSED = 3
+_REFUSED, _OVER_LIMIT = 3, 4
 _LONGEST_REASON = 400
+_MOST_TEMPLATES = 1_000
 
 
 class TemplateFailedError(Exception):
@@ -49,12 +51,41 @@ class TemplateFailedError(Exception):
         self.lineno = line
 
 
+class OverLimitError(TemplateFailedError):
+    """A template that was stopped, and would be for the next node as well."""
+
+
+_stopped: dict[tuple[str, Path], tuple[object, OverLimitError]] = {}
+"""Why templates were stopped, with the state of their folder: not once more for each node."""
+
+
 def render_apart(library: str, folder: Path, plan: NodePlan) -> str:
     """Fill in the user's template of a client library, and break the lines that are too long.
 
     Raises:
         TemplateFailedError: the template has a mistake, or does not keep to a limit.
     """
+    state, error = _stopped.get((library, folder), (None, None))
+    if error is not None and state == _state(folder / library):
+        raise error
+    try:
+        return _rendered(library, folder, plan)
+    except OverLimitError as error:
+        _stopped[library, folder] = _state(folder / library), error
+        raise
+
+
+def _state(folder: Path) -> object:
+    """Return what changes when somebody edits a template."""
+    with os.scandir(folder) as entries:
+        return {
+            (entry.name, status.st_mtime_ns, status.st_size)
+            for entry in islice(entries, _MOST_TEMPLATES)
+            for status in (entry.stat(follow_symlinks=False),)
+        }
+
+
+def _rendered(library: str, folder: Path, plan: NodePlan) -> str:
     request = pickle.dumps((library, folder, plan))
     places = [place for place in sys.path if os.path.isabs(place)]  # noqa: PTH117
     try:
@@ -70,7 +101,7 @@ def render_apart(library: str, folder: Path, plan: NodePlan) -> str:
             # Never more than may be: it is a stranger's word how much there is.
             text = reply.read(LARGEST_NODE + 1)
     except subprocess.TimeoutExpired:
-        raise TemplateFailedError(f"it did not end within {LONGEST_WAIT} s") from None
+        raise OverLimitError(f"it did not end within {LONGEST_WAIT} s") from None
     except OSError as error:
         raise TemplateFailedError(f"no process can be started for it: {error}") from error
     if status == 0 and len(text) <= LARGEST_NODE:
@@ -81,11 +112,12 @@ def render_apart(library: str, folder: Path, plan: NodePlan) -> str:
 
 def _failure(status: int, reply: str) -> TemplateFailedError:
     """Return what became of a process that wrote no node."""
-    if status == _REFUSED and reply.count("\n") >= 2:
+    if status in (_REFUSED, _OVER_LIMIT) and reply.count("\n") >= 2:
         name, line, reason = reply.split("\n", 2)
-        return TemplateFailedError(reason, name, int(line) if line.isdecimal() else None)
+        kind = OverLimitError if status == _OVER_LIMIT else TemplateFailedError
+        return kind(reason, name, int(line) if line.isdecimal() else None)
     if status == -getattr(signal, "SIGXCPU", 0):
-        return TemplateFailedError(f"it works for more than {LONGEST_WORK} s")
+        return OverLimitError(f"it works for more than {LONGEST_WORK} s")
     ended = f"signal {-status}" if status < 0 else f"status {status}"
     return TemplateFailedError(f"its process ended with {ended}")
 
@@ -103,7 +135,7 @@ def main() -> int:
         reply, status = text, 0
     except MemoryError:
         reason = f"it needs more than {MOST_MEMORY // 1024**2} MB of memory"
-        reply, status = _refusal(TemplateFailedError(reason)), _REFUSED
+        reply, status = _refusal(TemplateFailedError(reason)), _OVER_LIMIT
     # What a template of a user's does wrong may be anything: a division by zero, say.
     except Exception as error:
         reply, status = _refusal(error), _REFUSED
@@ -113,7 +145,10 @@ def main() -> int:
 
 
 def _refusal(error: Exception) -> bytes:
-    name = str(getattr(error, "name", None) or "")
+    from jinja2 import TemplateError
+
+    # A module or an attribute that is missing has a name as well.
+    name = str(getattr(error, "name", None) or "") if isinstance(error, TemplateError) else ""
     line = getattr(error, "lineno", None) or ""
     reason = str(error)[:_LONGEST_REASON] or type(error).__name__
     return f"{name.splitlines()[0] if name else ''}\n{line}\n{reason}".encode(errors="replace")

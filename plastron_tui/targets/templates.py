@@ -12,7 +12,7 @@ from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from jinja2 import ChoiceLoader, FunctionLoader, StrictUndefined, TemplateError
+from jinja2 import ChoiceLoader, FunctionLoader, StrictUndefined, TemplateError, TemplateNotFound
 from jinja2.loaders import split_template_path
 from jinja2.sandbox import ImmutableSandboxedEnvironment
 
@@ -73,6 +73,14 @@ def _environment(library: str, folder: Path | None) -> Environment:
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
+
+
+def path_of(name: str, folder: Path) -> Path | None:
+    """Return where a template lies in the folder of its client library; None for no name of one."""
+    try:
+        return folder.joinpath(*split_template_path(name))
+    except TemplateNotFound:
+        return None
 
 
 def _read_inside(folder: Path, library: str, name: str) -> str | None:

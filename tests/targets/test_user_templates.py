@@ -94,7 +94,34 @@ def test_the_folder_of_a_library_is_no_link_that_leads_out(folder: Path) -> None
 
 @pytest.mark.parametrize("name", ["../../secret", "/../../secret", "/etc/passwd"])
 def test_no_name_leads_out_of_the_folder(folder: Path, name: str) -> None:
-    assert SECRET not in refusal(folder, f"{{% include '{name}' %}}")
+    rendered = render(folder, f"{{% include '{name}' %}}")
+    (diagnostic,) = rendered.diagnostics
+    assert SECRET not in diagnostic.message
+    assert diagnostic.file is None or diagnostic.file.is_relative_to(folder)
+
+
+def test_what_a_template_misses_is_no_template(folder: Path) -> None:
+    rendered = render(folder, "{{ 5|xmlattr }}")
+    (diagnostic,) = rendered.diagnostics
+    assert diagnostic.file == folder / "rospy" / "node.py.j2"
+    assert "rospy/node.py.j2" in diagnostic.message
+
+
+@pytest.mark.parametrize(
+    ("template", "reason"),
+    [
+        ("{% for a in range(99999) %}{% for b in range(99999) %}{% endfor %}{% endfor %}", "2 s"),
+        ('{{ "a" * 3000000000 }}', "512 MB"),
+    ],
+)
+def test_a_template_that_was_stopped_is_not_begun_again(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, template: str, reason: str
+) -> None:
+    assert reason in refusal(folder, template)
+    monkeypatch.setattr(sys, "executable", "/nowhere")
+    assert reason in refusal(folder)
+    monkeypatch.undo()
+    assert render(folder, "text\n").text == b"text\n"
 
 
 def test_a_template_is_a_regular_file_that_is_not_too_large(folder: Path) -> None:
