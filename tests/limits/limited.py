@@ -39,17 +39,16 @@ class Outcome:
         status: the exit status, negative for a signal, None for a process that hung.
         out: what was written to standard output.
         err: what was written to standard error.
-        seconds: the processor time.
     """
 
     status: int | None
     out: str
     err: str
-    seconds: float
 
     def check(self, *statuses: int) -> Outcome:
         """Fail unless the attacked process ended by itself, with one of the statuses."""
         assert self.status in (statuses or (0, 1, 2)), self
+        assert self.status == 0 or self.err, self
         assert "Traceback" not in self.err, self.err[-2_000:]
         longest = max(self.err.split("\n"), key=len)
         assert len(longest) <= LONGEST_LINE, f"{len(longest)} characters: {longest[:200]}"
@@ -75,7 +74,8 @@ class Attacker:
 
     def warm_up(self, folder: Path, *arguments: str) -> None:
         """Run a command in the process that the attacked ones are made from."""
-        self._ask(folder, arguments=arguments, is_warm_up=True)
+        answer = self._ask(folder, arguments=arguments, is_warm_up=True)
+        assert answer == {"status": 0}, answer
 
     def python(self, folder: Path, code: str) -> Outcome:
         """Run Python in a folder, for what no command does without a terminal."""

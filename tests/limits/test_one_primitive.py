@@ -6,6 +6,8 @@ import ast
 from collections.abc import Iterator
 from pathlib import Path
 
+import pytest
+
 import plastron_tui
 
 _PACKAGE = Path(plastron_tui.__file__).parent
@@ -29,14 +31,14 @@ _OTHERS = {
 def _openings(tree: ast.AST) -> Iterator[int]:
     """Yield the lines on which something is opened or read by its path."""
     for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and node.module in ("os", "io"):
+            yield from (node.lineno for each in node.names if each.name in ("open", "fdopen"))
         if not isinstance(node, ast.Call):
             continue
         match node.func:
             case ast.Name(id="open"):
                 yield node.lineno
-            case ast.Attribute(attr="open", value=ast.Name(id="os" | "io")):
-                yield node.lineno
-            case ast.Attribute(attr="open") if not node.keywords or node.args:
+            case ast.Attribute(attr="open" | "fdopen") | ast.Name(id="fdopen"):
                 yield node.lineno
             case ast.Attribute(attr=name) if name in _READERS:
                 yield node.lineno
@@ -50,3 +52,19 @@ def test_no_module_opens_files_by_itself() -> None:
     }
     assert found.keys() <= _OTHERS.keys(), found
     assert _OTHERS.keys() <= found.keys(), "an exception that is none any more"
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "open('a')",
+        "os.open('a', 0)",
+        "path.open(mode='rb')",
+        "path.open(encoding='utf-8')",
+        "os.fdopen(3)",
+        "from os import open as begin",
+        "path.read_text()",
+    ],
+)
+def test_each_way_to_open_is_found(line: str) -> None:
+    assert list(_openings(ast.parse(line))) == [1]
