@@ -21,6 +21,7 @@ from .table import Screen, Ticker, Watch
 
 _OBSERVERS = Path(__file__).with_name("observers")
 _WATCH_NAME = "watch"
+_LONGEST_CALL = 1 << 16
 
 
 @dataclass(frozen=True, slots=True)
@@ -196,7 +197,8 @@ class _Run:
     def _on_calls(self, chunk: bytes) -> None:
         self._calls += chunk
         *lines, rest = bytes(self._calls).split(b"\n")
-        self._calls = bytearray(rest)
+        # An observer writes whole lines; what is no line, a node has written.
+        self._calls = bytearray(rest[-_LONGEST_CALL:])
         for line in lines:
             text = self._watch.feed_call(line.decode("utf-8", "replace"))
             if text is not None and self._screen is None:
