@@ -78,7 +78,7 @@ output_option = click.option(
     "-o",
     type=_Folder(path_type=Path),
     metavar="DIR",
-    help="The output folder; without it, `output` beside the program.",
+    help="The output folder; without it that of plastron.yaml, or `output` beside the program.",
 )
 
 

@@ -90,7 +90,7 @@ def write_new(path: str, text: bytes, mode: int) -> int:
 def take_after(
     descriptor: int, path: str, status: os.stat_result, *, is_executable: bool
 ) -> list[str]:
-    """Give a file another's owner, mode and extended attributes.
+    """Give a file another's owner, group, mode and extended attributes.
 
     Args:
         descriptor: the file.
@@ -99,17 +99,31 @@ def take_after(
         is_executable: whether it gets the executable bit where the other has none.
 
     Returns:
-        The names of the extended attributes that could not be kept.
+        What could not be kept: "owner", "group", and "extended attribute" with its name.
     """
-    with suppress(OSError):  # only the superuser can write in another's name
-        os.fchown(descriptor, status.st_uid, status.st_gid)
-    lost = _copy_attributes(descriptor, path)
+    lost = _give(descriptor, status)
     mode = stat.S_IMODE(status.st_mode)
+    if lost:
+        # What runs in the name of its owner or group would run in another's.
+        mode &= ~(stat.S_ISUID | stat.S_ISGID)
+    lost += [f"extended attribute {name!a}" for name in _copy_attributes(descriptor, path)]
     if is_executable and not mode & stat.S_IXUSR:
         mode |= (mode & 0o444) >> 2  # whoever may read it may run it
     # After the attributes: an access control list among them is one with the mode.
     os.fchmod(descriptor, mode)
     return lost
+
+
+def _give(descriptor: int, status: os.stat_result) -> list[str]:
+    """Give a file another's owner and group; return which of them it could not be given."""
+    try:
+        os.fchown(descriptor, status.st_uid, status.st_gid)
+    except OSError:  # only the superuser can write in another's name
+        with suppress(OSError):
+            os.fchown(descriptor, -1, status.st_gid)
+    now = os.fstat(descriptor)
+    found = {"owner": now.st_uid == status.st_uid, "group": now.st_gid == status.st_gid}
+    return [name for name, is_kept in found.items() if not is_kept]
 
 
 def _copy_attributes(descriptor: int, path: str) -> list[str]:
@@ -157,8 +171,17 @@ def copy_to(other: str, path: str, text: bytes, status: os.stat_result) -> None:
         status: the file's status when it held that text.
     """
     copy = os.path.splitext(other)[0] + ".tmp"
+    if os.path.lexists(other):
+        raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), other)
     try:
         descriptor = write_new(copy, text, 0o600)
+    except FileExistsError:  # another's
+        raise
+    except BaseException:
+        with suppress(OSError):
+            os.unlink(copy)
+        raise
+    try:
         try:
             take_after(descriptor, path, status, is_executable=False)
             os.fsync(descriptor)

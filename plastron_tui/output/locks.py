@@ -50,9 +50,9 @@ class FolderLocks:
             BusyError: another process did not give a lock back in `LOCK_SECONDS`.
         """
         for folder in sorted(set(folders)):
-            flags = os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC
-            descriptor = self.descriptors[folder] = os.open(folder, flags)
-            self._lock(folder, descriptor)
+            # The folder may have been removed, and made anew, while another process had its lock.
+            while not self._took(folder):
+                os.close(self.descriptors.pop(folder))
 
     def release(self) -> None:
         """Give the locks back."""
@@ -61,6 +61,13 @@ class FolderLocks:
             _, descriptor = self.descriptors.popitem()
             with suppress(OSError):  # there is nothing in a folder that could be lost
                 os.close(descriptor)
+
+    def _took(self, folder: str) -> bool:
+        """Lock a folder; tell whether it is still the one of that path."""
+        flags = os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC
+        descriptor = self.descriptors[folder] = os.open(folder, flags)
+        self._lock(folder, descriptor)
+        return os.path.samestat(os.fstat(descriptor), os.stat(folder))
 
     def _lock(self, folder: str, descriptor: int) -> None:
         deadline = time.monotonic() + LOCK_SECONDS

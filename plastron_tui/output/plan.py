@@ -356,7 +356,7 @@ def cannot_write(file: Path, error: Exception) -> Diagnostic:
     remedy = None
     number = getattr(error, "errno", None)
     if number in {errno.ENOSPC, errno.EDQUOT}:
-        remedy = "free some space and run it again; nothing was changed"
+        remedy = "free some space and run it again"
     elif number in {errno.EACCES, errno.EPERM, errno.EROFS}:
         remedy = "choose a folder that you may write to with `-o`"
     message = f"cannot write `{file.name}`: {reason(error)}"

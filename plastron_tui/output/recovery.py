@@ -210,7 +210,7 @@ def sweep(folder: str) -> list[Diagnostic]:
 
     An old text of which there is no other copy is kept under another name, whoever made it.
     """
-    if _journal(folder) is not None or not _is_own(folder) or not os.access(folder, os.W_OK):
+    if _journal(folder) is not None or not os.access(folder, os.W_OK):
         return []
     notes = []
     with suppress(OSError):
@@ -322,7 +322,7 @@ def _bad_journal(folder: str) -> Notes:
             "interrupted-write",
             f"`{JOURNAL}` is no journal of this folder: {error}",
             file=Path(folder) / JOURNAL,
-            help="remove it",
+            help="remove it; if a write was interrupted here, some files may be new and others old",
             severity=Severity.WARNING,
         )
         return (warning,)

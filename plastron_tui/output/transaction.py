@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import errno
 import os
-from collections.abc import Callable, Iterable
-from contextlib import suppress
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from types import TracebackType
 
@@ -50,7 +50,7 @@ class Step:
         before: its present text.
         keeps_backup: whether the present text stays beside it, as `NAME.bak`.
         backup: the backup's path, once there is one.
-        lost: the extended attributes that the new file could not be given.
+        lost: what the new file could not be given of the old one: see `take_after`.
     """
 
     path: str
@@ -83,6 +83,7 @@ class Transaction:
         self._interrupts = interrupts
         self._locks = FolderLocks(interrupts.check)
         self._made: list[str] = []
+        self._temporaries: list[str] = []
         self._steps: dict[str, list[Step]] = {}
         self._replacements: list[tuple[Step, Replacement]] = []
         self._journals: list[str] = []
@@ -122,7 +123,13 @@ class Transaction:
                 self.at = folder
                 if _has_journal(folder):
                     self.notes += recover(folder, self._interrupts.check, is_writer=True)
-            self._locks.take(wanted)
+            try:
+                self._locks.take(wanted)
+            except FileNotFoundError:  # who had the lock made the folder, and took it back
+                self._locks.release()
+                for folder in wanted:
+                    self._make_folder(folder)
+                continue
             if not any(_has_journal(folder) for folder in wanted):
                 break
             self._locks.release()
@@ -140,7 +147,10 @@ class Transaction:
         steps = self._steps.setdefault(folder, [])
         new = os.path.join(folder, new_name(len(steps)))
         steps.append(step)
-        descriptor = write_new(new, step.text, 0o777 if step.is_executable else 0o666)
+        # Until it has the mode of the old file, nobody else reads it.
+        mode = 0o600 if step.status is not None else 0o777 if step.is_executable else 0o666
+        with _noted(new, self._temporaries):
+            descriptor = write_new(new, step.text, mode)
         try:
             if step.status is not None:
                 lost = take_after(
@@ -154,7 +164,7 @@ class Transaction:
     def commit(self) -> None:
         """Put all temporary files in their places.
 
-        An interrupt that arrives once this has begun waits until it is done.
+        An interrupt that arrives once the journals are begun waits until it is done.
 
         Raises:
             OSError: the operating system refuses.
@@ -171,7 +181,8 @@ class Transaction:
         for step, replacement in self._replacements:
             self.at = step.path
             if step.status is not None:
-                link_or_copy(step.path, replacement.old, step.before or b"", step.status)
+                with _noted(replacement.old, self._temporaries):
+                    link_or_copy(step.path, replacement.old, step.before or b"", step.status)
         self._interrupts.check()
         for folder in {os.path.dirname(path) for path in self._made}:
             self.at = folder
@@ -205,8 +216,8 @@ class Transaction:
                 break
             folder = parent
         for path in reversed(missing):
-            self._made.append(path)
-            with suppress(FileExistsError):  # another process was faster; a file fails below
+            # Another process may be faster; a file in the way fails below.
+            with suppress(FileExistsError), _noted(path, self._made):
                 os.mkdir(path)
 
     def _write_journals(self) -> None:
@@ -229,7 +240,8 @@ class Transaction:
 
     def _put_journal(self, folder: str, journal: Journal) -> None:
         path = os.path.join(folder, JOURNAL_NEW)
-        descriptor = write_new(path, journal_text(journal, folder), 0o600)
+        with _noted(path, self._temporaries):
+            descriptor = write_new(path, journal_text(journal, folder), 0o600)
         try:
             os.fsync(descriptor)
         finally:
@@ -273,14 +285,9 @@ class Transaction:
             self._take_back()
         if self.failures:
             return
-        replacements = [each for _, each in self._replacements]
-        for each in reversed(replacements):
-            self._remove(each.old)
-        for folder in self._journals:
-            self._remove(os.path.join(folder, JOURNAL_NEW))
-        for folder, steps in self._steps.items():
-            for place in reversed(range(len(steps))):
-                self._remove(os.path.join(folder, new_name(place)))
+        # The first to be made is the last to go: see `has_leftovers`.
+        for path in reversed(self._temporaries):
+            self._remove(path)
         for folder in reversed(self._made):
             self._remove(folder, _remove_folder)
 
@@ -317,6 +324,17 @@ class Transaction:
             return
         except OSError as error:
             self.left.append((path, error))
+
+
+@contextmanager
+def _noted(path: str, made: list[str]) -> Iterator[None]:
+    """Note what is made, so that it is undone; what was there is nothing of ours, and stays."""
+    made.append(path)
+    try:
+        yield
+    except FileExistsError:
+        made.remove(path)
+        raise
 
 
 def _replacement(folder: str, place: int, step: Step) -> Replacement:

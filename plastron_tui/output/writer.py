@@ -221,7 +221,7 @@ def _not_kept(file: PlannedFile, step: Step) -> Iterator[Diagnostic]:
     for name in step.lost:
         yield Diagnostic(
             "not-kept",
-            f"`{file.name}` lost the extended attribute {name!a}",
+            f"`{file.name}` lost its {name}",
             file=file.path,
             severity=Severity.WARNING,
         )

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from plastron_tui.output import recovery
 from plastron_tui.output.journal import Entry, Journal, journal_text
 from plastron_tui.output.manifest import NAME, digest
 from plastron_tui.output.names import JOURNAL
@@ -51,13 +52,12 @@ def test_another_user_s_journal_is_told_of_only(begun: Path, monkeypatch, whose:
             return os.stat_result((*status[:4], os.geteuid() + 1, *status[5:]))
 
         monkeypatch.setattr(os, name, call)
-    before = sorted(path.name for path in begun.iterdir())
     (found,) = settle(begun)
     assert (found.code, found.severity.value) == ("interrupted-write", "warning")
     assert "another user" in found.message
     assert (begun / "a.py").read_text() == "old"
-    if whose != "journal":
-        assert sorted(path.name for path in begun.iterdir()) == before
+    # What is one's own goes, else the next write finds it in its way.
+    assert sorted(path.name for path in begun.iterdir()) == [JOURNAL, "a.py"]
 
 
 def test_a_file_that_changes_while_it_is_looked_at(begun: Path, monkeypatch) -> None:
@@ -100,3 +100,21 @@ def test_a_folder_in_the_way_is_named(tmp_path: Path, plan, snapshot, name: str)
     assert (found.message, found.help) == (f"`{name}` is in the way", "remove it")
     assert found.file == tmp_path / name
     assert snapshot(tmp_path) == before
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_is_another_s_stays(tmp_path: Path, plan, snapshot, monkeypatch, name: str) -> None:
+    """A write that finds it in its way does not remove it as if it had made it itself."""
+    (tmp_path / "a.py").write_bytes(b"old")
+    made = plan(tmp_path, [OutputFile("a.py", b"new", merged_from=b"old")])
+    (tmp_path / name).write_text("the only copy")
+    monkeypatch.setattr(recovery, "_is_own", lambda path: False)
+    monkeypatch.setattr(os, "link", refuse)  # else there is no `.tmp`
+    before = snapshot(tmp_path)
+    found = write(made).diagnostics[-1]
+    assert (found.message, found.help) == (f"`{name}` is in the way", "remove it")
+    assert snapshot(tmp_path) == before
+
+
+def refuse(*_: object, **__: object) -> None:
+    raise PermissionError(1, "Operation not permitted")

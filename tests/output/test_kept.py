@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from plastron_tui.diagnostics import has_errors
-from plastron_tui.output import file_calls
+from plastron_tui.output import file_calls, transaction
 from plastron_tui.output.manifest import Manifest
 from plastron_tui.output.plan import OutputFile, make_plan
 from plastron_tui.output.writer import write
@@ -90,6 +90,56 @@ def test_an_attribute_that_cannot_come_along_is_told_of(file: Path, plan, monkey
     assert [found.code for found in result.diagnostics] == ["not-kept"]
     assert "security.mine" in result.diagnostics[0].message
     assert not has_errors(result.diagnostics)
+
+
+@pytest.mark.parametrize("lost", [["owner"], ["owner", "group"]])
+def test_an_owner_that_cannot_be_kept_is_told_of(
+    file: Path, plan, monkeypatch, lost: list[str]
+) -> None:
+    """The group is kept where only the owner cannot be, and no bit lends another's rights."""
+    file.chmod(0o6775)
+    wanted = plan(file.parent, FILES)
+    real, group = os.fstat, file.stat().st_gid
+
+    def change(descriptor: int, owner: int, group: int) -> None:
+        if owner != -1 or "group" in lost:
+            refuse()
+
+    def theirs(descriptor: int) -> os.stat_result:
+        status = real(descriptor)
+        of_group = group + 1 if "group" in lost else group
+        return os.stat_result((*status[:4], status.st_uid + 1, of_group, *status[6:]))
+
+    monkeypatch.setattr(file_calls.os, "fchown", change)
+    monkeypatch.setattr(file_calls.os, "fstat", theirs)
+    descriptor = os.open(file.with_name("b.py"), os.O_WRONLY | os.O_CREAT)
+    told = file_calls.take_after(descriptor, os.fspath(file), file.stat(), is_executable=False)
+    monkeypatch.undo()
+    os.close(descriptor)
+    assert told == lost
+    assert stat.S_IMODE(file.with_name("b.py").stat().st_mode) == 0o775
+    monkeypatch.setattr(transaction, "take_after", lambda *_, **__: told)
+    result = write(wanted)
+    assert [found.message for found in result.diagnostics] == [
+        f"`a.py` lost its {name}" for name in lost
+    ]
+
+
+def test_a_private_file_is_read_by_nobody_while_it_is_replaced(
+    file: Path, plan, monkeypatch
+) -> None:
+    file.chmod(0o600)
+    modes = []
+    real = file_calls.take_after
+
+    def look(descriptor: int, *arguments: object, **named: object) -> list[str]:
+        modes.append(stat.S_IMODE(os.fstat(descriptor).st_mode))
+        return real(descriptor, *arguments, **named)
+
+    monkeypatch.setattr(transaction, "take_after", look)
+    assert write(plan(file.parent, FILES)).diagnostics == ()
+    assert modes == [0o600]
+    assert stat.S_IMODE(file.stat().st_mode) == 0o600
 
 
 def refuse(*_: object) -> None:

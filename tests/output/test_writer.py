@@ -206,6 +206,38 @@ def test_a_lock_that_is_not_given_back(tmp_path: Path, plan, snapshot, monkeypat
     assert write(made).diagnostics == ()
 
 
+@pytest.mark.parametrize("is_made_anew", [False, True])
+def test_a_folder_that_goes_while_its_lock_is_waited_for(
+    tmp_path: Path, plan, monkeypatch, *, is_made_anew: bool
+) -> None:
+    """Who made it and failed takes it back; a lock on what is gone keeps nobody out."""
+    folder = tmp_path / "output"
+    folder.mkdir()
+    held = os.open(folder, os.O_RDONLY)
+    fcntl.flock(held, fcntl.LOCK_EX)
+    made = plan(folder, [OutputFile("a.py", b"x")])
+    other = []
+
+    def give_back(_: float) -> None:
+        if not other:
+            os.rename(folder, tmp_path / "gone")
+            other.append(held)
+            if is_made_anew:
+                folder.mkdir()
+                other.append(os.open(folder, os.O_RDONLY))
+                fcntl.flock(other[1], fcntl.LOCK_EX)
+            os.close(held)
+        elif len(other) == 2:
+            assert not (folder / ".plastron-0.new").exists()
+            os.close(other.pop())
+
+    monkeypatch.setattr(locks.time, "sleep", give_back)
+    assert write(made).diagnostics == ()
+    assert (folder / "a.py").read_bytes() == b"x"
+    assert list((tmp_path / "gone").iterdir()) == []
+    assert len(other) == 1
+
+
 _WRITER = """
 import sys
 from pathlib import Path
