@@ -138,7 +138,7 @@ class NodeLoader:
             is_there = request.is_path or os.path.lexists(path)
             if is_there and not self._boundary.allows(path):
                 return _outside(request, path, self._boundary)
-            if self._boundary.allows(path):
+            if self._boundary.allows(path.parent):
                 self._files.settle(path.parent)
             if os.path.isdir(path):  # noqa: PTH112
                 return _failed("unreadable-file", f"`{path.name}` is a folder")

@@ -206,8 +206,8 @@ class Session:
         """Read the project file anew when it is asked next: the user trusts the project, or not."""
         for name in ("_project", "library"):
             self.__dict__.pop(name, None)
-        self._catalogs, self._libraries = {}, {}
-        self._fitters = {}
+        self._catalogs, self._libraries, self._fitters = {}, {}, {}
+        self._files.starts.clear()  # what a file was made from may be read by now
         self._interpretation = None
 
     def files_changed(self) -> None:

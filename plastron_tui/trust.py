@@ -23,7 +23,11 @@ _OTHERS = stat.S_IWGRP | stat.S_IWOTH
 
 
 class TrustStoreError(Exception):
-    """The store cannot be relied on, or not be written; the message says why."""
+    """The store cannot be read or written, or not be relied on; the message says why."""
+
+
+class UnsafeStoreError(TrustStoreError):
+    """The store is not the user's alone."""
 
 
 class TrustStore:
@@ -100,7 +104,7 @@ class TrustStore:
     def _check(self) -> None:
         problem = self.problem()
         if problem is not None:
-            raise TrustStoreError(problem)
+            raise UnsafeStoreError(problem)
 
     def _file(self, path: Path) -> Path:
         return self.folder / sha256(os.fsencode(path)).hexdigest()

@@ -353,3 +353,12 @@ def test_a_spoilt_store_trusts_nothing(bench: Bench, spoil: Callable[[Path], obj
     assert bench.generate() == []
     spoil(store.folder)
     assert errors(bench.generate()) == ["untrusted-templates"]
+
+
+@pytest.mark.parametrize("path", [".", "./", "./a.plastron"])
+def test_nothing_is_tidied_up_above_the_project(bench: Bench, path: str) -> None:
+    bench.make(Attack(f"load '{path}' as node\ngenerate_node node\n"))
+    for folder in (bench.folder, bench.repository):
+        (folder / ".plastron-0.new").write_text("left by a write that was killed")
+    assert has_errors(bench.session().diagnostics)
+    assert (bench.folder / ".plastron-0.new").exists()

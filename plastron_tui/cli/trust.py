@@ -9,7 +9,7 @@ import click
 from plastron_tui.boundary import find_boundary
 from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.diagnostics.terminal import visible
-from plastron_tui.trust import TrustStore, TrustStoreError, real_path
+from plastron_tui.trust import TrustStore, TrustStoreError, UnsafeStoreError, real_path
 
 from .common import Report, finish, print_text
 
@@ -36,7 +36,9 @@ def command(folder: Path | None, remove: bool, is_list: bool) -> None:
         else:
             _add(store, folder, report)
     except TrustStoreError as error:
-        report.unreadable([_unsafe(str(error), "remove it, and trust your folders again")])
+        is_unsafe = isinstance(error, UnsafeStoreError)
+        remedy = "remove it, and trust your folders again" if is_unsafe else None
+        report.unreadable([_unsafe(str(error), remedy)])
     finish(report)
 
 
@@ -73,5 +75,5 @@ def _remove(store: TrustStore, folder: Path, report: Report) -> None:
     click.echo("nothing to remove: the folder is not trusted", err=True)
 
 
-def _unsafe(message: str, remedy: str) -> Diagnostic:
+def _unsafe(message: str, remedy: str | None) -> Diagnostic:
     return Diagnostic("unsafe-trust-store", message, help=remedy)

@@ -80,6 +80,7 @@ def open_file(path: Path) -> Opened:
     if stamp is None and not os.path.lexists(path):
         return Opened(OnDisk(path, None, None), notes=notes)
     read = read_program(path)
+    notes = tuple(note for note in notes if note not in read.diagnostics)
     if read.text is None:
         return Opened(None, read.diagnostics[0], (*read.diagnostics[1:], *notes))
     return Opened(OnDisk(path, read.text, stamp), notes=(*read.diagnostics, *notes))

@@ -169,11 +169,11 @@ def _read(file: Path) -> Kept | None:
         data = json.loads(head)
         if data["plastron-journal"] != _FORMAT or is_running(int(data["pid"])):
             return None
-        when = min(max(float(data["when"]), 0.0), _LATEST)
+        when = min(max(0.0, float(data["when"])), _LATEST)
         # Earlier versions did not say the folder.
         path, folder = _path_of(data["path"]), _path_of(data.get("folder"))
         return Kept(file, path, folder, text, int(data["cursor"]), when)
-    except (OSError, ValueError, TypeError, KeyError, RecursionError):
+    except (OSError, ValueError, ArithmeticError, TypeError, KeyError, RecursionError):
         return None
 
 

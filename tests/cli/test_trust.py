@@ -74,9 +74,18 @@ def test_a_store_that_others_may_write_is_said(go: Run, foreign: Path, here: Pat
         result = go("trust", *arguments)
         assert (result.returncode, result.stdout) == (2, b"")
         assert b"error[unsafe-trust-store]: others may write to" in result.stderr
+        assert b"remove it, and trust your folders again" in result.stderr
     result = go("generate", "a.plastron")
     assert result.returncode == 1
     assert b"nothing counts as trusted, because others may write to" in result.stderr
+
+
+def test_a_store_that_cannot_be_written_is_not_to_be_removed(go: Run, here: Path) -> None:
+    env = {"XDG_STATE_HOME": "/proc", "HOME": str(here / "home")}
+    result = go("trust", env=env)
+    assert result.returncode == 2
+    assert b"error[unsafe-trust-store]" in result.stderr
+    assert b"remove it" not in result.stderr
 
 
 @pytest.mark.parametrize(

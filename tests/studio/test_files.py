@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import json
 import os
 from pathlib import Path
 
@@ -257,3 +258,34 @@ def test_a_journal_that_is_no_journal_is_left_out(tmp_path: Path) -> None:
     (tmp_path / "b.journal").write_bytes(b"\xff")
     (tmp_path / "c.journal").mkdir()
     assert kept_texts(tmp_path) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("cursor", "Infinity"),
+        ("cursor", "NaN"),
+        ("pid", "Infinity"),
+        ("pid", "1e400"),
+        ("when", "[]"),
+        ("path", "[]"),
+    ],
+)
+def test_a_broken_journal_hides_no_other(tmp_path: Path, name: str, value: str) -> None:
+    good = leave_behind(tmp_path / "a.plastron", PROGRAM)
+    head, _, text = good.read_bytes().partition(b"\n")
+    file = good.parent / "b.journal"
+    fields = {key: json.dumps(each) for key, each in json.loads(head).items()} | {name: value}
+    broken = "{" + ", ".join(f'"{key}": {each}' for key, each in fields.items()) + "}\n"
+    file.write_bytes(broken.encode() + text)
+    file.chmod(0o600)
+    assert [kept.file for kept in kept_texts(good.parent)] == [good]
+
+
+def test_a_journal_of_no_time_is_an_old_one(tmp_path: Path) -> None:
+    file = leave_behind(tmp_path / "a.plastron", PROGRAM)
+    head, newline, text = file.read_bytes().partition(b"\n")
+    when = json.dumps(json.loads(head)["when"]).encode()
+    file.write_bytes(head.replace(b'"when": ' + when, b'"when": NaN') + newline + text)
+    (kept,) = kept_texts(file.parent)
+    assert kept.when == 0
