@@ -9,11 +9,13 @@ import zlib
 from collections.abc import Callable, Collection, Iterable
 from itertools import count
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any, NoReturn, TypeVar
 
 import pytest
 
 from plastron_tui.runtime.environment import Environment, find_environments
+
+T = TypeVar("T")
 
 IN_CI = bool(os.environ.get("CI"))
 
@@ -124,9 +126,10 @@ def free_port() -> int:
     return port
 
 
-def wait_until(condition: Callable[[], object], what: str, limit: float = 120.0) -> None:
-    """Wait for a condition, and fail where it does not hold in time, in seconds."""
+def wait_until(look: Callable[[], T | None], what: str, limit: float = 120.0) -> T:
+    """Return the first result of `look` that is true; fail where none is in time, in seconds."""
     deadline = time.monotonic() + limit
-    while not condition():
+    while not (found := look()):
         assert time.monotonic() < deadline, f"not in time: {what}"
         time.sleep(0.02)
+    return found

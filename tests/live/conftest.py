@@ -13,8 +13,8 @@ import pytest
 from graph import Graph
 from interfaces import build
 from interfaces import environ as interfaces_environ
-from machine import domain_id, free_port, skip_or_fail
-from processes import Process, processes, wait_for
+from machine import domain_id, free_port, skip_or_fail, wait_until
+from processes import Process, processes
 
 ROS1_PYTHON = Path("/usr/bin/python3")
 ROS1_INSTALL = (
@@ -85,7 +85,7 @@ def ros1_env(
     }
     master = Process(["/usr/bin/roscore", "-p", str(port)], env, home / "roscore.log")
     try:
-        wait_for("the master", lambda: _answers(uri))
+        wait_until(lambda: _answers(uri), "the master answers", 60)
         yield env
     finally:
         master.interrupt(20)

@@ -10,7 +10,8 @@ from pathlib import Path
 from statistics import mean
 from typing import Any
 
-from processes import Process, wait_for
+from machine import wait_until
+from processes import Process
 
 
 @dataclass(frozen=True)
@@ -92,7 +93,7 @@ class Graph:
             found = self.endpoints(node)
             return found if name in found[kind] else None
 
-        return wait_for(f"{kind} {name} of {node}", look)
+        return wait_until(look, f"{kind} {name} of {node}", 60)
 
     def _start(self, command: Sequence[str | Path], name: str) -> Process:
         log = self.folder / f"{next(self._numbers)}-{name}.log"

@@ -6,16 +6,14 @@ import re
 import signal
 import subprocess
 import sys
-import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TypeVar
+
+from machine import wait_until
 
 PROGRAMS = Path(__file__).parents[1] / "programs"
 PLASTRON = Path(sys.executable).with_name("plastron")
-
-T = TypeVar("T")
 
 # rospy closes its topics before `is_shutdown` says so: a timer whose turn it is in between
 # publishes to a closed topic, in a thread of rospy's own (`rospy.impl.registration`, `cleanup`).
@@ -50,17 +48,6 @@ def generate(program: str, output: Path, target: str) -> dict[str, Path]:
     return {file.name: file for file in sorted(output.glob("*.py"))}
 
 
-def wait_for(what: str, look: Callable[[], T | None], seconds: float = 60.0) -> T:
-    """Return the first result of `look` that is true."""
-    deadline = time.monotonic() + seconds
-    while time.monotonic() < deadline:
-        found = look()
-        if found:
-            return found
-        time.sleep(0.05)
-    raise AssertionError(f"{what} did not come within {seconds} s")
-
-
 class Process:
     """A process, and what it has printed so far."""
 
@@ -87,10 +74,10 @@ class Process:
 
     def wait_to_print(self, text: str, seconds: float = 60.0) -> None:
         """Wait until it has printed a text."""
-        deadline = time.monotonic() + seconds
-        while text not in self.output:
-            assert time.monotonic() < deadline, f"no {text!r} in:\n{self.output}"
-            time.sleep(0.05)
+        try:
+            wait_until(lambda: text in self.output, repr(text), seconds)
+        except AssertionError as error:
+            raise AssertionError(f"{error}, in:\n{self.output}") from None
 
     def interrupt(self, seconds: float = 60.0) -> int:
         """End it as Ctrl-C does, and return its exit status."""

@@ -11,8 +11,8 @@ from xmlrpc.client import ServerProxy
 
 import pytest
 from graph import Graph
-from machine import free_port
-from processes import Process, generate, own_tracebacks, wait_for
+from machine import free_port, wait_until
+from processes import Process, generate, own_tracebacks
 
 pytestmark = pytest.mark.live
 
@@ -234,8 +234,8 @@ def test_ctrl_c_while_the_master_is_gone(
 def test_rosnode_kill_ends_a_node(ros1: Graph, tmp_path: Path) -> None:
     node = ros1.run(listener(ros1, tmp_path))
     master = ServerProxy(ros1.env["ROS_MASTER_URI"])
-    uri = wait_for("the node", lambda: master.lookupNode("/test", "/listener")[2], 60)
-    wait_for("its topic", lambda: "/listener" in str(master.getSystemState("/test")), 60)
+    uri = wait_until(lambda: master.lookupNode("/test", "/listener")[2], "the node is there", 60)
+    wait_until(lambda: "/listener" in str(master.getSystemState("/test")), "its topic is", 60)
     ServerProxy(str(uri)).shutdown("/test", "as `rosnode kill` does it")
     assert node.wait(60) == 0, node.output
     assert not own_tracebacks(node.output)
