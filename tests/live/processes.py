@@ -72,10 +72,10 @@ class Process:
         """Wait until it ends by itself, and return its exit status."""
         return self._popen.wait(seconds)
 
-    def wait_to_print(self, text: str, seconds: float = 60.0) -> None:
-        """Wait until it has printed a text."""
+    def wait_to_print(self, text: str, seconds: float = 60.0, count: int = 1) -> None:
+        """Wait until it has printed a text, so often."""
         try:
-            wait_until(lambda: text in self.output, repr(text), seconds)
+            wait_until(lambda: self.output.count(text) >= count, repr(text), seconds)
         except AssertionError as error:
             raise AssertionError(f"{error}, in:\n{self.output}") from None
 

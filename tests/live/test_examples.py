@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from graph import Graph
 from machine import mostly_long
-from processes import PLASTRON, generate, own_tracebacks
+from processes import PLASTRON, Process, generate, own_tracebacks
 
 pytestmark = pytest.mark.live
 
@@ -48,6 +48,7 @@ def traffic(graph: Graph, program: Path, output: Path) -> dict[str, Any]:
     nodes = {file: graph.run(path) for file, path in files.items()}
     topics = {each["name"]: each["type"] for each in picture["topics"] if each["publishers"]}
     seen: dict[str, Any] = {}
+    asked: list[tuple[Process, str, int]] = []
     if topics:
         for topic, received in graph.listen(topics, 3).items():
             messages = {json.dumps(untimed(each.message), sort_keys=True) for each in received}
@@ -56,15 +57,19 @@ def traffic(graph: Graph, program: Path, output: Path) -> dict[str, Any]:
         if service["providers"]:
             name = service["name"]
             seen[name] = (service["type"], graph.call(name, service["type"], {}))
-    for node in nodes.values():
-        node.interrupt()
-        assert not own_tracebacks(node.output)
     for service in picture["services"]:
         for client in service["clients"]:
             [caller] = [node for file, node in nodes.items() if file.startswith(client["node"])]
-            answers = caller.output.count(f"{client['written']}: ")
-            assert answers == len(client["requests"]), caller.output
-            seen[f"{client['node']} calls {service['name']}"] = answers
+            count = len(client["requests"])
+            # The first node to be interrupted may be the one that answers.
+            caller.wait_to_print(f"{client['written']}: ", count=count)
+            asked.append((caller, f"{client['written']}: ", count))
+            seen[f"{client['node']} calls {service['name']}"] = count
+    for node in nodes.values():
+        node.interrupt()
+        assert not own_tracebacks(node.output)
+    for caller, answer, count in asked:
+        assert caller.output.count(answer) == count, caller.output
     return seen
 
 
