@@ -50,6 +50,12 @@ class Graph:
         """Start a node's file."""
         return self._start([self.python, "-u", node], node.stem)
 
+    def run_and_wait(self, node: Path) -> Process:
+        """Start a node's file, and wait until the node has set up all that it is to have."""
+        process = self.run_with(Path(__file__).with_name("set_up.py"), str(node))
+        process.wait_to_print("all is set up")
+        return process
+
     def run_with(self, script: Path, *arguments: str) -> Process:
         """Start a script of the test's own, which runs a node in its own way."""
         return self._start([self.python, "-u", script, *arguments], script.stem)

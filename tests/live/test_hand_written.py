@@ -108,13 +108,10 @@ def test_a_hand_written_node_does_what_the_program_asked(
     case: Case, ros1: Graph, tmp_path: Path
 ) -> None:
     edited = _edit(case, tmp_path)
-    node = ros1.run(edited)
+    node = ros1.run_and_wait(edited)
     for kind, names in case.there.items():
         for name in names:
             ros1.wait_for_endpoint(case.node, kind, name)
-    found = ros1.endpoints(case.node)
-    for kind, names in case.gone.items():
-        assert not set(names) & set(found[kind]), found
     if case.heard:
         received = ros1.listen({topic: type_ for topic, (type_, _) in case.heard.items()}, 1)
         for topic, (_, fields) in case.heard.items():
@@ -123,6 +120,9 @@ def test_a_hand_written_node_does_what_the_program_asked(
         assert ros1.call(service, type_, request) == answer
     for text in case.prints:
         node.wait_to_print(text)
+    found = ros1.endpoints(case.node)
+    for kind, names in case.gone.items():
+        assert not set(names) & set(found[kind]), found
     assert node.interrupt() == 0
     assert not own_tracebacks(node.output)
 

@@ -78,6 +78,6 @@ def test_a_loaded_node_listens_to_the_new_topic_only(graph: Graph, tmp_path: Pat
     generate("subscriber", output, graph.target)
     nodes = generate("load", output, graph.target)
     assert list(nodes) == ["subscriber_sub1.py"]
-    graph.run(nodes["subscriber_sub1.py"])
+    graph.run_and_wait(nodes["subscriber_sub1.py"])
     found = graph.wait_for_endpoint("subscriber", "subscriptions", "/topic_added_after_load")
     assert found["subscriptions"] == ["/topic_added_after_load"]
