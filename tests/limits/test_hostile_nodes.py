@@ -92,6 +92,8 @@ NODES: dict[str, str | bytes] = {
     "imports": NODE + "from std_msgs.msg import String\n" * 50_000,
     "stars": NODE + "from std_msgs.msg import *\n" * 50_000,
     "lambdas": NODE + "x = " + "lambda: " * 100_000 + "1\n",
+    "comments, short run": (NODE + "# a\n" * 60 + "x = 1\n" * 9_000).replace("\n", "\r\n"),
+    "underscores": RCLPY + "_" * 60_000 + "x.create_publisher(String, 'a', 10)\n",
     "decorators": NODE + "@a\n" * 100_000 + "def f(): pass\n",
     "comments": NODE + "# rospy\n" * 400_000,
     "subscripts": NODE + "x = a" + "[0]" * 500_000 + "\n",
@@ -102,6 +104,7 @@ NODES: dict[str, str | bytes] = {
 }
 
 _QUICK = {"nested", "doubled text", "power", "calls", "comments"}
+_QUICK |= {"comments, short run", "underscores"}
 
 
 @pytest.mark.parametrize("name", mostly_long(NODES, _QUICK))

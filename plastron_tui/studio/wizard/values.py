@@ -33,7 +33,7 @@ _HEADER = InterfaceName("std_msgs", "Header")
 _NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 _TEXT = re.compile(r'"(?:[^"\\]|\\.)*"')
 _LONGEST_SHOWN = 40
-_PIECE = re.compile(r'\s*("(?:[^"\\]|\\.)*"|[^,]*?)\s*(?:,|$)')
+_PIECE = re.compile(r'\s*("(?:[^"\\]|\\.)*"|(?:[^\s,]+(?:\s+[^\s,]+)*)?)\s*(?:,|$)')
 _TRUE = frozenset({"true", "yes", "on", "1"})
 _FALSE = frozenset({"false", "no", "off", "0"})
 

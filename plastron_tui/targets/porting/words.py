@@ -25,7 +25,7 @@ LOGS: Mapping[str, str] = {
 """The functions of rospy that log, and the methods of a logger of rclpy."""
 
 # One field of a `%` format, or what is no field that a tuple fills in turn.
-_FIELD = re.compile(r"%(?:(%)|[-#0 +]*\d*(?:\.\d+)?[diouxXeEfFgGcrsa]|(.?))", re.DOTALL)
+_FIELD = re.compile(r"%(?:(%)|[-#0 +]*(?:(?!0)\d+)?(?:\.\d+)?[diouxXeEfFgGcrsa]|(.?))", re.DOTALL)
 _TEXT = re.compile(r"""(?P<quote>["'])(?P<inside>[^"'\\{}\n]*)(?P=quote)""")
 _SIMPLE = re.compile(r"[A-Za-z_][\w.]*")
 

@@ -9,7 +9,8 @@ _MOST_WORK = 200_000_000
 MOST_CLASSES = 1_000
 """The most classes of a file: each may derive from each of the others."""
 
-_COMMENTS = re.compile(rb"^(?:[ \t\f]*(?:#[^\n]*)?\r?\n){64,}", re.MULTILINE)
+# A line matches in one way only: of two, a run too short would be tried in all mixtures.
+_COMMENTS = re.compile(rb"^(?:[ \t\f]*(?:#[^\n]*|\r?)\n){64,}", re.MULTILINE)
 
 
 def comment_run(text: bytes) -> int | None:

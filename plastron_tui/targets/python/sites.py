@@ -20,7 +20,7 @@ from .scopes import Scope, build_scopes
 from .syntax import Syntax, parse, parts_of
 
 # How people call a variable that holds a node, where nothing else says what it is.
-_NODE_VARIABLE = re.compile(r"_*(\w+_)?(node|lifecycle_node)(handle)?_*$", re.IGNORECASE)
+_NODE_VARIABLE = re.compile(r"(?:\w*_)?node(?:handle)?_*$", re.IGNORECASE)
 _NODE_MAKER = re.compile(r"(Node|_node)$")
 # Packages whose classes are no nodes, so that a class derived from them is none either.
 _NO_NODES = frozenset(
