@@ -69,6 +69,19 @@ NODES: dict[str, str | bytes] = {
         "        rospy.Publisher(self.n, String)\n"
         for n in range(900)
     ),
+    "attributes of derived classes": NODE
+    + "class A:\n    def f(self):\n"
+    + "        self.x = 'a'\n" * 2_000
+    + "        rospy.Publisher(self.x, String)\n" * 3_000
+    + "".join(f"class C{n}(A):\n    pass\n" for n in range(990)),
+    "base classes": f"{RCLPY}class A({'Node2, ' * 20_000}):\n    pass\n"
+    + "".join(f"class C{n}(A):\n    pass\n" for n in range(990)),
+    "bindings of a base class": RCLPY
+    + "".join(f"class A{n}:\n    pass\n" for n in range(64))
+    + "x = 1\n" * 20_000
+    + "".join(
+        f"class C{n}({'x, ' * 60}{f'C{n - 1}' if n else ''}):\n    pass\n" for n in range(900)
+    ),
     "parameters, many": NODE
     + "def f(x):\n"
     + "    rospy.Publisher(x, String)\n" * 6_000
@@ -91,6 +104,9 @@ NODES: dict[str, str | bytes] = {
     + "rospy.Publisher(A2000().x, String)\n",
     "imports": NODE + "from std_msgs.msg import String\n" * 50_000,
     "stars": NODE + "from std_msgs.msg import *\n" * 50_000,
+    "stars for names": NODE
+    + "".join(f"from m{n} import *\n" for n in range(6_000))
+    + "x()\n" * 40_000,
     "lambdas": NODE + "x = " + "lambda: " * 100_000 + "1\n",
     "comments, short run": (NODE + "# a\n" * 60 + "x = 1\n" * 9_000).replace("\n", "\r\n"),
     "underscores": RCLPY + "_" * 60_000 + "x.create_publisher(String, 'a', 10)\n",
@@ -104,7 +120,7 @@ NODES: dict[str, str | bytes] = {
 }
 
 _QUICK = {"nested", "doubled text", "power", "calls", "comments"}
-_QUICK |= {"comments, short run", "underscores"}
+_QUICK |= {"comments, short run", "underscores", "base classes"}
 
 
 @pytest.mark.parametrize("name", mostly_long(NODES, _QUICK))

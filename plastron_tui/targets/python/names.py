@@ -55,6 +55,7 @@ class Resolver:
         self._words: Counter[bytes] | None = None
         self.classes = Classes(syntax, scopes)
         self._foreign: dict[Scope, list[str]] = {}
+        self._own_foreign: dict[Scope, list[str]] = {}
         self.effort = Effort(len(syntax.text))
 
     @bounded(())
@@ -87,9 +88,10 @@ class Resolver:
         first, *rest = path
         if owner is None:
             return ()
-        own = owner.attributes.get(first, []) + owner.bindings.get(first, [])
-        if len(own) > MOST_BINDINGS:
+        attributes, names = owner.attributes.get(first, []), owner.bindings.get(first, [])
+        if len(attributes) + len(names) > MOST_BINDINGS:
             return ()
+        own = attributes + names
         # Most attributes hold what a call made, which is cheaper to see than their other values.
         if not any(map(_may_name, own)) and (own or not owner.bases):
             return ()
@@ -173,19 +175,24 @@ class Resolver:
 
     def derives_from(self, owner: Scope, classes: frozenset[str]) -> bool:
         """Whether a class of the file derives from one of the named classes."""
-        if owner not in self._foreign:
-            self._foreign[owner] = self.foreign_bases(owner)
-        return not classes.isdisjoint(self._foreign[owner])
+        return not classes.isdisjoint(self.foreign_bases(owner))
 
     def foreign_bases(self, owner: Scope) -> list[str]:
         """Return the qualified names of the imported classes that a class derives from."""
-        return [
-            name
-            for scope in (owner, *self.classes.bases(owner))
-            for base in scope.bases
-            if scope.parent is not None
-            for name in self.qualified(base, scope.parent)
-        ]
+        if owner not in self._foreign:
+            scopes = (owner, *self.classes.bases(owner))
+            found = dict.fromkeys(name for scope in scopes for name in self._foreign_of(scope))
+            self._foreign[owner] = list(found)[:MOST_BINDINGS]
+        return self._foreign[owner]
+
+    def _foreign_of(self, owner: Scope) -> list[str]:
+        if owner not in self._own_foreign:
+            outer = owner.parent
+            bases = {self._syntax.slice(base): base for base in owner.bases}.values()
+            self._own_foreign[owner] = [
+                name for base in bases if outer is not None for name in self.qualified(base, outer)
+            ]
+        return self._own_foreign[owner]
 
     @bounded(None)
     def instance(self, node: Node | None, scope: Scope, depth: int = 0) -> Instance | None:
@@ -254,8 +261,7 @@ class Resolver:
         if node.type == "string":
             name, dot, rest = self._syntax.slice(node).strip("\"'").partition(".")
             found = scope.lookup(name)
-            bindings = found[1] if found is not None else []
-            for binding in bindings:
+            for binding in found[1][:MOST_BINDINGS] if found is not None else []:
                 if binding.kind is BindingKind.CLASS and not dot:
                     return Instance(binding.owner)
                 if binding.kind is BindingKind.IMPORT:
@@ -263,7 +269,7 @@ class Resolver:
             return None
         if node.type == "identifier":
             found = scope.lookup(self._syntax.slice(node))
-            for binding in found[1] if found is not None else []:
+            for binding in found[1][:MOST_BINDINGS] if found is not None else []:
                 if binding.kind is BindingKind.CLASS:
                     return Instance(binding.owner)
         return self._imported_class(self.qualified(node, scope))

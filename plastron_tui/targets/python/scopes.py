@@ -10,6 +10,11 @@ from tree_sitter import Node
 
 from .syntax import Syntax, parts_of
 
+MOST_BASES = 64
+"""The most base classes of a class; each may be asked for each class that derives from it."""
+
+_MOST_STARS = 64
+
 
 class BindingKind(Enum):
     """How a name comes to its value."""
@@ -183,7 +188,9 @@ def _open(syntax: Syntax, node: Node, outer: Scope, static: set[int]) -> Scope:
     if kind == "class":
         bases = node.child_by_field_name("superclasses")
         if bases is not None:
-            scope.bases = [b for b in bases.named_children if b.type != "keyword_argument"]
+            listed = bases.named_children
+            given = [each for each in listed if each.type != "keyword_argument"]
+            scope.bases = given[:MOST_BASES]
         outer.bind(name, Binding(BindingKind.CLASS, outer, node, owner=scope))
     elif kind == "function":
         outer.bind(name, Binding(BindingKind.FUNCTION, outer, node, owner=scope))
@@ -281,8 +288,11 @@ class _Binder:
     def _import_from(self, node: Node) -> None:
         scope = self._tree.at(node.start_byte)
         module = self._dotted(node.child_by_field_name("module_name"))
-        if any(child.type == "wildcard_import" for child in node.named_children):
-            scope.star_imports.append(module)
+        stars = scope.star_imports
+        is_star = any(child.type == "wildcard_import" for child in node.named_children)
+        # Each of them may bind each name that the file does not.
+        if is_star and module not in stars and len(stars) < _MOST_STARS:
+            stars.append(module)
         for name in node.children_by_field_name("name"):
             alias = name.child_by_field_name("alias")
             source = name.child_by_field_name("name") if alias is not None else name

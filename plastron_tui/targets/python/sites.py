@@ -56,6 +56,7 @@ class _Finder:
         self._node_classes = analysis.library.node_classes
         self._nodes_by_use: set[tuple[int, str]] = set()
         self._class_names: dict[Scope, tuple[Node | None, str | None, str]] = {}
+        self._heirs: dict[Scope, Scope | None] = {}
         self._unsure: list[tuple[Node, CallShape, Scope, Node, Arguments]] = []
 
     def visit(self, call: Node) -> None:
@@ -249,12 +250,12 @@ class _Finder:
 
     def heir(self, owner: Scope) -> Scope | None:
         """Return the node class of the file that inherits from a class that is none itself."""
-        for other in self._a.scopes.classes():
-            if owner in self._a.resolver.classes.bases(other) and self._a.resolver.derives_from(
-                other, self._node_classes
-            ):
-                return other
-        return None
+        if owner not in self._heirs:
+            resolver = self._a.resolver
+            derived = resolver.classes.derived(owner)
+            nodes = (each for each in derived if resolver.derives_from(each, self._node_classes))
+            self._heirs[owner] = next(nodes, None)
+        return self._heirs[owner]
 
     def _may_be_node(self, owner: Scope) -> bool:
         """Whether a class derives from a class of another file, which may be a node's."""
