@@ -63,6 +63,10 @@ NODES: dict[str, str | bytes] = {
         f"        self.create_publisher(String, 'a{n}', 10)\n"
         for n in range(20_000)
     ),
+    "nodes of functions": RCLPY
+    + "".join(f"def f{n}():\n    rclpy.create_node('n{n}')\n" for n in range(1_000))
+    + "class P:\n    def __init__(self, node):\n        self.node = node\n"
+    + "".join(f"        self.node.create_publisher(String, 't{n}', 10)\n" for n in range(1_000)),
     "attributes, many": NODE
     + "".join(
         f"class C{n}:\n    def __init__(self):\n        self.n = 'a{n}'\n"
@@ -120,7 +124,7 @@ NODES: dict[str, str | bytes] = {
 }
 
 _QUICK = {"nested", "doubled text", "power", "calls", "comments"}
-_QUICK |= {"comments, short run", "underscores", "base classes"}
+_QUICK |= {"comments, short run", "underscores", "base classes", "nodes of functions"}
 
 
 @pytest.mark.parametrize("name", mostly_long(NODES, _QUICK))

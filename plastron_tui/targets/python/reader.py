@@ -13,7 +13,7 @@ from plastron_tui.targets.base import ReadResult
 from .analysis import Analysis, NodeSite, Site
 from .calls import LIBRARIES, ClientLibrary
 from .extent import MOST_CLASSES, comment_run
-from .scopes import Scope
+from .owning import Owners
 from .sites import analyze
 from .syntax import parse
 
@@ -96,8 +96,9 @@ def group(analysis: Analysis) -> tuple[SourceNode, ...]:
     if not makers:
         return (_source_node(None, analysis.sites),) if analysis.sites else ()
     owned: list[list[Site]] = [[] for _ in makers]
+    owners = Owners(makers, analysis)
     for site in analysis.sites:
-        owned[_owner(site, makers, analysis)].append(site)
+        owned[owners.owner(site)].append(site)
     return tuple(_source_node(maker, sites) for maker, sites in zip(makers, owned, strict=True))
 
 
@@ -109,60 +110,6 @@ def _merge(nodes: list[NodeSite], library: ClientLibrary) -> list[NodeSite]:
     if all(node.name == first.name for node in nodes):
         return [first]
     return [replace(first, name=None)]
-
-
-def _owner(site: Site, makers: list[NodeSite], analysis: Analysis) -> int:
-    """Return which node a call site belongs to."""
-    if len(makers) == 1:
-        return 0
-    best, best_rank = 0, -1
-    for index, maker in enumerate(makers):
-        rank = _closeness(site, maker, analysis)
-        if rank > best_rank:
-            best, best_rank = index, rank
-    return best
-
-
-def _closeness(site: Site, maker: NodeSite, analysis: Analysis) -> int:
-    """Rank how near a call site is to what makes a node; the first of the nearest wins."""
-    if maker.owner is not None:
-        if site.owner is maker.owner:
-            return 100
-        if site.owner is None and site.scope.is_within(maker.owner):
-            return 60
-        return 0
-    if maker.call is not None and site.receiver:
-        assigned = maker.call.parent
-        if assigned is not None and assigned.type == "assignment":
-            target = assigned.child_by_field_name("left")
-            is_target = target is not None and analysis.syntax.slice(target) == site.receiver
-            if is_target and site.scope.is_within(maker.scope):
-                return 90
-    shared = _shared_depth(site.scope, maker.scope)
-    owner = site.scope.enclosing("class")
-    if owner is not None and _makes(maker.scope, owner, analysis):
-        return 50 + shared
-    return shared
-
-
-def _shared_depth(one: Scope, other: Scope) -> int:
-    depth = 0
-    scope: Scope | None = one
-    while scope is not None:
-        if other.is_within(scope):
-            depth += 1
-        scope = scope.parent
-    return depth
-
-
-def _makes(scope: Scope, owner: Scope, analysis: Analysis) -> bool:
-    """Whether a function makes an instance of a class of the file."""
-    return any(
-        analysis.syntax.slice(call.child_by_field_name("function") or call) == owner.name
-        for call in analysis.captures.get("call", [])
-        if scope.start <= call.start_byte < scope.end
-        and analysis.scopes.at(call.start_byte) is scope
-    )
 
 
 def _source_node(maker: NodeSite | None, sites: list[Site]) -> SourceNode:
