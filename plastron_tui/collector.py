@@ -20,7 +20,7 @@ A studio with 10,000 statements makes and frees half as many while one types. If
 garbage, they would take some 50 MB.
 """
 
-_DUE = 20_000
+DUE = 20_000
 """From how many more objects on it is worth to look for garbage while nobody types."""
 
 
@@ -34,7 +34,7 @@ def collect_if_due() -> None:
 
     With a program of 10,000 statements in the studio that takes a tenth of a second.
     """
-    if gc.get_count()[0] >= _DUE:
+    if gc.get_count()[0] >= DUE:
         gc.collect()
 
 

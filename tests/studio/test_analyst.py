@@ -107,7 +107,7 @@ def seldom() -> Iterator[None]:
 def test_garbage_is_let_go_when_nobody_asks_for_a_while(monkeypatch: pytest.MonkeyPatch) -> None:
     """Textual leaves cycles behind at each drawing; the collector waits for its hour."""
     monkeypatch.setattr(module, "_REST", 0.05)
-    monkeypatch.setattr(collector, "_DUE", 3)
+    monkeypatch.setattr(collector, "DUE", 3)
     made: list[weakref.ref[Cycle]] = []
     analyst = Analyst(lambda _: made.append(weakref.ref(Cycle())))
     analyst.start()
