@@ -78,24 +78,33 @@ class Driver:
 
     async def settle(self) -> None:
         """Wait until what the text means is known and shown."""
-        await self.until(lambda: self.is_current)
+        try:
+            await self.until(lambda: not self.is_missing)
+        except AssertionError as error:
+            raise AssertionError(f"{error}: {self.is_missing}") from None
         await self.pilot.pause()
 
     @property
-    def is_current(self) -> bool:
+    def is_missing(self) -> str:
+        """What is not yet known, or not shown, of what the text means; empty where nothing is."""
         main = self.main
         analysis = main.open.analysis
-        session = main.open.session
-        if analysis is None or analysis.text != main.open.text or main._pause is not None:
-            return False
-        if analysis.session.library != session.library or not main.analyst.is_idle:
-            return False
+        if main._pause is not None:
+            return "a pause in typing"
+        if not main.analyst.is_idle:
+            return "an answer"
+        if analysis is None or analysis.text != main.open.text:
+            return "an analysis of this text"
+        if analysis.session.library != main.open.session.library:
+            return "an analysis for this library"
         wanted = main.wanted()
-        return (
-            set(wanted.panels) <= analysis.entries.keys()
-            and (wanted.preview is None or wanted.preview in analysis.previews)
-            and (wanted.graph is None or (analysis.drawing is not None and main.graph.is_fitted))
-        )
+        if not set(wanted.panels) <= analysis.entries.keys():
+            return f"the panels {wanted.panels}"
+        if wanted.preview is not None and wanted.preview not in analysis.previews:
+            return f"the preview of {wanted.preview}"
+        if wanted.graph is None or (analysis.drawing is not None and main.graph.is_fitted):
+            return ""
+        return "the graph"
 
     async def until(self, condition: Callable[[], bool]) -> None:
         await until(self.pilot, condition)

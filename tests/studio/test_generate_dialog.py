@@ -167,7 +167,7 @@ async def test_the_mistakes_of_a_new_text_are_awaited_from_the_worker(
     monkeypatch.setattr(Session, "diagnostics", property(diagnostics))
     async with studio(program) as driver:
         driver.main.editor.apply([Edit(Span(0, 0), "generate_node nobody\n")])
-        assert not driver.is_current
+        assert driver.is_missing
         driver.main.action_generate()
         await driver.until(lambda: "1 mistake has to be mended" in driver.notes())
         assert asked
