@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 _FILES = 200
 _BOUND = 1.2
 _LONGEST_PROGRAM = 4_000
-_WARM_KEYS = 250
+_WARM_KEYS = 750
 _KEYS_IN_A_ROW = 100
 _LONGEST_REST = 10.0
 
@@ -66,7 +66,7 @@ def _memory() -> float:
 
 
 def rows() -> Iterator[Row]:
-    for work, steps in (("rounds", 1_200), ("keys", 600)):
+    for work, steps in (("rounds", 1_200), ("keys", 1_500)):
         command = [sys.executable, "-m", "benchmarks.memory", work, str(steps)]
         done = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True)
         yield Row(f"memory after {steps:,} {work} / when warm", float(done.stdout), _BOUND)

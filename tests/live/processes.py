@@ -15,12 +15,12 @@ from machine import wait_until
 PROGRAMS = Path(__file__).parents[1] / "programs"
 PLASTRON = Path(sys.executable).with_name("plastron")
 
-# rospy closes its topics before `is_shutdown` says so: a timer whose turn it is in between
-# publishes to a closed topic, in a thread of rospy's own (`rospy.impl.registration`, `cleanup`).
-# Its server may likewise begin to accept when its socket is closed already (`tcpros_base`). What
-# a timer's thread says is cut off where the process ends meanwhile.
+# rospy closes its topics before `is_shutdown` says so: a timer or a callback whose turn it is in
+# between publishes to a closed topic, in a thread of rospy's own (`rospy.impl.registration`,
+# `cleanup`). Its server may likewise begin to accept when its socket is closed already
+# (`tcpros_base`). What a timer's thread says is cut off where the process ends meanwhile.
 CLOSED_BY_ROSPY = re.compile(
-    r"Exception in thread (?:(?!Exception in thread).)*?"
+    r"(?:Exception in thread |bad callback: )(?:(?!Exception in thread|bad callback: ).)*?"
     r"(?:rospy\.exceptions\.ROSException: (?:publish\(\) to a closed topic"
     r"|topic was closed during publish\(\))\n"
     r"|self\.server_sock\.accept\(\)(?:(?!Exception in thread).)*?OSError: \[Errno 9\][^\n]*\n"
