@@ -15,8 +15,7 @@ from plastron_tui.model.setting import Loaded, LoadRequest
 from plastron_tui.model.source import LARGEST_FILE
 from plastron_tui.model.workspace import Generation
 from plastron_tui.output.names import is_own_name, settled
-from plastron_tui.output.stamps import Stamp, stamp_of
-from plastron_tui.regular_files import read_regular, reason
+from plastron_tui.regular_files import Stamp, read_regular, reason, stamp_of
 
 if TYPE_CHECKING:
     from plastron_tui.boundary import Boundary

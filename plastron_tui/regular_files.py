@@ -11,6 +11,7 @@ import os
 import re
 import stat
 from pathlib import Path
+from typing import TypeAlias
 
 # Open descriptors, which nobody can put into a folder.
 _HANDED_OVER = re.compile(r"/dev/stdin|(?:/dev|/proc/self)/fd/[0-9]+")
@@ -78,3 +79,16 @@ def _too_large(path: Path | str, limit: int) -> OSError:
 
 def _shown(size: int) -> str:
     return f"{size // 1024**2} MB" if size >= 1024**2 else f"{size // 1024} kB"
+
+
+Stamp: TypeAlias = tuple[int, int, int]
+"""When a file was changed, in nanoseconds, its size in bytes, and its inode."""
+
+
+def stamp_of(path: Path) -> Stamp | None:
+    """Return what tells a file from what it was before, without reading it; None for no file."""
+    try:
+        status = path.stat()
+    except (OSError, ValueError):
+        return None
+    return status.st_mtime_ns, status.st_size, status.st_ino

@@ -9,10 +9,9 @@ from pathlib import Path
 from plastron_tui.boundary import find_boundary
 from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.output.names import settled
-from plastron_tui.output.stamps import Stamp, stamp_of
 from plastron_tui.program_file import LARGEST_PROGRAM, read_program
 from plastron_tui.project import outside_program
-from plastron_tui.regular_files import read_regular
+from plastron_tui.regular_files import Stamp, read_regular, stamp_of
 
 SUFFIX = ".plastron"
 

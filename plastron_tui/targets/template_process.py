@@ -20,6 +20,8 @@ from contextlib import suppress
 from itertools import islice
 from pathlib import Path
 
+from plastron_tui.regular_files import stamp_of
+
 from .layout import fit
 from .plan import NodePlan
 
@@ -55,7 +57,7 @@ class OverLimitError(TemplateFailedError):
     """A template that was stopped, and would be for the next node as well."""
 
 
-_stopped: dict[tuple[str, Path], tuple[object, OverLimitError]] = {}
+_stopped: dict[tuple[str, Path], tuple[object, str]] = {}
 """Why templates were stopped, with the state of their folder: not once more for each node."""
 
 
@@ -65,24 +67,21 @@ def render_apart(library: str, folder: Path, plan: NodePlan) -> str:
     Raises:
         TemplateFailedError: the template has a mistake, or does not keep to a limit.
     """
-    state, error = _stopped.get((library, folder), (None, None))
-    if error is not None and state == _state(folder / library):
-        raise error
+    state = _state(folder)
+    known = _stopped.get((library, folder))
+    if known is not None and known[0] == state:
+        raise OverLimitError(known[1])
     try:
         return _rendered(library, folder, plan)
     except OverLimitError as error:
-        _stopped[library, folder] = _state(folder / library), error
+        _stopped[library, folder] = state, str(error)
         raise
 
 
 def _state(folder: Path) -> object:
-    """Return what changes when somebody edits a template."""
-    with os.scandir(folder) as entries:
-        return {
-            (entry.name, status.st_mtime_ns, status.st_size)
-            for entry in islice(entries, _MOST_TEMPLATES)
-            for status in (entry.stat(follow_symlinks=False),)
-        }
+    """Return what changes when somebody edits a template, in whichever folder below this one."""
+    places = (Path(at, name) for at, _, names in os.walk(folder) for name in names)
+    return {place: stamp_of(place) for place in islice(places, _MOST_TEMPLATES)}
 
 
 def _rendered(library: str, folder: Path, plan: NodePlan) -> str:

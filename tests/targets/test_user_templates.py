@@ -189,3 +189,13 @@ def test_the_limits_are_those_of_the_process_alone(folder: Path) -> None:
     before = [resource.getrlimit(kind) for kind in kinds]
     assert render(folder, "{{ node.name }}").text is not None
     assert before == [resource.getrlimit(kind) for kind in kinds]
+
+
+def test_a_part_that_is_mended_lets_a_stopped_template_begin_again(folder: Path) -> None:
+    (folder / "parts").mkdir()
+    part = folder / "parts" / "head.j2"
+    part.write_text('{{ "a" * 3000000000 }}')
+    (folder / "rospy" / "head.j2").symlink_to("../parts/head.j2")
+    assert "512 MB" in refusal(folder, "{% include 'head.j2' %}")
+    part.write_text("# ours\n")
+    assert render(folder).text == b"# ours\n"

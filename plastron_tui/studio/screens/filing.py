@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from textual import work
 
 from plastron_tui.diagnostics import Diagnostic
-from plastron_tui.output.stamps import stamp_of
+from plastron_tui.regular_files import stamp_of
 
 from ..analyst import Analyst
 from ..files import OnDisk, Opened, Saved, open_file, read_again, save_file, with_suffix
