@@ -73,7 +73,8 @@ def is_same_file(path: str, other: str) -> bool:
 def write_new(path: str, text: bytes, mode: int) -> int:
     """Write a file that takes the place of none, and return its open descriptor.
 
-    The process's umask has its say: what it masks is no business of ours.
+    What fails leaves no file, if that can be helped. The process's umask has its say: what it masks
+    is no business of ours.
     """
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC
     descriptor = os.open(path, flags, mode)
@@ -83,6 +84,8 @@ def write_new(path: str, text: bytes, mode: int) -> int:
             rest = rest[os.write(descriptor, rest) :]
     except BaseException:
         os.close(descriptor)
+        with suppress(OSError):
+            os.unlink(path)
         raise
     return descriptor
 
@@ -173,14 +176,7 @@ def copy_to(other: str, path: str, text: bytes, status: os.stat_result) -> None:
     copy = os.path.splitext(other)[0] + ".tmp"
     if os.path.lexists(other):
         raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), other)
-    try:
-        descriptor = write_new(copy, text, 0o600)
-    except FileExistsError:  # another's
-        raise
-    except BaseException:
-        with suppress(OSError):
-            os.unlink(copy)
-        raise
+    descriptor = write_new(copy, text, 0o600)
     try:
         try:
             take_after(descriptor, path, status, is_executable=False)

@@ -115,20 +115,16 @@ class Transaction:
             BusyError: another process did not give the lock back in time.
         """
         wanted = sorted(set(folders))
-        for folder in wanted:
-            self.at = folder
-            self._make_folder(folder)
         for _ in range(_MOST_TRIES):
             for folder in wanted:
                 self.at = folder
+                self._make_folder(folder)
                 if _has_journal(folder):
                     self.notes += recover(folder, self._interrupts.check, is_writer=True)
             try:
                 self._locks.take(wanted)
             except FileNotFoundError:  # who had the lock made the folder, and took it back
                 self._locks.release()
-                for folder in wanted:
-                    self._make_folder(folder)
                 continue
             if not any(_has_journal(folder) for folder in wanted):
                 break
