@@ -31,6 +31,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         for item in items:
             if getattr(getattr(item, "obj", None), "is_hypothesis_test", False):
                 item.add_marker("long")
+        # What takes minutes comes first, so that it does not run alone in the end.
+        items.sort(key=lambda item: item.path.name != "test_memory_growth.py")
 
 
 # Thousands of tests and all modules stay to the end: to walk among them again and again took half

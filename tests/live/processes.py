@@ -24,7 +24,7 @@ CLOSED_BY_ROSPY = re.compile(
     r"(?:rospy\.exceptions\.ROSException: (?:publish\(\) to a closed topic"
     r"|topic was closed during publish\(\))\n"
     r"|self\.server_sock\.accept\(\)(?:(?!Exception in thread).)*?OSError: \[Errno 9\][^\n]*\n"
-    r"|\nTraceback[^\n]*\n(?: [^\n]*\n?)*\Z)",
+    r"|\nTraceback[^\n]*(?:\n [^\n]*)*\n?\Z)",
     re.DOTALL,
 )
 

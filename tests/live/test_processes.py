@@ -1,0 +1,47 @@
+"""What the live tests take for rospy's own words is only that, and is told in any output's time."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+from processes import PROGRAMS, own_tracebacks
+
+CALL = """\
+  File "talker.py", line 3, in publish
+    self.talker.publish(message)
+"""
+TRACEBACK = "Traceback (most recent call last):\n" + CALL
+CLOSED = "rospy.exceptions.ROSException: publish() to a closed topic\n"
+
+OUTPUTS = {
+    "nothing": ("ready\n", 0),
+    "the node's own": (TRACEBACK + "ValueError: 3\n", 1),
+    "a thread": ("Exception in thread Thread-5:\n" + TRACEBACK + CLOSED, 0),
+    "a callback": ("bad callback: <bound method>\n" + TRACEBACK + CLOSED, 0),
+    "cut off": ("Exception in thread Thread-5:\n" + TRACEBACK, 0),
+    "not cut off": ("Exception in thread Thread-5:\n" + TRACEBACK + "ValueError: 3\n", 1),
+    "the node's own behind a thread's": (
+        "Exception in thread Thread-5:\n" + TRACEBACK + CLOSED + TRACEBACK + "ValueError: 3\n",
+        1,
+    ),
+}
+
+
+@pytest.mark.parametrize(("output", "count"), OUTPUTS.values(), ids=OUTPUTS)
+def test_tracebacks_of_a_node(output: str, count: int) -> None:
+    assert len(own_tracebacks(output)) == count
+
+
+def test_a_long_traceback_is_told_at_once() -> None:
+    """In a process of its own: a pattern that does not end cannot be stopped in this one."""
+    output = "bad callback: <bound method>\n" + TRACEBACK + CALL * 20 + "ValueError: 3\n"
+    code = (
+        f"import sys; sys.path[:0] = {[str(PROGRAMS.parent), str(PROGRAMS.parent / 'live')]!r}\n"
+        "from processes import own_tracebacks\n"
+        "print(len(own_tracebacks(sys.stdin.read())))"
+    )
+    command = [sys.executable, "-c", code]
+    done = subprocess.run(command, input=output, capture_output=True, text=True, timeout=60)
+    assert done.stdout == "1\n", done.stderr
