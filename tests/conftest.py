@@ -7,10 +7,12 @@ import pytest
 from hypothesis import settings
 from machine import IN_CI, be_quick, examples
 
-# A shell starts what is in its background with SIGINT ignored, and every program that the tests
-# interrupt would inherit it.
+# A shell starts what is in its background with SIGINT ignored, `nohup` with SIGHUP, and every
+# program that the tests end by them would inherit it.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 
 # How long an example takes says more about the machine than about the code. CI tries the same
