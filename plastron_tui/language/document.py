@@ -64,6 +64,8 @@ class Document:
             raise ValueError(f"no range of this text: {start} to {old_end}")
         row = before.count(b"\n", 0, start)
         column = start - (before.rfind(b"\n", 0, start) + 1)
+        # The nodes that statements have stay as they were: an edit changes a tree and its nodes.
+        self._tree = self._tree.copy()
         self._tree.edit(
             start_byte=start,
             old_end_byte=old_end,

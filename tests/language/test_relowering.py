@@ -6,7 +6,8 @@ from hypothesis import strategies as st
 from machine import examples
 from plastron_programs import boundary, broken_lines, read, shape, statements
 
-from plastron_tui.language import DECLARATIONS, Document, Program
+from plastron_tui.diagnostics import Span
+from plastron_tui.language import DECLARATIONS, Document, Program, lower
 from plastron_tui.language.relowering import Lowered, lower_edited
 
 PROGRAM = """\
@@ -71,6 +72,16 @@ def described(program: Program) -> list[object]:
         for statement in program.statements
     ]
     return [places, shape(program), program.diagnostics, program.broken]
+
+
+def test_a_statement_stays_where_it_is_while_the_text_behind_it_changes() -> None:
+    text = b"P stop_publishing to '/L'\n" + b"create_node 'e' as e\n" * 5
+    document = Document(text)
+    program = lower(document)
+    end = text.index(b"\n")
+    document.edit(end, end, b"\ncreate_node 'x' as x")
+    (first, *_) = lower_edited(document, Lowered(text, program)).statements
+    assert first.span_of("topic") == Span(21, end)
 
 
 @settings(max_examples=examples(300), deadline=None)
