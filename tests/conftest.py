@@ -34,7 +34,13 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
             if getattr(getattr(item, "obj", None), "is_hypothesis_test", False):
                 item.add_marker("long")
         # What takes minutes comes first, so that it does not run alone in the end.
-        items.sort(key=lambda item: item.path.name != "test_memory_growth.py")
+        items.sort(key=_minutes, reverse=True)
+
+
+def _minutes(item: pytest.Item) -> float:
+    """Return how many minutes a test says that it takes; 0 for less than one."""
+    marks = (mark.kwargs.get("minutes", 0) for mark in item.iter_markers("long"))
+    return max(marks, default=0)
 
 
 # Thousands of tests and all modules stay to the end: to walk among them again and again took half
