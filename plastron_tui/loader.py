@@ -29,7 +29,6 @@ _MOST_FOLDERS = 64
 _MOST_TURNS = 100
 """How often a program may generate a file and load it again: each time it is read as a whole."""
 
-_SUFFIXES = (".py", ".cpp")
 _MANIFEST = ".plastron.json"
 
 
@@ -167,13 +166,12 @@ class NodeLoader:
         return loaded._replace(diagnostics=(*loaded.diagnostics, warning))
 
     def _generated(self, request: LoadRequest) -> Iterator[Loaded]:
-        names = {request.source + suffix for suffix in _SUFFIXES}
         for generation in reversed(request.generated):
             node, source = generation.node, generation.node.source
             # Rendering costs more than asking for the name: a node's name starts its file's.
             if request.source.startswith(node.name if source is None else source.path.stem):
                 made = self._made_by(generation)
-                if made is not None and made[0].name in names:
+                if made is not None and made[0].stem == request.source:
                     yield made[1]
 
     def _made_by(self, generation: Generation) -> tuple[Path, Loaded] | None:
@@ -201,7 +199,7 @@ class NodeLoader:
             yield self._folder / os.path.expanduser(request.source)  # noqa: PTH111
             return
         for folder in dict.fromkeys((self._output, self._folder, Path.cwd())):
-            for suffix in _SUFFIXES:
+            for suffix in _suffixes():
                 yield folder / f"{request.source}{suffix}"
 
     def _read_once(self, path: Path) -> Loaded:
@@ -263,9 +261,9 @@ class NodeLoader:
             )
         known = {name for folder in (self._output, self._folder) for name in _names(folder)}
         name = nearest(request.source, sorted(known))
+        names = " or ".join(f"`{request.source}{suffix}`" for suffix in _suffixes())
         return _not_there(
-            f"no file `{request.source}.py` or `{request.source}.cpp` in the output folder, the "
-            "program's folder or the working folder",
+            f"no file {names} in the output folder, the program's folder or the working folder",
             None if name is None else f"did you mean `{name}`?",
             name if name is not None and name.isidentifier() and name.isascii() else None,
         )
@@ -304,9 +302,17 @@ def _chained(source: SourceFile) -> Origin:
     return chained(source)
 
 
+def _suffixes() -> Iterator[str]:
+    """Yield the suffixes that a `load` of a bare name stands for, one a language."""
+    from plastron_tui.targets import languages
+
+    return (language.suffix for language in languages())
+
+
 def _names(folder: Path, *, full: bool = False) -> list[str]:
     try:
-        files = [file for file in folder.iterdir() if file.suffix in _SUFFIXES]
+        suffixes = set(_suffixes())
+        files = [file for file in folder.iterdir() if file.suffix in suffixes]
     except OSError:
         return []
     return sorted(file.name if full else file.stem for file in files)

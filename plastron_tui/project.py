@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Container, Iterable, Iterator, Mapping
+from collections.abc import Collection, Container, Iterable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from plastron_tui.boundary import Boundary, belongs_to_another
 from plastron_tui.diagnostics import Diagnostic, Severity, Span, did_you_mean
+from plastron_tui.model.libraries import Libraries
 from plastron_tui.regular_files import read_regular
 from plastron_tui.ros.catalog import DISTRIBUTIONS
 from plastron_tui.trust import real_path
@@ -56,13 +57,13 @@ class Project(NamedTuple):
 
 
 def find_project(
-    boundary: Boundary, libraries: Mapping[str, int], overruled: Container[str] = ()
+    boundary: Boundary, libraries: Libraries, overruled: Container[str] = ()
 ) -> tuple[Project, tuple[Diagnostic, ...]]:
     """Read the project file of a project; one that is another user's has to be trusted first.
 
     Args:
         boundary: the project.
-        libraries: the client libraries that there are, each with its generation of ROS.
+        libraries: the client libraries that there are.
         overruled: the keys that the command line overrules, and that are therefore not judged.
     """
     file = boundary.project_file
@@ -79,7 +80,7 @@ def find_project(
 
 def read_project(
     file: Path,
-    libraries: Mapping[str, int],
+    libraries: Libraries,
     boundary: Boundary,
     overruled: Container[str] = (),
 ) -> tuple[Project, tuple[Diagnostic, ...]]:
@@ -89,7 +90,7 @@ def read_project(
 
     Args:
         file: the project file.
-        libraries: the client libraries that there are, each with its generation of ROS.
+        libraries: the client libraries that there are.
         boundary: the project.
         overruled: the keys that the command line overrules.
     """
@@ -160,7 +161,7 @@ class _Reader:
                 values[name] = value
         return values
 
-    def choice(self, key: str, node: _Node | None, choices: Mapping[str, int]) -> str | None:
+    def choice(self, key: str, node: _Node | None, choices: Collection[str]) -> str | None:
         """Return one of the choices, None where nothing (or nothing right) is said."""
         if node is None or node.tag == _NULL:
             return None
@@ -215,14 +216,12 @@ class _Reader:
         self._report(node, message, self._boundary.remedy, "untrusted-templates", Severity.WARNING)
         return None
 
-    def check_agreement(
-        self, project: Project, node: _Node | None, libraries: Mapping[str, int]
-    ) -> None:
+    def check_agreement(self, project: Project, node: _Node | None, libraries: Libraries) -> None:
         """Report a distribution that is of another generation of ROS than the target."""
         target, distribution = project.target, project.distribution
         if node is None or target is None or distribution is None:
             return
-        wanted = libraries[target]
+        wanted = libraries[target].ros_version
         if DISTRIBUTIONS[distribution] != wanted:
             fitting = ", ".join(name for name, ros in DISTRIBUTIONS.items() if ros == wanted)
             self._report(

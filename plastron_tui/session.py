@@ -18,6 +18,7 @@ from plastron_tui.boundary import DEFAULT_OUTPUT, Boundary, find_boundary
 from plastron_tui.diagnostics import Diagnostic, LineIndex
 from plastron_tui.language import Document, Program
 from plastron_tui.language.relowering import Lowered, lower_edited
+from plastron_tui.model.libraries import written_libraries
 from plastron_tui.output.names import has_leftovers
 from plastron_tui.program_file import lines_of
 from plastron_tui.project import TRUST_CODES, Project, as_error, find_project, outside_output
@@ -68,7 +69,7 @@ def _unsupported(generation: Generation) -> Diagnostic:
         "unsupported-target",
         f"plastron cannot generate `{generation.library}` yet",
         generation.span,
-        help="use rospy or rclpy",
+        help=f"use {' or '.join(written_libraries(LIBRARIES))}",
     )
 
 

@@ -20,7 +20,7 @@ from pathlib import Path
 
 from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceFile
 from plastron_tui.model.workspace import Client, Publisher, Service, Subscription
-from plastron_tui.targets.python.syntax import parse
+from plastron_tui.sources.python.syntax import parse
 
 Key = tuple[EndpointKind, str, str, str]
 

@@ -7,8 +7,9 @@ import pytest
 from plastron_tui.boundary import PROJECT_FILE as FILE_NAME
 from plastron_tui.boundary import Boundary, find_boundary
 from plastron_tui.project import LARGEST_PROJECT, Project, find_project, read_project
+from plastron_tui.targets import LIBRARIES as ALL
 
-LIBRARIES = {"rospy": 1, "rclpy": 2}
+LIBRARIES = {name: ALL[name] for name in ("rospy", "rclpy")}
 
 
 def read(folder: Path, text: str | bytes) -> tuple[Project, list[tuple[str, str, str | None]]]:

@@ -14,7 +14,8 @@ import click
 from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.program_file import LARGEST_PROGRAM, ProgramText, check_text, read_program
 from plastron_tui.session import Options, Session
-from plastron_tui.targets import LIBRARIES
+from plastron_tui.sources import own_languages
+from plastron_tui.targets import LIBRARIES, PLANNED
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -59,7 +60,7 @@ target_option = click.option(
     "--target",
     "-t",
     type=_ClientLibrary(),
-    help="The client library of nodes that name none; roscpp, rclcpp, nodelet: not written yet.",
+    help=f"The client library of nodes that name none; {', '.join(PLANNED)}: not written yet.",
 )
 
 
@@ -183,7 +184,8 @@ def open_session(file: Path, report: Report, options: Options | None = None) -> 
         read = check_text(None, sys.stdin.buffer.read(LARGEST_PROGRAM + 1))
         path = None
     else:
-        read = ProgramText(None, (_node_file(file),)) if _is_python(file) else read_program(file)
+        refusal = _node_file(file)
+        read = read_program(file) if refusal is None else ProgramText(None, (refusal,))
         path = file
     if read.text is None:
         report.unreadable(_with_suffix_hint(found, file) for found in read.diagnostics)
@@ -192,14 +194,14 @@ def open_session(file: Path, report: Report, options: Options | None = None) -> 
     return Session(read.text, path, options)
 
 
-def _is_python(file: Path) -> bool:
-    return file.suffix == ".py" and file.is_file()
-
-
-def _node_file(file: Path) -> Diagnostic:
+def _node_file(file: Path) -> Diagnostic | None:
+    """Say that a file is a node's, as its suffix tells, and no program."""
+    language = next((each for each in own_languages() if file.suffix in each.suffixes), None)
+    if language is None or not file.is_file():
+        return None
     return Diagnostic(
         "unreadable-file",
-        f"`{file.name}` is Python, not a program",
+        f"`{file.name}` is {language.title}, not a program",
         file=file,
         help="`plastron inspect` shows what a node file holds, and `load` changes it in a program",
     )

@@ -14,7 +14,7 @@ from plastron_tui.model.program_text import program_of
 from plastron_tui.model.source import LARGEST_FILE, SourceFile
 from plastron_tui.output.names import settled
 from plastron_tui.regular_files import read_named, reason
-from plastron_tui.targets import LIBRARIES
+from plastron_tui.targets import ros_version
 
 from .common import Report, finish, format_option, print_text
 
@@ -38,7 +38,7 @@ def command(files: tuple[Path, ...], format_: str) -> None:
         if format_ == "json":
             click.echo(json.dumps(inspect_json(source), indent=2 if len(files) == 1 else None))
         elif format_ == "plastron":
-            print_text(program_of(source, LIBRARIES.get(source.library, 1)))
+            print_text(program_of(source, ros_version(source.library)))
         else:
             print_text(inspect_text(source))
     finish(report)

@@ -119,11 +119,10 @@ def _prepare(
     unknown = _unknown_names(made, names)
     plan, diagnostics = session.plan_of(chosen)
     report.add((*unknown, *diagnostics), session.lines, session.path)
-    other = _other_languages(chosen)
-    report.add(other, session.lines, session.path)
-    if has_errors(diagnostics) or unknown or other:
+    if has_errors(diagnostics) or unknown:
         return []
     environments = _environments(session, chosen, found, report)
+    nodes = _node_files(chosen, environments, session, report)
     if report.status:
         return []
     for library, environment in environments.items():
@@ -135,7 +134,7 @@ def _prepare(
 
     if not write_plan(plan, session, report, again=again):
         return []
-    return _node_files(chosen, environments, session.output)
+    return nodes
 
 
 def _is_chosen(generated: Generated, names: Sequence[str]) -> bool:
@@ -163,29 +162,16 @@ def _unknown_names(made: Sequence[Generated], names: Sequence[str]) -> list[Diag
     ]
 
 
-def _other_languages(chosen: Sequence[Generated]) -> list[Diagnostic]:
-    """Return a diagnostic for each file that Python cannot run."""
-    return [
-        Diagnostic(
-            "unsupported-target",
-            f"`run` starts Python nodes, and `{generated.file.name}` is none",
-            generated.generation.span,
-        )
-        for generated in chosen
-        if generated.file is not None and not generated.file.name.endswith(".py")
-    ]
-
-
 def _environments(
     session: Session, chosen: Sequence[Generated], found: Found, report: Report
 ) -> dict[str, Environment]:
     """Return the environment of each client library that is in use."""
     from plastron_tui.runtime.environment import missing_packages
-    from plastron_tui.targets import LIBRARIES
+    from plastron_tui.targets import ros_version
 
     environments = {}
     for library in dict.fromkeys(generated.generation.library for generated in chosen):
-        environment, diagnostics = found.choose(LIBRARIES[library])
+        environment, diagnostics = found.choose(ros_version(library))
         if environment is not None:
             environments[library] = environment
             packages = {
@@ -200,14 +186,28 @@ def _environments(
 
 
 def _node_files(
-    chosen: Sequence[Generated], environments: dict[str, Environment], output: Path
+    chosen: Sequence[Generated],
+    environments: dict[str, Environment],
+    session: Session,
+    report: Report,
 ) -> list[NodeFile]:
+    """Return what starts each node; one that cannot be started is reported."""
     from plastron_tui.runtime.launch import NodeFile
+    from plastron_tui.targets import find_target
 
     files = {}
     for generated in chosen:
-        if generated.file is not None:
-            path = generated.file.path or output / generated.file.name
-            name = generated.generation.node.name
-            files[path] = NodeFile(name, path, environments[generated.generation.library])
+        target = find_target(generated.generation.library)
+        environment = environments.get(generated.generation.library)
+        if generated.file is None or target is None or environment is None:
+            continue
+        path = generated.file.path or session.output / generated.file.name
+        command = target.language.command(path, environment.python)
+        if command is None:
+            message = f"`run` cannot start {target.language.title} nodes, such as `{path.name}`"
+            found = Diagnostic("unsupported-target", message, generated.generation.span)
+            report.add([found], session.lines, session.path)
+            continue
+        script = path if target.language.is_script else None
+        files[path] = NodeFile(generated.generation.node.name, command, environment, script)
     return list(files.values())

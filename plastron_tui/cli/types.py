@@ -13,7 +13,7 @@ from plastron_tui.ros.definition_text import format_definition
 from plastron_tui.ros.interfaces import Interface, InterfaceKind
 from plastron_tui.ros.search import search_types
 from plastron_tui.session import Options, Session
-from plastron_tui.targets import LIBRARIES
+from plastron_tui.targets import ros_version
 
 from .common import Report, finish, print_text, target_option
 
@@ -39,7 +39,7 @@ def command(pattern: str | None, target: str | None, distribution: str | None) -
     report = Report()
     session = Session(options=Options(target=target))
     report.add(session.project_problems, session.lines)
-    catalog = session.catalog(LIBRARIES[session.library], distribution)
+    catalog = session.catalog(ros_version(session.library), distribution)
     shown = [] if pattern is None else _exact(catalog, pattern)
     listed = [] if shown else _matching(catalog, pattern) or _for_purpose(catalog, pattern or "")
     if shown:

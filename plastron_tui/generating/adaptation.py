@@ -12,7 +12,7 @@ from plastron_tui.model.workspace import Node
 from plastron_tui.output.layers import Layer
 from plastron_tui.output.remembered import recall
 from plastron_tui.ros.catalog import Catalog
-from plastron_tui.targets.base import Rendered
+from plastron_tui.sources.base import Rendered
 
 from .changes import call_again, changes_of, drop, is_extended, names_in
 from .handwork import on_disk

@@ -54,7 +54,7 @@ class Derivation:
             return Derived(None, self.work.refusal(made))
         writing, target, is_ported = self.writing, self.work.library.target, self.work.is_ported
         path = self.work.source.path
-        name = f"{path.stem}{target.suffix}" if is_ported else path.name
+        name = f"{path.stem}{target.language.suffix}" if is_ported else path.name
         is_elsewhere = writing.in_place and not is_ported and path.parent != writing.output
         shown = path if is_elsewhere else writing.output / name
         place = find_place(shown, writing.author, writing.manifests)
@@ -64,7 +64,7 @@ class Derivation:
         file = OutputFile(
             name,
             layer.written,
-            target.is_executable and not is_over,
+            target.language.is_executable and not is_over,
             path=shown if is_elsewhere else None,
             seen=((place.real.parent, place.manifest),),
         )
@@ -209,7 +209,7 @@ class Derivation:
 
         target = self.work.library.target
         sources = [target.read(path, each).source for each in (text, before, mine)]
-        if target.is_worse(text, before, mine):
+        if target.language.is_worse(text, before, mine):
             return False
         if self.work.is_ported:
             return sources[0] is not None

@@ -30,6 +30,7 @@ from .handwork import (
 from .place import Writing
 
 if TYPE_CHECKING:
+    from plastron_tui.sources.base import Language
     from plastron_tui.targets.base import Target
 
     from .merging import Merged
@@ -141,13 +142,13 @@ def generate(
     else:
         derived = Derivation(Adaptation(node, node.source, library, own), writing).result()
         made = Generated(generation, derived.file, derived.diagnostics)
-    problem = _wrong_name(made, writing)
+    problem = _wrong_name(made, writing, library.target.language)
     if made.file is None or problem is not None:
         return _refused(generation, made.diagnostics if problem is None else (problem,))
     return made
 
 
-def _wrong_name(made: Generated, writing: Writing) -> Diagnostic | None:
+def _wrong_name(made: Generated, writing: Writing, language: Language) -> Diagnostic | None:
     """Say why a file cannot have its name, None where it can, or where there is none."""
     node, file = made.generation.node, made.file
     if file is None:
@@ -156,6 +157,7 @@ def _wrong_name(made: Generated, writing: Writing) -> Diagnostic | None:
     return refuse_name(
         file.name,
         node.packages,
+        language,
         is_own=source is None,
         is_in_place=source is not None and is_same_path(path, source.path),
     )
@@ -180,7 +182,11 @@ class _Creation:
         name = target.file_name(node)
         base = remember(node, target.name, program)
         file = OutputFile(
-            name, rendered.text, target.is_executable, base=base, seen=((output, manifest),)
+            name,
+            rendered.text,
+            target.language.is_executable,
+            base=base,
+            seen=((output, manifest),),
         )
         owner = _other_program(name, program, manifest)
         there = on_disk(output / name) if owner is not None else None
@@ -278,7 +284,7 @@ def _other_files(
     name: str, base: Base, target: Target, output: Path, manifest: Manifest
 ) -> list[str]:
     """Return the files of other names that a program made of the same node before."""
-    names = (f"{base['node']}{part}{target.suffix}" for part in _PARTS)
+    names = (f"{base['node']}{part}{target.language.suffix}" for part in _PARTS)
     same = ("node", "library", "program")
     return [
         other

@@ -123,8 +123,8 @@ class _Merge:
             name = _calling(change.endpoint) if isinstance(change, Add) else None
             if name is None:
                 continue
-            before = self.target.definitions(self.source.text, name)
-            if self.target.definitions(text, name) > max(1, before):
+            before = self.target.language.definitions(self.source.text, name)
+            if self.target.language.definitions(text, name) > max(1, before):
                 raise _RefusedError(f"`{name}` cannot be called from where endpoints are added")
 
     def _edited(self, changes: list[Change]) -> bytes:
@@ -241,7 +241,7 @@ class _Merge:
         without = self._without(self.source, key)
         if without is None:
             return False
-        lines_of_code = self.target.lines_of_code
+        lines_of_code = self.target.language.lines_of_code
         there = lines_of_code(self.source.text) - lines_of_code(without.text)
         types = [each.type for each in self.base.endpoints.values()]
         # A node that was loaded may have what cannot be written anew.
@@ -265,7 +265,7 @@ class _Merge:
     def _stays(self, callback: str, remove: Remove) -> bool:
         """Tell whether a callback outlives its endpoint: then it is more than a stub."""
         text = self.target.edit(self.source, [remove], self.catalog).text
-        return text is not None and self.target.mentions(text, callback)
+        return text is not None and self.target.language.mentions(text, callback)
 
     def _orphans(self, text: bytes) -> Iterator[Diagnostic]:
         """Tell of callbacks that are kept for what is written in them, and called no more."""
@@ -275,7 +275,7 @@ class _Merge:
         read = self._read(text)
         used = {each.callback for each in read.endpoints} if read else set()
         for each in self.cut:
-            if each.callback in callbacks - used and self.target.mentions(
+            if each.callback in callbacks - used and self.target.language.mentions(
                 text, each.callback or ""
             ):
                 message = f"`{each.callback}` is kept, but no longer called"

@@ -88,7 +88,7 @@ def _is_right(path: Path, text: bytes, original: bytes, layer: Layer, present: b
     """Tell whether handwork was brought into an original without what the program wrote."""
     source = read_source(path, original).source
     target = find_target(str(layer.base.get("library")) if source is None else source.library)
-    if target is not None and target.is_worse(text, original):
+    if target is not None and target.language.is_worse(text, original):
         return False
     found, before, written, now = (
         shown(path, each) for each in (text, original, layer.written, present)

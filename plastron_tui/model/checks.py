@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from keyword import iskeyword
 from typing import Any
 
 from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Label, Span, guess, write
@@ -20,6 +19,7 @@ from plastron_tui.ros.names import (
 )
 
 from .fitting import Fitter
+from .libraries import default_library
 from .setting import Setting
 from .types import TypeProblem, TypeResolver
 from .values import MessageValue
@@ -31,10 +31,8 @@ _HIGHEST_RATE = 1e6
 _LOWEST_RATE = 1e-9
 """The lowest rate, in hertz: ROS 1 counts the seconds between two messages in 31 bits (genpy)."""
 
-_LIBRARY_OF_ROS = {"ros1": "rospy", "ros2": "rclpy"} | {
-    name: "rospy" if version == 1 else "rclpy" for name, version in DISTRIBUTIONS.items()
-}
-"""What is meant by a generation of ROS, or a distribution, where a client library belongs."""
+_VERSIONS = {"ros1": 1, "ros2": 2, **DISTRIBUTIONS}
+"""The generation of ROS that is meant by its name, or by a distribution's."""
 
 
 class Mistake(Exception):  # noqa: N818 - control flow, from a check to `interpret`
@@ -73,7 +71,7 @@ class Checks:
         self._lines = Broken()
         self._failed: set[tuple[str, str]] = set()
         self._failed_nodes: set[str] = set()
-        self._version = setting.libraries[setting.library]
+        self._version = setting.ros_version(None)
         self._resolvers: dict[int, TypeResolver] = {}
         self.fitters: dict[int, Fitter] = {}
         self._earlier_fitters = fitters
@@ -152,7 +150,8 @@ class Checks:
         if library is None or library in self._setting.libraries:
             return library
         where = statement.span_of("library")
-        known = _LIBRARY_OF_ROS.get(library.lower())
+        version = _VERSIONS.get(library.lower())
+        known = None if version is None else default_library(self._setting.libraries, version)
         names = self._setting.libraries if known is None else (known,)
         remedy, fix = guess(library if known is None else known, names, where)
         raise Mistake(
@@ -166,9 +165,7 @@ class Checks:
         )
 
     def _version_of(self, node: Node) -> int:
-        if node.library is None:
-            return self._version
-        return self._setting.libraries.get(node.library, self._version)
+        return self._setting.ros_version(node.library)
 
     def _check_name(self, statement: Statement, slot: str, name: str, version: int) -> None:
         problem = _CHECKS[slot](name, version)
@@ -211,7 +208,7 @@ class Checks:
         node = self.workspace.nodes.get(getattr(statement, "node", ""))
         version = self._version if node is None else self._version_of(node)
         # A node that is not there may be for the other ROS.
-        others = {*self._setting.libraries.values()} - {version} if node is None else ()
+        others = {1, 2} - {version} if node is None else ()
         try:
             self._type(statement, statement.type, kind, version)
         except Mistake as mistake:
@@ -224,7 +221,8 @@ class Checks:
         """Say how to get the other ROS, which has a type, where nobody chose this one."""
         if self._setting.is_chosen or version != self._version:
             return None
-        library, other = ("rclpy", 2) if version == 1 else ("rospy", 1)
+        other = 3 - version
+        library = default_library(self._setting.libraries, other)
         if isinstance(self._resolver(other).resolve(text, kind), TypeProblem):
             return None
         return (
@@ -269,19 +267,20 @@ class Checks:
         node: Node,
         others: Iterable[tuple[str | None, Span | None]],
     ) -> None:
-        """Check the function that a statement calls against Python, and against what else it does.
+        """Check the function that a statement calls: its name, and what else the node calls it for.
 
         A callback takes a message, a handler a request: no function can be both.
         """
         function = statement.function
         if function is None:
             return
-        if iskeyword(function):
+        library = self._setting.libraries.get(node.library or self._setting.library)
+        if library is not None and library.is_keyword(function):
             where = statement.span_of("function")
             raise Mistake(
                 Diagnostic(
                     "invalid-function",
-                    f"`{function}` is a keyword of Python and cannot be a function",
+                    f"`{function}` is a keyword of {library.language} and cannot be a function",
                     where,
                     help=f"write `{function}_`",
                     fix=write(f"{function}_", where),

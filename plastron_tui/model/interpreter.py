@@ -143,7 +143,7 @@ class Interpreter(Messages):
     def _create_node(self, statement: st.CreateNode) -> None:
         self._check_new_variable(statement, statement.variable)
         library = self._library(statement)
-        version = self._version if library is None else self._setting.libraries[library]
+        version = self._setting.ros_version(library)
         self._check_name(statement, "name", statement.name, version)
         earlier = self._node_names.get(statement.name)
         if earlier is not None:

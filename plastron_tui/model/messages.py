@@ -53,7 +53,7 @@ class Messages(Checks):
     def _other_versions(self) -> set[int]:
         """Return the other generations of ROS that nodes of the program are for."""
         used = {
-            self._setting.libraries.get(statement.library, self._version)
+            self._setting.ros_version(statement.library)
             for statement in self._program.statements
             if isinstance(statement, st.CreateNode) and statement.library is not None
         }

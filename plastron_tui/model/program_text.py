@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from keyword import iskeyword
 
 from plastron_tui.language.syntax_errors import KEYWORDS
 from plastron_tui.ros.interfaces import InterfaceName
@@ -138,7 +137,7 @@ def _calling(endpoint: SourceEndpoint) -> str:
     callback = endpoint.callback
     if callback is None or not callback.isidentifier() or not callback.isascii():
         return ""
-    if iskeyword(callback) or callback in KEYWORDS:
+    if callback in KEYWORDS:
         return ""
     return f" calling {callback}"
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.ros.catalog import Catalog
+
+from .libraries import Libraries
 
 if TYPE_CHECKING:
     from .source import SourceFile
@@ -45,14 +47,20 @@ class Setting(NamedTuple):
 
     Attributes:
         library: the client library of a node that names none.
-        libraries: the client libraries that there are, each with its generation of ROS.
+        libraries: the client libraries that there are.
         catalog: gives the interface types for a generation of ROS.
         read: reads the files that the program loads.
         is_chosen: whether somebody chose `library`; otherwise it is the default.
     """
 
     library: str
-    libraries: Mapping[str, int]
+    libraries: Libraries
     catalog: Callable[[int], Catalog]
     read: Reader
     is_chosen: bool = True
+
+    def ros_version(self, library: str | None) -> int:
+        """Return the generation of ROS of a client library; of the program's for one unknown."""
+        if library is None or library not in self.libraries:
+            library = self.library
+        return self.libraries[library].ros_version

@@ -26,11 +26,19 @@ _LONGEST_CALL = 1 << 16
 
 @dataclass(frozen=True, slots=True)
 class NodeFile:
-    """A generated node: its name, its file, and the environment that runs it."""
+    """A generated node, and what starts it.
+
+    Attributes:
+        name: the node's name.
+        command: what starts it.
+        environment: the ROS that it runs with.
+        script: its file where the environment's Python runs it: then its service calls are seen.
+    """
 
     name: str
-    path: Path
+    command: tuple[str, ...]
     environment: Environment
+    script: Path | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,12 +162,12 @@ class _Run:
 
     def _process(self, node: NodeFile, master: Master | None, pipe: int | None) -> Process:
         environ = self._node_environ(node.environment, master)
-        if pipe is None:
-            return Process(node.name, (str(node.environment.python), str(node.path)), environ)
+        if pipe is None or node.script is None:
+            return Process(node.name, node.command, environ)
         environ["PLASTRON_EVENTS_FD"] = str(pipe)
         environ["PLASTRON_ROS_VERSION"] = str(node.environment.ros_version)
         traced = str(_OBSERVERS / "traced.py")
-        argv = (str(node.environment.python), traced, str(node.path))
+        argv = (str(node.environment.python), traced, str(node.script))
         return Process(node.name, argv, environ, fds=(pipe,))
 
     def _start_observers(self, master: Master | None) -> None:

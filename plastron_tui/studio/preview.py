@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.workspace import Generation
 from plastron_tui.output.plan import FileState
+from plastron_tui.targets import language_of
 
 from .panels.tones import Line, Lines, Piece
 
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
 LONGEST = 4000
 """The most lines of a file that are coloured; a generated one has some sixty."""
 
-_LEXERS = {".py": "python", ".cpp": "cpp", ".hpp": "cpp", ".h": "cpp"}
 _TONES = (
     ("Token.Comment", "quiet"),
     ("Token.Literal.String", "string"),
@@ -100,15 +100,21 @@ def coloured(text: str, path: Path) -> Lines:
     rows = text.split("\n")
     if rows and not rows[-1]:
         rows.pop()
-    if len(rows) > LONGEST or path.suffix not in _LEXERS:
+    language = language_of(path) if len(rows) <= LONGEST else None
+    if language is None:
         return tuple((Piece(row.expandtabs(4)),) for row in rows)
-    return tuple(_lexed(text, _LEXERS[path.suffix]))[: len(rows)]
+    return tuple(_lexed(text, language.name))[: len(rows)]
 
 
 def _lexed(text: str, language: str) -> Iterator[Line]:
     from pygments.lexers import get_lexer_by_name
+    from pygments.lexers.special import TextLexer
+    from pygments.util import ClassNotFound
 
-    lexer = get_lexer_by_name(language, stripnl=False, ensurenl=False)
+    try:
+        lexer = get_lexer_by_name(language, stripnl=False, ensurenl=False)
+    except ClassNotFound:
+        lexer = TextLexer(stripnl=False, ensurenl=False)
     line: list[Piece] = []
     for kind, value in lexer.get_tokens(text):
         tone = _tone(kind)

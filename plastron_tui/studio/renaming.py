@@ -15,7 +15,7 @@ from plastron_tui.ros.names import (
     check_topic_name,
     resolved_name,
 )
-from plastron_tui.targets import LIBRARIES
+from plastron_tui.targets import ros_version
 
 from .analysis import Analysis
 from .editor.names import wrong_name as wrong_variable
@@ -143,7 +143,7 @@ def wrong_name(analysis: Analysis, entry: Entry, new: str) -> str | None:
     if is_variable:
         return _wrong_variable(analysis, new)
     library = node.library if node is not None and node.library else analysis.session.library
-    version = LIBRARIES.get(library, 1)
+    version = ros_version(library)
     if entry.subject is Subject.NODE:
         if any(each.name == new for each in nodes.values()):
             return f"a node `{new}` exists already"

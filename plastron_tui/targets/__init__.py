@@ -1,4 +1,4 @@
-"""The client libraries that Plastron writes, reads and edits.
+"""The client libraries that Plastron writes, and the languages that node files are in.
 
 A target is loaded when it is first asked for. Those of other distributions register under the
 entry point group `plastron.targets`, which is looked at only for names that are not Plastron's
@@ -7,52 +7,73 @@ own, since listing entry points is slow.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
+
+from plastron_tui.model.libraries import ClientLibrary, Libraries
+from plastron_tui.sources import find_language, own_languages
 
 if TYPE_CHECKING:
-    from .base import ReadResult, Target
+    from plastron_tui.sources.base import Language, ReadResult
 
-_KNOWN = {"rospy": 1, "rclpy": 2, "roscpp": 1, "rclcpp": 2, "nodelet": 1}
+    from .base import Target
+
+
+class _Own(NamedTuple):
+    """A client library of Plastron's own: where its target is, "" for one that is to come."""
+
+    ros_version: int
+    language: str
+    target: str = ""
+
 
 _OWN = {
-    "rospy": ("plastron_tui.targets.rospy", "RospyTarget"),
-    "rclpy": ("plastron_tui.targets.rclpy", "RclpyTarget"),
+    "rospy": _Own(1, "python", "plastron_tui.targets.python.rospy:RospyTarget"),
+    "rclpy": _Own(2, "python", "plastron_tui.targets.python.rclpy:RclpyTarget"),
+    "roscpp": _Own(1, "cpp"),
+    "rclcpp": _Own(2, "cpp"),
+    "nodelet": _Own(1, "cpp"),
 }
 
 
-class _Libraries(Mapping[str, int]):
+PLANNED = tuple(name for name, own in _OWN.items() if not own.target)
+"""The client libraries that are words of the language, and that nothing writes yet."""
+
+
+class _Libraries(Libraries):
     """The names that are known to Plastron, then those of other distributions."""
 
-    def __getitem__(self, name: str) -> int:
-        if name in _KNOWN:
-            return _KNOWN[name]
-        from .plugins import ros_version_of
-
-        version = ros_version_of(name)
-        if version is None:
+    def __getitem__(self, name: str) -> ClientLibrary:
+        own = _OWN.get(name)
+        if own is not None:
+            language = find_language(own.language)
+            title, is_keyword = language.title, language.is_keyword
+            return ClientLibrary(name, own.ros_version, title, is_keyword, bool(own.target))
+        target = find_target(name)
+        if target is None:
             raise KeyError(name)
-        return version
+        language = target.language
+        return ClientLibrary(name, target.ros_version, language.title, language.is_keyword, True)
 
     def __contains__(self, name: object) -> bool:
-        return name in _KNOWN or (isinstance(name, str) and has_target(name))
+        return name in _OWN or (isinstance(name, str) and has_target(name))
 
     def __iter__(self) -> Iterator[str]:
         from .plugins import registered
 
-        return iter(dict.fromkeys((*_KNOWN, *registered())))
+        return iter(dict.fromkeys((*_OWN, *registered())))
 
     def __len__(self) -> int:
         return sum(1 for _ in self)
 
 
-LIBRARIES: Mapping[str, int] = _Libraries()
-"""The client libraries that a program may name, each with its generation of ROS.
+LIBRARIES: Libraries = _Libraries()
+"""The client libraries that a program may name.
 
-To ask for one of Plastron's own costs nothing. To list them, or to ask whether there is another,
-looks at what is installed; to ask for another's generation of ROS loads it.
+To ask for one of Plastron's own costs little. To list them, or to ask whether there is another,
+looks at what is installed; to ask for another loads it.
 """
 
 
@@ -65,50 +86,58 @@ def find_target(name: str, template_folder: Path | None = None) -> Target | None
         name: the client library, such as `rospy`.
         template_folder: a folder of the user's own templates, with a folder for each library.
     """
-    if name in _OWN:
-        module, attribute = _OWN[name]
-        factory = getattr(import_module(module), attribute)
-    else:
+    own = _OWN.get(name)
+    if own is None:
         from .plugins import make_target
 
         return make_target(name, template_folder)
-    target: Target = factory(template_folder)
+    if not own.target:
+        return None
+    module, attribute = own.target.split(":")
+    target: Target = getattr(import_module(module), attribute)(template_folder)
     return target
+
+
+def ros_version(name: str) -> int:
+    """Return the generation of ROS of a client library; 1 for a name that means none."""
+    return LIBRARIES[name].ros_version if name in LIBRARIES else 1
 
 
 def has_target(name: str) -> bool:
     """Tell whether there is a target of a client library, without loading it."""
-    if name in _OWN:
-        return True
+    own = _OWN.get(name)
+    if own is not None:
+        return bool(own.target)
     from .plugins import registered
 
     return name in registered()
 
 
-def read_source(path: Path, text: bytes) -> ReadResult:
-    """Read a node's source file, whichever client library it uses."""
-    result = _read_own(path, text)
-    if result.source is not None:
-        return result
+def languages() -> Iterator[Language]:
+    """Yield the languages that node files are in: Plastron's own, then those of other targets.
+
+    Which others there are is looked for only where one goes on.
+    """
+    yield from own_languages()
     from .plugins import registered
 
+    seen: set[tuple[str, ...]] = {()}
     for name in registered():
-        target = find_target(name) if name not in _OWN else None
-        if target is not None and target.suffix == path.suffix:
-            read = target.read(path, text)
-            if read.source is not None:
-                return read
-    return result
+        target = None if name in _OWN else find_target(name)
+        if target is not None and target.language.suffixes not in seen:
+            seen.add(target.language.suffixes)
+            yield target.language
 
 
-def _read_own(path: Path, text: bytes) -> ReadResult:
-    if path.suffix in (".cpp", ".cc", ".hpp"):
-        from plastron_tui.diagnostics import Diagnostic
+def language_of(path: Path) -> Language | None:
+    """Return the language of a file, which its suffix tells; None for no language of a node."""
+    return next((each for each in languages() if path.suffix in each.suffixes), None)
 
-        from .base import ReadResult
 
-        message = f"plastron cannot read C++ files yet, such as `{path.name}`"
-        return ReadResult(None, (Diagnostic("unsupported-target", message),))
-    from .python import read_python
+def read_source(path: Path, text: bytes) -> ReadResult:
+    """Read a node's source file, whichever client library it uses.
 
-    return read_python(path, text, None)
+    A file whose suffix tells nothing, such as a script without one, is read as Python.
+    """
+    language = language_of(path) or find_language("python")
+    return language.read(path, text)

@@ -6,24 +6,22 @@ and only where a name is not Plastron's own, or where names are listed.
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
-from functools import cache, lru_cache
+from collections.abc import Callable, Mapping
+from functools import cache, lru_cache, wraps
 from importlib.metadata import EntryPoint, entry_points
+from inspect import isfunction
 from pathlib import Path
-from typing import ClassVar, TypeVar, cast
+from typing import Any, ClassVar, TypeVar, get_origin, get_type_hints
 
 from plastron_tui.diagnostics import Diagnostic
-from plastron_tui.model.source import Change, SourceFile
-from plastron_tui.model.workspace import Node
-from plastron_tui.ros.catalog import Catalog
+from plastron_tui.sources.base import Language, ReadResult, Rendered
 
-from .base import ReadResult, Rendered, Target
+from .base import API_VERSION, Target
 
 GROUP = "plastron.targets"
 """The entry point group of targets: a name, and a `Target` class that takes a template folder."""
 
-_T = TypeVar("_T")
+_T = TypeVar("_T", Language, Target)
 
 Factory = Callable[[Path | None], Target]
 """The class of a target, which is made with a folder of the user's templates, or None."""
@@ -49,13 +47,33 @@ def factory_of(name: str) -> Factory | None:
     # Code of another distribution may fail in any way as it is imported.
     except (Exception, SystemExit) as error:
         return _unusable(name, _told(error))
+    problem = _problem(name, f"`{entry.value}`", factory)
+    return factory if problem is None else _unusable(name, problem)
+
+
+def _problem(name: str, value: str, factory: Any) -> str | None:
+    """Say why something is no target, None where it is one."""
     if not isinstance(factory, type) or not issubclass(factory, Target):
-        return _unusable(name, f"`{entry.value}` is no class of a target")
+        return f"{value} is no class of a target"
+    if factory.api_version != API_VERSION:
+        return (
+            f"{value} is for version {factory.api_version} of the interface of targets, and this "
+            f"Plastron has version {API_VERSION}"
+        )
     if getattr(factory, "name", None) != name:
-        return _unusable(name, f"the `name` of `{entry.value}` is another")
+        return f"the `name` of {value} is another"
     if getattr(factory, "ros_version", None) not in (1, 2):
-        return _unusable(name, f"the `ros_version` of `{entry.value}` is neither 1 nor 2")
-    return factory
+        return f"the `ros_version` of {value} is neither 1 nor 2"
+    language = getattr(factory, "language", None)
+    if not isinstance(language, Language):
+        return f"the `language` of {value} is none"
+    suffixes = getattr(language, "suffixes", None)
+    are_suffixes = isinstance(suffixes, tuple) and all(
+        isinstance(each, str) and each.startswith(".") for each in suffixes
+    )
+    if not suffixes or not are_suffixes or not isinstance(getattr(language, "title", None), str):
+        return f"the `language` of {value} has no `title`, or no tuple of `suffixes`"
+    return None
 
 
 def make_target(name: str, template_folder: Path | None) -> Target | None:
@@ -67,84 +85,83 @@ def make_target(name: str, template_folder: Path | None) -> Target | None:
         target = factory(template_folder)
     except (Exception, SystemExit) as error:
         return _unusable(name, _told(error))(None)
-    kept = ("name", "ros_version", "suffix", "is_executable")
-    own = {each: getattr(target, each) for each in kept}
-    guarded: Target = type("_Guarded", (_Guarded,), own)(target)
+    if isinstance(target, _Unusable):
+        return target
+    guarded = _guarded(Target, target, name)
+    type(guarded).language = _guarded(Language, target.language, name)
     return guarded
 
 
-def ros_version_of(name: str) -> int | None:
-    """Return the generation of ROS that a registered target is for, None where there is none.
+def _guarded(base: type[_T], inner: _T, name: str) -> _T:
+    """Return what asks another distribution's object: what it raises, or should not give, is told.
 
-    It loads the target. One that cannot be loaded counts as ROS 1, so that a program that names
-    it is still checked; that it cannot be used is told where a node is generated for it.
+    Args:
+        base: the class that says what may be asked, and what each answer is.
+        inner: the object.
+        name: the target that it belongs to.
     """
-    factory = factory_of(name)
-    return None if factory is None else cast("type[Target]", factory).ros_version
+    own: dict[str, Any] = {
+        attribute: getattr(inner, attribute) for attribute in get_type_hints(base) if attribute
+    }
+    for attribute, method in vars(base).items():
+        if isfunction(method) and not attribute.startswith("_"):
+            own[attribute] = _asking(method, inner, name)
+    guarded: _T = type(f"Guarded{base.__name__}", (base,), own)()
+    return guarded
 
 
-class _Guarded(Target):
-    """Asks a target of another distribution: what it raises, or should not give, is told."""
+def _asking(method: Callable[..., Any], inner: object, name: str) -> Callable[..., Any]:
+    """Return a method that asks an object, and answers for it where the object fails."""
+    hint = get_type_hints(method)["return"]
+    kind = get_origin(hint) or hint
 
-    def __init__(self, target: Target) -> None:
-        self._target = target
-
-    def file_name(self, node: Node) -> str:
-        name, _ = self._ask(lambda: self._target.file_name(node), str)
-        return super().file_name(node) if name is None else name
-
-    def render(self, node: Node, catalog: Catalog) -> Rendered:
-        return self._rendered(lambda: self._target.render(node, catalog))
-
-    def read(self, path: Path, text: bytes) -> ReadResult:
-        result, problem = self._ask(lambda: self._target.read(path, text), ReadResult)
-        return ReadResult(None, (problem,)) if result is None else result
-
-    def edit(self, source: SourceFile, changes: Sequence[Change], catalog: Catalog) -> Rendered:
-        return self._rendered(lambda: self._target.edit(source, changes, catalog))
-
-    def port(self, node: Node, source: SourceFile, catalog: Catalog) -> Rendered:
-        return self._rendered(lambda: self._target.port(node, source, catalog))
-
-    def is_worse(self, text: bytes, *others: bytes) -> bool:
-        # What cannot be judged is not trusted.
-        result, _ = self._ask(lambda: self._target.is_worse(text, *others), bool)
-        return result is not False
-
-    def definitions(self, text: bytes, name: str) -> int:
-        result, _ = self._ask(lambda: self._target.definitions(text, name), int)
-        return super().definitions(text, name) if result is None else result
-
-    def mentions(self, text: bytes, name: str) -> bool:
-        result, _ = self._ask(lambda: self._target.mentions(text, name), bool)
-        return super().mentions(text, name) if result is None else result
-
-    def lines_of_code(self, text: bytes) -> Counter[bytes]:
-        result, _ = self._ask(lambda: self._target.lines_of_code(text), Counter)
-        return super().lines_of_code(text) if result is None else result
-
-    def _rendered(self, asked: Callable[[], Rendered]) -> Rendered:
-        result, problem = self._ask(asked, Rendered)
-        if result is not None and not isinstance(result.text, bytes | None):
-            result, problem = None, self._failed("the text that it gives is no bytes")
-        return Rendered(None, (problem,)) if result is None else result
-
-    def _ask(self, asked: Callable[[], _T], kind: type[_T]) -> tuple[_T | None, Diagnostic]:
+    @wraps(method)
+    def ask(self: object, *args: Any, **options: Any) -> Any:
         try:
-            result = asked()
+            result = getattr(inner, method.__name__)(*args, **options)
         except (Exception, SystemExit) as error:
-            return None, self._failed(_told(error))
-        problem = self._failed(f"it gives a {type(result).__name__}, and no {kind.__name__}")
-        return (result if isinstance(result, kind) else None), problem
+            problem = _told(error)
+        else:
+            problem = _unfit(result, kind)
+            if not problem:
+                return result
+        if kind in (Rendered, ReadResult):
+            message = f"the target `{name}` failed: {problem}"
+            return kind(None, (Diagnostic("unsupported-target", message),))
+        missing = object()
+        answer = getattr(method, "if_it_fails", missing)
+        return method(self, *args, **options) if answer is missing else answer
 
-    def _failed(self, reason: str) -> Diagnostic:
-        return Diagnostic("unsupported-target", f"the target `{self.name}` failed: {reason}")
+    return ask
+
+
+def _unfit(result: object, kind: Any) -> str:
+    """Say why an answer is not what was asked for, "" where it is."""
+    if not isinstance(result, kind):
+        expected = getattr(kind, "__name__", kind)
+        return f"it gives a {type(result).__name__}, and no {expected}"
+    if isinstance(result, Rendered) and not isinstance(result.text, bytes | None):
+        return "the text that it gives is no bytes"
+    return ""
+
+
+class _NoLanguage(Language):
+    """The language of a target that cannot be used: no file is of it."""
+
+    name: ClassVar[str] = ""
+    title: ClassVar[str] = "unknown"
+    suffixes: ClassVar[tuple[str, ...]] = ()
+    suffix = ""
 
 
 class _Unusable(Target):
-    """Stands for a target that cannot be loaded: all that is asked of it is a diagnostic."""
+    """Stands for a target that cannot be loaded: all that is asked of it is a diagnostic.
+
+    It counts as ROS 1, so that a program that names it is still checked.
+    """
 
     ros_version: ClassVar[int] = 1
+    language: ClassVar[Language] = _NoLanguage()
     reason: ClassVar[str]
 
     def __init__(self, template_folder: Path | None = None) -> None:

@@ -15,15 +15,12 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from itertools import islice
 from pathlib import Path
 
 from plastron_tui.regular_files import stamp_of
-
-from .layout import fit
-from .plan import NodePlan
 
 LONGEST_WORK = 2
 """How long a template may work, in seconds of processor time; Plastron's own need some 0.01."""
@@ -61,8 +58,21 @@ _stopped: dict[tuple[str, Path], tuple[object, str]] = {}
 """Why templates were stopped, with the state of their folder: not once more for each node."""
 
 
-def render_apart(library: str, folder: Path, plan: NodePlan) -> str:
-    """Fill in the user's template of a client library, and break the lines that are too long.
+Finish = Callable[[str], str]
+"""A function of a module, that lays out what a template has written."""
+
+
+def render_apart(
+    library: str, folder: Path, name: str, values: Mapping[str, object], finish: Finish
+) -> str:
+    """Fill in the user's template of a client library, and lay out what it writes.
+
+    Args:
+        library: the client library.
+        folder: the user's template folder, with a folder for each client library.
+        name: the template.
+        values: what it is given, by the names that it has for it.
+        finish: lays out the text.
 
     Raises:
         TemplateFailedError: the template has a mistake, or does not keep to a limit.
@@ -72,7 +82,7 @@ def render_apart(library: str, folder: Path, plan: NodePlan) -> str:
     if known is not None and known[0] == state:
         raise OverLimitError(known[1])
     try:
-        return _rendered(library, folder, plan)
+        return _rendered(pickle.dumps((library, folder, name, values, finish)))
     except OverLimitError as error:
         _stopped[library, folder] = state, str(error)
         raise
@@ -84,8 +94,7 @@ def _state(folder: Path) -> object:
     return {place: stamp_of(place) for place in islice(places, _MOST_TEMPLATES)}
 
 
-def _rendered(library: str, folder: Path, plan: NodePlan) -> str:
-    request = pickle.dumps((library, folder, plan))
+def _rendered(request: bytes) -> str:
     places = [place for place in sys.path if os.path.isabs(place)]  # noqa: PTH117
     try:
         with tempfile.TemporaryFile() as reply:
@@ -125,10 +134,10 @@ def main() -> int:
     """Answer the one request that the standard input holds; return the exit status."""
     from .templates import render_template
 
-    library, folder, plan = pickle.load(sys.stdin.buffer)
+    library, folder, name, values, finish = pickle.load(sys.stdin.buffer)
     _limit_itself()
     try:
-        text = fit(render_template(library, folder, plan)).encode()
+        text = finish(render_template(library, folder, name, values)).encode()
         if len(text) > LARGEST_NODE:
             raise TemplateFailedError(f"it writes more than {LARGEST_NODE // 1024**2} MB")
         reply, status = text, 0

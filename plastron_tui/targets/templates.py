@@ -7,6 +7,7 @@ only: a link that leads out of it is refused.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cache
 from importlib import resources
 from pathlib import Path
@@ -21,9 +22,7 @@ from plastron_tui.regular_files import read_regular, reason
 if TYPE_CHECKING:
     from jinja2 import Environment
 
-    from .plan import NodePlan
 
-NODE_TEMPLATE = "node.py.j2"
 LARGEST_TEMPLATE = 1024**2
 """The largest template that is read, in bytes; Plastron's own have about 5 kB."""
 
@@ -36,19 +35,22 @@ class UnusableTemplateError(TemplateError):
         self.name = name
 
 
-def render_template(library: str, folder: Path | None, plan: NodePlan) -> str:
-    """Fill in the template of a client library's nodes.
+def render_template(
+    library: str, folder: Path | None, name: str, values: Mapping[str, object]
+) -> str:
+    """Fill in a template of a client library.
 
     Args:
         library: the client library.
         folder: the user's template folder, with a folder for each client library; a template
             that is not there is Plastron's own.
-        plan: the node.
+        name: the template.
+        values: what it is given, by the names that it has for it.
 
     Raises:
         Exception: whatever a template does wrong, a division by zero, say.
     """
-    return _environment(library, folder).get_template(NODE_TEMPLATE).render(node=plan)
+    return _environment(library, folder).get_template(name).render(values)
 
 
 @cache  # of Plastron's own in practice: a user's are compiled once in each process that has limits

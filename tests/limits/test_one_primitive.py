@@ -21,7 +21,7 @@ _OTHERS = {
     "output/locks.py": "it opens folders",
     "ros/catalog/data.py": "it reads Plastron's own data",
     "targets/templates.py": "it reads Plastron's own templates",
-    "targets/python/syntax.py": "it reads Plastron's own queries",
+    "sources/python/syntax.py": "it reads Plastron's own queries",
     "studio/editor/finding.py": "it opens a bar",
     "private_files.py": "it makes files, and reads what the kernel says of a process",
 }

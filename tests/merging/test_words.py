@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from plastron_tui.targets.python.words import definitions, lines_of_code, mentions
+from plastron_tui.sources.python.words import definitions, lines_of_code, mentions
 
 TEXT = b'''\
 """def on_a(message): on_b"""

@@ -14,8 +14,8 @@ from plastron_tui.model.source import EndpointKind, SourceEndpoint, SourceFile, 
 from plastron_tui.model.workspace import Workspace
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.targets import LIBRARIES as LIBRARIES
 
-LIBRARIES = {"rospy": 1, "rclpy": 2, "roscpp": 1, "rclcpp": 2, "nodelet": 1}
 NODE = "create_node 'talker' as n\n"
 MESSAGE = 'create_message m of message_type String and input "hi"\n'
 TALKER = NODE + MESSAGE + "n publish m to 'chatter' of message_type String\n"

@@ -1,6 +1,5 @@
 from __future__ import annotations
 
-import keyword
 import re
 from pathlib import Path
 
@@ -193,4 +192,3 @@ def test_a_package_is_named_as_a_package_can_be(tmp_path: Path, folder: str) -> 
     catalog = Catalog("noetic", [tmp_path / folder])
     (name,) = catalog.candidates("Own", InterfaceKind.MESSAGE)
     assert re.fullmatch("[a-z][a-z0-9_]*", name.package)
-    assert not keyword.iskeyword(name.package)

@@ -9,8 +9,8 @@ from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.endpoints import EDITABLE
 from plastron_tui.model.source import EndpointKind, SourceFile
 from plastron_tui.ros.catalog import Catalog
+from plastron_tui.sources.python import read_python
 from plastron_tui.targets import find_target
-from plastron_tui.targets.python import read_python
 
 CATALOGS = {"rospy": Catalog("noetic"), "rclpy": Catalog("kilted")}
 OTHER = {"rospy": "rclpy", "rclpy": "rospy"}

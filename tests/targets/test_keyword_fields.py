@@ -65,3 +65,17 @@ def test_a_name_that_is_no_reserved_word_is_a_field(tmp_path: Path) -> None:
     program = "create_node 'n' as n using rclpy\nsubscribe n to 't' of message_type Plain\n"
     [made] = session(tmp_path, program + "generate_node n\n").generated()
     assert made.file is not None
+
+
+@pytest.mark.parametrize("library", LOADED)
+def test_no_node_imports_a_package_that_is_called_as_a_keyword(
+    tmp_path: Path, library: str
+) -> None:
+    file = tmp_path / "types" / "class" / "msg" / "Lesson.msg"
+    file.parent.mkdir(parents=True)
+    file.write_text("int32 number\n")
+    use = "subscribe n to 't' of message_type class/Lesson\ngenerate_node n\n"
+    opened = session(tmp_path, f"create_node 'n' as n using {library}\n{use}")
+    [made] = opened.generated()
+    assert [each.code for each in made.diagnostics] == ["unusable-type"]
+    assert "keyword of Python" in made.diagnostics[0].message

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from plastron_tui.model.inspection import inspect_json
-from plastron_tui.targets.python import read_python
+from plastron_tui.sources.python import read_python
 
 NODES = Path(__file__).parent.parent / "nodes"
 EXPECTED = sorted(NODES.glob("r*py/*.json"))

@@ -19,13 +19,25 @@ MODULE = """\
 from pathlib import Path
 
 from plastron_tui.model.source import SourceFile, SourceNode
-from plastron_tui.targets.base import ReadResult, Rendered, Target
+from plastron_tui.sources.base import Language, ReadResult, Rendered
+from plastron_tui.targets.base import Target
+
+
+class Lisp(Language):
+    name = "common-lisp"
+    title = "Lisp"
+    suffixes = (".lisp",)
+
+    def read(self, path, text, library=None):
+        name = text.split()[1].decode()
+        return ReadResult(SourceFile(path, text, "roslisp", (SourceNode(name, name, ()),)))
 
 
 class RoslispTarget(Target):
+    api_version = 2
     name = "roslisp"
     ros_version = {ros_version}
-    suffix = ".lisp"
+    language = Lisp()
 
     def __init__(self, template_folder=None):
         self.templates = template_folder
@@ -33,10 +45,6 @@ class RoslispTarget(Target):
     def render(self, node, catalog):
         text = f";; {{node.name}} for ROS {{catalog.ros_version}}\\n"
         return Rendered(text.encode())
-
-    def read(self, path, text):
-        name = text.split()[1].decode()
-        return ReadResult(SourceFile(path, text, self.name, (SourceNode(name, name, ()),)))
 """
 NAMES = "'rospy', 'rclpy', 'roscpp', 'rclcpp', 'nodelet', 'roslisp'"
 
@@ -96,7 +104,7 @@ def test_a_file_that_is_no_python_is_not_run(folder: Path) -> None:
     program(folder, " using roslisp")
     result = plastron(folder, "run", "a.plastron")
     assert result.returncode == 1
-    assert "`run` starts Python nodes, and `talker_pub.lisp` is none" in result.stderr
+    assert "`run` cannot start Lisp nodes, such as `talker_pub.lisp`" in result.stderr
     assert not folder.joinpath("output").exists()
 
 
@@ -124,6 +132,21 @@ def test_a_registered_target_is_listed_where_a_name_is_wrong(folder: Path) -> No
     [
         ("import no_such_module", "roslisp_target:RoslispTarget", "ModuleNotFoundError"),
         ("RoslispTarget = 5", "roslisp_target:RoslispTarget", "is no class of a target"),
+        (
+            MODULE.format(ros_version=1).replace("    api_version = 2\n", ""),
+            "roslisp_target:RoslispTarget",
+            "is for version 1 of the interface of targets, and this Plastron has version 2",
+        ),
+        (
+            MODULE.format(ros_version=1).replace("    language = Lisp()\n", ""),
+            "roslisp_target:RoslispTarget",
+            "the `language` of `roslisp_target:RoslispTarget` is none",
+        ),
+        (
+            MODULE.format(ros_version=1).replace('(".lisp",)', '".lisp"'),
+            "roslisp_target:RoslispTarget",
+            "has no `title`, or no tuple of `suffixes`",
+        ),
         (MODULE.format(ros_version=3), "roslisp_target:RoslispTarget", "neither 1 nor 2"),
         (MODULE.format(ros_version=1), "roslisp_target:NoSuchTarget", "AttributeError"),
         ("import sys; sys.exit(3)", "roslisp_target:RoslispTarget", "SystemExit: 3"),
@@ -183,7 +206,8 @@ def test_plastrons_own_names_look_up_no_entry_points(tmp_path: Path) -> None:
     code = (
         "import sys\n"
         "from plastron_tui.targets import LIBRARIES, find_target, has_target\n"
-        "assert LIBRARIES['rclpy'] == 2 and 'roscpp' in LIBRARIES and has_target('rospy')\n"
+        "assert LIBRARIES['rclpy'].ros_version == 2\n"
+        "assert 'roscpp' in LIBRARIES and has_target('rospy')\n"
         "assert find_target('rospy') is not None\n"
         "sys.exit('plastron_tui.targets.plugins' in sys.modules)\n"
     )

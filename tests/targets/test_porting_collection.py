@@ -18,8 +18,8 @@ from ported_nodes import (
 from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.model.endpoints import EDITABLE
 from plastron_tui.model.source import EndpointKind, SourceFile
+from plastron_tui.sources.python import read_python
 from plastron_tui.targets import find_target
-from plastron_tui.targets.python import read_python
 
 NODES = Path(__file__).parent.parent / "nodes"
 FILES = sorted(

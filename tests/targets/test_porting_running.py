@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from plastron_tui.ros.catalog import Catalog
-from plastron_tui.targets.porting.port import port_python
-from plastron_tui.targets.python import read_python
+from plastron_tui.sources.python import read_python
+from plastron_tui.targets.python.porting.port import port_python
 
 MARK = "# port by hand: "
 CATALOGS = {"rospy": Catalog("noetic"), "rclpy": Catalog("kilted")}

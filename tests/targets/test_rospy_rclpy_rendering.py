@@ -18,8 +18,8 @@ from plastron_tui.model.source import EndpointKind
 from plastron_tui.model.values import MessageValue, Value
 from plastron_tui.model.workspace import Message, Node, Publication, Publisher
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+from plastron_tui.sources.python.naming import words
 from plastron_tui.targets import find_target
-from plastron_tui.targets.naming import words
 
 LIBRARIES = ["rospy", "rclpy"]
 RUFF = Path(sys.executable).with_name("ruff")

@@ -20,8 +20,8 @@ from plastron_tui.model.workspace import (
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.targets import find_target
 from plastron_tui.targets.base import Rendered
-from plastron_tui.targets.rclpy import RclpyTarget
-from plastron_tui.targets.rospy import RospyTarget
+from plastron_tui.targets.python.rclpy import RclpyTarget
+from plastron_tui.targets.python.rospy import RospyTarget
 
 STRING = InterfaceName("std_msgs", "String")
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from keyword import iskeyword
 from pathlib import Path
 
 from plastron_tui.regular_files import read_regular
@@ -150,8 +149,7 @@ def _children(folder: Path) -> list[os.DirEntry[str]]:
 def _valid_package(name: str) -> str:
     """Make a name that a ROS package can have: lower case, a letter first (REP 144)."""
     valid = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_")
-    is_good = valid[:1].isalpha() and not iskeyword(valid)
-    return valid if is_good else f"package_{valid}".rstrip("_")
+    return valid if valid[:1].isalpha() else f"package_{valid}".rstrip("_")
 
 
 def _package_name(folder: Path) -> str:
@@ -166,5 +164,4 @@ def _package_name(folder: Path) -> str:
         manifest = ""
     match = _XML_NAME.search(_XML_COMMENT.sub("", manifest))
     name = match[1] if match else folder.name
-    is_valid = name.isascii() and name.isidentifier() and not iskeyword(name)
-    return name if is_valid else _valid_package(name)
+    return name if name.isascii() and name.isidentifier() else _valid_package(name)

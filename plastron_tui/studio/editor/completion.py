@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import islice
+from pathlib import PurePath
 from typing import TYPE_CHECKING
 
 from plastron_tui.language import Program, SlotKind
@@ -14,7 +15,7 @@ from plastron_tui.language.expectations import Expectation
 from plastron_tui.language.keywords import BY_KEYWORD
 from plastron_tui.ros.interfaces import Field, InterfaceKind
 from plastron_tui.session import Session
-from plastron_tui.targets import LIBRARIES
+from plastron_tui.targets import LIBRARIES, languages, ros_version
 
 if TYPE_CHECKING:
     from plastron_tui.model.types import TypeResolver
@@ -222,7 +223,7 @@ def _of_slot(
         case SlotKind.SERVICE_TYPE:
             yield from _types(expected, vocabulary, session, InterfaceKind.SERVICE)
         case SlotKind.LIBRARY:
-            yield from (Candidate(name, f"ROS {LIBRARIES[name]}") for name in LIBRARIES)
+            yield from (Candidate(name, f"ROS {ros_version(name)}") for name in LIBRARIES)
         case SlotKind.FILE:
             yield from _files(session)
         case SlotKind.INPUT:
@@ -232,7 +233,7 @@ def _of_slot(
 def _variable(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate]:
     """Offer a node's own name as its variable."""
     name = expected.filled.get("name") or expected.filled.get("source") or ""
-    name = name.strip("'").rpartition("/")[2].removesuffix(".py")
+    name = PurePath(name.strip("'")).stem
     taken = name in vocabulary.nodes or name in vocabulary.messages
     if name.isidentifier() and name[0].isalpha() and not taken:
         yield Candidate(name)
@@ -257,7 +258,7 @@ def _graph_names(
 
 def _catalog(expected: Expectation, vocabulary: Vocabulary, session: Session) -> Catalog:
     library = vocabulary.library(expected.filled.get("node", "")) or session.library
-    return session.catalog(LIBRARIES.get(library, 1))
+    return session.catalog(ros_version(library))
 
 
 def _types(
@@ -309,15 +310,17 @@ def detail_of(
 
 
 def _files(session: Session) -> Iterator[Candidate]:
-    """Offer the Python files of the output folder and of the program's folder."""
+    """Offer the node files of the output folder and of the program's folder."""
+    suffixes = {suffix for each in languages() for suffix in each.suffixes}
     seen: set[str] = set()
     for folder in (session.output, session.folder):
         try:
-            names = sorted(path.name for path in islice(folder.glob("*.py"), MOST_OFFERED))
+            found = (path for path in folder.iterdir() if path.suffix in suffixes)
+            names = sorted(path.name for path in islice(found, MOST_OFFERED))
         except OSError:
             continue
         for name in names:
-            stem = name.removesuffix(".py")
+            stem = PurePath(name).stem
             if stem not in seen:
                 seen.add(stem)
                 text = stem if stem.isidentifier() and stem[0].isalpha() else f"'{name}'"

@@ -98,7 +98,7 @@ class Ask:
         """The generation of ROS that the statement is for."""
         library = self.text(SlotKind.LIBRARY)
         if library in LIBRARIES:
-            return LIBRARIES[library]
+            return LIBRARIES[library].ros_version
         if self.node:
             return self.scene.version_of(self.node)
         if self.form.slot_of(SlotKind.NODE_NAME) is not None:

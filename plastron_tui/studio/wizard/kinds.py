@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from pathlib import PurePath
 
 from plastron_tui.language import SlotKind
 from plastron_tui.language.keywords import KEYWORDS
@@ -61,11 +62,11 @@ class NewVariableKind(Kind):
 
     def suggest(self, ask: Ask) -> str:
         """Return what fits the rest of the form and of the program."""
-        name = ask.text(SlotKind.NODE_NAME) or ask.text(SlotKind.FILE).rpartition("/")[2]
+        name = ask.text(SlotKind.NODE_NAME) or PurePath(ask.text(SlotKind.FILE)).stem
         if not name and ask.form.parent is not None:
             topic = ask.parent_text(SlotKind.TOPIC).strip("~/").rpartition("/")[2]
             name = f"{topic}_message" if topic else ""
-        wanted = mended_node_name(name.removesuffix(".py"), 1) or name.removesuffix(".py")
+        wanted = mended_node_name(name, 1) or name
         if not is_variable(wanted):
             wanted = "message" if ask.slot.kind is SlotKind.NEW_MESSAGE else "node"
         return ask.scene.free(f"{wanted}_node" if wanted in KEYWORDS else wanted)

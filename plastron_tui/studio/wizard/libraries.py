@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+from plastron_tui.model.libraries import written_libraries
 from plastron_tui.session import DEFAULT_LIBRARY
-from plastron_tui.targets import LIBRARIES, has_target
+from plastron_tui.targets import LIBRARIES, has_target, ros_version
 
 from .ask import Ask, Choice
 from .kind import Kind
@@ -54,7 +55,7 @@ class LibraryKind(Kind):
         for name in LIBRARIES:
             about = installed.get(name, "not installed here: it can be written, not run")
             closed = "" if has_target(name) else "plastron does not write it yet"
-            found.append(Choice(name, f"ROS {LIBRARIES[name]}", about, closed))
+            found.append(Choice(name, f"ROS {ros_version(name)}", about, closed))
         return found
 
     def problem(self, ask: Ask, text: str) -> str | None:
@@ -62,8 +63,13 @@ class LibraryKind(Kind):
         if text not in LIBRARIES:
             return f"there is no client library `{text}`: choose one of the list"
         if not has_target(text):
-            return f"plastron does not write {text} yet: choose rospy (ROS 1) or rclpy (ROS 2)"
+            return f"plastron does not write {text} yet: choose {_written()}"
         return None
+
+
+def _written() -> str:
+    """Name the libraries that are written, each with its ROS."""
+    return " or ".join(f"{n} (ROS {ros_version(n)})" for n in written_libraries(LIBRARIES))
 
 
 def _why(ask: Ask, default: str) -> str:

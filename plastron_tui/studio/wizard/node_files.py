@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from contextlib import suppress
 from itertools import islice
 from pathlib import Path
 
 from plastron_tui.model.source import LARGEST_FILE
 from plastron_tui.regular_files import read_regular
+from plastron_tui.targets import languages
 
 from .ask import Ask, Choice
 from .kind import Kind
@@ -19,7 +20,6 @@ MOST_FILES = 60
 
 _MOST_ENTRIES = 3000
 _DEEPEST = 3
-_MARKS = (b"rospy", b"rclpy")
 _LEFT_OUT = frozenset({"node_modules", "__pycache__", "build", "install", "log", "venv"})
 
 
@@ -76,20 +76,20 @@ def _text(path: Path, folder: Path) -> str:
 
 
 def _node_files(folder: Path) -> Iterator[tuple[Path, str]]:
-    """Yield the Python files below a folder that name a client library."""
+    """Yield the files below a folder that name a client library, with its name."""
     return islice(_marked(folder), MOST_FILES)
 
 
 def _marked(folder: Path) -> Iterator[tuple[Path, str]]:
-    for path in islice(_python_files(folder, 0), _MOST_ENTRIES):
+    known = {suffix: each for each in languages() for suffix in each.suffixes}
+    for path in islice(_files_of(frozenset(known), folder, 0), _MOST_ENTRIES):
         with suppress(OSError):
-            text = read_regular(path, LARGEST_FILE)
-            mark = next((each for each in _MARKS if each in text), None)
-            if mark is not None:
-                yield path, mark.decode()
+            library = known[path.suffix].mentioned_library(read_regular(path, LARGEST_FILE))
+            if library is not None:
+                yield path, library
 
 
-def _python_files(folder: Path, depth: int) -> Iterator[Path]:
+def _files_of(suffixes: Container[str], folder: Path, depth: int) -> Iterator[Path]:
     try:
         entries = sorted(islice(os.scandir(folder), _MOST_ENTRIES), key=lambda each: each.name)
     except OSError:
@@ -101,8 +101,8 @@ def _python_files(folder: Path, depth: int) -> Iterator[Path]:
         with suppress(OSError):
             if entry.is_dir(follow_symlinks=False):
                 folders.append(Path(entry.path))
-            elif entry.name.endswith(".py") and entry.is_file():
+            elif os.path.splitext(entry.name)[1] in suffixes and entry.is_file():  # noqa: PTH122
                 yield Path(entry.path)
     if depth < _DEEPEST:
         for inner in folders:
-            yield from _python_files(inner, depth + 1)
+            yield from _files_of(suffixes, inner, depth + 1)

@@ -15,7 +15,7 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.names import resolved_name
 from plastron_tui.session import DEFAULT_LIBRARY, Session
-from plastron_tui.targets import LIBRARIES
+from plastron_tui.targets import ros_version
 
 if TYPE_CHECKING:
     from plastron_tui.runtime.environment import Environment
@@ -96,7 +96,7 @@ class Scene:
     def version_of(self, variable: str | None) -> int:
         """Return the generation of ROS that a node is for."""
         library = self.library_of(variable)
-        return LIBRARIES.get(library, 1)
+        return ros_version(library)
 
     @cached_property
     def usual_version(self) -> int:
@@ -110,10 +110,11 @@ class Scene:
     def why_not(self, name: InterfaceName, kind: InterfaceKind, version: int) -> str:
         """Tell why a type of a generation of ROS is none of the program's yet, "" where it is."""
         session = self.session
-        default = LIBRARIES[DEFAULT_LIBRARY]
+        default = ros_version(DEFAULT_LIBRARY)
         if not is_guess(session) or version == default:
             return ""
-        if any(LIBRARIES.get(n.library or "") == version for n in self.workspace.nodes.values()):
+        named = (node.library for node in self.workspace.nodes.values() if node.library)
+        if any(ros_version(library) == version for library in named):
             return ""
         if self.catalog(default).find(name, kind) is not None:
             return ""
@@ -199,7 +200,7 @@ def is_guess(session: Session) -> bool:
 
 def say_library(library: str) -> str:
     """Say how a program that names no client library is made one for it."""
-    return f"for ROS {LIBRARIES.get(library, 1)}, make a node `using {library}` first"
+    return f"for ROS {ros_version(library)}, make a node `using {library}` first"
 
 
 def free_name(wanted: str, taken: Iterable[str]) -> str:

@@ -1,0 +1,133 @@
+"""What a language is: how its files are told apart, read, compared, checked and started.
+
+Nothing outside of a language's folder, and of the targets that are written in it, knows its
+suffixes, keywords or lexer: they ask the language. What a language cannot do is a diagnostic,
+never an exception.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Container
+from dataclasses import dataclass
+from pathlib import Path
+from typing import ClassVar, TypeVar
+
+from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.model.source import SourceFile
+
+_Method = TypeVar("_Method", bound=Callable[..., object])
+
+
+def if_it_fails(answer: object) -> Callable[[_Method], _Method]:
+    """Declare what a method answers where another distribution's code fails to."""
+
+    def declare(method: _Method) -> _Method:
+        method.if_it_fails = answer  # type: ignore[attr-defined]
+        return method
+
+    return declare
+
+
+@dataclass(frozen=True, slots=True)
+class Rendered:
+    """The source of a node, or why there is none (`text` is then None)."""
+
+    text: bytes | None
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class ReadResult:
+    """What a file holds; `source` is None when the language cannot read the file at all."""
+
+    source: SourceFile | None
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+class Language:
+    """The base of a language. What is not overridden is reported as not supported.
+
+    Attributes:
+        name: the folder of `sources` that it is in, and what Pygments calls its lexer.
+        title: what people call it.
+        suffixes: the suffixes of its files; a created node's file gets the first one.
+        is_executable: whether a node's file is a program that the system can start.
+        is_script: whether the Python of a ROS environment runs its files.
+    """
+
+    name: ClassVar[str]
+    title: ClassVar[str]
+    suffixes: ClassVar[tuple[str, ...]]
+    is_executable: ClassVar[bool] = False
+    is_script: ClassVar[bool] = False
+
+    @property
+    def suffix(self) -> str:
+        """The suffix of a created node's file."""
+        return self.suffixes[0]
+
+    def is_keyword(self, word: str) -> bool:
+        """Tell whether a word is reserved: no function can be called so."""
+        del word
+        return False
+
+    def mentioned_library(self, text: bytes) -> str | None:
+        """Return the client library that a file mentions first, without reading the file."""
+        del text
+        return None
+
+    def read(self, path: Path, text: bytes, library: str | None = None) -> ReadResult:
+        """Read the nodes and endpoints of a file.
+
+        Args:
+            path: the file.
+            text: what it holds.
+            library: the client library that it is of; None for the one that the file says.
+        """
+        del text, library
+        message = f"plastron cannot read {self.title} files yet, such as `{path.name}`"
+        return ReadResult(None, (Diagnostic("unsupported-target", message),))
+
+    def runs_by_itself(self, name: str, packages: Container[str], *, is_own: bool) -> str | None:
+        """Tell what runs a file of a name unasked, None where nothing of the language does.
+
+        Args:
+            name: the file's name, in small letters.
+            packages: the packages whose types the node imports.
+            is_own: whether Plastron makes the whole text.
+        """
+        del name, packages, is_own
+        return None
+
+    def command(self, file: Path, interpreter: Path) -> tuple[str, ...] | None:
+        """Return the command that starts a node's file, None where it cannot be started yet.
+
+        Args:
+            file: the node's file.
+            interpreter: the Python that can import what belongs to the node's ROS.
+        """
+        return (str(interpreter), str(file)) if self.is_script else None
+
+    # What cannot be judged is not trusted.
+    @if_it_fails(True)
+    def is_worse(self, text: bytes, *others: bytes) -> bool:
+        """Tell whether a text breaks the rules of its language, which none of the others does.
+
+        A language that cannot tell leaves it to whether the text can be read.
+        """
+        del text, others
+        return False
+
+    def definitions(self, text: bytes, name: str) -> int:
+        """Count the functions of a name that a text defines; 0 as well where that is not known."""
+        del text, name
+        return 0
+
+    def mentions(self, text: bytes, name: str) -> bool:
+        """Tell whether the code of a text has a name; by default any mention counts."""
+        return name.encode() in text
+
+    def lines_of_code(self, text: bytes) -> Counter[bytes]:
+        """Return the lines of a text, without their indent, that tell what it does."""
+        return Counter(line.strip() for line in text.splitlines() if line.strip())

@@ -1,0 +1,299 @@
+"""Adding an endpoint to a file, in the manner in which the file has its others."""
+
+from __future__ import annotations
+
+import re
+
+from plastron_tui.model.source import EndpointKind
+from plastron_tui.model.workspace import Client, Publisher, Service, Subscription
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import Interface, InterfaceKind
+
+from . import literals
+from .addition import Addition, Endpoint
+from .analysis import Analysis, Site
+from .calls import Argument, CallShape
+from .conventions import (
+    callback_naming,
+    conventions_of,
+    target_name,
+    variable_naming,
+)
+from .dialect import Dialect
+from .messages import CannotAddError, Messages
+from .place import (
+    FunctionPlace,
+    beside,
+    find_place,
+    function_place,
+    is_attribute_style,
+    method_place,
+    running_place,
+)
+from .removal import callback_scope
+from .scopes import BindingKind, Scope
+from .sending import add_calls, add_publishing, keep_running
+from .typeimports import FileImports
+from .writing import Writer
+
+_KINDS: dict[type, EndpointKind] = {
+    Publisher: EndpointKind.PUBLISHER,
+    Subscription: EndpointKind.SUBSCRIPTION,
+    Service: EndpointKind.SERVICE,
+    Client: EndpointKind.CLIENT,
+}
+_METHODS = {
+    EndpointKind.PUBLISHER: "create_publisher",
+    EndpointKind.SUBSCRIPTION: "create_subscription",
+    EndpointKind.SERVICE: "create_service",
+    EndpointKind.CLIENT: "create_client",
+}
+_CLASSES = {
+    EndpointKind.PUBLISHER: "Publisher",
+    EndpointKind.SUBSCRIPTION: "Subscriber",
+    EndpointKind.SERVICE: "Service",
+    EndpointKind.CLIENT: "ServiceProxy",
+}
+_QUEUE = re.compile(r"[1-9]\d{0,5}$")
+
+
+def plan_addition(
+    analysis: Analysis, endpoint: Endpoint, catalog: Catalog, dialect: Dialect
+) -> Writer:
+    """Plan what adds an endpoint to a file, or more messages to one that it has.
+
+    Raises:
+        CannotAddError: the file has no place for it, or its type is not known.
+    """
+    kind = _KINDS[type(endpoint)]
+    name = endpoint.topic if isinstance(endpoint, Publisher | Subscription) else endpoint.name
+    conventions = conventions_of(analysis)
+    imports = FileImports(analysis, conventions)
+    messages = Messages(catalog, dialect, imports, conventions, endpoint.span)
+    writer = Writer(analysis, conventions)
+    present = [
+        site for site in analysis.sites if site.endpoint.kind is kind and site.endpoint.name == name
+    ]
+    place = find_place(analysis, kind)
+    if place is None:
+        message = f"the file has no line behind which it could create `{name}`"
+        raise CannotAddError("edit-refused", message, endpoint.span)
+    sends = isinstance(endpoint, Publisher) and bool(endpoint.publications)
+    if sends or (isinstance(endpoint, Client) and endpoint.requests):
+        place = running_place(analysis, place)
+    added = Addition(analysis, kind, endpoint, name, place, writer, imports, messages, dialect)
+    added.stand(is_nested=True)
+    lines: list[str] = []
+    if present:
+        _use_present(added, present)
+    else:
+        lines = _create(added)
+    if isinstance(endpoint, Publisher):
+        lines += add_publishing(added, endpoint)
+    elif isinstance(endpoint, Client):
+        lines += add_calls(added, endpoint)
+    if not isinstance(endpoint, Client):
+        keep_running(added)
+    functions, writer.splices = writer.splices, []
+    if lines:
+        writer.lines(added.place.offset, added.place.indent, lines)
+    # A method may go right behind the statements: these come first then.
+    imported = imports.splices()
+    writer.has_imports = bool(imported)
+    writer.splices = [*imported, *writer.splices, *functions]
+    return writer
+
+
+def _use_present(added: Addition, present: list[Site]) -> None:
+    """Send through an endpoint that the file has."""
+    for site in present:
+        place = beside(added.analysis, site)
+        variable = target_name(added.analysis, site)
+        if place is not None and variable is not None:
+            added.place = place
+            added.variable = variable
+            return
+    lines = ", ".join(str(site.endpoint.line) for site in present)
+    message = f"no variable of the file holds `{added.name}`, created in line {lines}"
+    raise CannotAddError("edit-refused", message, added.endpoint.span)
+
+
+def _create(added: Addition) -> list[str]:
+    """Return the statement that creates the endpoint; its callback is written on the way."""
+    folder = (
+        InterfaceKind.MESSAGE
+        if added.kind in (EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION)
+        else InterfaceKind.SERVICE
+    )
+    interface = added.messages.interface(added.endpoint.type, folder, added.name)
+    class_ = added.messages.type_class(interface)
+    callback = _callback(added, interface)
+    model = _model(added)
+    arguments = _arguments(added, model, class_, callback)
+    callee = _callee(added, model)
+    added.variable = _variable(added, model)
+    call = f"{callee}({arguments})"
+    name = callback.rpartition(".")[2] if callback else ""
+    added.writer.endpoints.append((added.kind, added.name, str(interface.name), name))
+    return [f"{added.variable} = {call}" if added.variable else call]
+
+
+def _model(added: Addition) -> Site | None:
+    """Return the call site of the same kind that the new one is modelled on."""
+    shapes = added.analysis.library
+    names = {*shapes.functions(), *shapes.methods()}
+    beside = added.place.beside
+    sites = [site for site in added.analysis.sites if site.endpoint.kind is added.kind]
+    usual = _CLASSES[added.kind] if not added.is_rclpy else _METHODS[added.kind]
+    sites = [
+        site
+        for site in sites
+        if any(name in names and name.rpartition(".")[2] == usual for name in site.shape.callees)
+        and not site.arguments.is_open
+    ]
+    if beside is not None and beside in sites:
+        return beside
+    return sites[-1] if sites else None
+
+
+def _callee(added: Addition, model: Site | None) -> str:
+    if added.is_rclpy:
+        method = _METHODS[added.kind]
+        if model is not None:
+            callee = model.call.child_by_field_name("function")
+            name = callee.child_by_field_name("attribute") if callee is not None else None
+            method = added.analysis.syntax.slice(name) if name is not None else method
+        return f"{added.place.receiver}.{method}"
+    return added.rospy(_CLASSES[added.kind])
+
+
+def _variable(added: Addition, model: Site | None) -> str:
+    """Return the variable that holds the endpoint, named as the file names its others."""
+    is_sender = added.kind in (EndpointKind.PUBLISHER, EndpointKind.CLIENT)
+    if not is_sender:
+        is_held = target_name(added.analysis, model) is not None if model else added.is_rclpy
+        if not is_held:
+            return ""
+    wanted = variable_naming(added.analysis, added.kind).name(added.name)
+    name = added.free_name(wanted)
+    if is_attribute_style(added.analysis, added.place, added.kind):
+        return f"{added.place.self_name}.{name}"
+    return name
+
+
+def _arguments(added: Addition, model: Site | None, class_: str, callback: str) -> str:
+    """Return the arguments of the call, by position or keyword as the model has them."""
+    topic = added.writer.conventions.string(added.name)
+    shape = _shape(added)
+    given = ((shape.name, topic), (shape.type, class_), (shape.callback, callback))
+    values = {argument: value for argument, value in given if argument is not None and value}
+    queue = _queue(added, model)
+    parts = []
+    is_keyword = False
+    for argument, value in sorted(values.items()):
+        is_keyword = is_keyword or (
+            model is not None and argument.keyword in model.arguments.keywords
+        )
+        parts.append(f"{argument.keyword}={value}" if is_keyword else value)
+    if queue:
+        # rclpy takes the depth by position, rospy by its keyword.
+        keyword = "qos_profile" if added.is_rclpy else "queue_size"
+        is_named = is_keyword or not added.is_rclpy
+        if model is not None and keyword in model.arguments.keywords:
+            is_named = True
+        parts.append(f"{keyword}={queue}" if is_named else queue)
+    return ", ".join(parts)
+
+
+def _shape(added: Addition) -> CallShape:
+    name = _METHODS[added.kind] if added.is_rclpy else f"rospy.{_CLASSES[added.kind]}"
+    library = added.analysis.library
+    return {**library.functions(), **library.methods()}[name]
+
+
+def _queue(added: Addition, model: Site | None) -> str:
+    """Return the length of the queue, as the model has it."""
+    if added.kind not in (EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION):
+        return ""
+    keyword = "qos_profile" if added.is_rclpy else "queue_size"
+    position = 3 if added.kind is EndpointKind.SUBSCRIPTION else 2
+    given = None
+    if model is not None:
+        at = Argument(position if added.is_rclpy else -1, keyword)
+        given = model.arguments.get(at)
+    text = added.analysis.syntax.slice(given) if given is not None else ""
+    if _QUEUE.match(text):
+        return text
+    is_needed = added.is_rclpy or added.kind is EndpointKind.PUBLISHER
+    return "10" if is_needed else ""
+
+
+def _callback(added: Addition, interface: Interface) -> str:
+    """Return the source of the callback; one that the file does not have is written."""
+    endpoint = added.endpoint
+    if isinstance(endpoint, Subscription):
+        wanted = endpoint.callback
+    elif isinstance(endpoint, Service):
+        wanted = endpoint.handler
+    else:
+        return ""
+    owner = added.place.owner
+    if wanted is not None:
+        if not literals.is_name(wanted):
+            message = f"`{wanted}` cannot be a name in Python"
+            raise CannotAddError("invalid-function", message, endpoint.span)
+        if owner is not None and _has_method(added, owner, wanted):
+            return f"{added.place.self_name}.{wanted}"
+        found = added.place.scope.lookup(wanted)
+        if found is not None and any(b.kind is BindingKind.FUNCTION for b in found[1]):
+            return wanted
+        if owner is not None and wanted.startswith("__") and wanted.endswith("__"):
+            message = f"`{wanted}` has a meaning of its own in Python"
+            raise CannotAddError("invalid-function", message, endpoint.span)
+        if owner is not None and wanted in added.dialect.method_names:
+            message = f"`{wanted}` is a method that every {added.dialect.library} node has"
+            raise CannotAddError("invalid-function", message, endpoint.span)
+    name = wanted or added.free_name(callback_naming(added.analysis, added.kind).name(added.name))
+    added.writer.names.add(name)
+    added.stand(is_nested=False)
+    added.writer.function(callback_place(added), _stub(added, name, interface))
+    added.stand(is_nested=True)
+    return f"{added.place.self_name}.{name}" if owner is not None else name
+
+
+def _has_method(added: Addition, owner: Scope, name: str) -> bool:
+    scopes = [owner, *added.analysis.resolver.classes.bases(owner)]
+    return any(
+        binding.kind is BindingKind.FUNCTION
+        for scope in scopes
+        for binding in scope.bindings.get(name, [])
+    )
+
+
+def callback_place(added: Addition) -> FunctionPlace:
+    """Return where a callback goes: behind one of its kind, or as near as can be."""
+    callbacks: list[Scope] = []
+    for kind in (None, added.kind):
+        found = [
+            scope
+            for site in added.analysis.sites
+            if kind is None or site.endpoint.kind is kind
+            if (scope := callback_scope(added.analysis, site)) is not None
+        ]
+        if found:
+            callbacks = sorted(found, key=lambda scope: scope.start)
+    if added.place.owner is not None:
+        return method_place(added.analysis, added.place, callbacks)
+    gap = added.writer.conventions.blank_lines
+    return function_place(added.analysis, added.place, callbacks, gap)
+
+
+def _stub(added: Addition, name: str, interface: Interface) -> list[str]:
+    first = f"{added.place.self_name}, " if added.place.owner is not None else ""
+    if added.kind is EndpointKind.SUBSCRIPTION:
+        return [f"def {name}({first}message):", "\t" + added.log("info", "message")]
+    log = "\t" + added.log("info", "request")
+    if added.is_rclpy:
+        return [f"def {name}({first}request, response):", log, "\treturn response"]
+    response = added.messages.response(interface)
+    return [f"def {name}({first}request):", log, f"\treturn {response}"]

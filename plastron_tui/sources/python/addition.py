@@ -1,0 +1,114 @@
+"""One endpoint on its way into a file."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from plastron_tui.model.numbering import numbered
+from plastron_tui.model.source import EndpointKind
+from plastron_tui.model.workspace import Client, Publisher, Service, Subscription
+
+from . import literals, naming
+from .analysis import Analysis
+from .dialect import Dialect
+from .messages import Messages
+from .place import Place
+from .references import identifiers
+from .scopes import Scope
+from .typeimports import FileImports
+from .writing import Writer
+
+Endpoint = Publisher | Subscription | Service | Client
+
+
+@dataclass(slots=True)
+class Addition:
+    """One endpoint on its way into a file.
+
+    Attributes:
+        variable: the source of the variable that holds it, "" where none does.
+    """
+
+    analysis: Analysis
+    kind: EndpointKind
+    endpoint: Endpoint
+    name: str
+    place: Place
+    writer: Writer
+    imports: FileImports
+    messages: Messages
+    dialect: Dialect
+    variable: str = ""
+
+    @property
+    def is_rclpy(self) -> bool:
+        """Whether the node is one of rclpy's."""
+        return self.dialect.ros_version == 2
+
+    @property
+    def label(self) -> str:
+        """The endpoint's name, as prose."""
+        return naming.label(self.name, "its topic")
+
+    def free_name(self, wanted: str) -> str:
+        """Return a name that the file does not use yet."""
+        free = next(
+            name
+            for name in numbered(wanted)
+            if name not in self.dialect.method_names
+            and literals.is_name(name)
+            and not any(True for _ in identifiers(name, self.analysis))
+        )
+        self.writer.names.add(free)
+        return free
+
+    def rospy(self, name: str, *, in_callback: bool = False) -> str:
+        """Return what the file calls a name of rospy, where the endpoint is or in a callback."""
+        scope = self.place.scope
+        if in_callback:
+            scope = self._outside
+        return self.imports.library("rospy", name, scope)
+
+    def log(self, level: str, value: str, *, in_callback: bool = True) -> str:
+        """Return a statement that logs a value of the endpoint."""
+        quote = self.writer.conventions.quote
+        if not self.is_rclpy:
+            function = "loginfo" if level == "info" else "logerr"
+            logger = self.rospy(function, in_callback=in_callback)
+            return f"{logger}({quote}{self.label}: %s{quote}, {value})"
+        receiver = self.receiver_in_callback()
+        printed = f"f{quote}{self.label}: {{{value}}}{quote}"
+        return f"{receiver}.get_logger().{level}({printed})" if receiver else f"print({printed})"
+
+    def receiver_in_callback(self) -> str:
+        """Return what a callback calls the node, "" where it cannot see it."""
+        if self.is_method_place:
+            return self.place.receiver or self.place.self_name
+        found = self.place.scope.lookup(self.place.receiver.partition(".")[0])
+        is_global = found is not None and found[0].parent is None
+        return self.place.receiver if is_global else ""
+
+    @property
+    def is_nested(self) -> bool:
+        """Whether a function that uses the endpoint stands within the one that creates it."""
+        is_method = self.is_method_place and "." in self.variable
+        return not is_method and self.place.scope.parent is not None
+
+    def stand(self, *, is_nested: bool) -> None:
+        """Say where what is written next stands: where the endpoint is, or in another function."""
+        scope = self.place.scope if is_nested else self._outside
+        method = self.place.scope if self.place.owner is not None else None
+        self.imports.stand(scope, self.place.offset, method)
+
+    @property
+    def _outside(self) -> Scope:
+        """What a callback sees: a function of the module, or a method, what is around its class."""
+        module = self.analysis.scopes.module
+        owner = self.place.owner if self.is_method_place else None
+        return module if owner is None else owner.parent or module
+
+    @property
+    def is_method_place(self) -> bool:
+        """Whether the methods of the class around the endpoint see the node as it does."""
+        holder = self.place.receiver.partition(".")[0]
+        return self.place.owner is not None and holder in ("", self.place.self_name)

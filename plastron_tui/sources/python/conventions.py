@@ -1,0 +1,206 @@
+"""How a file writes things: its line ending, indent, quotes, and how it names what it holds."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from dataclasses import dataclass
+
+from tree_sitter import Node
+
+from plastron_tui.model.source import EndpointKind
+
+from . import literals, naming
+from .analysis import Analysis, Site
+from .splices import line_start
+
+# What stands for a kind of endpoint in the names of variables, the usual one first.
+_WORDS = {
+    EndpointKind.PUBLISHER: ("pub", "publisher"),
+    EndpointKind.SUBSCRIPTION: ("sub", "subscriber", "subscription"),
+    EndpointKind.SERVICE: ("srv", "service", "server"),
+    EndpointKind.CLIENT: ("client", "proxy", "srv", "service"),
+}
+_USUAL = {
+    EndpointKind.PUBLISHER: "pub",
+    EndpointKind.SUBSCRIPTION: "sub",
+    EndpointKind.SERVICE: "service",
+    EndpointKind.CLIENT: "client",
+}
+_BEFORE = frozenset({"on", "handle", "process"})
+_CALLBACK_WORDS = ("callback", "cb", "handler", "handle", "on", "process", "received")
+
+
+@dataclass(frozen=True, slots=True)
+class Naming:
+    """A manner of naming: what stands before and after the words of a topic."""
+
+    before: str
+    after: str
+    is_camel: bool = False
+
+    def name(self, ros_name: str) -> str:
+        """Return the name of something that belongs to a ROS name."""
+        text = naming.words(ros_name)
+        if self.is_camel:
+            parts = text.split("_")
+            first = parts[0] if not self.before.strip("_") else parts[0].capitalize()
+            text = first + "".join(part.capitalize() for part in parts[1:])
+        return f"{self.before}{text}{self.after}"
+
+
+@dataclass(frozen=True, slots=True)
+class Conventions:
+    """How a file is written."""
+
+    newline: str
+    indent: str
+    quote: str
+    blank_lines: int
+
+    def string(self, value: str) -> str:
+        """Write a string in the file's quotes, where that takes no more escapes."""
+        text = literals.string(value)
+        body = text[1:-1]
+        if text[0] != self.quote and '"' not in body and "'" not in body:
+            return f"{self.quote}{body}{self.quote}"
+        return text
+
+
+def conventions_of(analysis: Analysis) -> Conventions:
+    """Find out how a file is written."""
+    text = analysis.syntax.text
+    windows = text.count(b"\r\n")
+    newline = "\r\n" if windows and windows * 2 >= text.count(b"\n") else "\n"
+    quotes = Counter(
+        text[node.start_byte : node.start_byte + 1]
+        for site in analysis.sites
+        for node in (*site.arguments.positional, *site.arguments.keywords.values())
+        if node.type == "string"
+    )
+    if not quotes:
+        quotes = Counter({b"'": text.count(b"'"), b'"': text.count(b'"') - 3 * text.count(b'"""')})
+    quote = "'" if quotes[b"'"] > quotes[b'"'] else '"'
+    return Conventions(newline, _indent(analysis), quote, _blank_lines(analysis))
+
+
+def _indent(analysis: Analysis) -> str:
+    """Return one level of indent, as the first bodies of the file have it."""
+    found: Counter[str] = Counter()
+    for scope in analysis.scopes.all[:40]:
+        block = scope.node.child_by_field_name("body")
+        if scope.kind not in ("class", "function") or block is None:
+            continue
+        if block.start_point.row == scope.node.start_point.row:
+            continue
+        inner = leading_space(analysis, block)
+        outer = leading_space(analysis, scope.node)
+        if inner.startswith(outer) and len(inner) > len(outer):
+            found[inner[len(outer) :]] += 1
+    if found:
+        return found.most_common(1)[0][0]
+    first = re.search(rb"^([ \t]+)\S", analysis.syntax.text, re.M)
+    return first[1].decode() if first is not None else "    "
+
+
+def leading_space(analysis: Analysis, node: Node) -> str:
+    """Return the white space before a node's line, up to its first character."""
+    text = analysis.syntax.text
+    start = line_start(text, node.start_byte)
+    line = text[start : node.start_byte]
+    return line[: len(line) - len(line.lstrip())].decode("ascii", "replace")
+
+
+def _blank_lines(analysis: Analysis) -> int:
+    """Return how many blank lines stand between two definitions at the top of the file."""
+    tops = [
+        child
+        for child in analysis.syntax.root.named_children
+        if child.type in ("function_definition", "class_definition", "decorated_definition")
+    ]
+    for node in tops:
+        start = line_start(analysis.syntax.text, node.start_byte)
+        before = analysis.syntax.text[:start].replace(b"\r", b"")
+        blank = len(before) - len(before.rstrip(b"\n")) - 1
+        if before.strip() and blank in (1, 2):
+            return blank
+    return 2
+
+
+def variable_naming(analysis: Analysis, kind: EndpointKind) -> Naming:
+    """Return how the file names the variables that hold endpoints of a kind."""
+    for wanted in (kind, *(_WORDS.keys() - {kind})):
+        for site in reversed(analysis.sites):
+            if site.endpoint.kind is not wanted or (name := target_name(analysis, site)) is None:
+                continue
+            found = _split(name.rpartition(".")[2], _WORDS[wanted])
+            if found is not None:
+                before, word, after, is_camel = found
+                if wanted is not kind:
+                    word = _like(word, kind)
+                return _joined(before, word, after, is_camel)
+    return _plain(kind)
+
+
+def _plain(kind: EndpointKind) -> Naming:
+    return Naming("", f"_{_USUAL[kind]}")
+
+
+def _like(word: str, kind: EndpointKind) -> str:
+    """Return the word of another kind that goes with one: `subscriber` with `publisher`."""
+    usual = _WORDS[kind][1] if len(word) > len("proxy") else _USUAL[kind]
+    if kind is EndpointKind.CLIENT:
+        usual = _USUAL[kind]
+    return usual.capitalize() if word[:1].isupper() else usual
+
+
+def _joined(before: str, word: str, after: str, is_camel: bool) -> Naming:
+    """Put a kind's word where the file has it: before the topic's words, or behind them."""
+    leading = before[: len(before) - len(before.lstrip("_"))]
+    trailing = "_" if after == "_" else ""
+    is_alone = not before.strip("_") and not after.strip("_")
+    if is_alone and word.lower() in _BEFORE:
+        return Naming(f"{leading}{word}_", "")
+    if before.strip("_") or not after.strip("_"):
+        if is_camel:
+            return Naming(leading, word[:1].upper() + word[1:] + trailing, True)
+        return Naming(leading, f"_{word}{trailing}")
+    return Naming(f"{leading}{word}" + ("" if is_camel else "_"), "", is_camel)
+
+
+def _split(name: str, words: tuple[str, ...]) -> tuple[str, str, str, bool] | None:
+    """Split a name around a word: what stands before, the word, what stands behind."""
+    for word in sorted(words, key=len, reverse=True):
+        for found in re.finditer(word, name, re.IGNORECASE):
+            before, after = name[: found.start()], name[found.end() :]
+            if before and before[-1].isalpha() and not found[0][0].isupper():
+                continue
+            if after and after[0].isalpha() and not after[0].isupper():
+                continue
+            is_camel = (bool(before.strip("_")) and found[0][0].isupper()) or (
+                bool(after) and after[0].isupper()
+            )
+            return before, found[0], after, is_camel
+    return None
+
+
+def callback_naming(analysis: Analysis, kind: EndpointKind) -> Naming:
+    """Return how the file names the callbacks of endpoints of a kind."""
+    for site in reversed(analysis.sites):
+        name = site.endpoint.callback
+        if site.endpoint.kind is kind and name is not None:
+            found = _split(name, _CALLBACK_WORDS)
+            if found is not None:
+                return _joined(*found)
+    return Naming("handle_" if kind is EndpointKind.SERVICE else "on_", "")
+
+
+def target_name(analysis: Analysis, site: Site) -> str | None:
+    """Return the variable that a call site is assigned to, as the source has it."""
+    parent = site.call.parent
+    if parent is None or parent.type != "assignment":
+        return None
+    target = parent.child_by_field_name("left")
+    if target is None or target.type not in ("identifier", "attribute"):
+        return None
+    return analysis.syntax.slice(target)

@@ -1,0 +1,85 @@
+"""How two Python client libraries differ in the types and values that they take."""
+
+from __future__ import annotations
+
+import keyword
+from dataclasses import dataclass
+
+from plastron_tui.model.values import Value
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import FieldType, Interface, InterfaceName
+
+from . import literals
+from .import_block import Imports, Symbol
+
+
+@dataclass(frozen=True, slots=True)
+class Dialect:
+    """A Python client library.
+
+    Attributes:
+        library: its name, which is the template's folder too.
+        ros_version: 1 or 2.
+        standard: modules of Python that every node imports.
+        calling: modules of Python that a node imports that calls services; `sys` only where
+            it ends then.
+        modules: modules of ROS that every node imports whole.
+        symbols: names that every node imports.
+        module_names: names that the template gives to what it defines in the file.
+        method_names: names that a method of a node must not have.
+        attribute_names: names that the template gives to its own methods.
+    """
+
+    library: str
+    ros_version: int
+    standard: tuple[str, ...]
+    calling: tuple[str, ...]
+    modules: tuple[str, ...]
+    symbols: tuple[Symbol, ...]
+    module_names: frozenset[str]
+    method_names: frozenset[str]
+    attribute_names: frozenset[str]
+
+    def reserved(self) -> set[str]:
+        """Return the names that no imported type may have."""
+        own = {name for _, name in self.symbols}
+        return {*self.standard, *self.calling, *self.modules, *own, *self.module_names}
+
+    def scalar(self, type_: FieldType, value: Value, imports: Imports) -> str:
+        """Write one value of a primitive field."""
+        raise AssertionError(f"{self.library} writes no values")
+
+    def field(self, name: str) -> str:
+        """Return what the constructor of a message calls a field."""
+        return name
+
+    def unusable(self, interface: Interface, catalog: Catalog) -> str | None:
+        """Return why there is no class of an interface, None where there is one.
+
+        Its package stands in the lines that import the class.
+        """
+        del catalog
+        if keyword.iskeyword(interface.name.package):
+            return f"the package of `{interface.name}` is called as a keyword of Python is"
+        return None
+
+    def request(self, type_: InterfaceName, imports: Imports) -> str:
+        """Return the class of a service's requests."""
+        raise AssertionError(f"{self.library} has no services")
+
+    def response(self, type_: InterfaceName, imports: Imports) -> str:
+        """Return an expression that makes a service's default response."""
+        raise AssertionError(f"{self.library} has no services")
+
+
+def plain_scalar(value: Value) -> str:
+    """Write a value that both libraries take as Python has it."""
+    match value:
+        case bool():
+            return repr(value)
+        case int() | float():
+            return literals.number(value)
+        case str():
+            return literals.string(value)
+        case _:
+            raise TypeError(f"{value!r} is no scalar")

@@ -1,0 +1,88 @@
+"""Editing a file: each change by splices, and the whole checked before it is handed out."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+
+from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.model.source import Change, SourceEndpoint, SourceFile
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.sources.base import Rendered
+
+from .analysis import Analysis
+from .calls import LIBRARIES
+from .compiling import syntax_error
+from .dialect import Dialect
+from .edits import Edits, RefusedError, key_of
+from .imports import restore_imports
+from .messages import CannotAddError
+from .sites import analyze
+from .splices import apply
+from .writing import Key
+
+
+def edit_python(
+    source: SourceFile, changes: Sequence[Change], catalog: Catalog, dialect: Dialect
+) -> Rendered:
+    """Change a Python file; what no change asks for stays byte for byte.
+
+    The result was read again: it parses no worse, and holds exactly the endpoints that were
+    asked for. Otherwise there is no text, and a diagnostic says why.
+    """
+    if not changes:
+        return Rendered(source.text)
+    library = LIBRARIES[source.library]
+    before = analyze(source.text, library)
+    expected = Counter(map(key_of, _endpoints(before)))
+    edits = Edits(before, catalog, dialect, expected)
+    try:
+        edits.make(changes)
+    except (CannotAddError, RefusedError) as refusal:
+        return Rendered(None, (refusal.diagnostic,))
+    except UnicodeEncodeError as error:
+        return Rendered(None, (not_encodable(source, error),))
+    analysis = edits.analysis
+    restored = apply(analysis.syntax.text, restore_imports(before, analysis))
+    if restored != analysis.syntax.text:
+        analysis = analyze(restored, library)
+    problem = _problem(before, analysis, expected)
+    if problem is not None:
+        message = f"the change of `{source.path.name}` would {problem}"
+        return Rendered(None, (Diagnostic("edit-refused", message),))
+    return Rendered(analysis.syntax.text)
+
+
+def not_encodable(source: SourceFile, error: UnicodeEncodeError) -> Diagnostic:
+    """Return what is said of a character that the encoding of a file has not."""
+    character = error.object[error.start]
+    message = f"`{source.path.name}` is in {error.encoding}, which has no `{character}`"
+    return Diagnostic("edit-refused", message, help="save the file in UTF-8 first")
+
+
+def _endpoints(analysis: Analysis) -> list[SourceEndpoint]:
+    return [site.endpoint for site in analysis.sites]
+
+
+def _problem(before: Analysis, after: Analysis, expected: Counter[Key]) -> str | None:
+    """Return what is wrong with a changed file, None where nothing is."""
+    if after.syntax.errors > before.syntax.errors:
+        return "leave a file that parses worse"
+    if after.syntax.encoding != before.syntax.encoding:
+        return "change the file's encoding"
+    found = Counter(map(key_of, _endpoints(after)))
+    if found != +expected:
+        return "change other endpoints than the ones asked for"
+    if not _has_same_nodes(before, after):
+        return "change the nodes of the file"
+    if syntax_error(before.syntax.text) is None and syntax_error(after.syntax.text) is not None:
+        return "leave a file that does not compile"
+    return None
+
+
+def _has_same_nodes(before: Analysis, after: Analysis) -> bool:
+    """Whether the nodes are the same; one that nothing shows any more may be gone."""
+    missing = Counter(node.name for node in before.nodes)
+    missing.subtract(node.name for node in after.nodes)
+    is_fewer = len(after.sites) < len(before.sites) and bool(before.library.node_classes)
+    return all(count == 0 or (count > 0 and is_fewer) for count in missing.values())

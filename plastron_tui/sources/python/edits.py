@@ -1,0 +1,203 @@
+"""Making many changes in a file: one after the other, or in one go where they are alike."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.model.source import Change, Remove, SourceEndpoint
+from plastron_tui.model.workspace import Client, Publisher, Service, Subscription
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import InterfaceName
+
+from .adding import plan_addition
+from .addition import Endpoint
+from .analysis import Analysis
+from .dialect import Dialect
+from .messages import CannotAddError
+from .removal import find_sites, plan_removal
+from .sites import analyze
+from .splices import apply
+from .writing import Key, Writer
+
+# A message that lists more lines than these is not read.
+_MOST_LINES = 20
+
+# With fewer additions to come it does not pay to find out whether they may be made in one go.
+_MANY = 16
+
+_MOST_WORK = 16 * 1024 * 1024
+"""The most bytes that the changes of a file read, each of which reads the file as it then is."""
+
+
+class RefusedError(Exception):
+    """A change that cannot be made."""
+
+    def __init__(self, diagnostic: Diagnostic) -> None:
+        super().__init__(diagnostic.message)
+        self.diagnostic = diagnostic
+
+
+def key_of(endpoint: SourceEndpoint) -> Key:
+    """Return what makes two endpoints of a file equal."""
+    name = endpoint.name if endpoint.name is not None else endpoint.expression
+    return (endpoint.kind, name, str(endpoint.type), endpoint.callback or "")
+
+
+class _Manner(NamedTuple):
+    """What additions have in common that may be written alike."""
+
+    kind: type[Endpoint]
+    type: InterfaceName | None
+    has_callback: bool
+    messages: int
+
+
+def _manner(endpoint: Endpoint) -> _Manner:
+    callback, messages = None, 0
+    match endpoint:
+        case Publisher():
+            messages = len(endpoint.publications)
+        case Client():
+            messages = len(endpoint.requests)
+        case Subscription():
+            callback = endpoint.callback
+        case Service():
+            callback = endpoint.handler
+    return _Manner(type(endpoint), endpoint.type, callback is not None, messages)
+
+
+@dataclass(slots=True)
+class Edits:
+    """Changes on their way into a file.
+
+    A change is planned for the file as the one before left it, which is analyzed anew each time.
+    Hundreds of additions that are alike take one analysis together: where two in a row give the
+    same text either way, so do those that follow, as long as none needs an import, a place of its
+    own, or a name that another one has brought.
+
+    Attributes:
+        analysis: the file as it is now.
+        expected: the endpoints that a reader must find in it.
+    """
+
+    analysis: Analysis
+    catalog: Catalog
+    dialect: Dialect
+    expected: Counter[Key]
+    _reads: int = 0
+    _work: int = 0
+    _alike: set[_Manner] = field(default_factory=set)
+    _last: tuple[Analysis, Writer] | None = None
+
+    def make(self, changes: Sequence[Change]) -> None:
+        """Make changes, in their order.
+
+        Raises:
+            CannotAddError: there is no place for an endpoint, or its type is not known.
+            RefusedError: an endpoint is in use, or the changes take too long.
+            UnicodeEncodeError: the file's encoding has not what is to be written.
+        """
+        at = 0
+        while at < len(changes):
+            change = changes[at]
+            if isinstance(change, Remove):
+                text = _removed(self.analysis, change, self.expected)
+                self._last = None
+                at += 1
+            else:
+                writers = self._planned(change.endpoint, changes[at + 1 :])
+                text = _applied(self.analysis, writers)
+                if len(changes) - at > _MANY:
+                    self._compare(change.endpoint, text)
+                self._last = (self.analysis, writers[0]) if len(writers) == 1 else None
+                for writer in writers:
+                    self.expected.update(writer.endpoints)
+                at += len(writers)
+            self._read(text)
+            self.analysis = analyze(text, self.analysis.library)
+
+    def _planned(self, endpoint: Endpoint, following: Sequence[Change]) -> list[Writer]:
+        """Plan an addition, and those after it that can be made with it."""
+        first = self._plan(self.analysis, endpoint)
+        writers = [first]
+        if first.has_imports or _manner(endpoint) not in self._alike:
+            return writers
+        words = set(first.words)
+        for change in following:
+            if isinstance(change, Remove) or _manner(change.endpoint) not in self._alike:
+                break
+            try:
+                writer = self._plan(self.analysis, change.endpoint)
+            except (CannotAddError, UnicodeEncodeError):
+                break
+            is_alike = not writer.has_imports and _places(writer) == _places(first)
+            if not is_alike or not words.isdisjoint(writer.names):
+                break
+            words |= writer.words
+            writers.append(writer)
+        return writers
+
+    def _compare(self, endpoint: Endpoint, text: bytes) -> None:
+        """Find out whether an addition and the one before can be made in one go."""
+        manner = _manner(endpoint)
+        if self._last is None or manner in self._alike:
+            return
+        before, last = self._last
+        try:
+            both = _applied(before, (last, self._plan(before, endpoint)))
+        except (CannotAddError, UnicodeEncodeError):
+            return
+        if both == text:
+            self._alike.add(manner)
+
+    def _plan(self, analysis: Analysis, endpoint: Endpoint) -> Writer:
+        self._read(analysis.syntax.text)
+        return plan_addition(analysis, endpoint, self.catalog, self.dialect)
+
+    def _read(self, text: bytes) -> None:
+        """Count what is read; few changes may be made in a file of any size."""
+        self._reads += 1
+        self._work += len(text)
+        if self._reads > 2 * _MANY and self._work > _MOST_WORK:
+            message = "the file is too large for so many changes, each of which reads it anew"
+            remedy = "let several nodes have them, or make some of the changes by hand"
+            raise RefusedError(Diagnostic("edit-refused", message, help=remedy))
+
+
+def _removed(analysis: Analysis, change: Remove, expected: Counter[Key]) -> bytes:
+    """Return the text without an endpoint."""
+    kind = change.kind.word
+    sites = find_sites(analysis, change)
+    if not sites:
+        message = f"the file has no {kind} `{change.name}`"
+        raise RefusedError(Diagnostic("edit-refused", message, change.span))
+    removal = plan_removal(analysis, sites)
+    if removal.lines:
+        listed = sorted(removal.lines)
+        lines = ", ".join(map(str, listed[:_MOST_LINES]))
+        lines += f" and {more} more" if (more := len(listed) - _MOST_LINES) > 0 else ""
+        plural = "s" if len(removal.lines) > 1 else ""
+        raise RefusedError(
+            Diagnostic(
+                "endpoint-in-use",
+                f"the {kind} `{change.name}` is used in line{plural} {lines}",
+                change.span,
+                help="change these lines in the file first" if plural else
+                "change this line in the file first",
+            )
+        )  # fmt: skip
+    expected.subtract(key_of(site.endpoint) for site in removal.sites)
+    return apply(analysis.syntax.text, removal.splices)
+
+
+def _applied(analysis: Analysis, writers: Iterable[Writer]) -> bytes:
+    splices = (splice for writer in writers for splice in writer.splices)
+    return apply(analysis.syntax.text, splices)
+
+
+def _places(writer: Writer) -> list[tuple[int, int]]:
+    return [(splice.start, splice.end) for splice in writer.splices]

@@ -1,0 +1,110 @@
+"""Messages as Python expressions, in the manner of the file that they go into."""
+
+from __future__ import annotations
+
+from typing import NoReturn
+
+from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.model.values import MessageValue, Value
+from plastron_tui.ros.catalog import Catalog, moved
+from plastron_tui.ros.interfaces import FieldType, Interface, InterfaceKind, InterfaceName
+
+from .conventions import Conventions
+from .dialect import Dialect
+from .typeimports import FileImports
+
+_HEADER = InterfaceName("std_msgs", "Header")
+
+
+class CannotAddError(Exception):
+    """Why an endpoint cannot be added to a file."""
+
+    def __init__(self, code: str, message: str, span: Span | None, remedy: str | None = None):
+        super().__init__(message)
+        self.diagnostic = Diagnostic(code, message, span, help=remedy)
+
+
+class Messages:
+    """Writes types and values into a file."""
+
+    def __init__(
+        self,
+        catalog: Catalog,
+        dialect: Dialect,
+        imports: FileImports,
+        conventions: Conventions,
+        span: Span | None,
+    ) -> None:
+        self._catalog = catalog
+        self._dialect = dialect
+        self._imports = imports
+        self._conventions = conventions
+        self._span = span
+
+    def interface(self, type_: InterfaceName | None, kind: InterfaceKind, name: str) -> Interface:
+        """Return an interface of the distribution, under its new name where it has one."""
+        if type_ is None:
+            self._refuse("unknown-type", f"the type of `{name}` is not known")
+        found = self._catalog.find(type_, kind)
+        instead = moved(type_, self._catalog.ros_version) if found is None else None
+        if isinstance(instead, InterfaceName):
+            found = self._catalog.find(instead, kind)
+        if found is None:
+            self._refuse("unknown-type", f"{self._catalog.distribution} has no type `{type_}`")
+        reason = self._dialect.unusable(found, self._catalog)
+        if reason is not None:
+            self._refuse("unusable-type", reason)
+        return found
+
+    def type_class(self, interface: Interface) -> str:
+        """Return the class of an interface type."""
+        folder = "msg" if interface.kind is InterfaceKind.MESSAGE else "srv"
+        return self._imports.use(f"{interface.name.package}.{folder}", interface.name.name)
+
+    def message(self, value: MessageValue) -> str:
+        """Write a message."""
+        interface = self.interface(value.type, InterfaceKind.MESSAGE, str(value.type))
+        return f"{self.type_class(interface)}({self._arguments(interface, value)})"
+
+    def request(self, interface: Interface, value: MessageValue) -> str:
+        """Write a request of a service."""
+        class_ = self._dialect.request(interface.name, self._imports)
+        return f"{class_}({self._arguments(interface, value)})"
+
+    def response(self, interface: Interface) -> str:
+        """Write the default response of a service."""
+        return self._dialect.response(interface.name, self._imports)
+
+    def needs_stamp(self, value: MessageValue) -> bool:
+        """Whether a message has a header whose time the program does not give."""
+        interface = self.interface(value.type, InterfaceKind.MESSAGE, str(value.type))
+        header = value.fields.get("header")
+        has_time = isinstance(header, MessageValue) and "stamp" in header.fields
+        return not has_time and any(
+            field.name == "header" and field.type.message == _HEADER for field in interface.fields
+        )
+
+    def _arguments(self, interface: Interface, value: MessageValue) -> str:
+        types = {field.name: field.type for field in interface.fields}
+        written = []
+        for name, each in value.fields.items():
+            if name not in types:
+                where = self._catalog.distribution
+                self._refuse(
+                    "unknown-field", f"`{interface.name}` has no field `{name}` in {where}"
+                )
+            written.append(f"{self._dialect.field(name)}={self._value(types[name], each)}")
+        return ", ".join(written)
+
+    def _value(self, type_: FieldType, value: Value) -> str:
+        if type_.is_array and isinstance(value, tuple):
+            element = type_._replace(is_array=False, length=None, bound=None)
+            return f"[{', '.join(self._value(element, each) for each in value)}]"
+        if isinstance(value, MessageValue):
+            return self.message(value)
+        if isinstance(value, str):
+            return self._conventions.string(value)
+        return self._dialect.scalar(type_, value, self._imports)
+
+    def _refuse(self, code: str, message: str) -> NoReturn:
+        raise CannotAddError(code, message, self._span)

@@ -1,0 +1,121 @@
+"""From the call sites of a file to its nodes."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.model.source import SourceFile, SourceNode
+from plastron_tui.sources.base import ReadResult
+
+from .analysis import Analysis, NodeSite, Site
+from .calls import LIBRARIES, ClientLibrary
+from .extent import MOST_CLASSES, comment_run
+from .owning import Owners
+from .sites import analyze
+from .syntax import parse
+
+MOST_BYTES = 4_000_000
+"""Beyond this size a file is data, not a node that a person wrote."""
+
+_IMPORT = re.compile(rb"\b(?:import|from)\b")
+_ROSPY_ONLY = rb"^[ \t]*(import|from)[ \t]+(message_filters|actionlib)\b"
+# Part of a node whose class another file brings together may not import the library.
+_CREATION = re.compile(rb"\.create_(lifecycle_)?(publisher|subscription|service|client)\s*\(")
+
+
+def read_python(path: Path, text: bytes, library: str | None = None) -> ReadResult:
+    """Read the nodes of a Python file.
+
+    Without a `library` the imports of the file decide. A file that uses no client library is
+    a diagnostic, not an exception.
+    """
+    if len(text) > MOST_BYTES:
+        return _refuse(path, "file-too-large", "the file is larger than 4 MB and is not read")
+    if b"\x00" in text:
+        return _refuse(path, "no-node", "the file is not a text")
+    candidates = [LIBRARIES[library]] if library in LIBRARIES else _imported(text)
+    is_guess = not candidates and _CREATION.search(text) is not None
+    if not candidates and not is_guess:
+        return _refuse(path, "no-node", "the file imports neither rospy nor rclpy")
+    long_run = comment_run(text)
+    if long_run is not None:
+        problem = f"the comments from line {long_run} on are too many to be read"
+        return _refuse(path, "file-too-large", problem)
+    syntax = parse(text)
+    if len(syntax.captures("structure").get("class", [])) > MOST_CLASSES:
+        problem = f"the file has more than {MOST_CLASSES} classes, and is not read"
+        return _refuse(path, "file-too-large", problem)
+    analyses = [analyze(syntax, candidate) for candidate in candidates or [LIBRARIES["rclpy"]]]
+    if is_guess and all(site.endpoint.type is None for site in analyses[0].sites):
+        return _refuse(path, "no-node", "the file imports neither rospy nor rclpy")
+    best = max(analyses, key=lambda analysis: (len(analysis.sites), len(analysis.nodes)))
+    source = SourceFile(path, text, best.library.module, group(best))
+    return ReadResult(source)
+
+
+def _refuse(path: Path, code: str, message: str) -> ReadResult:
+    return ReadResult(None, (Diagnostic(code, message, file=path),))
+
+
+def _imported(text: bytes) -> list[ClientLibrary]:
+    """Return the client libraries that a file imports."""
+    found = [library for name, library in LIBRARIES.items() if _imports(text, name.encode())]
+    if not found and re.search(rb"^[ \t]*from[ \t]+[\w.]+[ \t]+import[ \t]+\*", text, re.M):
+        # A module of one's own may bring the library along.
+        found = [
+            library
+            for name, library in LIBRARIES.items()
+            if re.search(rb"^[^#\n]*\b" + name.encode() + rb"\.\w", text, re.M)
+        ]
+    if not found and re.search(_ROSPY_ONLY, text, re.M):
+        found = [LIBRARIES["rospy"]]
+    return found
+
+
+def _imports(text: bytes, name: bytes) -> bool:
+    """Tell whether a line imports a module, or from it; what follows a `#` does not count."""
+    if name not in text:
+        return False
+    word = re.compile(rb"\b" + name + rb"\b")
+    for line in text.split(b"\n"):
+        if name in line:
+            code = line.partition(b"#")[0]
+            start = _IMPORT.search(code)
+            # One search after the other takes no more than the line's length.
+            if start is not None and word.search(code, start.end()):
+                return True
+    return False
+
+
+def group(analysis: Analysis) -> tuple[SourceNode, ...]:
+    """Sort the call sites into the nodes of the file."""
+    makers = _merge(analysis.nodes, analysis.library)
+    if not makers:
+        return (_source_node(None, analysis.sites),) if analysis.sites else ()
+    owned: list[list[Site]] = [[] for _ in makers]
+    owners = Owners(makers, analysis)
+    for site in analysis.sites:
+        owned[owners.owner(site)].append(site)
+    return tuple(_source_node(maker, sites) for maker, sites in zip(makers, owned, strict=True))
+
+
+def _merge(nodes: list[NodeSite], library: ClientLibrary) -> list[NodeSite]:
+    """Make the one node of a rospy file of the calls that name it; they may disagree."""
+    if library.node_classes or len(nodes) < 2:
+        return nodes
+    first = nodes[0]
+    if all(node.name == first.name for node in nodes):
+        return [first]
+    return [replace(first, name=None)]
+
+
+def _source_node(maker: NodeSite | None, sites: list[Site]) -> SourceNode:
+    endpoints = tuple(site.endpoint for site in sites)
+    if maker is None:
+        return SourceNode(None, "", endpoints)
+    place = maker.call if maker.call is not None else maker.scope.node
+    span = Span(place.start_byte, place.end_byte)
+    return SourceNode(maker.name, maker.expression, endpoints, span)

@@ -1,0 +1,303 @@
+"""Publishing messages and calling services from a file, in its own loop or timer if it has one."""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Sequence
+
+from tree_sitter import Node
+
+from plastron_tui.model.source import EndpointKind
+from plastron_tui.model.workspace import Client, Publication, Publisher
+from plastron_tui.ros.interfaces import InterfaceKind
+
+from . import literals, naming
+from .addition import Addition
+from .conventions import leading_space
+from .place import function_place, method_place
+from .rates import loop_rate, timer_rate
+from .removal import callback_scope
+from .scopes import Scope
+from .splices import line_end, line_start
+from .syntax import parts_of
+
+_LEAVING = ("return_statement", "break_statement", "continue_statement", "raise_statement")
+
+
+def add_publishing(added: Addition, publisher: Publisher) -> list[str]:
+    """Publish a publisher's messages; return the lines that follow its creation."""
+    if not publisher.publications:
+        return []
+    block, own_rate = _own_block(added)
+    fitting: list[Publication] = []
+    by_rate: dict[float, list[Publication]] = defaultdict(list)
+    for publication in publisher.publications:
+        is_fitting = block is not None and _fits(publication, own_rate)
+        (fitting if is_fitting else by_rate[publication.rate]).append(publication)
+    if block is not None and fitting:
+        scope = added.analysis.scopes.at(block.start_byte)
+        added.stand(is_nested=scope.is_within(added.place.scope))
+        _publish_in(added, block, fitting)
+    if by_rate:
+        added.stand(is_nested=added.is_nested)
+    lines: list[str] = []
+    for rate, publications in by_rate.items():
+        lines += _timer(added, rate, publications)
+    return lines
+
+
+def _fits(publication: Publication, own_rate: float | None) -> bool:
+    """Whether a message goes into a loop: its rate is not written, or the loop's."""
+    is_same = own_rate is not None and math.isclose(publication.rate, own_rate)
+    return publication.is_rate_open or is_same
+
+
+def _own_block(added: Addition) -> tuple[Node | None, float | None]:
+    """Return the body of the file's single loop or timer, where it can see the publisher.
+
+    Beside it is its rate in Hz, where the file says it literally.
+    """
+    analysis = added.analysis
+    loops = [node for node in analysis.captures.get("while", []) if _is_loop(added, node)]
+    timers = [site for site in analysis.sites if site.endpoint.kind is EndpointKind.TIMER]
+    if len(loops) + len(timers) != 1:
+        return None, None
+    if loops:
+        block = loops[0].child_by_field_name("body")
+        scope = analysis.scopes.at(loops[0].start_byte)
+        function = scope.enclosing("function") or analysis.scopes.module
+        is_later = function is not added.place.scope or loops[0].start_byte >= added.place.offset
+        is_seen = is_later and _sees(added, function)
+        if block is None or not is_seen or not _is_plain(loops[0], block):
+            return None, None
+        return block, loop_rate(analysis, loops[0])
+    found = callback_scope(analysis, timers[0])
+    is_once = "oneshot" in timers[0].arguments.keywords or len(timers[0].arguments.positional) > 2
+    if found is None or is_once or found.name.startswith("publish_") or not _sees(added, found):
+        return None, None
+    if found.name.startswith("call_"):
+        return None, None
+    block = found.node.child_by_field_name("body")
+    if block is None or not _is_plain(found.node, block):
+        return None, None
+    return block, timer_rate(analysis, timers[0])
+
+
+def _is_loop(added: Addition, node: Node) -> bool:
+    """Whether a `while` is the loop of a node: until ROS shuts down, or forever at a rate."""
+    condition = node.child_by_field_name("condition")
+    text = added.analysis.syntax.slice(condition) if condition is not None else ""
+    if "is_shutdown" in text or "rclpy.ok" in text:
+        return True
+    body = node.child_by_field_name("body")
+    return (
+        text in ("True", "1")
+        and body is not None
+        and any(_is_sleep(added, child) for child in body.named_children)
+    )
+
+
+def _is_sleep(added: Addition, statement: Node) -> bool:
+    return statement.type == "expression_statement" and ".sleep(" in added.analysis.syntax.slice(
+        statement
+    )
+
+
+def _is_plain(owner: Node, block: Node) -> bool:
+    return bool(block.start_point.row > owner.start_point.row) and not block.has_error
+
+
+def _sees(added: Addition, function: Scope) -> bool:
+    """Whether a function can use the variable that holds the publisher."""
+    holder, dot, _ = added.variable.rpartition(".")
+    if dot:
+        return function.self_name == holder and function.parent is added.place.owner
+    return function.is_within(added.place.scope)
+
+
+def _publish_in(added: Addition, block: Node, publications: Sequence[Publication]) -> None:
+    """Publish at the end of a block, before it sleeps or leaves."""
+    statements = parts_of(block)
+    while len(statements) == 1 and statements[0].type == "try_statement":
+        inner = statements[0].child_by_field_name("body")
+        if inner is None or not _is_plain(statements[0], inner):
+            break
+        statements = parts_of(inner)
+    last = statements[-1]
+    text = added.analysis.syntax.text
+    leaves = last.type in _LEAVING or _is_sleep(added, last)
+    indent = leading_space(added.analysis, statements[0])
+    offset = line_start(text, last.start_byte) if leaves else line_end(text, last.end_byte)
+    lines = []
+    prefix = naming.words(added.name)
+    for publication in publications:
+        lines += _sending(added, publication, added.free_name(f"{prefix}_message"), False)
+    added.writer.lines(offset, indent, lines)
+
+
+def _sending(added: Addition, publication: Publication, variable: str, is_named: bool) -> list[str]:
+    """Return the lines that send one message; a header gets the time."""
+    value = publication.message.value
+    message = added.messages.message(value)
+    needs_stamp = added.messages.needs_stamp(value)
+    now = ""
+    if needs_stamp and added.is_rclpy:
+        receiver = added.receiver_in_callback() or added.place.receiver
+        now = f"{receiver}.get_clock().now().to_msg()"
+    elif needs_stamp:
+        now = f"{added.rospy('Time')}.now()"
+    if not now and not is_named:
+        return [f"{added.variable}.publish({message})"]
+    stamp = [f"{variable}.header.stamp = {now}"] if now else []
+    return [f"{variable} = {message}", *stamp, f"{added.variable}.publish({variable})"]
+
+
+def _timer(added: Addition, rate: float, publications: list[Publication]) -> list[str]:
+    """Publish in a timer of its own; return the lines that follow the creation."""
+    method = added.free_name(f"publish_{naming.words(added.name)}")
+    body = [f'"""Publish to {added.label}; called at its rate."""']
+    for publication in publications:
+        body += _sending(added, publication, "message", True)
+    callback, lines = _function(added, method, "" if added.is_rclpy else "event", body)
+    period = _period(rate)
+    added.writer.endpoints.append((EndpointKind.TIMER, _timer_name(added, period), "None", method))
+    return [*lines, f"{_timer_call(added, period, callback)})"]
+
+
+def _timer_call(added: Addition, period: str, callback: str) -> str:
+    if added.is_rclpy:
+        return f"{added.place.receiver}.create_timer({period}, {callback}"
+    timer = added.rospy("Timer")
+    duration = added.rospy("Duration")
+    return f"{timer}({duration}({period}), {callback}"
+
+
+def _timer_name(added: Addition, period: str) -> str:
+    """Return the expression that a reader finds as the timer's period."""
+    if added.is_rclpy:
+        return period
+    return f"{added.rospy('Duration')}({period})"
+
+
+def _period(rate: float) -> str:
+    """Return the seconds between two messages; Python 2 divides integers to integers."""
+    seconds = literals.number(1 / rate)
+    return seconds if len(seconds) <= 6 else f"1.0 / {literals.number(rate)}"
+
+
+def _function(
+    added: Addition, name: str, parameters: str, body: list[str]
+) -> tuple[str, list[str]]:
+    """Write a method, or return the lines of a function that sees the local variables."""
+    self_name = added.place.self_name
+    if added.is_method_place and "." in added.variable:
+        listed = f"{self_name}, {parameters}" if parameters else self_name
+        lines = [f"def {name}({listed}):", *("\t" + line for line in body)]
+        senders = [
+            scope
+            for site in added.analysis.sites
+            if site.endpoint.kind is EndpointKind.TIMER
+            and (scope := callback_scope(added.analysis, site)) is not None
+        ]
+        added.writer.function(method_place(added.analysis, added.place, senders), lines)
+        return f"{self_name}.{name}", []
+    lines = [f"def {name}({parameters}):", *("\t" + line for line in body)]
+    if added.place.scope.parent is None:
+        gap = added.writer.conventions.blank_lines
+        added.writer.function(function_place(added.analysis, added.place, (), gap), lines)
+        return name, []
+    return name, ["", *lines, ""]
+
+
+def add_calls(added: Addition, client: Client) -> list[str]:
+    """Call a service with each request; return the lines that follow the client's creation."""
+    if not client.requests:
+        return []
+    added.stand(is_nested=added.is_nested)
+    interface = added.messages.interface(client.type, InterfaceKind.SERVICE, client.name)
+    requests = [added.messages.request(interface, request) for request in client.requests]
+    if _call_in_own_method(added, requests):
+        return []
+    words = naming.words(added.name)
+    name = added.free_name(f"call_{words}")
+    summary = f'"""Call {added.label} once it is there, and log its answer."""'
+    if added.is_rclpy:
+        return _call_rclpy(added, name, summary, requests)
+    errors = [
+        added.rospy(error, in_callback=not added.is_nested)
+        for error in ("ROSException", "ServiceException")
+    ]
+    body = [summary, "try:", f"\t{added.variable}.wait_for_service(timeout=10.0)"]
+    for request in requests:
+        body.append(f"\tresponse = {added.variable}({request})")
+        body.append("\t" + added.log("info", "response", in_callback=not added.is_nested))
+    body.append(f"except ({', '.join(errors)}) as error:")
+    body.append("\t" + added.log("error", "error", in_callback=not added.is_nested))
+    callback, lines = _function(added, name, "event", body)
+    added.writer.endpoints.append((EndpointKind.TIMER, _timer_name(added, "0.1"), "None", name))
+    return [*lines, f"{_timer_call(added, '0.1', callback)}, oneshot=True)"]
+
+
+def _call_rclpy(added: Addition, name: str, summary: str, requests: list[str]) -> list[str]:
+    """Call once from a timer, so that the node goes on while the service answers."""
+    timer = added.free_name(f"{naming.words(added.name)}_timer")
+    holder, dot, _ = added.variable.rpartition(".")
+    timer = f"{holder}{dot}{timer}"
+    receiver = added.place.receiver
+    quote = added.writer.conventions.quote
+    body = [
+        summary,
+        f"{timer}.cancel()",
+        f"if not {added.variable}.wait_for_service(timeout_sec=10.0):",
+        f"\t{receiver}.get_logger().error({quote}{added.label}: the service is not there{quote})",
+        "\treturn",
+    ]
+    logged = f"f{quote}{added.label}: {{future.result()}}{quote}"
+    for request in requests:
+        body.append(f"future = {added.variable}.call_async({request})")
+        body.append("future.add_done_callback(")
+        body.append(f"\tlambda future: {receiver}.get_logger().info({logged})")
+        body.append(")")
+    callback, lines = _function(added, name, "", body)
+    added.writer.endpoints.append((EndpointKind.TIMER, _timer_name(added, "0.1"), "None", name))
+    return [*lines, f"{timer} = {_timer_call(added, '0.1', callback)})"]
+
+
+def _call_in_own_method(added: Addition, requests: list[str]) -> bool:
+    """Call where a node that Plastron wrote calls its other services."""
+    owner = added.place.owner
+    if owner is None or "." not in added.variable:
+        return False
+    methods = {scope.name: scope for scope in added.analysis.scopes.all if scope.parent is owner}
+    caller, helper = methods.get("call_services"), methods.get("call")
+    if caller is None or helper is None or list(helper.bindings)[1:3] != ["client", "request"]:
+        return False
+    block = caller.node.child_by_field_name("body")
+    if block is None or not _is_plain(caller.node, block) or not block.named_children:
+        return False
+    self_name = next(iter(caller.bindings))
+    variable = f"{self_name}.{added.variable.rpartition('.')[2]}"
+    last = block.named_children[-1]
+    added.writer.lines(
+        line_end(added.analysis.syntax.text, last.end_byte),
+        leading_space(added.analysis, block),
+        [f"{self_name}.call({variable}, {request})" for request in requests],
+    )
+    return True
+
+
+def keep_running(added: Addition) -> None:
+    """Let a node that Plastron wrote to call services, and then to end, go on instead."""
+    text = added.analysis.syntax.text
+    if any(word in text for word in (b"spin(", b"is_shutdown", b"rclpy.ok")):
+        return
+    for call in added.analysis.captures.get("call", []):
+        statement = call.parent
+        if added.analysis.syntax.slice(call) == "node.call_services()" and statement is not None:
+            scope = added.analysis.scopes.at(call.start_byte)
+            spin = added.imports.library(added.dialect.library, "spin", scope)
+            line = f"{spin}({'node' if added.is_rclpy else ''})"
+            indent = leading_space(added.analysis, statement)
+            added.writer.lines(line_end(text, statement.end_byte), indent, [line])
+            return

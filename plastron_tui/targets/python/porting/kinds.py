@@ -1,0 +1,312 @@
+"""What kind of value an expression gives, as far as the file says it for sure."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from plastron_tui.model.source import EndpointKind
+from plastron_tui.ros.interfaces import FieldType, InterfaceKind, InterfaceName, Section
+from plastron_tui.sources.python.analysis import Site
+from plastron_tui.sources.python.constants import without_none
+from plastron_tui.sources.python.scopes import Binding, BindingKind, Scope
+from plastron_tui.sources.python.syntax import parts_of
+
+from .types import target_type
+from .work import Work
+
+MESSAGE = "a message"
+PLAIN = "plain"
+"""A value of Python that is no message, and nothing more is known of it."""
+
+NUMBER = "number"
+LIST = "list"
+_NUMBERS = frozenset({"int", "float", "bool", NUMBER})
+_SIDES = ("Request", "Response")
+
+_LITERALS = {
+    "concatenated_string": "str",
+    "integer": "int",
+    "float": "float",
+    "true": "bool",
+    "false": "bool",
+    "comparison_operator": "bool",
+    "not_operator": "bool",
+    "list": LIST,
+    "tuple": LIST,
+    "list_comprehension": LIST,
+    "dictionary": "dict",
+    "dictionary_comprehension": "dict",
+}
+_BUILT_IN = {"str": "str", "repr": "str", "int": "int", "len": "int", "float": "float"}
+_BUILT_IN |= {"bool": "bool", "abs": NUMBER, "round": NUMBER, "sum": NUMBER, "ord": "int"}
+_BUILT_IN |= {"list": LIST, "sorted": LIST, "range": LIST, "dict": "dict", "chr": "str"}
+_FUNCTIONS = {
+    "time.time": "float",
+    "random.random": "float",
+    "random.uniform": "float",
+    "random.gauss": "float",
+    "random.randint": "int",
+    "random.randrange": "int",
+    "math.sin": "float",
+    "math.cos": "float",
+    "math.tan": "float",
+    "math.sqrt": "float",
+    "math.radians": "float",
+    "math.degrees": "float",
+    "math.floor": "int",
+    "math.ceil": "int",
+    "json.dumps": "str",
+    "rospy.get_time": "float",
+    "rospy.get_name": "str",
+    "rospy.get_caller_id": "str",
+}
+_OF_TEXT = frozenset({"format", "join", "upper", "lower", "strip", "lstrip", "rstrip", "replace"})
+_OF_TEXT |= {"title", "capitalize", "zfill", "ljust", "rjust"}
+# Each endpoint that calls a function with a message, and which part of its type that is.
+_HANDED = {
+    EndpointKind.SUBSCRIPTION: InterfaceKind.MESSAGE,
+    EndpointKind.SERVICE: InterfaceKind.SERVICE,
+}
+
+
+def is_plain(kind: str | None) -> bool:
+    """Tell whether a value is no message for sure."""
+    return kind is not None and kind != MESSAGE
+
+
+def kind_of(work: Work, node: Node | None) -> str | None:
+    """Return what an expression gives, None where the file does not say it.
+
+    It is `str`, `bytes`, `int`, `float`, `bool`, `dict`, `NUMBER`, `LIST`, `MESSAGE` or `PLAIN`.
+    """
+    if node is None:
+        return None
+    if node.id not in work.kinds:
+        # What depends on itself, as in `x = x + 1`, is not known while it is looked at.
+        work.kinds[node.id] = None
+        work.kinds[node.id] = _kind(work, node)
+    return work.kinds[node.id]
+
+
+def _kind(work: Work, node: Node) -> str | None:
+    if node.type in _LITERALS:
+        return _LITERALS[node.type]
+    match node.type:
+        case "string":
+            prefix = work.slice(node).partition('"')[0].partition("'")[0].lower()
+            return "bytes" if "b" in prefix else "str"
+        case "parenthesized_expression":
+            return kind_of(work, node.named_children[0])
+        case "unary_operator":
+            kind = kind_of(work, node.child_by_field_name("argument"))
+            return kind if kind in ("int", "float") else NUMBER
+        case "conditional_expression" | "boolean_operator":
+            parts = parts_of(node)
+            return _common([kind_of(work, each) for each in (parts[0], parts[-1])])
+        case "binary_operator":
+            return _of_operator(work, node)
+        case "call":
+            return _of_call(work, node)
+        case "identifier" | "attribute":
+            return _of_name(work, node)
+    return None
+
+
+def _common(kinds: list[str | None]) -> str | None:
+    """Return what all of some values are."""
+    found = set(kinds)
+    if not found or None in found:
+        return None
+    if len(found) == 1:
+        return kinds[0]
+    if found <= _NUMBERS:
+        return NUMBER
+    return None if MESSAGE in found else PLAIN
+
+
+def _of_operator(work: Work, node: Node) -> str:
+    """Return what an operator gives; messages have none."""
+    left = kind_of(work, node.child_by_field_name("left"))
+    right = kind_of(work, node.child_by_field_name("right"))
+    operator = node.child_by_field_name("operator")
+    sign = work.slice(operator) if operator is not None else ""
+    if left == "str" and sign == "%":
+        return "str"
+    if sign == "+" and "str" in (left, right):
+        return "str"
+    if "str" in (left, right) or LIST in (left, right):
+        return PLAIN
+    if sign in "+-*/" and ("float" in (left, right) or sign == "/"):
+        return "float"
+    if {left, right} <= {"int", "bool"} and sign in ("+", "-", "*", "//", "%"):
+        return "int"
+    return NUMBER if left in _NUMBERS and right in _NUMBERS else PLAIN
+
+
+def _of_call(work: Work, call: Node) -> str | None:
+    callee = call.child_by_field_name("function")
+    if callee is None:
+        return None
+    name = work.slice(callee)
+    if name in _BUILT_IN and work.scope(callee).lookup(name) is None:
+        return _BUILT_IN[name]
+    for found in work.qualified(callee):
+        if found in _FUNCTIONS:
+            return _FUNCTIONS[found]
+    if constructed(work, callee) is not None:
+        return MESSAGE
+    part, holder = callee.child_by_field_name("attribute"), callee.child_by_field_name("object")
+    if part is not None and holder is not None and work.slice(part) in _OF_TEXT:
+        return "str" if kind_of(work, holder) == "str" else None
+    return None
+
+
+def _of_name(work: Work, node: Node) -> str | None:
+    type_ = typed(work, node)
+    if isinstance(type_, Section):
+        return MESSAGE
+    if type_ is not None:
+        return _of_field(type_)
+    if node.type == "identifier":
+        found = work.scope(node).lookup(work.slice(node))
+        bindings = found[1] if found is not None else []
+    else:
+        bindings = work.analysis.resolver.attribute_bindings(node, work.scope(node))
+    given = [each for each in without_none(bindings) if not _augments(each)]
+    return _common([_of_binding(work, each) for each in given])
+
+
+def _of_field(type_: FieldType) -> str | None:
+    """Return what a field of a message that came in holds."""
+    if type_.package is not None or type_.name in ("time", "duration"):
+        return None
+    if type_.is_array:
+        return None if type_.name in ("uint8", "char") else LIST
+    if type_.name in ("bool", "string"):
+        return {"bool": "bool", "string": "str"}[type_.name]
+    return "float" if type_.name.startswith("float") else "int"
+
+
+def _augments(binding: Binding) -> bool:
+    """Tell whether a binding is an `x += 1`, which leaves a message no message."""
+    return binding.node.type == "augmented_assignment"
+
+
+def _of_binding(work: Work, binding: Binding) -> str | None:
+    if binding.kind is BindingKind.VALUE:
+        return kind_of(work, binding.value)
+    if binding.node.type == "for_statement":
+        items = binding.node.child_by_field_name("right")
+        left = binding.node.child_by_field_name("left")
+        if items is None or left is None or left.type != "identifier":
+            return None
+        callee = items.child_by_field_name("function")
+        if callee is not None and work.slice(callee) in ("range", "xrange"):
+            return "int"
+        if items.type in ("list", "tuple"):
+            return _common([kind_of(work, each) for each in parts_of(items)])
+    return None
+
+
+def some_plain(work: Work, node: Node) -> bool:
+    """Tell whether a name is bound to something plain in one place, whatever it is in others."""
+    if is_plain(kind_of(work, node)):
+        return True
+    if node.type == "identifier":
+        found = work.scope(node).lookup(work.slice(node))
+        values = [each.value for each in found[1]] if found is not None else []
+        return any(is_plain(kind_of(work, each)) for each in values if each)
+    if node.type in ("conditional_expression", "boolean_operator"):
+        parts = parts_of(node)
+        return any(is_plain(kind_of(work, each)) for each in (parts[0], parts[-1]))
+    return False
+
+
+def constructed(work: Work, callee: Node) -> tuple[InterfaceName, InterfaceKind, str] | None:
+    """Return what a class of rospy makes: an interface, its kind, and a service's side."""
+    for name in work.qualified(callee):
+        package, _, rest = name.partition(".")
+        kind, _, type_name = rest.partition(".")
+        if not package or not type_name[:1].isupper() or "." in type_name:
+            continue
+        if kind == "msg":
+            return InterfaceName(package, type_name), InterfaceKind.MESSAGE, ""
+        for side in _SIDES if kind == "srv" else ():
+            if type_name.endswith(side) and type_name != side:
+                base = type_name[: -len(side)]
+                return InterfaceName(package, base), InterfaceKind.SERVICE, side
+    return None
+
+
+def typed(work: Work, node: Node) -> Section | FieldType | None:
+    """Return the fields of a message that the file knows, or the type of a field of it."""
+    if node.id not in work.types:
+        work.types[node.id] = None
+        work.types[node.id] = _type(work, node)
+    return work.types[node.id]
+
+
+def _type(work: Work, node: Node) -> Section | FieldType | None:
+    if node.type == "attribute":
+        holder, part = node.child_by_field_name("object"), node.child_by_field_name("attribute")
+        if holder is None or part is None:
+            return None
+        outer = typed(work, holder)
+        if isinstance(outer, FieldType):
+            if outer.message is None or outer.is_array:
+                return None
+            outer = _section(work, outer.message, InterfaceKind.MESSAGE, "")
+        if outer is not None:
+            fields = {each.name: each.type for each in outer.fields}
+            return fields.get(work.slice(part))
+        bindings = work.analysis.resolver.attribute_bindings(node, work.scope(node))
+    elif node.type == "identifier":
+        found = work.scope(node).lookup(work.slice(node))
+        bindings = found[1] if found is not None else []
+    else:
+        return None
+    types = [_of_bound(work, each) for each in without_none(bindings)]
+    return types[0] if types and all(each == types[0] for each in types) else None
+
+
+def _of_bound(work: Work, binding: Binding) -> Section | None:
+    """Return the message that a name is bound to: one that came in, or one that is made."""
+    if binding.kind is BindingKind.PARAMETER and binding.owner is not None:
+        return _of_parameter(work, binding, binding.owner)
+    if binding.value is None:
+        return None
+    callee = binding.value.child_by_field_name("function")
+    if callee is not None:
+        made = constructed(work, callee)
+        return _section(work, *made) if made is not None else None
+    found = typed(work, binding.value)
+    if isinstance(found, FieldType) and found.message is not None and not found.is_array:
+        return _section(work, found.message, InterfaceKind.MESSAGE, "")
+    return found if isinstance(found, Section) else None
+
+
+def _of_parameter(work: Work, binding: Binding, function: Scope) -> Section | None:
+    if binding.index != bool(function.self_name):
+        return None
+    callers = _callers(work, function)
+    types = {(site.endpoint.type, _HANDED[site.endpoint.kind]) for site in callers}
+    if len(types) != 1:
+        return None
+    [(name, kind)] = types
+    return _section(work, name, kind, "") if name is not None else None
+
+
+def _callers(work: Work, function: Scope) -> Iterator[Site]:
+    for site in work.analysis.sites:
+        if site.endpoint.kind in _HANDED and work.callback_of(site) is function:
+            yield site
+
+
+def _section(work: Work, name: InterfaceName, kind: InterfaceKind, side: str) -> Section | None:
+    """Return the fields of a message, or of a service's side, in ROS 1."""
+    target, _ = target_type(work, name, kind)
+    new = work.catalog.find(target, kind) if target is not None else None
+    found = work.before.find(name, kind) or new
+    return found.sections[int(side == "Response")] if found is not None else None

@@ -1,0 +1,132 @@
+"""What is left in a file of the client library that it came from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from tree_sitter import Node
+
+from plastron_tui.model.source import EndpointKind
+from plastron_tui.sources.python.conventions import target_name
+
+from .work import Work, walk
+
+_IMPORTS = frozenset({"import_statement", "import_from_statement", "future_import_statement"})
+_OF_TIMERS = frozenset({"cancel", "reset", "is_canceled", "time_until_next_call"})
+
+
+def mark_leftovers(
+    work: Work,
+    roots: frozenset[str],
+    attributes: Mapping[str, str],
+    remedies: Mapping[str, str],
+) -> None:
+    """Mark every use of a module of the old ROS, and every attribute that only it has.
+
+    Args:
+        work: the file.
+        roots: the modules of the old ROS.
+        attributes: what the attributes are of, or are called in the new ROS.
+        remedies: what to write for qualified names.
+    """
+    done = set(work.done)
+    for node in walk(work.analysis.syntax.root):
+        if node.type in _IMPORTS:
+            _mark_import(work, node, roots)
+        if node.type not in ("identifier", "attribute") or _is_inner(node) or work.is_gone(node):
+            continue
+        if _is_done(node, done) or _has_parent(node, _IMPORTS):
+            continue
+        names = [name for name in work.qualified(node) if name.partition(".")[0] in roots]
+        if names:
+            work.mark(node, ".".join(names[0].split(".")[:3]), _remedy(names[0], remedies))
+        elif node.type == "attribute":
+            _mark_attribute(work, node, attributes)
+
+
+def port_ending(work: Work, renamed: Mapping[str, str], remedies: Mapping[str, str]) -> None:
+    """Rewrite or mark what ends an endpoint: `cancel` of a timer, `shutdown` of a service.
+
+    A callback is carried over as it is, so that what is in it is marked.
+
+    Args:
+        work: the file.
+        renamed: the methods of a timer that the other library has by another name.
+        remedies: the methods that the other library lacks, and what to write instead.
+    """
+    held = {
+        name.rpartition(".")[2]: site.endpoint.kind
+        for site in work.analysis.sites
+        if (name := target_name(work.analysis, site)) is not None
+    }
+    for call in work.analysis.captures.get("call", []):
+        callee = call.child_by_field_name("function")
+        part = callee.child_by_field_name("attribute") if callee is not None else None
+        holder = callee.child_by_field_name("object") if callee is not None else None
+        if callee is None or part is None or holder is None or work.is_gone(call):
+            continue
+        method, name = work.slice(part), work.slice(holder).rpartition(".")[2]
+        kind = held.get(name, EndpointKind.TIMER if "timer" in name.lower() else None)
+        is_timer = kind is EndpointKind.TIMER
+        if is_timer and method in renamed and not work.is_in_callback(call):
+            work.replace(part, renamed[method])
+        elif kind is not None and (is_timer or method not in _OF_TIMERS) and method in remedies:
+            work.mark(callee, f".{method}", remedies[method])
+
+
+def _mark_import(work: Work, node: Node, roots: frozenset[str]) -> None:
+    """Mark the import of a package that goes with the old ROS, and stays in the file."""
+    if work.is_gone(node) or node.id in work.done:
+        return
+    module = node.child_by_field_name("module_name")
+    parts = [module] if module is not None else node.children_by_field_name("name")
+    for part in parts:
+        name = part.child_by_field_name("name") or part
+        if work.slice(name).partition(".")[0] in roots:
+            work.mark(node, work.slice(name))
+
+
+def _mark_attribute(work: Work, node: Node, attributes: Mapping[str, str]) -> None:
+    current: Node | None = node
+    while current is not None and current.type == "attribute":
+        part = current.child_by_field_name("attribute")
+        name = work.slice(part) if part is not None else ""
+        if name in attributes and part is not None and part.id not in work.done:
+            work.mark(node, f".{name}", attributes[name])
+        current = current.child_by_field_name("object")
+
+
+def _remedy(name: str, remedies: Mapping[str, str]) -> str | None:
+    found = [remedy for start, remedy in remedies.items() if (name + ".").startswith(start + ".")]
+    return found[0] if found else None
+
+
+def _is_inner(node: Node) -> bool:
+    """Tell whether a node is a part of a dotted name, or no name that is looked up."""
+    parent = node.parent
+    if parent is None:
+        return False
+    if parent.type == "attribute":
+        return True
+    name = parent.child_by_field_name("name")
+    return parent.type == "keyword_argument" and name is not None and name.id == node.id
+
+
+def _is_done(node: Node, done: set[int]) -> bool:
+    parent = node.parent
+    return node.id in done or (
+        parent is not None
+        and parent.type == "call"
+        and parent.id in done
+        and (callee := parent.child_by_field_name("function")) is not None
+        and callee.id == node.id
+    )
+
+
+def _has_parent(node: Node, types: frozenset[str]) -> bool:
+    current = node.parent
+    while current is not None:
+        if current.type in types:
+            return True
+        current = current.parent
+    return False

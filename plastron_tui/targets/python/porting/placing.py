@@ -1,0 +1,117 @@
+"""Where in a file new imports and helpers go."""
+
+from __future__ import annotations
+
+from tree_sitter import Node
+
+from plastron_tui.sources.python.splices import line_end, line_start
+
+from .work import Work
+
+_IMPORTS = frozenset({"import_statement", "import_from_statement", "future_import_statement"})
+_STANDARD = frozenset({"import atexit", "import threading", "import time"})
+_DEFINITIONS = frozenset({"function_definition", "class_definition", "decorated_definition"})
+
+
+def top_level(node: Node) -> Node:
+    """Return the statement of the module that a node is in."""
+    current = node
+    while current.parent is not None and current.parent.type != "module":
+        current = current.parent
+    return current
+
+
+def first_call(work: Work, last: Node) -> Node:
+    """Return the first statement of the module that does something, `last` at the latest."""
+    for statement in work.analysis.syntax.root.named_children:
+        if statement.id == last.id:
+            break
+        if statement.type in _IMPORTS or statement.type in _DEFINITIONS:
+            continue
+        calls = (call for call in work.analysis.captures.get("call", []) if not work.is_gone(call))
+        if any(statement.start_byte <= call.start_byte < statement.end_byte for call in calls):
+            return statement
+    return last
+
+
+def header_end(work: Work) -> int:
+    """Return the offset behind the imports at the top of the file, 0 where it has none."""
+    text = work.analysis.syntax.text
+    end = 0
+    for statement in work.analysis.syntax.root.named_children:
+        if statement.type in _DEFINITIONS or any(
+            statement.start_byte <= site.call.start_byte < statement.end_byte
+            for site in work.analysis.sites
+        ):
+            break
+        if _has_import(work, statement):
+            end = line_end(text, max(statement.end_byte - 1, 0))
+    return end
+
+
+def add_header(work: Work) -> None:
+    """Insert what the file needs at its top: imports that it does not have, and helpers."""
+    syntax = work.analysis.syntax
+    present = {line.strip() for line in syntax.text.decode("latin-1").splitlines()}
+    wanted = sorted(work.imports - present, key=lambda line: (line.startswith("from "), line))
+    standard = [line for line in wanted if line in _STANDARD]
+    others = [line for line in wanted if line not in _STANDARD]
+    at = _first_import(work)
+    behind = _client_import(work, at)
+    if behind == at:
+        groups = ["".join(f"{line}\n" for line in group) for group in (standard, others) if group]
+        imports = "\n".join(groups)
+    else:
+        imports = "".join(f"{line}\n" for line in standard)
+        work.insert(behind, "".join(f"{line}\n" for line in others))
+    constants = "".join(f"{line}\n" for line in work.constants)
+    helpers = [f"\n{constants}"] if constants else []
+    helpers += [f"\n\n{helper}" for helper in work.helpers]
+    end = header_end(work)
+    if end <= at:
+        helpers = [*helpers, "\n\n"] if helpers else []
+        work.insert(at, imports + "".join(helpers))
+        return
+    work.insert(at, imports)
+    if helpers:
+        following = syntax.text[end:]
+        lines = following[: len(following) - len(following.lstrip())].count(b"\n")
+        wanted_lines = 2 if work.helpers else 1
+        missing = wanted_lines - lines if following.strip() else 0
+        work.insert_first(end, "".join(helpers) + "\n" * max(missing, 0))
+
+
+def _client_import(work: Work, otherwise: int) -> int:
+    """Return where the first import of the client library stands at the top of the file."""
+    text = work.analysis.syntax.text
+    for statement in work.analysis.syntax.root.named_children:
+        if statement.type in _IMPORTS and work.is_gone(statement):
+            start = line_start(text, statement.start_byte)
+            return start if start == statement.start_byte else otherwise
+    return otherwise
+
+
+def _first_import(work: Work) -> int:
+    """Return where the first import of the module starts, or the first statement."""
+    text = work.analysis.syntax.text
+    statements = work.analysis.syntax.root.named_children
+    for statement in statements:
+        if statement.type != "future_import_statement" and _has_import(work, statement):
+            return line_start(text, statement.start_byte)
+    behind = [each for each in statements if each.type not in ("comment", *_IMPORTS)]
+    if behind and behind[0].type == "expression_statement" and len(behind) > 1:
+        behind = behind[1:]
+    return line_start(text, behind[0].start_byte) if behind else len(text)
+
+
+def _has_import(work: Work, statement: Node) -> bool:
+    """Tell whether a statement of the module imports: an import, or a `try` around one."""
+    if statement.type in _IMPORTS:
+        return True
+    if statement.type == "if_statement" and b"__name__" in (statement.text or b""):
+        return False
+    return statement.type in ("try_statement", "if_statement") and any(
+        statement.start_byte <= node.start_byte < statement.end_byte
+        for tag in ("import", "import_from")
+        for node in work.analysis.captures.get(tag, [])
+    )

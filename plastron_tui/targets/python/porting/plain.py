@@ -1,0 +1,325 @@
+"""What rospy makes messages of by itself: what is published, asked, or returned as plain values."""
+
+from __future__ import annotations
+
+import re
+
+from tree_sitter import Node
+
+from plastron_tui.model.source import EndpointKind
+from plastron_tui.ros.interfaces import FieldType, InterfaceKind
+from plastron_tui.sources.python.analysis import Site
+from plastron_tui.sources.python.callbacks import callback_target
+from plastron_tui.sources.python.constants import without_none
+from plastron_tui.sources.python.scopes import BindingKind, Scope
+from plastron_tui.sources.python.splices import Splice
+from plastron_tui.sources.python.syntax import parts_of
+
+from .fields import Given, fields_of, write_fields, write_value
+from .kinds import LIST, constructed, is_plain, kind_of, some_plain, typed
+from .work import Work
+
+_CLIENT = re.compile(r"client|proxy|service|srv", re.IGNORECASE)
+_RESPONSE = "a handler of rclpy returns a response"
+_FUNCTIONS = ("function_definition", "lambda", "class_definition")
+
+
+def port_plain(work: Work) -> None:
+    """Make messages of plain values, where it is sure what they are, and mark the others."""
+    for call in work.analysis.captures.get("call", []):
+        callee = call.child_by_field_name("function")
+        arguments = call.child_by_field_name("arguments")
+        if callee is None or arguments is None or work.is_gone(call):
+            continue
+        if arguments.type != "argument_list":
+            continue
+        text = work.slice(callee)
+        if _is_client(work, callee):
+            work.mark(call, f"the call of {text}", "`call_async` a request, and take its future")
+        elif text.endswith(".publish"):
+            _port_publish(work, call, callee, arguments)
+        else:
+            _port_message(work, call, callee, arguments)
+    for node in work.analysis.captures.get("assignment", []):
+        _port_assignment(work, node)
+    for site in work.analysis.sites:
+        if site.endpoint.kind is EndpointKind.SERVICE:
+            _port_handler(work, site)
+
+
+def _given(arguments: Node, work: Work) -> Given | None:
+    """Return what a call gives, None where a splat may hide more."""
+    found: Given = []
+    for each in parts_of(arguments):
+        if "splat" in each.type or each.type in ("ERROR", "generator_expression"):
+            return None
+        name, value = each.child_by_field_name("name"), each.child_by_field_name("value")
+        is_named = each.type == "keyword_argument" and name is not None and value is not None
+        if is_named:
+            assert name is not None
+            assert value is not None
+            found.append((work.slice(name), value))
+        else:
+            found.append((None, each))
+    return found
+
+
+def _port_message(work: Work, call: Node, callee: Node, arguments: Node) -> None:
+    """Name the fields of a message that is made, and make numbers what its fields assert."""
+    made = constructed(work, callee)
+    given = _given(arguments, work)
+    if made is None or given == []:
+        return
+    fields = fields_of(work, *made)
+    if given is None or given[0][0] is None:
+        splices = write_fields(work, given, fields) if fields is not None and given else None
+        if splices is not None:
+            _put(work, splices)
+        elif any(each.type != "dictionary_splat" for each in parts_of(arguments)):
+            work.mark(call, f"{work.slice(callee)} takes keywords only", "name the fields")
+        return
+    splices = write_fields(work, given, fields, is_sure=False) if fields is not None else []
+    if splices is not None:
+        _put(work, splices)
+        return
+    missing = [name for name, _ in given if name is not None and not (fields or {}).get(name)]
+    for name in missing:
+        remedy = f"{made[0]} of ROS 2 has no field `{name}`"
+        work.mark(call, f"{name} of {work.slice(callee)}", remedy)
+
+
+def _port_assignment(work: Work, node: Node) -> None:
+    """Make a number what the field of a message asserts: `twist.linear.x = 1`."""
+    left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
+    if left is None or right is None or left.type != "attribute" or right.type == "assignment":
+        return
+    type_ = typed(work, left)
+    if isinstance(type_, FieldType) and not type_.is_array:
+        _put(work, write_value(work, right, type_) or [])
+
+
+def _port_publish(work: Work, call: Node, callee: Node, arguments: Node) -> None:
+    """Make the message that rospy makes of what is given to `publish`."""
+    given = _given(arguments, work)
+    if given is not None and len(given) == 1 and given[0][0] is None:
+        value = given[0][1]
+        if not is_plain(kind_of(work, value)):
+            if some_plain(work, value):
+                _mark_publish(work, call)
+            return
+    holder = callee.child_by_field_name("object")
+    site = _site_of(work, holder, EndpointKind.PUBLISHER) if holder is not None else None
+    class_ = _visible_type(work, site, call) if site is not None else None
+    if given is None or site is None or class_ is None or site.endpoint.type is None:
+        if holder is not None and not _is_foreign(work, holder):
+            _mark_publish(work, call)
+        return
+    if not given:
+        work.insert(arguments.start_byte + 1, f"{class_}()")
+        return
+    fields = fields_of(work, site.endpoint.type, InterfaceKind.MESSAGE, "")
+    splices = write_fields(work, given, fields) if fields is not None else None
+    if splices is None:
+        _mark_publish(work, call)
+        return
+    _wrap(work, class_, parts_of(arguments), splices)
+
+
+def _wrap(work: Work, class_: str, items: list[Node], splices: list[Splice]) -> None:
+    """Put the call of a class around the values that it takes."""
+    work.insert(items[0].start_byte, f"{class_}(")
+    _put(work, splices)
+    work.insert(items[-1].end_byte, ")")
+
+
+def _put(work: Work, splices: list[Splice]) -> None:
+    for each in splices:
+        if each.text or each.end > each.start:
+            work.cut(each)
+
+
+def _mark_publish(work: Work, call: Node) -> None:
+    work.mark(call, "publish takes a message", "make the message first")
+
+
+def _is_foreign(work: Work, holder: Node) -> bool:
+    """Tell whether what publishes is of another library for sure."""
+    found = work.analysis.resolver.instance(holder, work.scope(holder))
+    return found is not None and bool(found.qualified) and "rospy." not in found.qualified
+
+
+def _site_of(work: Work, holder: Node, kind: EndpointKind) -> Site | None:
+    """Return the one call that makes what an expression holds."""
+    if holder.type == "call":
+        made = [holder]
+    else:
+        if holder.type == "identifier":
+            found = work.scope(holder).lookup(work.slice(holder))
+            bindings = found[1] if found is not None else []
+        else:
+            bindings = work.analysis.resolver.attribute_bindings(holder, work.scope(holder))
+        values = [each.value for each in without_none(bindings)]
+        made = [each for each in values if each is not None]
+        if len(made) != len(values):
+            return None
+    ids = {each.id for each in made}
+    sites = [each for each in work.analysis.sites if each.call.id in ids]
+    if not sites or len(sites) != len(ids) or len({each.endpoint.type for each in sites}) > 1:
+        return None
+    return sites[0] if all(each.endpoint.kind is kind for each in sites) else None
+
+
+def _visible_type(work: Work, site: Site, at: Node) -> str | None:
+    """Return what a place calls the type of an endpoint, None where it may not see it."""
+    given = site.arguments.get(site.shape.type) if site.shape.type is not None else None
+    if given is None or given.type not in ("identifier", "attribute"):
+        return None
+    names = work.analysis.resolver.qualified(given, site.scope)
+    if not names or names != work.analysis.resolver.qualified(given, work.scope(at)):
+        return None
+    first = given
+    while first.type == "attribute" and first.named_children:
+        first = first.named_children[0]
+    found = work.scope(at).lookup(work.slice(first))
+    is_import = found is None or all(each.kind is BindingKind.IMPORT for each in found[1])
+    return work.slice(given) if is_import else None
+
+
+def _is_client(work: Work, callee: Node) -> bool:
+    """Tell whether a callee is a client, which rospy calls as a function, or its `call`."""
+    part, holder = callee.child_by_field_name("attribute"), callee.child_by_field_name("object")
+    if part is not None and holder is not None and work.slice(part) == "call":
+        made = work.analysis.resolver.instance(holder, work.scope(holder))
+        if made is not None and made.qualified.endswith(".ServiceProxy"):
+            return True
+    found = work.analysis.resolver.instance(callee, work.scope(callee))
+    if found is not None:
+        return found.qualified.endswith(".ServiceProxy")
+    # A function that is handed a client: nothing else tells what its parameter is.
+    name = work.slice(callee)
+    has_clients = any(s.endpoint.kind is EndpointKind.CLIENT for s in work.analysis.sites)
+    bound = work.scope(callee).lookup(name) if has_clients and _CLIENT.search(name) else None
+    return bound is not None and any(each.kind is BindingKind.PARAMETER for each in bound[1])
+
+
+def _port_handler(work: Work, site: Site) -> None:
+    """Make the response that rospy makes of what a handler returns."""
+    if site.shape.callback is None:
+        return
+    given = site.arguments.get(site.shape.callback)
+    if given is not None and given.type == "lambda":
+        body = given.child_by_field_name("body")
+        if body is not None:
+            _port_return(work, site, given, body)
+        return
+    function = work.callback_of(site) or _wrapped_function(work, site, given)
+    if function is None or function.node.id in work.done:
+        return
+    work.done.add(function.node.id)
+    is_shared = any(
+        work.callback_of(other) is function
+        and (other.endpoint.kind, other.endpoint.type) != (site.endpoint.kind, site.endpoint.type)
+        for other in work.analysis.sites
+    )
+    pending = list(function.node.named_children)
+    while pending:
+        node = pending.pop()
+        if node.type in _FUNCTIONS:
+            continue
+        if node.type == "return_statement":
+            value = next(iter(parts_of(node)), None)
+            if not is_shared:
+                _port_return(work, site, node, value)
+            elif value is None or not _is_response(work, value):
+                work.mark(node, "return a response", _RESPONSE)
+        pending.extend(node.named_children)
+
+
+def _wrapped_function(work: Work, site: Site, given: Node | None) -> Scope | None:
+    """Return the function of the file that is wrapped in a `functools.partial`."""
+    target = callback_target(given, site.scope, work.analysis)
+    if target is None or target is given or target.type != "identifier":
+        return None
+    found = site.scope.lookup(work.slice(target))
+    owners = [each.owner for each in found[1]] if found is not None else []
+    return owners[0] if len(owners) == 1 else None
+
+
+def _port_return(work: Work, site: Site, statement: Node, value: Node | None) -> None:
+    """Make a response of what is returned; mark what may be none."""
+    if value is not None and _is_response(work, value):
+        return
+    type_, class_ = site.endpoint.type, _visible_type(work, site, statement)
+    given = _returned(work, value) if value is not None else None
+    fields = fields_of(work, type_, InterfaceKind.SERVICE, "Response") if type_ else None
+    splices = None
+    if given is not None and fields is not None:
+        splices = write_fields(work, given, fields)
+    if value is None or class_ is None or splices is None:
+        work.mark(statement, "return a response", _RESPONSE)
+        return
+    made = f"{class_}.Response("
+    if value.type not in ("list", "tuple", "dictionary", "expression_list"):
+        _wrap(work, made[:-1], [value], splices)
+        return
+    # The brackets go, and what is between them stays where it is.
+    is_bare = value.type == "expression_list"
+    start = value.start_byte if is_bare else value.start_byte + 1
+    end = value.end_byte if is_bare else value.end_byte - 1
+    encode = work.analysis.syntax.encode
+    work.cut(Splice(value.start_byte, start, encode(made)))
+    _put(work, splices)
+    if value.type == "dictionary":
+        _name_keys(work, value)
+    work.cut(Splice(end, value.end_byte, b")"))
+
+
+def _name_keys(work: Work, value: Node) -> None:
+    """Write the keys of a dictionary as keywords."""
+    encode = work.analysis.syntax.encode
+    for pair in parts_of(value):
+        key, held = pair.child_by_field_name("key"), pair.child_by_field_name("value")
+        if key is not None and held is not None:
+            name = work.slice(key)[1:-1]
+            work.cut(Splice(key.start_byte, held.start_byte, encode(f"{name}=")))
+
+
+def _returned(work: Work, value: Node) -> Given | None:
+    """Return the values that rospy puts into a response, None where it is not sure."""
+    if value.type == "dictionary":
+        found: Given = []
+        for pair in parts_of(value):
+            key, held = pair.child_by_field_name("key"), pair.child_by_field_name("value")
+            name = work.slice(key)[1:-1] if key is not None and key.type == "string" else ""
+            if held is None or not name.isidentifier():
+                return None
+            found.append((name, held))
+        return found
+    if value.type in ("list", "tuple", "expression_list"):
+        items = parts_of(value)
+        return None if any("splat" in each.type for each in items) else [(None, x) for x in items]
+    kind = kind_of(work, value)
+    if kind in (None, LIST, "dict") or not is_plain(kind):
+        return None
+    return [(None, value)]
+
+
+def _is_response(work: Work, value: Node) -> bool:
+    """Tell whether an expression is a response for sure: one that is made, or a name of one."""
+    if value.type == "parenthesized_expression":
+        return _is_response(work, value.named_children[0])
+    if value.type == "conditional_expression":
+        parts = parts_of(value)
+        return _is_response(work, parts[0]) and _is_response(work, parts[-1])
+    callee = value.child_by_field_name("function")
+    if callee is not None:
+        return any(
+            ".srv." in f".{name}" and name.endswith("Response") for name in work.qualified(callee)
+        )
+    found = work.scope(value).lookup(work.slice(value)) if value.type == "identifier" else None
+    bindings = found[1] if found is not None else []
+    made = [
+        each.value is not None and each.value.type == "call" and _is_response(work, each.value)
+        for each in bindings
+    ]
+    return bool(made) and all(made)

@@ -1,0 +1,167 @@
+"""Porting a whole file, and what is said about it."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from plastron_tui.diagnostics import Diagnostic, Severity, Span
+from plastron_tui.model.source import EndpointKind, SourceFile
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.sources.base import Rendered
+from plastron_tui.sources.python.analysis import Analysis, Site
+from plastron_tui.sources.python.calls import LIBRARIES
+from plastron_tui.sources.python.compiling import syntax_error
+from plastron_tui.sources.python.editor import not_encodable
+from plastron_tui.sources.python.sites import analyze
+
+from .to_rclpy import port_to_rclpy
+from .to_rospy import port_to_rospy
+from .types import target_type
+from .work import COMMENT, SEPARATOR, Mark, Work
+
+_PORTS = {"rclpy": port_to_rclpy, "rospy": port_to_rospy}
+_KINDS = {
+    EndpointKind.PUBLISHER: ("publisher of", InterfaceKind.MESSAGE),
+    EndpointKind.SUBSCRIPTION: ("subscription to", InterfaceKind.MESSAGE),
+    EndpointKind.SERVICE: ("service", InterfaceKind.SERVICE),
+    EndpointKind.CLIENT: ("client of", InterfaceKind.SERVICE),
+}
+
+_Key = tuple[EndpointKind, str | None, str]
+
+
+def port_python(source: SourceFile, catalog: Catalog, library: str) -> Rendered:
+    """Bring a file to another client library.
+
+    The result was read again: an endpoint that it does not show is a warning, and a file that
+    compiled before and would not any more is refused.
+
+    Args:
+        source: the file.
+        catalog: the types of the distribution that it goes to.
+        library: the client library that it goes to.
+    """
+    before = analyze(source.text, LIBRARIES[source.library])
+    if before.syntax.errors:
+        message = f"`{source.path.name}` does not parse, and cannot be brought to {library}"
+        return Rendered(None, (Diagnostic("edit-refused", message, help="mend the file first"),))
+    try:
+        return _ported(source, Work(before, catalog), library)
+    except UnicodeEncodeError as error:
+        return Rendered(None, (not_encodable(source, error),))
+
+
+def _ported(source: SourceFile, work: Work, library: str) -> Rendered:
+    """Rewrite the file, and read the result.
+
+    Raises:
+        UnicodeEncodeError: the file is in an encoding that lacks a character of the result.
+    """
+    before = work.analysis
+    _PORTS[library](work)
+    for site in before.sites:
+        if site.endpoint.name is None and site.endpoint.kind in _KINDS and site.endpoint.expression:
+            work.mark(site.call, f"the name {_one_line(site.endpoint.expression)}", _CHECK)
+        _mark_type(work, site)
+    text = work.result()
+    lines = _comment_lines(text)
+    found = [_listed(mark, source, library, lines) for mark in _in_order(work.marks)]
+    after = analyze(text, LIBRARIES[library])
+    found += _missing(work, before, after, source)
+    problem = syntax_error(text)
+    if problem is not None and syntax_error(source.text) is None:
+        message = f"`{source.path.name}` cannot be brought to {library}: {problem.reason}"
+        return Rendered(None, (Diagnostic("edit-refused", message),))
+    if problem is not None:
+        found.append(_by_hand(source, f"the file is no Python 3: {problem.reason}", None, None))
+    return Rendered(text, tuple(found))
+
+
+def _mark_type(work: Work, site: Site) -> None:
+    """Mark a type of a module that is imported whole, where the other ROS names it otherwise.
+
+    One that is imported by its name is brought over with its import.
+    """
+    type_, kind = site.endpoint.type, site.endpoint.kind
+    if type_ is None or kind not in _KINDS or "." not in site.endpoint.type_expression:
+        return
+    found, remedy = target_type(work, type_, _KINDS[kind][1])
+    if found != type_:
+        work.mark(site.call, str(type_), remedy if found is None else f"it is `{found}` there")
+
+
+_CHECK = "the file decides the name as it runs: see that it is one of the other ROS"
+
+
+def _one_line(text: str) -> str:
+    return " ".join(text.split())[:60]
+
+
+def _in_order(marks: list[Mark]) -> list[Mark]:
+    """Return the marks in the order of the file, each once a line."""
+    seen: dict[tuple[int, str], Mark] = {}
+    for mark in sorted(marks, key=lambda mark: mark.node.start_byte):
+        seen.setdefault((mark.node.start_point.row, mark.what), mark)
+    return list(seen.values())
+
+
+def _comment_lines(text: bytes) -> dict[str, list[int]]:
+    """Return the lines below the comments of a ported file, by what the comments name."""
+    lines: dict[str, list[int]] = {}
+    for row, line in enumerate(text.split(b"\n"), 2):
+        _, comment, words = line.decode("utf-8", "replace").partition(COMMENT)
+        if comment:
+            for what in words.rstrip().split(SEPARATOR):
+                lines.setdefault(what, []).append(row)
+    return lines
+
+
+def _listed(
+    mark: Mark, source: SourceFile, library: str, lines: dict[str, list[int]]
+) -> Diagnostic:
+    """Return the warning for a mark, with its line in the new file, one after the other."""
+    span = Span(mark.node.start_byte, mark.node.end_byte)
+    rows = lines.get(mark.what)
+    place = f" in line {rows[0]} of the new file" if rows else ""
+    if rows is not None and len(rows) > 1:
+        rows.pop(0)
+    message = f"`{mark.what}`{place} has to be ported to {library} by hand"
+    return _by_hand(source, message, span, mark.remedy)
+
+
+def _by_hand(source: SourceFile, message: str, span: Span | None, remedy: str | None) -> Diagnostic:
+    return Diagnostic(
+        "port-by-hand",
+        message,
+        span,
+        file=source.path,
+        help=remedy,
+        severity=Severity.WARNING,
+    )
+
+
+def _missing(work: Work, before: Analysis, after: Analysis, source: SourceFile) -> list[Diagnostic]:
+    """Return a warning for each endpoint that the result does not show."""
+    shown = Counter(_key(work, each) for each in after.sites)
+    found = []
+    for site in before.sites:
+        if site.endpoint.kind not in _KINDS or site.endpoint.name is None:
+            continue
+        key = _key(work, site)
+        if shown[key] > 0:
+            shown[key] -= 1
+            continue
+        what = f"the {_KINDS[site.endpoint.kind][0]} `{site.endpoint.name}`"
+        message = f"{what} in line {site.endpoint.line} is not carried over"
+        found.append(_by_hand(source, message, site.endpoint.span, None))
+    return found
+
+
+def _key(work: Work, site: Site) -> _Key:
+    endpoint = site.endpoint
+    name = endpoint.name.replace("~/", "~") if endpoint.name is not None else None
+    type_ = endpoint.type
+    if type_ is not None and endpoint.kind in _KINDS:
+        type_ = target_type(work, type_, _KINDS[endpoint.kind][1])[0] or type_
+    return (endpoint.kind, name, str(type_))

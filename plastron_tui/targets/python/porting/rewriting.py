@@ -1,0 +1,108 @@
+"""What both ways of porting do: endpoints in turn, arguments, lines, and opposites."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from tree_sitter import Node
+
+from plastron_tui.model.source import EndpointKind
+from plastron_tui.sources.python.analysis import Site
+from plastron_tui.sources.python.scopes import Scope
+from plastron_tui.sources.python.splices import line_start
+from plastron_tui.sources.python.syntax import parts_of
+
+from .work import Work
+
+Writer = Callable[[Work, Site, str], str | None]
+"""Writes the call that makes an endpoint, with the source of its name; None where it cannot."""
+
+
+def port_sites(
+    work: Work,
+    writers: Mapping[EndpointKind, Writer],
+    private_name: Callable[[Work, Site, Node], str],
+) -> None:
+    """Rewrite the calls that make endpoints, inner ones first.
+
+    Args:
+        work: the file.
+        writers: what writes the call of each kind.
+        private_name: writes a name that the node's own stands before.
+    """
+    for site in reversed(work.analysis.sites):
+        if site.endpoint.kind not in writers or site.arguments.is_open:
+            continue
+        name = site.arguments.get(site.shape.name)
+        is_typed = site.shape.type is None or site.arguments.get(site.shape.type) is not None
+        if name is None or not is_typed:
+            continue
+        is_private = site.endpoint.name is not None and site.endpoint.name.startswith("~")
+        written = private_name(work, site, name) if is_private else work.text(name)
+        wanted = writers[site.endpoint.kind](work, site, written)
+        if wanted is not None:
+            work.replace(site.call, wanted)
+
+
+def given_type(work: Work, site: Site) -> str:
+    """Return the source of the type that an endpoint is of."""
+    given = site.arguments.get(site.shape.type) if site.shape.type is not None else None
+    return work.text(given) if given is not None else ""
+
+
+def callable_text(text: str) -> str:
+    """Return an expression so that it can be called."""
+    return text if text.replace(".", "").isidentifier() else f"({text})"
+
+
+def parameters_of(function: Scope) -> tuple[Node | None, list[Node]]:
+    """Return the list of a function's parameters, and the parameters."""
+    listed = function.node.child_by_field_name("parameters")
+    return listed, parts_of(listed)
+
+
+def append_parameter(work: Work, listed: Node, parameters: list[Node], parameter: str) -> None:
+    """Let a function take one argument more."""
+    if parameters:
+        work.insert(parameters[-1].end_byte, f", {parameter}")
+    else:
+        work.insert(listed.start_byte + 1, parameter)
+
+
+def replace_by_opposite(work: Work, call: Node, opposite: str) -> None:
+    """Rewrite a call as the opposite of another: `not rclpy.ok()` as `rospy.is_shutdown()`."""
+    parent = call.parent
+    if parent is not None and parent.type == "not_operator":
+        work.done.add(call.id)
+        work.replace(parent, opposite)
+        return
+    is_condition = parent is not None and parent.type in ("if_statement", "while_statement")
+    work.replace(call, f"not {opposite}" if is_condition else f"(not {opposite})")
+
+
+def first_statement(body: Node) -> Node:
+    """Return the first statement of a block, behind its docstring."""
+    statements = parts_of(body)
+    first = statements[0]
+    is_docstring = first.type == "expression_statement" and bool(
+        first.named_children and first.named_children[0].type == "string"
+    )
+    return statements[1] if is_docstring and len(statements) > 1 else first
+
+
+def begins_line(work: Work, statement: Node) -> bool:
+    """Tell whether nothing stands before a statement in its line."""
+    text = work.analysis.syntax.text
+    return not text[line_start(text, statement.start_byte) : statement.start_byte].strip()
+
+
+def put_before(work: Work, statement: Node, lines: list[str]) -> None:
+    """Insert lines before a statement; in a line with others, comments have no place."""
+    text = work.analysis.syntax.text
+    if not begins_line(work, statement):
+        code = [line for line in lines if not line.startswith("#")]
+        work.insert(statement.start_byte, "".join(f"{line}; " for line in code))
+        return
+    start = line_start(text, statement.start_byte)
+    indent = text[start : statement.start_byte].decode("ascii", "replace")
+    work.insert(start, "".join(f"{indent}{line}\n" for line in lines))

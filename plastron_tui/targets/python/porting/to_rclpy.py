@@ -1,0 +1,249 @@
+"""From rospy to rclpy: the endpoints, the node behind them, and what runs it."""
+
+from __future__ import annotations
+
+import re
+from functools import partial
+
+from tree_sitter import Node
+
+from plastron_tui.model.source import EndpointKind
+from plastron_tui.sources.python.analysis import Site
+from plastron_tui.sources.python.calls import Argument
+from plastron_tui.sources.python.scopes import Scope
+
+from .leftovers import mark_leftovers, port_ending
+from .placing import add_header
+from .plain import port_plain
+from .rclpy_node import make_node, port_running
+from .rewriting import (
+    Writer,
+    append_parameter,
+    callable_text,
+    given_type,
+    parameters_of,
+    port_sites,
+)
+from .types import port_imports
+from .words import port_words
+from .work import Work, walk
+
+_GONE = frozenset({"rospy", "roslib"})
+_LEFT = _GONE | {"actionlib", "rosgraph", "rosnode", "rosservice", "rostopic", "rosparam", "genpy"}
+_LEFT |= {"tf", "tf2_ros", "dynamic_reconfigure", "roslaunch", "rosbag"}
+
+_ENDING = {"shutdown": "`cancel` of a timer, `destroy` of the others"}
+
+# ROS 2 is of Python 3 only, which a plain `python` may not be.
+_OLD_PYTHON = re.compile(rb"#![^\r\n]*\bpython(?=[ \t]*[\r\n])()")
+
+_ATTRIBUTES = {
+    "secs": "a time of ROS 2 has `sec`",
+    "nsecs": "a time of ROS 2 has `nanosec`",
+    "to_sec": "a time of ROS 2 has `sec` and `nanosec`",
+    "to_nsec": "a time of ROS 2 has `sec` and `nanosec`",
+    "seq": "a header of ROS 2 has no `seq`",
+    "resolved_name": "`srv_name` of the client, `topic_name` of the others",
+    "wait_for_service": "it takes `timeout_sec`, and tells whether the service is there",
+    "get_num_connections": "`get_subscription_count` of a publisher",
+    "unregister": "`destroy` of the endpoint",
+}
+
+
+def port_to_rclpy(work: Work) -> None:
+    """Rewrite what makes a rospy node and its endpoints, and mark the rest of rospy."""
+    node = work.free_name("node")
+    port_imports(work, _GONE)
+    if old := _OLD_PYTHON.match(work.analysis.syntax.text):
+        work.insert(old.end(1), "3")
+    runs_in_thread = port_running(work, node)
+    port_words(work, node)
+    port_plain(work)
+    port_sites(work, _writers(node), _private_name)
+    make_node(work, node, in_thread=runs_in_thread)
+    port_ending(work, {"shutdown": "cancel"}, _ENDING)
+    mark_leftovers(work, _LEFT, _ATTRIBUTES, _remedies(node))
+    work.imports.add("import rclpy")
+    add_header(work)
+
+
+def _remedies(node: str) -> dict[str, str]:
+    log = {
+        f"rospy.{old}": f"`{node}.get_logger().{new}(...)`, with one text"
+        for old, new in {
+            "loginfo": "info",
+            "logwarn": "warning",
+            "logerr": "error",
+            "logdebug": "debug",
+            "logfatal": "fatal",
+        }.items()
+    }
+    return log | {
+        "rospy.Time.now": f"`{node}.get_clock().now().to_msg()`",
+        "rospy.get_rostime": f"`{node}.get_clock().now().to_msg()`",
+        "rospy.get_time": f"`{node}.get_clock().now().nanoseconds / 1e9`",
+        "rospy.get_param": f"`{node}.declare_parameter(name, default).value`",
+        "rospy.sleep": "`time.sleep(...)`",
+        "rospy.is_shutdown": "`not rclpy.ok()`",
+        "rospy.wait_for_service": "`wait_for_service` of the client",
+        "rospy.on_shutdown": "`rclpy.get_default_context().on_shutdown(...)`",
+        "rospy.get_name": f"`{node}.get_name()`",
+        "rospy.Duration": "`rclpy.duration.Duration(seconds=...)`",
+        "rospy.signal_shutdown": "`rclpy.shutdown()`",
+        "rospy.Rate": f"`{node}.create_rate(...)`",
+        "actionlib": "`rclpy.action`",
+        "tf": "`tf2_ros`",
+    }
+
+
+def _private_name(work: Work, site: Site, name: Node) -> str:
+    """Write a private name, which has a slash behind its `~` in ROS 2."""
+    written = work.text(name)
+    if name.type == "string" and "~" in written:
+        return written.replace("~/", "~").replace("~", "~/", 1)
+    work.mark(site.call, "a private name", "ROS 2 writes `~/name`, with a slash")
+    return written
+
+
+def _writers(node: str) -> dict[EndpointKind, Writer]:
+    """Return what writes the calls, all of which are methods of the node."""
+    writers = {
+        EndpointKind.PUBLISHER: _publisher,
+        EndpointKind.SUBSCRIPTION: _subscription,
+        EndpointKind.SERVICE: _service,
+        EndpointKind.CLIENT: _client,
+        EndpointKind.TIMER: _timer,
+    }
+    return {kind: partial(writer, node) for kind, writer in writers.items()}
+
+
+def _publisher(node: str, work: Work, site: Site, name: str) -> str | None:
+    _mark_options(work, site, {"latch": "`DurabilityPolicy.TRANSIENT_LOCAL` in a `QoSProfile`"})
+    return f"{node}.create_publisher({_type(work, site)}, {name}, {_depth(work, site, 7)})"
+
+
+def _subscription(node: str, work: Work, site: Site, name: str) -> str | None:
+    type_ = _type(work, site)
+    callee = site.shape.callees[0]
+    if callee == "message_filters.Subscriber":
+        if (
+            site.shape.callback is None
+            and "wait_for_message" in work.slice(site.call).split("(")[0]
+        ):
+            timeout = site.arguments.get(Argument(2, "timeout"))
+            work.imports.add("from rclpy.wait_for_message import wait_for_message")
+            limit = f", time_to_wait={work.text(timeout)}" if timeout is not None else ""
+            return f"wait_for_message({type_}, {node}, {name}{limit})[1]"
+        function = site.call.child_by_field_name("function")
+        assert function is not None
+        return f"{work.slice(function)}({node}, {type_}, {name})"
+    callback = site.arguments.get(Argument(2, "callback"))
+    extra = site.arguments.get(Argument(3, "callback_args"))
+    called = work.text(callback) if callback is not None else "lambda message: None"
+    if extra is not None and callback is not None:
+        called = f"lambda message: {callable_text(called)}(message, {work.text(extra)})"
+    return f"{node}.create_subscription({type_}, {name}, {called}, {_depth(work, site, 4)})"
+
+
+def _service(node: str, work: Work, site: Site, name: str) -> str | None:
+    handler = site.arguments.get(Argument(2, "handler"))
+    if handler is None:
+        return None
+    called = work.text(handler)
+    function = work.callback_of(site)
+    if function is None:
+        called = f"lambda request, response: {callable_text(called)}(request)"
+    else:
+        _take_response(work, function)
+    return f"{node}.create_service({_type(work, site)}, {name}, {called})"
+
+
+def _client(node: str, work: Work, site: Site, name: str) -> str | None:
+    return f"{node}.create_client({_type(work, site)}, {name})"
+
+
+def _timer(node: str, work: Work, site: Site, name: str) -> str | None:
+    period = site.arguments.get(site.shape.name)
+    callback = site.arguments.get(Argument(1, "callback"))
+    if period is None or callback is None:
+        return None
+    _mark_options(work, site, {"oneshot": "cancel the timer when it is called"})
+    called = work.text(callback)
+    function = work.callback_of(site)
+    if function is None:
+        called = f"lambda: {callable_text(called)}(None)"
+    else:
+        _give_default(work, function)
+    return f"{node}.create_timer({_seconds(work, period)}, {called})"
+
+
+def _type(work: Work, site: Site) -> str:
+    given = site.arguments.get(site.shape.type) if site.shape.type is not None else None
+    callee = given.child_by_field_name("function") if given is not None else None
+    if given is not None and callee is not None:
+        listed = given.child_by_field_name("arguments")
+        if "rospy.numpy_msg.numpy_msg" in work.qualified(callee) and listed is not None:
+            work.done.add(given.id)
+            work.mark(given, "numpy_msg", "rclpy gives an array of numbers as a numpy array itself")
+            return work.text(listed)[1:-1]
+    return given_type(work, site)
+
+
+def _depth(work: Work, site: Site, position: int) -> str:
+    """Write the depth of the queue; rospy's `None` is no end, which ROS 2 does not have."""
+    given = site.arguments.get(Argument(position, "queue_size"))
+    text = work.text(given) if given is not None else "10"
+    return "10" if text in ("None", "0") else text
+
+
+def _mark_options(work: Work, site: Site, options: dict[str, str]) -> None:
+    for name, remedy in options.items():
+        if name in site.arguments.keywords:
+            work.mark(site.call, name, remedy)
+
+
+def _seconds(work: Work, period: Node) -> str:
+    """Write a period in seconds: what is in `rospy.Duration(…)`."""
+    callee = period.child_by_field_name("function") if period.type == "call" else None
+    arguments = period.child_by_field_name("arguments")
+    if callee is not None and arguments is not None and arguments.named_child_count == 1:
+        names = work.qualified(callee)
+        if set(names) & {"rospy.Duration", "rospy.Duration.from_sec"}:
+            [given] = arguments.named_children
+            is_named = given.type == "keyword_argument"
+            value = given.child_by_field_name("value") if is_named else given
+            work.done.add(period.id)
+            return work.text(value or given)
+    work.mark(period, "a period in seconds", "a timer of ROS 2 takes a number of seconds")
+    return work.text(period)
+
+
+def _take_response(work: Work, function: Scope) -> None:
+    """Let a handler take the response that rclpy hands over."""
+    listed, parameters = parameters_of(function)
+    if listed is None or listed.id in work.done:
+        return
+    work.done.add(listed.id)
+    if any("splat" in each.type or each.type == "keyword_separator" for each in parameters):
+        return
+    append_parameter(work, listed, parameters, "response=None")
+
+
+def _give_default(work: Work, function: Scope) -> None:
+    """Let a timer's callback be called without its event."""
+    listed, parameters = parameters_of(function)
+    if listed is None or listed.id in work.done:
+        return
+    work.done.add(listed.id)
+    own = parameters[1:] if function.self_name else parameters
+    if own and own[0].type == "identifier":
+        work.insert(own[0].end_byte, "=None")
+        _mark_event(work, function, work.slice(own[0]))
+
+
+def _mark_event(work: Work, function: Scope, event: str) -> None:
+    """Mark what a timer's callback asks of its event."""
+    for node in walk(function.node):
+        holder = node.child_by_field_name("object") if node.type == "attribute" else None
+        if holder is not None and work.slice(holder) == event:
+            work.mark(node, work.slice(node), "a timer of ROS 2 hands over no event")

@@ -1,0 +1,358 @@
+"""From rclpy to rospy: the endpoints, the node behind them, and what runs it."""
+
+from __future__ import annotations
+
+from tree_sitter import Node
+
+from plastron_tui.model.source import EndpointKind
+from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.sources.python import literals
+from plastron_tui.sources.python.analysis import NodeSite, Site
+from plastron_tui.sources.python.calls import Argument
+from plastron_tui.sources.python.constants import Known
+from plastron_tui.sources.python.references import statement_of
+from plastron_tui.sources.python.scopes import Scope
+from plastron_tui.sources.python.splices import Splice, delete_item, line_start
+from plastron_tui.sources.python.syntax import parts_of
+
+from .leftovers import mark_leftovers, port_ending
+from .placing import add_header
+from .rewriting import (
+    Writer,
+    append_parameter,
+    callable_text,
+    first_statement,
+    given_type,
+    parameters_of,
+    port_sites,
+    put_before,
+)
+from .rospy_words import port_rospy_words
+from .types import port_imports, target_type
+from .work import Work, walk
+
+_GONE = frozenset({"rclpy"})
+_LEFT = _GONE | {"ament_index_python", "launch", "launch_ros", "tf2_ros", "nav2_simple_commander"}
+_LEFT |= {"rcl_interfaces", "lifecycle_msgs", "rosbag2_py"}
+
+_INTERRUPTS = (
+    "rclpy.executors.ExternalShutdownException",
+    "rclpy.exceptions.ROSInterruptException",
+)
+
+_ATTRIBUTES = {
+    "get_logger": "`rospy.loginfo(...)`, `rospy.logwarn(...)`",
+    "get_clock": "`rospy.Time.now()`",
+    "declare_parameter": "`rospy.get_param('~name', default)`",
+    "declare_parameters": "`rospy.get_param('~name', default)`",
+    "get_parameter": "`rospy.get_param('~name')`",
+    "get_parameter_or": "`rospy.get_param('~name', default)`",
+    "set_parameters": "`rospy.set_param('~name', value)`",
+    "add_on_set_parameters_callback": "`dynamic_reconfigure`",
+    "get_name": "`rospy.get_name()`",
+    "get_namespace": "`rospy.get_namespace()`",
+    "call_async": "call the client itself; it waits for the answer",
+    "service_is_ready": "`wait_for_service` of the client",
+    "srv_name": "`resolved_name` of the client",
+    "remove_pending_request": None,
+    "get_subscription_count": "`get_num_connections` of the publisher",
+    "destroy_subscription": "`unregister` of the subscriber",
+    "destroy_publisher": "`unregister` of the publisher",
+    "destroy_timer": "`shutdown` of the timer",
+    "create_guard_condition": None,
+    "sec": "a time of ROS 1 has `secs`",
+    "nanosec": "a time of ROS 1 has `nsecs`",
+    "nanoseconds": "a time of ROS 1 has `to_nsec()`",
+    "Request": "rospy has it beside the service's class: `AddTwoIntsRequest`",
+    "Response": "rospy has it beside the service's class: `AddTwoIntsResponse`",
+}
+
+_ENDING = {
+    "cancel": "`shutdown` of the timer",
+    "reset": "a timer of rospy starts anew as a new `rospy.Timer(...)`",
+    "is_canceled": "`is_alive` of the timer",
+    "time_until_next_call": "a timer of rospy does not tell",
+    "destroy": "`shutdown` of a timer or service, `unregister` of the others",
+}
+
+_REMEDIES = {
+    "rclpy.time": "`rospy.Time`",
+    "rclpy.duration": "`rospy.Duration`",
+    "rclpy.action": "`actionlib`",
+    "rclpy.qos": "ROS 1 has `latch` and `queue_size` only",
+    "rclpy.spin_once": "`rospy.sleep(...)`: rospy handles what comes in threads of its own",
+    "rclpy.spin_until_future_complete": "a client of rospy waits by itself",
+    "rclpy.executors": "rospy handles what comes in threads of its own",
+    "rclpy.logging": "`rospy.loginfo(...)`",
+}
+
+
+def port_to_rospy(work: Work) -> None:
+    """Rewrite what makes rclpy nodes and their endpoints, and mark the rest of rclpy."""
+    port_imports(work, _GONE)
+    _port_running(work)
+    _mark_coroutines(work)
+    port_rospy_words(work)
+    port_sites(work, _WRITERS, _private_name)
+    _port_nodes(work)
+    port_ending(work, {"cancel": "shutdown"}, _ENDING)
+    mark_leftovers(work, _LEFT, {k: v or "" for k, v in _ATTRIBUTES.items()}, _REMEDIES)
+    work.imports.add("import rospy")
+    add_header(work)
+
+
+def _mark_coroutines(work: Work) -> None:
+    for function in work.callbacks.values():
+        if function.node.children[0].type == "async":
+            work.mark(function.node, "async", "rospy does not wait for coroutines")
+
+
+def _private_name(work: Work, site: Site, name: Node) -> str:
+    """Write a private name, which has no slash behind its `~` in ROS 1."""
+    written = work.text(name)
+    if name.type == "string" and "~/" in written:
+        return written.replace("~/", "~", 1)
+    work.mark(site.call, "a private name", "ROS 1 writes `~name`, without a slash")
+    return written
+
+
+def _publisher(work: Work, site: Site, name: str) -> str | None:
+    depth = _depth(work, site, Argument(2, "qos_profile")) or "10"
+    return f"rospy.Publisher({name}, {given_type(work, site)}, queue_size={depth})"
+
+
+def _subscription(work: Work, site: Site, name: str) -> str | None:
+    callee = site.shape.callees[0]
+    type_ = given_type(work, site)
+    if callee == "message_filters.Subscriber":
+        return f"message_filters.Subscriber({name}, {type_})"
+    if callee != "create_subscription":
+        limit = site.arguments.get(Argument(-1, "time_to_wait"))
+        timeout = f", timeout={work.text(limit)}" if limit is not None else ""
+        return f"(True, rospy.wait_for_message({name}, {type_}{timeout}))"
+    callback = site.arguments.get(Argument(2, "callback"))
+    depth = _depth(work, site, Argument(3, "qos_profile"))
+    called = f", {work.text(callback)}" if callback is not None else ""
+    queue = f", queue_size={depth}" if depth is not None else ""
+    return f"rospy.Subscriber({name}, {type_}{called}{queue})"
+
+
+def _service(work: Work, site: Site, name: str) -> str | None:
+    callback = site.arguments.get(Argument(2, "callback"))
+    if callback is None:
+        return None
+    called = work.text(callback)
+    function = work.callback_of(site)
+    made = _response(work, site)
+    if function is None or not _make_response(work, function, made):
+        called = f"lambda request: {callable_text(called)}(request, {made})"
+    return f"rospy.Service({name}, {given_type(work, site)}, {called})"
+
+
+def _client(work: Work, site: Site, name: str) -> str | None:
+    return f"rospy.ServiceProxy({name}, {given_type(work, site)})"
+
+
+def _timer(work: Work, site: Site, name: str) -> str | None:
+    callback = site.arguments.get(Argument(1, "callback"))
+    if callback is None:
+        return None
+    called = work.text(callback)
+    function = work.callback_of(site)
+    if function is None or not _take_event(work, function):
+        called = f"lambda event: {callable_text(called)}()"
+    return f"rospy.Timer(rospy.Duration({name}), {called})"
+
+
+_WRITERS: dict[EndpointKind, Writer] = {
+    EndpointKind.PUBLISHER: _publisher,
+    EndpointKind.SUBSCRIPTION: _subscription,
+    EndpointKind.SERVICE: _service,
+    EndpointKind.CLIENT: _client,
+    EndpointKind.TIMER: _timer,
+}
+
+
+def _depth(work: Work, site: Site, argument: Argument) -> str | None:
+    """Write the depth of a queue; any other quality of service is marked."""
+    given = site.arguments.get(argument)
+    if given is None:
+        return None
+    folded = work.analysis.resolver.fold(given, site.scope)
+    if isinstance(folded, Known) and isinstance(folded.value, int):
+        return work.text(given)
+    work.mark(site.call, "quality of service", _REMEDIES["rclpy.qos"])
+    return None
+
+
+def _response(work: Work, site: Site) -> str:
+    """Write an expression that makes an empty response."""
+    type_ = site.endpoint.type
+    if type_ is None:
+        return f"{given_type(work, site)}._response_class()"
+    found = target_type(work, type_, InterfaceKind.SERVICE)[0] or type_
+    work.imports.add(f"from {found.package}.srv import {found.name}Response")
+    return f"{found.name}Response()"
+
+
+def _make_response(work: Work, function: Scope, made: str) -> bool:
+    """Let a handler make the response that rclpy hands over; tell whether it can be."""
+    listed, parameters = parameters_of(function)
+    body = function.node.child_by_field_name("body")
+    if listed is None or body is None:
+        return False
+    if listed.id in work.done:
+        return True
+    own = parameters[1:] if function.self_name else parameters
+    if len(own) != 2 or own[1].type not in ("identifier", "typed_parameter"):
+        return False
+    work.done.add(listed.id)
+    name = own[1] if own[1].type == "identifier" else own[1].named_children[0]
+    work.cut(delete_item(work.analysis.syntax.text, parameters, own[1]))
+    work.done.update(node.id for node in walk(own[1]))
+    put_before(work, first_statement(body), [f"{work.slice(name)} = {made}"])
+    return True
+
+
+def _take_event(work: Work, function: Scope) -> bool:
+    """Let a timer's callback take its event; tell whether it can."""
+    listed, parameters = parameters_of(function)
+    if listed is None:
+        return False
+    if listed.id in work.done:
+        return True
+    if len(parameters) != (1 if function.self_name else 0):
+        return False
+    work.done.add(listed.id)
+    append_parameter(work, listed, parameters, "event=None")
+    return True
+
+
+def _port_running(work: Work) -> None:
+    """Rewrite what runs the nodes, outside of callbacks."""
+    for call in work.analysis.captures.get("call", []):
+        callee = call.child_by_field_name("function")
+        if callee is None or work.is_in_callback(call):
+            continue
+        names = set(work.qualified(callee))
+        statement = statement_of(call)
+        is_alone = statement.type == "expression_statement" and statement.named_children == [call]
+        if names & {"rclpy.init"} and is_alone:
+            work.delete(statement)
+        elif names & {"rclpy.spin_once"} and is_alone:
+            _port_spin_once(work, call)
+        elif names & {"rclpy.spin"}:
+            _port_spin(work, call, statement if is_alone else None)
+        elif names & {"rclpy.shutdown", "rclpy.try_shutdown"}:
+            work.replace(call, 'rospy.signal_shutdown("the node is done")')
+        elif callee.type == "attribute":
+            _port_method(work, call, callee, statement if is_alone else None)
+    for node in walk(work.analysis.syntax.root):
+        parent = node.parent
+        if parent is None or node.type not in ("identifier", "attribute"):
+            continue
+        is_caught = parent.type in ("except_clause", "as_pattern", "tuple")
+        if is_caught and set(work.qualified(node)) & set(_INTERRUPTS):
+            work.replace(node, "rospy.ROSInterruptException")
+
+
+def _port_spin_once(work: Work, call: Node) -> None:
+    """Wait as long as for what comes, which rospy handles in threads of its own."""
+    for each in parts_of(call.child_by_field_name("arguments")):
+        name, value = each.child_by_field_name("name"), each.child_by_field_name("value")
+        if name is not None and value is not None and work.slice(name) == "timeout_sec":
+            work.replace(call, f"rospy.sleep({work.text(value)})")
+
+
+def _port_spin(work: Work, call: Node, alone: Node | None) -> None:
+    """Spin without the node; an argument that makes the node is evaluated before."""
+    arguments = call.child_by_field_name("arguments")
+    given = parts_of(arguments)
+    first = given[0] if given else None
+    if first is not None and first.type == "keyword_argument":
+        first = first.child_by_field_name("value")
+    if first is None or first.type == "attribute" or first.type == "identifier":
+        work.replace(call, "rospy.spin()")
+        return
+    text = work.analysis.syntax.text
+    opening, closing = ("", "") if first.type == "call" else ("(", ")")
+    if alone is None:
+        opening, closing = "(" + opening, closing + ", rospy.spin())[1]"
+    else:
+        indent = text[line_start(text, alone.start_byte) : alone.start_byte]
+        gap = "; " if indent.strip() else "\n" + indent.decode("ascii", "replace")
+        closing += f"{gap}rospy.spin()"
+    # What is in the argument may be rewritten itself, so only the text around it goes.
+    work.done.add(call.id)
+    encode = work.analysis.syntax.encode
+    work.cut(Splice(call.start_byte, first.start_byte, encode(opening)))
+    work.cut(Splice(first.end_byte, call.end_byte, encode(closing)))
+
+
+def _port_method(work: Work, call: Node, callee: Node, alone: Node | None) -> None:
+    part = callee.child_by_field_name("attribute")
+    name = work.slice(part) if part is not None else ""
+    if name == "destroy_node" and alone is not None:
+        work.delete(alone)
+    elif name == "create_rate":
+        arguments = call.child_by_field_name("arguments")
+        inner = work.text(arguments) if arguments is not None else "()"
+        work.replace(call, f"rospy.Rate{inner}")
+    elif name == "wait_for_service" and b"timeout_sec" in (call.text or b""):
+        work.mark(call, "timeout_sec", "`timeout=`; rospy raises where the time is up")
+
+
+def _port_nodes(work: Work) -> None:
+    """Make the one node that a process of ROS 1 has; classes of nodes become plain ones."""
+    classes = work.analysis.library.node_classes
+    for owner in work.analysis.scopes.classes():
+        for base in owner.bases:
+            if set(work.qualified(base)) & classes:
+                _leave_base(work, owner, base)
+    makers = [each for each in work.analysis.nodes if _is_maker(work, each)]
+    for index, maker in enumerate(makers):
+        _init(work, maker)
+        if index and maker.call is not None:
+            remedy = "ROS 1 has one node a process: make two programs of them"
+            work.mark(maker.call, "a second node", remedy)
+    for each in work.analysis.nodes:
+        if each.call is None and each.owner is not None and not _has_file_base(work, each.owner):
+            work.mark(each.scope.node, "the node's name", "`rospy.init_node(name)` makes the node")
+
+
+def _is_maker(work: Work, site: NodeSite) -> bool:
+    """Tell whether a place calls the library itself, and no class of the file."""
+    if site.call is None:
+        return False
+    return site.owner is None or not _has_file_base(work, site.owner)
+
+
+def _has_file_base(work: Work, owner: Scope) -> bool:
+    """Tell whether a class derives from a node class of the file."""
+    bases = [each for each in work.analysis.resolver.classes.bases(owner) if each is not owner]
+    classes = work.analysis.library.node_classes
+    return any(work.analysis.resolver.derives_from(base, classes) for base in bases)
+
+
+def _leave_base(work: Work, owner: Scope, base: Node) -> None:
+    listed = owner.node.child_by_field_name("superclasses")
+    if listed is None:
+        return
+    work.done.update(node.id for node in walk(base))
+    items = parts_of(listed)
+    if len(items) == 1:
+        work.replace(listed, "")
+    else:
+        work.cut(delete_item(work.analysis.syntax.text, items, base))
+
+
+def _init(work: Work, maker: NodeSite) -> None:
+    assert maker.call is not None
+    written = maker.expression if maker.name is None else literals.string(maker.name)
+    if not written:
+        written = '"node"'
+        work.mark(maker.call, "the node's name")
+    arguments = maker.call.child_by_field_name("arguments")
+    if arguments is not None and arguments.named_child_count > 1:
+        work.mark(maker.call, "options of the node", "`rospy.init_node` has others")
+    work.replace(maker.call, f"rospy.init_node({written})")

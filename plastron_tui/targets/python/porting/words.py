@@ -1,0 +1,146 @@
+"""What a rospy node says and asks of ROS in words that rclpy has others for: logs, name, time."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+from tree_sitter import Node
+
+from plastron_tui.ros.interfaces import FieldType
+from plastron_tui.sources.python.splices import Splice
+from plastron_tui.sources.python.syntax import parts_of
+
+from .kinds import kind_of, typed
+from .rclpy_node import has_node
+from .work import Work
+
+LOGS: Mapping[str, str] = {
+    "rospy.logdebug": "debug",
+    "rospy.loginfo": "info",
+    "rospy.logwarn": "warning",
+    "rospy.logerr": "error",
+    "rospy.logfatal": "fatal",
+}
+"""The functions of rospy that log, and the methods of a logger of rclpy."""
+
+# One field of a `%` format, or what is no field that a tuple fills in turn.
+_FIELD = re.compile(r"%(?:(%)|[-#0 +]*(?:(?!0)\d+)?(?:\.\d+)?[diouxXeEfFgGcrsa]|(.?))", re.DOTALL)
+_TEXT = re.compile(r"""(?P<quote>["'])(?P<inside>[^"'\\{}\n]*)(?P=quote)""")
+_SIMPLE = re.compile(r"[A-Za-z_][\w.]*")
+
+
+def port_words(work: Work, node: str) -> None:
+    """Rewrite plain logs, the node's name, and the time where it is put into a message."""
+    for call in reversed(work.analysis.captures.get("call", [])):
+        callee = call.child_by_field_name("function")
+        if callee is None or work.is_gone(call):
+            continue
+        names = {
+            name.replace("rospy.core.", "rospy.").replace("rospy.rostime.", "rospy.")
+            for name in work.qualified(callee)
+        }
+        if len(names) != 1:
+            continue
+        [name] = names
+        if name in LOGS and has_node(work, call):
+            _port_log(work, call, callee, f"{node}.get_logger().{LOGS[name]}")
+        elif name in ("rospy.get_name", "rospy.get_time", "rospy.Time.now"):
+            _port_question(work, call, name, node)
+
+
+def _port_question(work: Work, call: Node, name: str, node: str) -> None:
+    """Rewrite a call without arguments."""
+    arguments = call.child_by_field_name("arguments")
+    if arguments is None or parts_of(arguments) or not has_node(work, call):
+        return
+    if name == "rospy.get_name":
+        work.replace(call, f"{node}.get_fully_qualified_name()")
+    elif name == "rospy.get_time":
+        seconds = f"{node}.get_clock().now().nanoseconds / 1e9"
+        work.replace(call, seconds if _stands_alone(call) else f"({seconds})")
+    elif is_stamp(work, call):
+        work.replace(call, f"{node}.get_clock().now().to_msg()")
+
+
+def _stands_alone(call: Node) -> bool:
+    """Tell whether nothing beside a call binds closer than a division."""
+    return call.parent is not None and call.parent.type in ("assignment", "argument_list")
+
+
+def is_stamp(work: Work, call: Node) -> bool:
+    """Tell whether the time goes into the stamp of a header, as it is."""
+    parent = call.parent
+    if parent is None:
+        return False
+    if parent.type == "assignment":
+        left = parent.child_by_field_name("left")
+        type_ = typed(work, left) if left is not None else None
+        if isinstance(type_, FieldType):
+            return type_.name in ("time", "Time") and not type_.is_array
+        return left is not None and f".{work.slice(left)}".endswith(".header.stamp")
+    if parent.type != "keyword_argument" or parent.parent is None or parent.parent.parent is None:
+        return False
+    name = parent.child_by_field_name("name")
+    made = parent.parent.parent.child_by_field_name("function")
+    is_header = made is not None and "std_msgs.msg.Header" in work.qualified(made)
+    return is_header and name is not None and work.slice(name) == "stamp"
+
+
+def _port_log(work: Work, call: Node, callee: Node, log: str) -> None:
+    """Rewrite a log whose text is sure: rclpy takes one text, and fills in nothing."""
+    arguments = call.child_by_field_name("arguments")
+    given = parts_of(arguments) if arguments is not None else []
+    if not given or any("splat" in each.type for each in given):
+        return
+    if any(each.type in ("keyword_argument", "generator_expression") for each in given):
+        return
+    first, *rest = given
+    if not rest:
+        if kind_of(work, first) != "str":
+            work.insert(first.start_byte, "str(")
+            work.insert(first.end_byte, ")")
+        work.replace(callee, log)
+        return
+    count = _fields(work, first)
+    if count != len(rest):
+        return
+    work.replace(callee, log)
+    written = _formatted(work, first, rest)
+    if written is not None:
+        work.cut(Splice(first.start_byte, given[-1].end_byte, work.analysis.syntax.encode(written)))
+        return
+    opening, closing = ("(", ",)") if len(rest) == 1 else ("(", ")")
+    work.cut(Splice(first.end_byte, rest[0].start_byte, f" % {opening}".encode("ascii")))
+    work.insert(rest[-1].end_byte, closing)
+
+
+def _fields(work: Work, text: Node) -> int | None:
+    """Return how many values a literal format takes, None for what is no such literal."""
+    parts = text.named_children if text.type == "concatenated_string" else [text]
+    count = 0
+    for part in parts:
+        prefix = work.slice(part).partition('"')[0].partition("'")[0].lower()
+        if part.type != "string" or set(prefix) & {"b", "f"}:
+            return None
+        for found in _FIELD.finditer(work.slice(part)):
+            if found[2] is not None:
+                return None
+            count += found[1] is None
+    return count
+
+
+def _formatted(work: Work, text: Node, values: list[Node]) -> str | None:
+    """Write an f-string, where the text and the values are simple enough to be read in one."""
+    found = _TEXT.fullmatch(work.slice(text))
+    names = [work.slice(each) for each in values]
+    if found is None or not all(map(_SIMPLE.fullmatch, names)):
+        return None
+    if any(each.type not in ("identifier", "attribute") for each in values):
+        return None
+    parts = found["inside"].split("%s")
+    if len(parts) != len(names) + 1 or any("%" in part for part in parts):
+        return None
+    pairs = zip(parts[1:], names, strict=True)
+    inside = parts[0] + "".join(f"{{{name}}}{part}" for part, name in pairs)
+    return f"f{found['quote']}{inside}{found['quote']}"

@@ -1,0 +1,228 @@
+"""A file on its way to the other client library: rewrites, comments, and new imports."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from itertools import chain
+
+from tree_sitter import Node
+
+from plastron_tui.model.numbering import numbered
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import FieldType, Section
+from plastron_tui.sources.python.analysis import Analysis, Site
+from plastron_tui.sources.python.callbacks import callback_target
+from plastron_tui.sources.python.references import STATEMENT_PARENTS
+from plastron_tui.sources.python.scopes import BindingKind, Scope
+from plastron_tui.sources.python.splices import (
+    Splice,
+    apply,
+    delete_statements,
+    line_end,
+    line_start,
+)
+
+# Where a comment may stand on a line of its own, beside before a statement.
+_CLAUSES = frozenset({"elif_clause", "else_clause", "except_clause", "finally_clause"})
+
+
+COMMENT = "# port by hand: "
+SEPARATOR = "; "
+"""Between what one comment names."""
+
+
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """What has to be ported by hand.
+
+    Attributes:
+        node: what is meant.
+        what: the words of the comment.
+        remedy: what to write instead, where that is known.
+        has_comment: whether the comment is in the text already.
+    """
+
+    node: Node
+    what: str
+    remedy: str | None = None
+    has_comment: bool = False
+
+
+@dataclass(slots=True)
+class Work:
+    """A file on its way.
+
+    Attributes:
+        analysis: what the file is.
+        catalog: the types of the distribution that it goes to.
+        marks: what has to be ported by hand.
+        done: the ids of syntax nodes that are rewritten, so that nothing of them needs a mark.
+        imports: import lines that the rewritten file needs.
+        constants: lines that go behind the imports at the top of the file.
+        helpers: functions that go behind them.
+        callbacks: the functions that the endpoints call.
+        before: the types of the distribution that it comes from.
+        kinds: what expressions give, by the ids of their nodes.
+        types: the types of messages and their fields, by the ids of the expressions.
+    """
+
+    analysis: Analysis
+    catalog: Catalog
+    marks: list[Mark] = field(default_factory=list)
+    done: set[int] = field(default_factory=set)
+    imports: set[str] = field(default_factory=set)
+    constants: list[str] = field(default_factory=list)
+    helpers: list[str] = field(default_factory=list)
+    callbacks: dict[int, Scope] = field(default_factory=dict)
+    before: Catalog = field(init=False)
+    kinds: dict[int, str | None] = field(default_factory=dict)
+    types: dict[int, Section | FieldType | None] = field(default_factory=dict)
+    _splices: list[Splice] = field(default_factory=list)
+    _deleted: list[Node] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.before = Catalog(self.analysis.library.distribution)
+        for site in self.analysis.sites:
+            function = self.callback_of(site)
+            if function is not None:
+                self.callbacks[function.node.id] = function
+
+    def slice(self, node: Node) -> str:
+        """Return the source of a node, as it was."""
+        return self.analysis.syntax.slice(node)
+
+    def scope(self, node: Node) -> Scope:
+        """Return the scope that a node is in."""
+        return self.analysis.scopes.at(node.start_byte)
+
+    def qualified(self, node: Node) -> tuple[str, ...]:
+        """Return the qualified names that an expression may stand for."""
+        return self.analysis.resolver.qualified(node, self.scope(node))
+
+    def text(self, node: Node) -> str:
+        """Return the source of a node, with what is rewritten inside of it."""
+        inner = [
+            Splice(each.start - node.start_byte, each.end - node.start_byte, each.text)
+            for each in self._splices
+            if node.start_byte <= each.start and each.end <= node.end_byte
+        ]
+        source = self.analysis.syntax.text[node.start_byte : node.end_byte]
+        return apply(source, inner).decode(self.analysis.syntax.encoding, "replace")
+
+    def replace(self, node: Node, text: str) -> None:
+        """Rewrite a node; what was rewritten inside of it must be in the text."""
+        self.done.add(node.id)
+        self._splices = [
+            each
+            for each in self._splices
+            if not (node.start_byte <= each.start and each.end <= node.end_byte)
+        ]
+        self._put(node.start_byte, node.end_byte, text)
+
+    def insert(self, offset: int, text: str) -> None:
+        """Insert text."""
+        self._put(offset, offset, text)
+
+    def insert_first(self, offset: int, text: str) -> None:
+        """Insert text before all else that is inserted at the place."""
+        self._splices.insert(0, Splice(offset, offset, self.analysis.syntax.encode(text)))
+
+    def cut(self, splice: Splice) -> None:
+        """Take text away."""
+        self._splices.append(splice)
+
+    def delete(self, statement: Node) -> None:
+        """Take a statement away, with all that is in it."""
+        self._deleted.append(statement)
+
+    def mark(self, node: Node, what: str, remedy: str | None = None) -> None:
+        """Note what has to be ported by hand, for the line where it stands."""
+        self.marks.append(Mark(node, what, remedy))
+
+    def is_gone(self, node: Node) -> bool:
+        """Tell whether a node is in a statement that is taken away."""
+        return any(
+            gone.start_byte <= node.start_byte and node.end_byte <= gone.end_byte
+            for gone in self._deleted
+        )
+
+    def is_in_callback(self, node: Node) -> bool:
+        """Tell whether a node is in the body of a callback, which is carried over as it is."""
+        return any(
+            function.start <= node.start_byte < function.end for function in self.callbacks.values()
+        )
+
+    def callback_of(self, site: Site) -> Scope | None:
+        """Return the function of the file that an endpoint calls."""
+        if site.shape.callback is None:
+            return None
+        given = site.arguments.get(site.shape.callback)
+        target = callback_target(given, site.scope, self.analysis)
+        if target is None or target is not given:
+            return None
+        if target.type == "identifier":
+            found = site.scope.lookup(self.slice(target))
+            bindings = found[1] if found is not None else []
+        else:
+            bindings = self.analysis.resolver.attribute_bindings(target, site.scope)
+        functions = [each.owner for each in bindings if each.kind is BindingKind.FUNCTION]
+        return functions[0] if len(functions) == 1 else None
+
+    def free_name(self, wanted: str) -> str:
+        """Return a name that the file does not use."""
+        used = {name for scope in self.analysis.scopes.all for name in scope.bindings}
+        wishes = chain((wanted, f"ros_{wanted}"), numbered(f"_ros_{wanted}"))
+        return next(name for name in wishes if name not in used)
+
+    def result(self) -> bytes:
+        """Return the file with all that was noted."""
+        syntax = self.analysis.syntax
+        newline = b"\r\n" if b"\r\n" in syntax.text else b"\n"
+        lines: dict[int, list[str]] = {}
+        for mark in self.marks:
+            if mark.has_comment:
+                continue
+            place = comment_place(mark.node, syntax.text)
+            words = lines.setdefault(line_start(syntax.text, place.start_byte), [])
+            if mark.what not in words:
+                words.append(mark.what)
+        splices = [*self._splices, *delete_statements(syntax.text, self._deleted)]
+        for at, words in lines.items():
+            line = syntax.text[at : line_end(syntax.text, at)]
+            indent = line[: len(line) - len(line.lstrip(b" \t\f"))]
+            comment = syntax.encode(COMMENT + SEPARATOR.join(words))
+            splices.append(Splice(at, at, indent + comment + b"\n"))
+        fitted = [
+            Splice(each.start, each.end, each.text.replace(b"\r\n", b"\n").replace(b"\n", newline))
+            for each in splices
+        ]
+        return apply(syntax.text, fitted)
+
+    def _put(self, start: int, end: int, text: str) -> None:
+        self._splices.append(Splice(start, end, self.analysis.syntax.encode(text)))
+
+
+def comment_place(node: Node, text: bytes) -> Node:
+    """Return the statement or clause around a node that begins its line."""
+    current = node
+    while current.parent is not None and current.parent.type != "module":
+        is_own = current.parent.type in STATEMENT_PARENTS or current.type in _CLAUSES
+        if is_own and not text[line_start(text, current.start_byte) : current.start_byte].strip():
+            return current
+        current = current.parent
+    return current
+
+
+def walk(root: Node) -> Iterator[Node]:
+    """Yield the named nodes of a tree, parents first."""
+    pending = [root]
+    while pending:
+        node = pending.pop()
+        yield node
+        pending.extend(reversed(node.named_children))
+
+
+def first_of(nodes: Iterable[Node]) -> Node | None:
+    """Return the node that comes first in the text."""
+    return min(nodes, key=lambda node: node.start_byte, default=None)
