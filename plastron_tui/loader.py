@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.diagnostics.suggest import nearest
@@ -19,7 +20,7 @@ from plastron_tui.regular_files import Stamp, read_regular, reason, stamp_of
 
 if TYPE_CHECKING:
     from plastron_tui.boundary import Boundary
-    from plastron_tui.model.source import Origin, SourceFile
+    from plastron_tui.model.source import FileSet, Origin, SourceUnit
     from plastron_tui.output.layers import Author
     from plastron_tui.output.manifest import Reading
 
@@ -32,18 +33,22 @@ _MOST_TURNS = 100
 _MANIFEST = ".plastron.json"
 
 
+Stamps: TypeAlias = dict[Path, Stamp | None]
+"""The stamps of files, by their paths; None for one that was not there."""
+
+
 @dataclass(frozen=True, slots=True)
 class FilesRead:
     """What was made of files until now, for loaders to come.
 
     Attributes:
-        nodes: what was read from a file, with the file's stamp then, by its path.
+        nodes: what was read from a file, with the stamps then of all that was read, by its path.
         starts: what a program started from when it wrote a file, by that file's path.
         manifests: what is remembered of the files of a folder, with the stamp of its file.
         problems: what was found of writes to a folder that were interrupted.
     """
 
-    nodes: dict[Path, tuple[Stamp | None, Loaded]] = field(default_factory=dict)
+    nodes: dict[Path, tuple[Stamps, Loaded]] = field(default_factory=dict)
     starts: dict[Path, _Known] = field(default_factory=dict)
     manifests: dict[Path, tuple[Stamp, Reading]] = field(default_factory=dict)
     problems: dict[Path, tuple[Diagnostic, ...]] = field(default_factory=dict)
@@ -96,7 +101,7 @@ class NodeLoader:
         folder: Path,
         output: Path,
         boundary: Boundary,
-        rendered: Callable[[Generation], tuple[Path, bytes] | None],
+        rendered: Callable[[Generation], tuple[Path, FileSet] | None],
         program: str = "",
         text: bytes = b"",
         files: FilesRead | None = None,
@@ -107,7 +112,7 @@ class NodeLoader:
             folder: the program's folder.
             output: the output folder.
             boundary: the project, which no `load` leaves unless it is trusted.
-            rendered: makes the file of an earlier `generate_node` of the program.
+            rendered: makes the files of an earlier `generate_node` of the program.
             program: the name of the program's file, "" where it has none.
             text: the program.
             files: what earlier loaders have read.
@@ -185,14 +190,14 @@ class NodeLoader:
         rendered, source = self._rendered(generation), generation.node.source
         if rendered is None:
             return None
-        path, text = rendered
+        path, files = rendered
         if source is None:
-            return path, read_node(path, text)
+            return path, read_node(path, files)
         origin = _chained(source)
         if origin.turns > _MOST_TURNS:
             reason = f"the program generates and loads it more than {_MOST_TURNS} times in turn"
             return path, _failed("unreadable-file", f"`{path.name}` is not read: {reason}")
-        return path, _with_origin(read_node(path, text), origin)
+        return path, _with_origin(read_node(path, files), origin)
 
     def _candidates(self, request: LoadRequest) -> Iterator[Path]:
         if request.is_path:
@@ -213,10 +218,12 @@ class NodeLoader:
             started = self._started(path)
             if started is not None:
                 return started
-            stamp, known = stamp_of(path), self._files.nodes.get(path)
-            if known is None or known[0] != stamp:
-                loaded = read_node(path, read_regular(path, LARGEST_FILE))
-                known = self._files.nodes[path] = stamp, loaded
+            known = self._files.nodes.get(path)
+            if known is None or any(stamp_of(each) != stamp for each, stamp in known[0].items()):
+                stamps: Stamps = {path: stamp_of(path)}
+                files = with_others(path, read_regular(path, LARGEST_FILE), stamps)
+                known = stamps, read_node(path, files)
+                self._files.nodes[path] = known
             return known[1]
         except OSError as error:
             return _failed("unreadable-file", f"`{path.name}` cannot be read: {reason(error)}")
@@ -237,7 +244,7 @@ class NodeLoader:
         loaded = None
         if start is not None:
             files += [start.path, start.path.parent / _MANIFEST]
-            loaded = _with_origin(read_node(start.path, start.text), start.origin)
+            loaded = _with_origin(read_node(start.path, start.files), start.origin)
         stamps = {file: stamp_of(file) for file in files}
         self._files.starts[path] = _Known(loaded, self._author, stamps)
         return loaded
@@ -274,7 +281,7 @@ class _Known(NamedTuple):
 
     loaded: Loaded | None
     author: Author
-    stamps: dict[Path, Stamp | None]
+    stamps: Stamps
 
     def is_current(self, author: Author) -> bool:
         """Tell whether it is what would be made of the files now."""
@@ -283,12 +290,32 @@ class _Known(NamedTuple):
         )
 
 
-def read_node(path: Path, text: bytes) -> Loaded:
-    """Read the text of a node file."""
+def read_node(path: Path, files: FileSet) -> Loaded:
+    """Read the files of a node."""
     from plastron_tui.targets import read_source
 
-    result = read_source(path, text)
+    result = read_source(path, files)
     return Loaded(result.source, result.diagnostics)
+
+
+def with_others(path: Path, text: bytes, stamps: Stamps | None = None) -> FileSet:
+    """Return a file's text with those of the files that belong to it, as far as they are there.
+
+    Args:
+        path: the file.
+        text: what it holds.
+        stamps: gets the stamps of the others, as they were before they were read.
+    """
+    from plastron_tui.targets import files_of
+
+    def read(other: Path) -> bytes | None:
+        if stamps is not None:
+            stamps[other] = stamp_of(other)
+        with suppress(OSError):
+            return read_regular(other, LARGEST_FILE)
+        return None
+
+    return files_of(path, text, read)
 
 
 def _with_origin(loaded: Loaded, origin: Origin) -> Loaded:
@@ -296,7 +323,7 @@ def _with_origin(loaded: Loaded, origin: Origin) -> Loaded:
     return loaded if source is None else loaded._replace(source=source._replace(origin=origin))
 
 
-def _chained(source: SourceFile) -> Origin:
+def _chained(source: SourceUnit) -> Origin:
     from plastron_tui.generating.starting import chained
 
     return chained(source)

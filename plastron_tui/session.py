@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from plastron_tui.model.fitting import Fitter
     from plastron_tui.model.interpreter import Interpretation
     from plastron_tui.model.setting import Setting
+    from plastron_tui.model.source import FileSet
     from plastron_tui.model.workspace import Generation, Workspace
     from plastron_tui.output.manifest import Manifest
     from plastron_tui.output.plan import FilePlan
@@ -348,12 +349,13 @@ class Session:
         writing = Writing(self.output, manifests, author, in_place, force)
         return generate(generation, library, writing, own=own)
 
-    def _rendered(self, generation: Generation) -> tuple[Path, bytes] | None:
-        """Return the file that an earlier `generate_node` makes, for a `load` that follows it."""
+    def _rendered(self, generation: Generation) -> tuple[Path, FileSet] | None:
+        """Return the files that an earlier `generate_node` makes, for a `load` that follows it."""
         from plastron_tui.output.manifest import Manifest
 
-        file = self._generate(generation, lambda _: Manifest()).file
-        return None if file is None else (file.path or self.output / file.name, file.text)
+        made = self._generate(generation, lambda _: Manifest())
+        path = made.path(self.output)
+        return None if made.files is None or path is None else (path, made.files.files)
 
     def _library(self, name: str) -> Library | None:
         if name not in self._libraries:
@@ -375,26 +377,39 @@ class Session:
         return self.plan_of(self.generated())
 
     def plan_of(
-        self, made: Sequence[Generated], *, is_preview: bool = False
+        self,
+        made: Sequence[Generated],
+        *,
+        is_preview: bool = False,
+        generations: Sequence[Generation] | None = None,
     ) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
         """Compare files with the disk, as `plan` does for all that the program asks for.
 
         Args:
-            made: the files.
+            made: the files of nodes.
             is_preview: whether the plan is only looked at: where the project is not trusted, it
-                is made without what that stands against.
+                is made without what that stands against, and without the files of the program as
+                a whole.
+            generations: all that the program generates, for these; None for what it says.
         """
+        from plastron_tui.generating.program_files import ProgramFiles, program_files
         from plastron_tui.output.plan import FilePlan, make_plan
 
+        manifest, _ = self._files.manifest(self.output)
+        common = ProgramFiles()
+        if not is_preview:
+            asked = self.workspace.generations if generations is None else generations
+            common = program_files(asked, self._library, self.output, manifest)
         found = [found for generated in made for found in generated.diagnostics]
+        found += common.diagnostics
         refusals = [as_error(each) for each in self._project[1] if each.code in TRUST_CODES]
         if not is_preview:
             found += refusals
         is_named = self.options.output is not None
         if not (is_named or self.boundary.allows(self.output)):
             return FilePlan(self.output, ()), (*found, outside_output(self.output, self.boundary))
-        files = [generated.file for generated in made if generated.file is not None]
-        manifest, _ = self._files.manifest(self.output)
+        sets = (generated.files for generated in made if generated.files is not None)
+        files = [file for each in (*sets, *common.files) for file in each.output_files()]
         is_free = is_named or self.project.output is not None or self.boundary.is_trusted
         within = None if is_free else self.folder
         plan, problems = make_plan(self.output, files, manifest, within=within)

@@ -18,7 +18,7 @@ from collections.abc import Iterator, Sequence
 from functools import cached_property
 from pathlib import Path
 
-from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceFile
+from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceUnit
 from plastron_tui.model.workspace import Client, Publisher, Service, Subscription
 from plastron_tui.sources.python.syntax import parse
 
@@ -42,13 +42,13 @@ _RULES = "F821,F401,F811"
 class Text:
     """A node's text, and what is known of it."""
 
-    def __init__(self, source: SourceFile) -> None:
+    def __init__(self, source: SourceUnit) -> None:
         self.source = source
 
     @cached_property
     def errors(self) -> int:
         """In how many places the text does not parse."""
-        return parse(self.source.text).errors
+        return parse(self.source.files.main).errors
 
     @cached_property
     def module(self) -> ast.Module | None:
@@ -56,7 +56,7 @@ class Text:
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
-                return ast.parse(self.source.text)
+                return ast.parse(self.source.files.main)
         except (SyntaxError, ValueError, RecursionError):
             return None
 
@@ -120,7 +120,7 @@ def _check_addition(before: Text, after: Text, change: Add) -> Iterator[str]:
     asked = endpoint.callback if isinstance(endpoint, Subscription) else None
     if asked is not None and any(key[3] != asked for key in added):
         yield f"does not call {asked}"
-    for old, new in _replaced(before.source.text, after.source.text):
+    for old, new in _replaced(before.source.files.main, after.source.files.main):
         if not _is_within(old, new):
             yield f"changes {old!r} to {new!r}"
 
@@ -142,7 +142,7 @@ def _check_removal(before: Text, after: Text, change: Remove) -> Iterator[str]:
     if (lost or after.keys - expected) and not unknown:
         yield f"loses {_listed(lost)}, adds {_listed(after.keys - expected)}"
     words = _words(before, change)
-    for old, new in _replaced(before.source.text, after.source.text):
+    for old, new in _replaced(before.source.files.main, after.source.files.main):
         if not _is_within(new.replace(b"pass", b""), old):
             yield f"changes {old!r} to {new!r}"
         elif not any(word in old for word in words) and old.strip():
@@ -151,7 +151,7 @@ def _check_removal(before: Text, after: Text, change: Remove) -> Iterator[str]:
 
 def _is_gone_timer(key: Key, after: Text) -> bool:
     """Whether a timer went with its callback, which did nothing but publish."""
-    is_there = re.search(rb"\b%s\b" % key[3].encode(), after.source.text)
+    is_there = re.search(rb"\b%s\b" % key[3].encode(), after.source.files.main)
     return key[0] is EndpointKind.TIMER and bool(key[3]) and not is_there
 
 
@@ -162,12 +162,12 @@ def _words(text: Text, change: Remove) -> set[bytes]:
         for endpoint in node.of_kind(change.kind):
             if endpoint.name != change.name or endpoint.span is None:
                 continue
-            found.add(text.source.text[endpoint.span.start : endpoint.span.end])
+            found.add(text.source.files.main[endpoint.span.start : endpoint.span.end])
             found.add((endpoint.callback or change.name).encode())
             if endpoint.type is not None:
                 found.add(endpoint.type.name.encode())
-            line = text.source.text.rfind(b"\n", 0, endpoint.span.start) + 1
-            assigned = text.source.text[line : endpoint.span.start]
+            line = text.source.files.main.rfind(b"\n", 0, endpoint.span.start) + 1
+            assigned = text.source.files.main[line : endpoint.span.start]
             found |= {word for word in re.findall(rb"\w+", assigned) if word != b"self"}
     return found
 

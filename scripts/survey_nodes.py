@@ -25,7 +25,7 @@ from survey_checks import Text, check, names_at_fault
 
 from plastron_tui.diagnostics import Diagnostic, Span
 from plastron_tui.model.endpoints import EDITABLE
-from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceFile
+from plastron_tui.model.source import Add, Change, EndpointKind, FileSet, Remove, SourceUnit
 from plastron_tui.model.values import MessageValue
 from plastron_tui.model.workspace import (
     Client,
@@ -117,7 +117,7 @@ class Survey:
 
     def visit(self, path: Path) -> None:
         """Read a file, and make every edit on it."""
-        source = read_source(path, path.read_bytes()).source
+        source = read_source(path, FileSet.single(".py", path.read_bytes())).source
         if source is None or not source.nodes:
             return
         tally = self.tally
@@ -125,7 +125,7 @@ class Survey:
         tally.nodes += len(source.nodes)
         tally.endpoints.update(e.kind.value for e in source.endpoints)
         original = Text(source)
-        if self._edit(source, []) != source.text:
+        if self._edit(source, []) != source.files.main:
             tally.violations.append(f"{path}: no change changes the file")
         for what, change in additions(_callback(source)).items():
             text = self._change(original, what, change)
@@ -156,20 +156,21 @@ class Survey:
     ) -> None:
         """Two changes of one edit must give what they give one after the other."""
         at_once = self._edit(original.source, changes) if in_steps is not None else None
-        if in_steps is not None and at_once not in (None, in_steps.source.text):
+        if in_steps is not None and at_once not in (None, in_steps.source.files.main):
             path = original.source.path
             self.tally.violations.append(f"{path}: two changes at once differ from two steps")
 
-    def _edit(self, source: SourceFile, changes: Sequence[Change]) -> bytes | None:
+    def _edit(self, source: SourceUnit, changes: Sequence[Change]) -> bytes | None:
         return self._render(source, changes)[0]
 
     def _render(
-        self, source: SourceFile, changes: Sequence[Change]
+        self, source: SourceUnit, changes: Sequence[Change]
     ) -> tuple[bytes | None, tuple[Diagnostic, ...]]:
         target = find_target(source.library)
         assert target is not None
         rendered = target.edit(source, changes, self._catalogs[source.library])
-        return rendered.text, rendered.diagnostics
+        files = rendered.files
+        return None if files is None else files.main, rendered.diagnostics
 
     def _change(self, before: Text, what: str, change: Change) -> Text | None:
         tally, path = self.tally, before.source.path
@@ -186,7 +187,7 @@ class Survey:
             tally.refusals[f"{what}: {diagnostics[0].code}"] += 1
             tally.refused.append(f"{path}: {what}: {diagnostics[0].message}")
             return None
-        source = read_source(path, text).source
+        source = read_source(path, FileSet.single(".py", text)).source
         after = Text(source) if source is not None else None
         if after is None:
             if any(True for _ in before.source.endpoints):
@@ -195,11 +196,11 @@ class Survey:
             return None
         for problem in check(before, after, change):
             tally.violations.append(f"{path}: {what}: {problem}")
-        tally.results.append((f"{path}: {what} {_name_of(change)}", before.source.text, text))
+        tally.results.append((f"{path}: {what} {_name_of(change)}", before.source.files.main, text))
         return after
 
 
-def _named(source: SourceFile) -> set[tuple[EndpointKind, str]]:
+def _named(source: SourceUnit) -> set[tuple[EndpointKind, str]]:
     return {
         (endpoint.kind, endpoint.name)
         for node in source.nodes
@@ -208,22 +209,22 @@ def _named(source: SourceFile) -> set[tuple[EndpointKind, str]]:
     }
 
 
-def _lines(source: SourceFile) -> list[bytes]:
+def _lines(source: SourceUnit) -> list[bytes]:
     """Return the lines that tell: not blank ones, nor imports of the library, which may stay."""
     libraries = (b"import rospy", b"import rclpy", b"from rospy import", b"from rclpy import")
-    lines = map(bytes.strip, source.text.splitlines())
+    lines = map(bytes.strip, source.files.main.splitlines())
     return [line for line in lines if line and not line.startswith(libraries)]
 
 
 def _functions(text: Text) -> int:
-    return text.source.text.count(b"def ")
+    return text.source.files.main.count(b"def ")
 
 
-def _callback(source: SourceFile) -> str | None:
+def _callback(source: SourceUnit) -> str | None:
     """Return a function of the file that one of its subscriptions calls."""
     for node in source.nodes:
         for endpoint in node.of_kind(EndpointKind.SUBSCRIPTION):
-            if endpoint.callback and f"def {endpoint.callback}(".encode() in source.text:
+            if endpoint.callback and f"def {endpoint.callback}(".encode() in source.files.main:
                 return endpoint.callback
     return None
 
@@ -246,7 +247,7 @@ def _removal(change: Add) -> Remove:
     return Remove(kinds[type(change.endpoint)], _name_of(change), _AT)
 
 
-def _addition(kind: EndpointKind, name: str, source: SourceFile) -> Add | None:
+def _addition(kind: EndpointKind, name: str, source: SourceUnit) -> Add | None:
     """Return the addition of an endpoint that the file had; None where its type is not known."""
     found = next(e for node in source.nodes for e in node.of_kind(kind) if e.name == name)
     if found.type is None:

@@ -207,8 +207,8 @@ def test_problems_of_types_are_there_at_once(tmp_path: Path) -> None:
 def test_last_generation_of_a_node_counts(tmp_path: Path) -> None:
     more = "subscribe talker to 'x' of message_type String\ngenerate_node talker\n"
     (generated,) = session(tmp_path, TALKER + more).generated()
-    assert generated.file is not None
-    assert generated.file.name == "talker_node.py"
+    assert generated.files is not None
+    assert generated.files.name == "talker_node.py"
 
 
 def test_one_node_for_two_libraries_is_two_files(tmp_path: Path) -> None:

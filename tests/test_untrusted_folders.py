@@ -319,9 +319,9 @@ def test_templates_wait_for_trust(bench: Bench) -> None:
     session = bench.session()
     (warning,) = session.diagnostics
     assert (warning.code, warning.severity) == ("untrusted-templates", Severity.WARNING)
-    made = session.generated()[0].file
+    made = session.generated()[0].files
     assert made is not None
-    assert b"talker" in made.text
+    assert b"talker" in made.files.main
     assert not has_errors(session.plan_of(session.generated(), is_preview=True)[1])
     assert has_errors(session.plan()[1])
     assert errors(bench.generate()) == ["untrusted-templates"]
@@ -336,9 +336,9 @@ def test_trusted_templates_are_used_at_once(bench: Bench) -> None:
     TrustStore().add(bench.repository)
     session.trust_changed()
     assert session.diagnostics == ()
-    made = session.generated()[0].file
+    made = session.generated()[0].files
     assert made is not None
-    assert made.text.decode().strip() == NODE.strip()
+    assert made.files.main.decode().strip() == NODE.strip()
 
 
 @pytest.mark.parametrize(

@@ -8,10 +8,10 @@ from pathlib import Path
 import click
 
 from plastron_tui.diagnostics import Diagnostic, LineIndex
-from plastron_tui.loader import read_node
+from plastron_tui.loader import read_node, with_others
 from plastron_tui.model.inspection import inspect_json, inspect_text
 from plastron_tui.model.program_text import program_of
-from plastron_tui.model.source import LARGEST_FILE, SourceFile
+from plastron_tui.model.source import LARGEST_FILE, SourceUnit
 from plastron_tui.output.names import settled
 from plastron_tui.regular_files import read_named, reason
 from plastron_tui.targets import ros_version
@@ -44,7 +44,7 @@ def command(files: tuple[Path, ...], format_: str) -> None:
     finish(report)
 
 
-def _read(file: Path, report: Report) -> SourceFile | None:
+def _read(file: Path, report: Report) -> SourceUnit | None:
     report.add(settled(file.parent), lambda _: None)
     try:
         text = read_named(file, LARGEST_FILE)
@@ -55,7 +55,7 @@ def _read(file: Path, report: Report) -> SourceFile | None:
     if file.suffix == ".plastron":
         report.add([_program(file)], lambda _: None)
         return None
-    loaded = read_node(file, text)
+    loaded = read_node(file, with_others(file, text))
     report.add(loaded.diagnostics, lambda _: LineIndex(text), file)
     return loaded.source
 

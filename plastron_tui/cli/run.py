@@ -199,9 +199,9 @@ def _node_files(
     for generated in chosen:
         target = find_target(generated.generation.library)
         environment = environments.get(generated.generation.library)
-        if generated.file is None or target is None or environment is None:
+        path = generated.path(session.output)
+        if path is None or target is None or environment is None:
             continue
-        path = generated.file.path or session.output / generated.file.name
         command = target.language.command(path, environment.python)
         if command is None:
             message = f"`run` cannot start {target.language.title} nodes, such as `{path.name}`"

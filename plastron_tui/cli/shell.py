@@ -15,9 +15,10 @@ import click
 from plastron_tui.diagnostics import Diagnostic, LineIndex, Span, did_you_mean, has_errors
 from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.generating.generation import Generated
-from plastron_tui.generating.handwork import on_disk
+from plastron_tui.generating.handwork import files_on_disk
 from plastron_tui.language import DECLARATIONS, Document, lower
 from plastron_tui.model.interpreter import Interpreter
+from plastron_tui.model.source import place_of
 from plastron_tui.model.workspace import Generation
 from plastron_tui.output.writer import MOST_TRIES, write
 from plastron_tui.program_file import check_text
@@ -95,7 +96,8 @@ class Shell:
     def _generate(self, generation: Generation, start: int) -> None:
         for _ in range(MOST_TRIES):
             made = self._over_own(self._session.generate(generation))
-            plan, diagnostics = self._session.plan_of([made])
+            generations = self._interpreter.workspace.generations
+            plan, diagnostics = self._session.plan_of([made], generations=generations)
             diagnostics = (*diagnostics, *plan.conflicts)
             if has_errors(diagnostics):
                 break
@@ -122,14 +124,18 @@ class Shell:
 
         The node is still what was loaded; only a file that differs from both was changed by hand.
         """
-        node, file = made.generation.node, made.file
-        if file is None or node.source is None or file.problem is not None:
+        node, files, path = made.generation.node, made.files, made.path(self._session.output)
+        if files is None or path is None or node.source is None or files.problem is not None:
             return made
-        path = (file.path or self._session.output / file.name).resolve()
-        present = on_disk(path)
-        if present is None or self._wrote.get(path) != (node.variable, present):
+        path = path.resolve()
+        present = files_on_disk(path)
+        is_known = present is not None and all(
+            self._wrote.get(place_of(path, name)) == (node.variable, text)
+            for name, text in present.texts
+        )
+        if not is_known:
             return made
-        return replace(made, file=replace(file, merged_from=present))
+        return replace(made, files=replace(files, merged_from=present))
 
     def _add(self, diagnostics: Iterable[Diagnostic], start: int) -> None:
         """Report what is wrong with the last line, at its place among all lines."""

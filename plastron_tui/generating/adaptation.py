@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.loading import add_found
-from plastron_tui.model.source import Remove, SourceFile
+from plastron_tui.model.source import FileSet, Remove, SourceUnit
 from plastron_tui.model.workspace import Node
 from plastron_tui.output.layers import Layer
 from plastron_tui.output.remembered import recall
@@ -15,7 +15,7 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources.base import Rendered
 
 from .changes import call_again, changes_of, drop, is_extended, names_in
-from .handwork import on_disk
+from .handwork import files_on_disk
 
 if TYPE_CHECKING:
     from plastron_tui.targets.base import Target
@@ -40,7 +40,7 @@ class Adaptation:
     """
 
     node: Node
-    source: SourceFile
+    source: SourceUnit
     library: Library
     own: Library | None
 
@@ -49,7 +49,7 @@ class Adaptation:
         """Whether the node goes to another client library than it came from."""
         return self.source.library != self.library.target.name
 
-    def made_of(self, source: SourceFile) -> Rendered:
+    def made_of(self, source: SourceUnit) -> Rendered:
         """Make the program's changes in a text, and bring it to the target's client library."""
         changes = changes_of(self.node)
         if not self.is_ported:
@@ -57,19 +57,20 @@ class Adaptation:
         if changes and self.own is not None:
             own = self.own.target
             edited = own.edit(source, changes, self.own.catalog)
-            read = own.read(source.path, edited.text).source if edited.text is not None else None
+            files = edited.files
+            read = None if files is None else own.read(source.path, files).source
             if read is None:
                 return edited
             source = read
         return self.library.target.port(self.node, source, self.library.catalog)
 
-    def made_of_original(self) -> bytes | None:
+    def made_of_original(self) -> FileSet | None:
         """Return what the program would make of what it found at first, None for nothing."""
         origin = self.source.origin
         if origin is None or self.own is None:
             return None
-        read = self.own.target.read(self.source.path, origin.text).source
-        return None if read is None else self.made_of(read).text
+        read = self.own.target.read(self.source.path, origin.files).source
+        return None if read is None else self.made_of(read).files
 
     def placed(self, made: Rendered) -> tuple[Diagnostic, ...]:
         """Return what was found, with no place where the text is not as it is on the disk."""
@@ -82,13 +83,13 @@ class Adaptation:
         if self.own is None:
             return made.diagnostics
         own, catalog = self.own
-        present = on_disk(self.source.path)
+        present = files_on_disk(self.source.path)
         read = None if present is None else own.read(self.source.path, present).source
         for source in (read, self.source) if read is not None else (self.source,):
             for change in changes_of(self.node):
                 if isinstance(change, Remove) and change.name in names_in(source)[change.kind]:
                     alone = own.edit(source, [change], catalog)
-                    if alone.text is None:
+                    if alone.files is None:
                         return alone.diagnostics
         return made.diagnostics
 
@@ -110,12 +111,12 @@ class Adaptation:
                 call_again(node, each, each.name)
         return node
 
-    def _original(self) -> SourceFile | None:
+    def _original(self) -> SourceUnit | None:
         """Return what the program found at first, without handwork."""
         origin = self.source.origin
         if origin is None or self.own is None:
             return None
-        return self.own.target.read(origin.path, origin.text).source
+        return self.own.target.read(origin.path, origin.files).source
 
     def base(self, known: Layer) -> Node | None:
         """Return what the node had when the file was written, and what was added by hand."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from plastron_tui.model.endpoints import EDITABLE
-from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceEndpoint, SourceFile
+from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceEndpoint, SourceUnit
 from plastron_tui.model.workspace import Client, Endpoint, Node, Publisher
 
 
@@ -43,7 +43,7 @@ def is_extended(endpoint: Endpoint) -> bool:
             return False
 
 
-def names_in(source: SourceFile) -> dict[EndpointKind, set[str]]:
+def names_in(source: SourceUnit) -> dict[EndpointKind, set[str]]:
     """Return the names that a file says, by kind."""
     names: dict[EndpointKind, set[str]] = {kind: set() for kind in EndpointKind}
     for endpoint in source.endpoints:

@@ -13,15 +13,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.model.source import FileSet
 from plastron_tui.model.workspace import Node
-from plastron_tui.output.layers import Layer, Layers
-from plastron_tui.output.manifest import digest
-from plastron_tui.output.plan import OutputFile
+from plastron_tui.output.layers import Layer, Layers, digest_of
 from plastron_tui.output.remembered import remember
-from plastron_tui.output.three_way import merge_lines
+from plastron_tui.output.three_way import merge_files
 
 from .adaptation import Adaptation
 from .handwork import cover, kept_handwork, of_other_program, unmergeable
+from .judging import is_worse
+from .node_files import NodeFiles, are_recorded
 from .place import Place, Writing, find_place, found_by
 
 if TYPE_CHECKING:
@@ -29,9 +30,9 @@ if TYPE_CHECKING:
 
 
 class Derived(NamedTuple):
-    """The file of a loaded node, or why there is none."""
+    """The files of a loaded node, or why there are none."""
 
-    file: OutputFile | None
+    files: NodeFiles | None
     diagnostics: tuple[Diagnostic, ...] = ()
 
 
@@ -48,9 +49,9 @@ class Derivation:
     writing: Writing
 
     def result(self) -> Derived:
-        """Make the file."""
+        """Make the files."""
         made = self.work.made_of(self.work.source)
-        if made.text is None:
+        if made.files is None:
             return Derived(None, self.work.refusal(made))
         writing, target, is_ported = self.writing, self.work.library.target, self.work.is_ported
         path = self.work.source.path
@@ -58,10 +59,10 @@ class Derivation:
         is_elsewhere = writing.in_place and not is_ported and path.parent != writing.output
         shown = path if is_elsewhere else writing.output / name
         place = find_place(shown, writing.author, writing.manifests)
-        layer = self._layer(place, made.text)
+        layer = self._layer(place, made.files)
         # A file that is written over where it came from keeps its mode: it is the user's.
         is_over = not is_ported and path == shown and place.present is not None
-        file = OutputFile(
+        files = NodeFiles(
             name,
             layer.written,
             target.language.is_executable and not is_over,
@@ -69,18 +70,18 @@ class Derivation:
             seen=((place.real.parent, place.manifest),),
         )
         if place.index is None:
-            derived = Derived(self._first(file, place, layer))
+            derived = Derived(self._first(files, place, layer))
         else:
-            derived = self._again(file, place, place.index, layer)
+            derived = self._again(files, place, place.index, layer)
         return derived._replace(diagnostics=(*self.work.placed(made), *derived.diagnostics))
 
     @property
     def _is_mixed(self) -> bool:
         """Whether the program loads what it made of a file that has handwork in it."""
         origin = self.work.source.origin
-        return origin is not None and origin.start not in (None, origin.text)
+        return origin is not None and origin.start not in (None, origin.files)
 
-    def _without_handwork(self, place: Place, made: bytes) -> tuple[bytes, bytes]:
+    def _without_handwork(self, place: Place, made: FileSet) -> tuple[FileSet, FileSet]:
         """Return what the program starts from, and what it makes of it, without handwork.
 
         Where the program changes what was added by hand, that counts as there from the start.
@@ -89,18 +90,18 @@ class Derivation:
         if origin is not None and origin.start is not None:
             return origin.start, made
         pure = self.work.made_of_original() if self._is_from(place) else None
-        return (source.text, made) if origin is None or pure is None else (origin.text, pure)
+        return (source.files, made) if origin is None or pure is None else (origin.files, pure)
 
     def _is_from(self, place: Place) -> bool:
         """Tell whether the source has the handwork of the very file that is written."""
         origin = self.work.source.origin
         return origin is not None and origin.output == place.real
 
-    def _layer(self, place: Place, made: bytes) -> Layer:
+    def _layer(self, place: Place, made: FileSet) -> Layer:
         author, origin = self.writing.author, self.work.source.origin
         start, written = self._without_handwork(place, made)
         is_from = self._is_from(place)
-        read = origin.text if origin is not None and is_from else start
+        read = origin.files if origin is not None and is_from else start
         node = self.work.own_node() if is_from else self.work.node
         # A link stays one: what it leads to may be another file later.
         first = (self.work.source.path if origin is None else origin.path).absolute()
@@ -111,69 +112,69 @@ class Derivation:
             written,
             remember(node, self.work.library.target.name, author.name),
             None if is_itself else os.path.relpath(first, place.real.parent),
-            None if is_itself else digest(read),
+            None if is_itself else digest_of(read),
             text=author.text,
         )
 
-    def _first(self, file: OutputFile, place: Place, layer: Layer) -> OutputFile:
+    def _first(self, files: NodeFiles, place: Place, layer: Layer) -> NodeFiles:
         """Write where the program wrote nothing yet, or nothing that is left."""
         author = self.writing.author
-        present, loaded = place.present, self.work.source.text
-        is_kept = not self.work.is_ported and (present == loaded or file.path is not None)
+        present, loaded = place.present, self.work.source.files
+        is_kept = not self.work.is_ported and (present == loaded or files.path is not None)
         is_over = layer.origin is None and present == loaded
         lower = place.layers if is_over else ()
         name = place.real.name
         layers: Layers | None = None
         if author.name and not (layer.origin is None and layer.original == layer.written):
-            is_clean = is_over and place.manifest.has(name, loaded)
-            layers = (*lower, replace(layer, is_clean=is_clean, left=digest(layer.written)))
+            is_clean = is_over and are_recorded(place.manifest, name, loaded)
+            layers = (*lower, replace(layer, is_clean=is_clean, left=digest_of(layer.written)))
         elif place.manifest.layers.get(name, ()) != lower:
             layers = lower
-        file = replace(file, merged_from=loaded if is_kept else None, layers=layers)
+        files = replace(files, merged_from=loaded if is_kept else None, layers=layers)
         owner = place.owner()
         is_others = owner is not None and author.name not in ("", owner)
-        if owner is not None and is_others and present not in (None, loaded, file.text):
-            file = replace(file, problem=of_other_program(place.shown, owner))
-        return file
+        if owner is not None and is_others and present not in (None, loaded, files.files):
+            files = replace(files, problem=of_other_program(place.shown, owner))
+        return files
 
-    def _again(self, file: OutputFile, place: Place, index: int, layer: Layer) -> Derived:
+    def _again(self, files: NodeFiles, place: Place, index: int, layer: Layer) -> Derived:
         """Write where the program wrote before."""
         known = place.layers[index]
         upper, force = place.layers[index + 1 :], self.writing.force
         before = found_by(place, index)
         assert place.present is not None
         merged = self._with_handwork(place, known, before, layer)
-        if merged.text is None:
+        if merged.files is None:
             problem = unmergeable(place.shown, merged.reason)
-            return Derived(replace(file, problem=problem), merged.notes)
-        covered = cover(place.shown, upper, before, merged.text, place.present, force=force)
+            return Derived(replace(files, problem=problem), merged.notes)
+        covered = cover(place.shown, upper, before, merged.files, place.present, force=force)
         if self._is_mixed:
             # What is the program's and what is not can no longer be told apart in what it loads.
-            if covered.text == place.present and not force:
-                known_still = replace(file, text=place.present, merged_from=place.present)
-                file = replace(known_still, has_handwork=True, layers=place.layers)
-                return Derived(file, merged.notes)
+            if covered.files == place.present and not force:
+                known_still = replace(files, files=place.present, merged_from=place.present)
+                files = replace(known_still, has_handwork=True, layers=place.layers)
+                return Derived(files, merged.notes)
             covered = covered._replace(
                 problem=unmergeable(place.shown, "the program changes what it loads of its own")
             )
-        is_as_left = covered.layers or covered.text == place.present
-        left = known.left if is_as_left else digest(covered.text)
+        is_as_left = covered.layers or covered.files == place.present
+        left = known.left if is_as_left else digest_of(covered.files)
         kept: Layers = (replace(layer, is_clean=known.is_clean, left=left),)
         if layer.origin is None and layer.original == layer.written and not covered.layers:
             kept = ()
         is_renewed = force and place.has_handwork
-        is_clean = covered.text == layer.written or (covered.layers and not place.has_handwork)
-        file = replace(
-            file,
-            text=covered.text,
+        is_clean = covered.files == layer.written or (covered.layers and not place.has_handwork)
+        files = replace(
+            files,
+            files=covered.files,
             merged_from=None if is_renewed else place.present,
             has_handwork=not is_clean,
             layers=(*place.layers[:index], *kept, *covered.layers),
             problem=covered.problem,
         )
-        return Derived(file, (*merged.notes, *covered.notes))
+        return Derived(files, (*merged.notes, *covered.notes))
 
-    def _with_handwork(self, place: Place, known: Layer, before: bytes, new: Layer) -> Merged:
+    def _with_handwork(self, place: Place, known: Layer, before: FileSet, new: Layer) -> Merged:
         """Bring what was changed by hand into what the program makes."""
         from .merging import Merged, merge
 
@@ -183,15 +184,15 @@ class Derivation:
         notes = (kept_handwork(place.shown, place.shown.name),)
         origin = self.work.source.origin
         # Handwork that the program changes is in the original, and the texts tell nothing.
-        is_apart = origin is None or new.original in (origin.text, origin.start)
+        is_apart = origin is None or new.original in (origin.files, origin.start)
         if mine == known.written and is_apart:
             return Merged(before, notes=notes)
         if origin is not None and origin.is_torn:
             return Merged(None, f"`{origin.path}`, which it was made from, was changed as well")
         base = self.work.base(known)
-        text = merge_lines(known.written, mine, before)
-        if text is not None and self._is_sound(place.real, text, before, mine, base):
-            return Merged(text, notes=notes)
+        files = merge_files(known.written, mine, before)
+        if files is not None and self._is_sound(place.real, files, before, mine, base):
+            return Merged(files, notes=notes)
         if origin is not None and known.seen != new.seen:
             return Merged(None, f"`{origin.path}`, which it was made from, in the same lines")
         target, catalog = self.work.library
@@ -202,14 +203,14 @@ class Derivation:
         return merged._replace(notes=(*notes, *merged.notes))
 
     def _is_sound(
-        self, path: Path, text: bytes, before: bytes, mine: bytes, base: Node | None
+        self, path: Path, files: FileSet, before: FileSet, mine: FileSet, base: Node | None
     ) -> bool:
-        """Tell whether lines were merged into a file that holds what it is to hold."""
+        """Tell whether lines were merged into files that hold what they are to hold."""
         from .merging import call_sites
 
         target = self.work.library.target
-        sources = [target.read(path, each).source for each in (text, before, mine)]
-        if target.language.is_worse(text, before, mine):
+        sources = [target.read(path, each).source for each in (files, before, mine)]
+        if is_worse(target.language, files, before, mine):
             return False
         if self.work.is_ported:
             return sources[0] is not None

@@ -5,14 +5,14 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
+from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.model.source import FileSet
 from plastron_tui.model.workspace import Generation
 from plastron_tui.output.layers import are_untouched
 from plastron_tui.output.manifest import Base, Manifest, Reading
-from plastron_tui.output.plan import OutputFile
 from plastron_tui.output.remembered import recall, remember
 
 from .adaptation import Adaptation, Library
@@ -21,12 +21,13 @@ from .derivation import Derivation
 from .file_names import is_same_path, refuse_name
 from .handwork import (
     cover,
+    files_on_disk,
     kept_handwork,
     layers_at,
     of_other_program,
-    on_disk,
     unmergeable,
 )
+from .node_files import NodeFiles, are_recorded, name_of
 from .place import Writing
 
 if TYPE_CHECKING:
@@ -43,11 +44,15 @@ _PARTS = ("_pub", "_sub1", "_sub2", "_client", "_server", "_node")
 
 @dataclass(frozen=True, slots=True)
 class Generated:
-    """The file of one `generate_node`, or why there is none."""
+    """The files of one `generate_node`, or why there are none."""
 
     generation: Generation
-    file: OutputFile | None
+    files: NodeFiles | None
     diagnostics: tuple[Diagnostic, ...] = ()
+
+    def path(self, output: Path) -> Path | None:
+        """Return the path of the main file in an output folder, None where there are no files."""
+        return None if self.files is None else self.files.path or output / self.files.name
 
 
 class Manifests:
@@ -88,7 +93,7 @@ def last_of_each(made: Sequence[Generated], output: Path) -> list[Generated]:
     kept = []
     for index, each in enumerate(made):
         is_created = each.generation.node.source is None
-        path = each.file and (each.file.path or output / each.file.name)
+        path = each.path(output)
         if path is None or not any(
             source.path == path and (is_created or (at > index and is_chained))
             for at, source, is_chained in loaded
@@ -99,16 +104,16 @@ def last_of_each(made: Sequence[Generated], output: Path) -> list[Generated]:
 
 def _is_copy(made: Generated, before: Sequence[Generated], output: Path) -> bool:
     """Tell whether a node is what the program itself creates, loaded and left as it was."""
-    node, file = made.generation.node, made.file
-    if node.source is None or file is None or file.path is not None or file.layers is not None:
+    node, files = made.generation.node, made.files
+    if node.source is None or files is None or files.path is not None or files.layers is not None:
         return False
     if node.source.library != made.generation.library or changes_of(node):
         return False
     return any(
         other.generation.node.source is None
-        and other.file is not None
-        and other.file.name == file.name
-        and output / file.name == node.source.path
+        and other.files is not None
+        and other.files.name == files.name
+        and output / files.name == node.source.path
         for other in before
     )
 
@@ -141,26 +146,29 @@ def generate(
         made = _Creation(generation, library, writing, manifest).result()
     else:
         derived = Derivation(Adaptation(node, node.source, library, own), writing).result()
-        made = Generated(generation, derived.file, derived.diagnostics)
+        made = Generated(generation, derived.files, derived.diagnostics)
     problem = _wrong_name(made, writing, library.target.language)
-    if made.file is None or problem is not None:
+    if made.files is None or problem is not None:
         return _refused(generation, made.diagnostics if problem is None else (problem,))
     return made
 
 
 def _wrong_name(made: Generated, writing: Writing, language: Language) -> Diagnostic | None:
     """Say why a file cannot have its name, None where it can, or where there is none."""
-    node, file = made.generation.node, made.file
-    if file is None:
-        return None
-    path, source = file.path or writing.output / file.name, node.source
-    return refuse_name(
-        file.name,
-        node.packages,
-        language,
-        is_own=source is None,
-        is_in_place=source is not None and is_same_path(path, source.path),
+    node, path, source = (
+        made.generation.node,
+        made.path(writing.output),
+        made.generation.node.source,
     )
+    if made.files is None or path is None:
+        return None
+    is_in_place = source is not None and is_same_path(path, source.path)
+    names = (PurePath(name_of(made.files.name, each)).name for each in made.files.files.names)
+    refusals = (
+        refuse_name(name, node.packages, language, is_own=source is None, is_in_place=is_in_place)
+        for name in names
+    )
+    return next(filter(None, refusals), None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -177,82 +185,83 @@ class _Creation:
         target, catalog = self.library
         program = self.writing.author.name
         rendered = target.render(node, catalog)
-        if rendered.text is None:
+        if rendered.files is None:
             return _refused(self.generation, rendered.diagnostics)
         name = target.file_name(node)
         base = remember(node, target.name, program)
-        file = OutputFile(
+        files = NodeFiles(
             name,
-            rendered.text,
+            rendered.files,
             target.language.is_executable,
             base=base,
             seen=((output, manifest),),
         )
         owner = _other_program(name, program, manifest)
-        there = on_disk(output / name) if owner is not None else None
-        if owner is not None and there not in (None, rendered.text):
+        there = files_on_disk(output / name) if owner is not None else None
+        if owner is not None and there not in (None, rendered.files):
             # Forced too it is a conflict, so that a backup is kept.
-            file = replace(file, problem=of_other_program(output / name, owner))
-            return Generated(self.generation, file, rendered.diagnostics)
+            files = replace(files, problem=of_other_program(output / name, owner))
+            return Generated(self.generation, files, rendered.diagnostics)
         others = _other_files(name, base, target, output, manifest)
         notes = (*rendered.diagnostics, *(_left_behind(output / other, name) for other in others))
         earlier = _earlier(name, others, output, manifest)
         if earlier is None:
-            return self._written(file, notes)
-        return self._moved(replace(file, supersedes=earlier), earlier, notes)
+            return self._written(files, notes)
+        return self._moved(replace(files, supersedes=earlier), earlier, notes)
 
-    def _written(self, file: OutputFile, notes: Notes) -> Generated:
+    def _written(self, files: NodeFiles, notes: Notes) -> Generated:
         """Write a node where it was before, or where nothing is."""
-        path = self.writing.output / file.name
-        present = on_disk(path)
+        path = self.writing.output / files.name
+        present = files_on_disk(path)
         layers = layers_at(path, self.manifest, present)
         # What programs that loaded the file made of it lies over what is to be renewed.
         before = layers[0].original if layers else present
-        is_foreign = before != file.text and file.name not in self.manifest
+        is_foreign = before != files.files and files.name not in self.manifest
         if layers and layers[0].origin is None and is_foreign:
             # Programs that loaded somebody's file do not make it one of Plastron's.
-            return Generated(self.generation, replace(file, layers=()), notes)
-        is_clean = self.manifest.has(file.name, before or b"")
-        is_own = before in (None, file.text) or is_clean or any(x.is_clean for x in layers[:1])
-        if not (self.writing.force or is_own or before is None or file.name not in self.manifest):
+            return Generated(self.generation, replace(files, layers=()), notes)
+        is_clean = are_recorded(self.manifest, files.name, before)
+        is_own = before in (None, files.files) or is_clean or any(x.is_clean for x in layers[:1])
+        if not (self.writing.force or is_own or before is None or files.name not in self.manifest):
             merged = self._merged(path, before)
-            if merged.text is None:
+            if merged.files is None:
                 problem = unmergeable(path, merged.reason)
-                return Generated(self.generation, replace(file, problem=problem), notes)
-            file = replace(file, text=merged.text, merged_from=before, has_handwork=True)
-            notes = (*notes, kept_handwork(path, file.name), *merged.notes)
+                return Generated(self.generation, replace(files, problem=problem), notes)
+            files = replace(files, files=merged.files, merged_from=before, has_handwork=True)
+            notes = (*notes, kept_handwork(path, files.name), *merged.notes)
         if layers and before is not None and present is not None:
-            covered = cover(path, layers, before, file.text, present, force=self.writing.force)
-            is_renewed = self.writing.force and not (is_own and are_untouched(layers, present))
-            file = replace(
-                file,
-                text=covered.text,
+            force = self.writing.force
+            covered = cover(path, layers, before, files.files, present, force=force)
+            is_renewed = force and not (is_own and are_untouched(layers, present))
+            files = replace(
+                files,
+                files=covered.files,
                 merged_from=None if is_renewed else present,
                 layers=covered.layers,
                 problem=covered.problem,
             )
             notes = (*notes, *covered.notes)
-        return Generated(self.generation, file, notes)
+        return Generated(self.generation, files, notes)
 
-    def _moved(self, file: OutputFile, earlier: str, notes: Notes) -> Generated:
+    def _moved(self, files: NodeFiles, earlier: str, notes: Notes) -> Generated:
         """Write a node under another name than before; handwork goes along."""
-        path, origin = self.writing.output / file.name, self.writing.output / earlier
-        present = on_disk(origin)
+        path, origin = self.writing.output / files.name, self.writing.output / earlier
+        present = files_on_disk(origin)
         if not self.writing.force and not _may_replace(path, self.manifest):
-            file = replace(file, problem=_stale(path, earlier))
-            return Generated(self.generation, file, notes)
-        is_own = present in (None, file.text) or self.manifest.has(earlier, present or b"")
+            files = replace(files, problem=_stale(path, earlier))
+            return Generated(self.generation, files, notes)
+        is_own = present in (None, files.files) or are_recorded(self.manifest, earlier, present)
         if self.writing.force or is_own or present is None:
-            return Generated(self.generation, file, notes)
+            return Generated(self.generation, files, notes)
         merged = self._merged(origin, present)
-        if merged.text is None:
+        if merged.files is None:
             problem = unmergeable(origin, merged.reason)
-            return Generated(self.generation, replace(file, problem=problem), notes)
-        file = replace(file, text=merged.text, has_handwork=True)
-        notes = (*notes, kept_handwork(origin, file.name), *merged.notes)
-        return Generated(self.generation, file, notes)
+            return Generated(self.generation, replace(files, problem=problem), notes)
+        files = replace(files, files=merged.files, has_handwork=True)
+        notes = (*notes, kept_handwork(origin, files.name), *merged.notes)
+        return Generated(self.generation, files, notes)
 
-    def _merged(self, path: Path, present: bytes) -> Merged:
+    def _merged(self, path: Path, present: FileSet) -> Merged:
         """Merge what the program changed in a node into a file that was changed by hand."""
         from plastron_tui.targets import read_source
 
@@ -305,9 +314,11 @@ def _earlier(name: str, others: list[str], output: Path, manifest: Manifest) -> 
 
 
 def _may_replace(path: Path, manifest: Manifest) -> bool:
-    """Tell whether a file of an earlier generate holds nothing but what Plastron wrote."""
-    present = on_disk(path)
-    return present is None or path.name not in manifest or manifest.has(path.name, present)
+    """Tell whether files of an earlier generate hold nothing but what Plastron wrote."""
+    present = files_on_disk(path)
+    if present is None or path.name not in manifest:
+        return True
+    return are_recorded(manifest, path.name, present)
 
 
 def _left_behind(path: Path, name: str) -> Diagnostic:

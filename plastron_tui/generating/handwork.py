@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Severity
-from plastron_tui.model.source import LARGEST_FILE, EndpointKind
+from plastron_tui.model.source import LARGEST_FILE, EndpointKind, FileSet
 from plastron_tui.output.layers import Layer, Layers, are_untouched, live_layers
 from plastron_tui.output.manifest import Manifest
 from plastron_tui.regular_files import read_regular
@@ -24,62 +24,76 @@ def on_disk(path: Path) -> bytes | None:
         return None
 
 
-def layers_at(path: Path, manifest: Manifest, text: bytes | None) -> Layers:
-    """Return what is remembered of programs that changed a file, as far as it shows it."""
+def files_on_disk(path: Path) -> FileSet | None:
+    """Return what a file and those that belong to it hold, None where there is no such file."""
+    from plastron_tui.targets import files_of
 
-    def shows(layer: Layer, text: bytes) -> bool:
-        before, after, now = (shown(path, each) for each in (layer.original, layer.written, text))
+    text = on_disk(path)
+    return None if text is None else files_of(path, text, on_disk)
+
+
+def layers_at(path: Path, manifest: Manifest, files: FileSet | None) -> Layers:
+    """Return what is remembered of programs that changed files, as far as they show it."""
+
+    def shows(layer: Layer, files: FileSet) -> bool:
+        before, after, now = (shown(path, each) for each in (layer.original, layer.written, files))
         return any((key in now) == (key in after) for key in before.keys() ^ after.keys())
 
-    return live_layers(manifest.layers.get(path.name, ()), text, shows)
+    return live_layers(manifest.layers.get(path.name, ()), files, shows)
 
 
-def shown(path: Path, text: bytes) -> Shown:
-    """Return what a text has of endpoints, and how often; nothing where it cannot be read."""
+def shown(path: Path, files: FileSet) -> Shown:
+    """Return what files have of endpoints, and how often; nothing where they cannot be read."""
     from plastron_tui.targets import read_source
 
-    source = read_source(path, text).source
+    source = read_source(path, files).source
     endpoints = () if source is None else source.endpoints
     return Counter((each.kind, each.name, each.type) for each in endpoints)
 
 
 class Covered(NamedTuple):
-    """What becomes of a file that other programs changed after the one at hand.
+    """What becomes of files that other programs changed after the one at hand.
 
     Attributes:
-        text: what the file shall hold.
+        files: what they shall hold.
         layers: what is to be remembered of the others.
         notes: warnings.
-        problem: why the file cannot be written.
+        problem: why they cannot be written.
     """
 
-    text: bytes
+    files: FileSet
     layers: Layers
     notes: tuple[Diagnostic, ...] = ()
     problem: Diagnostic | None = None
 
 
 def cover(
-    path: Path, upper: Layers, before: bytes, text: bytes, present: bytes, *, force: bool = False
+    path: Path,
+    upper: Layers,
+    before: FileSet,
+    files: FileSet,
+    present: FileSet,
+    *,
+    force: bool = False,
 ) -> Covered:
-    """Bring a program's new text of a file beneath what other programs made of it.
+    """Bring a program's new files beneath what other programs made of them.
 
     Args:
-        path: the file.
-        upper: what the others made of it, one after the other.
+        path: the main file.
+        upper: what the others made of them, one after the other.
         before: what the first of them found.
-        text: what it would find now.
-        present: what the file holds.
-        force: write the new text, whatever is there.
+        files: what it would find now.
+        present: what there is.
+        force: write the new files, whatever is there.
     """
     if not upper:
-        return Covered(text, ())
-    if text == before and not force:
+        return Covered(files, ())
+    if files == before and not force:
         return Covered(present, upper)
     programs = " and ".join(f"`{layer.program}`" for layer in upper)
     if force or are_untouched(upper, present):
-        return Covered(text, (), (_undone(path, programs),))
-    return Covered(text, upper, problem=unmergeable(path, f"by {programs} too"))
+        return Covered(files, (), (_undone(path, programs),))
+    return Covered(files, upper, problem=unmergeable(path, f"by {programs} too"))
 
 
 def kept_handwork(path: Path, name: str) -> Diagnostic:

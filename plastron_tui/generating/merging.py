@@ -14,7 +14,15 @@ from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.model.endpoints import EDITABLE
-from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceEndpoint, SourceFile
+from plastron_tui.model.source import (
+    Add,
+    Change,
+    EndpointKind,
+    FileSet,
+    Remove,
+    SourceEndpoint,
+    SourceUnit,
+)
 from plastron_tui.model.workspace import (
     Client,
     Endpoint,
@@ -27,19 +35,21 @@ from plastron_tui.model.workspace import (
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets.base import Target
 
+from .judging import definitions, lines_of_code, mentions
+
 _ANCHOR = "plastron_holds_this_place"
 
 
 class Merged(NamedTuple):
-    """A merged text, or why there is none.
+    """Merged files, or why there are none.
 
     Attributes:
-        text: the file with the program's changes, None where the merge is refused.
+        files: the files with the program's changes, None where the merge is refused.
         reason: why it is refused, to follow "the file was changed by hand, and".
         notes: warnings: where program and file now differ.
     """
 
-    text: bytes | None
+    files: FileSet | None
     reason: str = ""
     notes: tuple[Diagnostic, ...] = ()
 
@@ -49,7 +59,7 @@ class _RefusedError(Exception):
 
 
 def merge(
-    source: SourceFile, base: Node | None, node: Node, target: Target, catalog: Catalog
+    source: SourceUnit, base: Node | None, node: Node, target: Target, catalog: Catalog
 ) -> Merged:
     """Bring a program's changes since `base` into a file that was changed by hand.
 
@@ -72,7 +82,7 @@ def merge(
 class _Merge:
     """One merge, and what was decided so far."""
 
-    source: SourceFile
+    source: SourceUnit
     base: Node | None
     node: Node
     target: Target
@@ -98,9 +108,9 @@ class _Merge:
             else:
                 self._tell_resend(key, found)
         swaps = self._anchored([*self.swaps, *sending], file)
-        text = self._edited([*self.adds, *swaps, *self.removes])
-        self._check_callbacks(text)
-        return Merged(text, notes=(*self.notes, *self._orphans(text)))
+        files = self._edited([*self.adds, *swaps, *self.removes])
+        self._check_callbacks(files)
+        return Merged(files, notes=(*self.notes, *self._orphans(files)))
 
     def _anchored(
         self, swaps: list[Change], file: Mapping[EndpointKey, list[SourceEndpoint]]
@@ -117,27 +127,27 @@ class _Merge:
         anchor = _anchor(added.endpoint)
         return [Add(anchor), *swaps, Remove(key[0], _ANCHOR)]
 
-    def _check_callbacks(self, text: bytes) -> None:
-        """Refuse a text in which a callback that holds handwork has got a twin."""
+    def _check_callbacks(self, files: FileSet) -> None:
+        """Refuse files in which a callback that holds handwork has got a twin."""
         for change in self.swaps:
             name = _calling(change.endpoint) if isinstance(change, Add) else None
             if name is None:
                 continue
-            before = self.target.language.definitions(self.source.text, name)
-            if self.target.language.definitions(text, name) > max(1, before):
+            before = definitions(self.target.language, self.source.files, name)
+            if definitions(self.target.language, files, name) > max(1, before):
                 raise _RefusedError(f"`{name}` cannot be called from where endpoints are added")
 
-    def _edited(self, changes: list[Change]) -> bytes:
+    def _edited(self, changes: list[Change]) -> FileSet:
         edited = self.target.edit(self.source, changes, self.catalog)
-        if edited.text is not None:
-            return edited.text
+        if edited.files is not None:
+            return edited.files
         # What is refused in the file as it is has the lines that the user sees.
         alone = (
             self.target.edit(self.source, [change], self.catalog)
             for change in changes
             if isinstance(change, Remove)
         )
-        refused = next((each for each in alone if each.text is None), edited)
+        refused = next((each for each in alone if each.files is None), edited)
         raise _RefusedError(", and ".join(found.message for found in refused.diagnostics))
 
     def _decide(
@@ -241,43 +251,46 @@ class _Merge:
         without = self._without(self.source, key)
         if without is None:
             return False
-        lines_of_code = self.target.language.lines_of_code
-        there = lines_of_code(self.source.text) - lines_of_code(without.text)
+        language = self.target.language
+        there = lines_of_code(language, self.source.files) - lines_of_code(language, without.files)
         types = [each.type for each in self.base.endpoints.values()]
         # A node that was loaded may have what cannot be written anew.
         is_known = None not in types
-        rendered = self.target.render(self.base, self.catalog).text if is_known else None
+        rendered = self.target.render(self.base, self.catalog).files if is_known else None
         fresh = self._read(rendered) if rendered is not None else None
         if fresh is not None:
             rest = self._without(fresh, key)
-            if rest is not None and lines_of_code(fresh.text) - lines_of_code(rest.text) == there:
-                return True
-        again = self.target.edit(without, [Add(base)], self.catalog).text
-        return again is not None and lines_of_code(again) - lines_of_code(without.text) == there
+            if rest is not None:
+                made = lines_of_code(language, fresh.files) - lines_of_code(language, rest.files)
+                if made == there:
+                    return True
+        again = self.target.edit(without, [Add(base)], self.catalog).files
+        if again is None:
+            return False
+        return lines_of_code(language, again) - lines_of_code(language, without.files) == there
 
-    def _without(self, source: SourceFile, key: EndpointKey) -> SourceFile | None:
-        text = self.target.edit(source, [Remove(*key)], self.catalog).text
-        return None if text is None else self._read(text)
+    def _without(self, source: SourceUnit, key: EndpointKey) -> SourceUnit | None:
+        files = self.target.edit(source, [Remove(*key)], self.catalog).files
+        return None if files is None else self._read(files)
 
-    def _read(self, text: bytes) -> SourceFile | None:
-        return self.target.read(self.source.path, text).source
+    def _read(self, files: FileSet) -> SourceUnit | None:
+        return self.target.read(self.source.path, files).source
 
     def _stays(self, callback: str, remove: Remove) -> bool:
         """Tell whether a callback outlives its endpoint: then it is more than a stub."""
-        text = self.target.edit(self.source, [remove], self.catalog).text
-        return text is not None and self.target.language.mentions(text, callback)
+        files = self.target.edit(self.source, [remove], self.catalog).files
+        return files is not None and mentions(self.target.language, files, callback)
 
-    def _orphans(self, text: bytes) -> Iterator[Diagnostic]:
+    def _orphans(self, files: FileSet) -> Iterator[Diagnostic]:
         """Tell of callbacks that are kept for what is written in them, and called no more."""
         callbacks = {each.callback for each in self.cut if each.callback is not None}
         if not callbacks:
             return
-        read = self._read(text)
+        read = self._read(files)
         used = {each.callback for each in read.endpoints} if read else set()
         for each in self.cut:
-            if each.callback in callbacks - used and self.target.language.mentions(
-                text, each.callback or ""
-            ):
+            name = each.callback or ""
+            if name in callbacks - used and mentions(self.target.language, files, name):
                 message = f"`{each.callback}` is kept, but no longer called"
                 yield self._note(message, each, "call it from elsewhere, or remove it by hand")
 
@@ -295,14 +308,14 @@ class _Merge:
             "merged-by-hand",
             message,
             None if found is None else found.span,
-            self.source.path,
+            self.source.path if found is None else self.source.path_of(found),
             help=remedy
             or "change the file by hand; `--force --diff` shows what would be written anew",
             severity=Severity.WARNING,
         )
 
 
-def call_sites(source: SourceFile) -> dict[EndpointKey, list[SourceEndpoint]]:
+def call_sites(source: SourceUnit) -> dict[EndpointKey, list[SourceEndpoint]]:
     """Return the call sites of a file; a name from a parameter counts by its default."""
     found: dict[EndpointKey, list[SourceEndpoint]] = {}
     for endpoint in source.endpoints:

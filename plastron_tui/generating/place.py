@@ -8,10 +8,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
+from plastron_tui.model.source import FileSet
 from plastron_tui.output.layers import Author, Layers, are_untouched
 from plastron_tui.output.manifest import Manifest
 
-from .handwork import layers_at, on_disk
+from .handwork import files_on_disk, layers_at
 
 
 class Writing(NamedTuple):
@@ -40,7 +41,7 @@ class Place:
     Attributes:
         shown: the path, for people.
         real: the path with symbolic links resolved.
-        present: what the file holds, None where there is none.
+        present: what the file and those that belong to it hold, None where there is none.
         manifest: what is remembered of the files of its folder.
         layers: what is remembered of programs that changed the file.
         index: the program's own place among them, None where it has none.
@@ -48,7 +49,7 @@ class Place:
 
     shown: Path
     real: Path
-    present: bytes | None
+    present: FileSet | None
     manifest: Manifest
     layers: Layers
     index: int | None
@@ -73,12 +74,13 @@ def find_place(shown: Path, author: Author, manifests: Callable[[Path], Manifest
     except (OSError, ValueError):
         real = shown
     manifest = manifests(real.parent)
-    present = on_disk(real)
+    present = files_on_disk(real)
     layers = layers_at(real, manifest, present)
     return Place(shown, real, present, manifest, layers, author.place(layers))
 
 
-def found_by(place: Place, index: int) -> bytes:
+def found_by(place: Place, index: int) -> FileSet:
     """Return a program's output as it is before later programs' changes: handwork and all."""
     above = place.layers[index + 1 : index + 2]
-    return above[0].original if above else place.present or b""
+    assert place.present is not None, "what is remembered of files shows in them"
+    return above[0].original if above else place.present

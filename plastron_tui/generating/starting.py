@@ -7,13 +7,14 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
-from plastron_tui.model.source import Origin, SourceFile
-from plastron_tui.output.layers import Author, Layer
-from plastron_tui.output.manifest import Manifest, digest
-from plastron_tui.output.three_way import replay
+from plastron_tui.model.source import FileSet, Origin, SourceUnit
+from plastron_tui.output.layers import Author, Layer, digest_of
+from plastron_tui.output.manifest import Manifest
+from plastron_tui.output.three_way import replay_files
 from plastron_tui.targets import find_target, read_source
 
-from .handwork import on_disk, shown
+from .handwork import files_on_disk, shown
+from .judging import is_worse
 from .place import find_place, found_by
 
 _MOST_STEPS = 4
@@ -21,10 +22,10 @@ _MOST_STEPS = 4
 
 
 class Start(NamedTuple):
-    """A text to start from: the file that it is of, and where it comes from."""
+    """Files to start from: the path of the main one, and where they come from."""
 
     path: Path
-    text: bytes
+    files: FileSet
     origin: Origin
 
 
@@ -54,16 +55,16 @@ def find_start(
     above = Path(os.path.normpath(place.real.parent / (layer.origin or "")))
     if layer.origin is not None and steps and _is_near(above, author) and may_read(above):
         start = find_start(above, author, manifests, may_read, steps - 1)
-        found = on_disk(above) if start is None else start.text
+        found = files_on_disk(above) if start is None else start.files
         if found is not None:
             first = above
-        if found is not None and digest(found) != layer.seen:
-            is_torn = digest(layer.original) != layer.seen
+        if found is not None and digest_of(found) != layer.seen:
+            is_torn = digest_of(layer.original) != layer.seen
             original = found
     visible = original
     present = found_by(place, place.index)
     if present != layer.written and not is_torn:
-        visible = replay(layer.written, present, original)
+        visible = replay_files(layer.written, present, original)
         if not _is_right(path, visible, original, layer, present):
             visible = original
     return Start(first, visible, Origin(first, original, place.real, is_torn=is_torn))
@@ -75,22 +76,24 @@ def _is_near(path: Path, author: Author) -> bool:
     return any(path.is_relative_to(folder) for folder in folders)
 
 
-def chained(source: SourceFile) -> Origin:
+def chained(source: SourceUnit) -> Origin:
     """Return the origin of what a program generates from a source, and loads again."""
     known = source.origin
     if known is None:
-        return Origin(source.path, source.text, start=source.text, turns=1)
-    start = source.text if known.start is None else known.start
+        return Origin(source.path, source.files, start=source.files, turns=1)
+    start = source.files if known.start is None else known.start
     return known._replace(start=start, turns=known.turns + 1)
 
 
-def _is_right(path: Path, text: bytes, original: bytes, layer: Layer, present: bytes) -> bool:
+def _is_right(
+    path: Path, files: FileSet, original: FileSet, layer: Layer, present: FileSet
+) -> bool:
     """Tell whether handwork was brought into an original without what the program wrote."""
     source = read_source(path, original).source
     target = find_target(str(layer.base.get("library")) if source is None else source.library)
-    if target is not None and target.language.is_worse(text, original):
+    if target is not None and is_worse(target.language, files, original):
         return False
     found, before, written, now = (
-        shown(path, each) for each in (text, original, layer.written, present)
+        shown(path, each) for each in (files, original, layer.written, present)
     )
     return found == before + (now - written) - (written - now)

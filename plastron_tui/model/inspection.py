@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from .source import EndpointKind, SourceEndpoint, SourceFile, SourceNode
+from .source import EndpointKind, SourceEndpoint, SourceNode, SourceUnit
 
 _NAME_KEYS = {
     EndpointKind.PUBLISHER: "topic",
@@ -26,7 +26,7 @@ _WITH_CALLBACK = frozenset(
 )
 
 
-def inspect_json(source: SourceFile) -> dict[str, Any]:
+def inspect_json(source: SourceUnit) -> dict[str, Any]:
     """Describe a file as JSON: one entry for each call site, in the order of the file."""
     return {
         "file": str(source.path),
@@ -57,7 +57,7 @@ def _endpoint(endpoint: SourceEndpoint) -> dict[str, Any]:
     return found
 
 
-def inspect_text(source: SourceFile) -> str:
+def inspect_text(source: SourceUnit) -> str:
     """Describe a file for people: a line for each call site, under its node."""
     lines = [f"{source.path} ({source.library})"]
     for node in source.nodes:

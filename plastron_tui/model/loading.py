@@ -5,11 +5,11 @@ from __future__ import annotations
 from plastron_tui.language.statements import Load
 
 from .endpoints import EDITABLE
-from .source import EndpointKind, SourceEndpoint, SourceFile
+from .source import EndpointKind, SourceEndpoint, SourceUnit
 from .workspace import Client, Node, Publisher, Service, Subscription
 
 
-def loaded_node(source: SourceFile, statement: Load) -> Node:
+def loaded_node(source: SourceUnit, statement: Load) -> Node:
     """Make a node of a file's endpoints; those whose name the file does not say stay unseen.
 
     A file may hold several nodes: they load as one, under the name of the first that has one.

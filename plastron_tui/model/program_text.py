@@ -15,7 +15,7 @@ from plastron_tui.ros.names import (
 )
 
 from .numbering import numbered
-from .source import EndpointKind, SourceEndpoint, SourceFile, SourceNode
+from .source import EndpointKind, SourceEndpoint, SourceNode, SourceUnit
 
 _WORDS = {
     EndpointKind.PUBLISHER: "publishes to",
@@ -46,7 +46,7 @@ class Variables:
         return variable
 
 
-def program_of(source: SourceFile, ros_version: int) -> str:
+def program_of(source: SourceUnit, ros_version: int) -> str:
     """Return a program of the nodes of a file.
 
     Every endpoint whose name and type are known is a statement; what has no statement is a
@@ -59,7 +59,7 @@ def program_of(source: SourceFile, ros_version: int) -> str:
 
 
 def _node(
-    source: SourceFile, node: SourceNode, variables: Variables, ros_version: int
+    source: SourceUnit, node: SourceNode, variables: Variables, ros_version: int
 ) -> Iterator[str]:
     name = node.name
     if name is None or check_node_name(name, ros_version) is not None:

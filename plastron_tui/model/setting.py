@@ -11,7 +11,7 @@ from plastron_tui.ros.catalog import Catalog
 from .libraries import Libraries
 
 if TYPE_CHECKING:
-    from .source import SourceFile
+    from .source import SourceUnit
     from .workspace import Generation
 
 
@@ -34,7 +34,7 @@ class Loaded(NamedTuple):
     load the file that may be meant.
     """
 
-    source: SourceFile | None
+    source: SourceUnit | None
     diagnostics: tuple[Diagnostic, ...] = ()
     right: str | None = None
 

@@ -1,10 +1,11 @@
-"""What a reader found in a node's source file, and the changes that an editor is asked for."""
+"""What a reader found in the files of nodes, and the changes that an editor is asked for."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from pathlib import Path
-from typing import NamedTuple
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path, PurePath
+from typing import NamedTuple, TypeVar
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.ros.interfaces import InterfaceName
@@ -12,8 +13,70 @@ from plastron_tui.ros.interfaces import InterfaceName
 from .endpoints import Client, Publisher, Service, Subscription
 from .endpoints import EndpointKind as EndpointKind
 
+P = TypeVar("P", bound=PurePath)
+
 LARGEST_FILE = 4 * 1024 * 1024
 """The largest node file that is read, in bytes; a node is a few kilobytes."""
+
+
+@dataclass(frozen=True, slots=True)
+class FileSet:
+    """The texts of files that are read, changed and written together, the main file's first.
+
+    Each text stands under its file's name from the folder of the main file, in which `{}` is the
+    main file's stem: `{}.cpp` and `include/{}.hpp`. So the set of a file that gets another name
+    keeps its names. A set is never empty.
+    """
+
+    texts: tuple[tuple[str, bytes], ...]
+
+    @staticmethod
+    def single(suffix: str, text: bytes) -> FileSet:
+        """Return the set of one file."""
+        return FileSet((("{}" + suffix, text),))
+
+    @staticmethod
+    def gather(
+        path: Path, text: bytes, others: Iterable[str], read: Callable[[Path], bytes | None]
+    ) -> FileSet:
+        """Return the set of a file and of what there is of others.
+
+        Args:
+            path: the main file.
+            text: what it holds.
+            others: the names of the other files.
+            read: returns a file's text, None where there is no such file.
+        """
+        found = ((name, read(place_of(path, name))) for name in others)
+        there = tuple((name, text) for name, text in found if text is not None)
+        return FileSet((*FileSet.single(path.suffix, text).texts, *there))
+
+    @property
+    def main(self) -> bytes:
+        """The text of the main file."""
+        return self.texts[0][1]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names of the files."""
+        return tuple(name for name, _ in self.texts)
+
+    def get(self, name: str) -> bytes | None:
+        """Return the text of a file, None where the set has no such file."""
+        return next((text for each, text in self.texts if each == name), None)
+
+    def with_text(self, name: str, text: bytes) -> FileSet:
+        """Return the set with another text of one of its files."""
+        return FileSet(tuple((each, text if each == name else old) for each, old in self.texts))
+
+    def with_main(self, text: bytes) -> FileSet:
+        """Return the set with another text of its main file."""
+        return self.with_text(self.texts[0][0], text)
+
+
+def place_of(main: P, name: str) -> P:
+    """Return where a file of a set is, by the path of the set's main file."""
+    return main.parent / name.replace("{}", main.stem)
 
 
 class SourceEndpoint(NamedTuple):
@@ -31,6 +94,8 @@ class SourceEndpoint(NamedTuple):
             None where there is none or it has no name.
         default: the literal default of a name that is read from a parameter.
         span: the call.
+        line: the call's line, from 1.
+        file: the name of the file in its set that has the call, "" for the main file.
     """
 
     kind: EndpointKind
@@ -42,6 +107,7 @@ class SourceEndpoint(NamedTuple):
     type_expression: str = ""
     callback: str | None = None
     default: str | None = None
+    file: str = ""
 
 
 class SourceNode(NamedTuple):
@@ -58,43 +124,48 @@ class SourceNode(NamedTuple):
 
 
 class Origin(NamedTuple):
-    """What a program started from, where `SourceFile.text` is not simply a file of the disk.
+    """What a program started from, where `SourceUnit.files` are not simply files of the disk.
 
     Attributes:
-        path: the file that the program loaded at first.
-        text: what that file holds, or held, without what was changed in the output by hand.
-        output: the file that the program wrote; the source has what was changed there by hand.
-        start: for a source that the program itself generates: the text that it makes it from.
+        path: the main file that the program loaded at first.
+        files: what these files hold, or held, without what was changed in the output by hand.
+        output: the main file that the program wrote; the source has what was changed there by
+            hand.
+        start: for a source that the program itself generates: what it makes it from.
         is_torn: the file at `path` was changed, and the output has handwork that the program
             has changed since.
         turns: how often the program generated it and loaded that again.
     """
 
     path: Path
-    text: bytes
+    files: FileSet
     output: Path | None = None
-    start: bytes | None = None
+    start: FileSet | None = None
     is_torn: bool = False
     turns: int = 0
 
 
-class SourceFile(NamedTuple):
-    """A source file, as bytes, with the nodes that it holds.
+class SourceUnit(NamedTuple):
+    """Files that are read and changed together, with the nodes that they hold.
 
-    `origin` is there where the program itself wrote the file on an earlier run: the text is then
-    what it started from, with what was changed by hand since.
+    `path` is the main file's. `origin` is there where the program itself wrote the files on an
+    earlier run: their texts are then what it started from, with what was changed by hand since.
     """
 
     path: Path
-    text: bytes
+    files: FileSet
     library: str
     nodes: tuple[SourceNode, ...]
     origin: Origin | None = None
 
     @property
     def endpoints(self) -> Iterator[SourceEndpoint]:
-        """The endpoints of all its nodes, in the order of the file."""
+        """The endpoints of all its nodes, in the order of the files."""
         return (endpoint for node in self.nodes for endpoint in node.endpoints)
+
+    def path_of(self, endpoint: SourceEndpoint) -> Path:
+        """Return the file that has a call site."""
+        return place_of(self.path, endpoint.file) if endpoint.file else self.path
 
 
 class Add(NamedTuple):

@@ -26,7 +26,7 @@ from .endpoints import (
 )
 
 if TYPE_CHECKING:
-    from .source import SourceFile
+    from .source import SourceUnit
 
 __all__ = [
     "DEFAULT_RATE",
@@ -58,7 +58,7 @@ class Node:
     variable: str
     span: Span
     library: str | None = None
-    source: SourceFile | None = None
+    source: SourceUnit | None = None
     publishers: dict[str, Publisher] = field(default_factory=dict)
     subscriptions: dict[str, Subscription] = field(default_factory=dict)
     services: dict[str, Service] = field(default_factory=dict)

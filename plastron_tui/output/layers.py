@@ -14,8 +14,10 @@ from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from hashlib import sha256
-from pathlib import Path
+from pathlib import Path, PurePath
 from typing import Any, NamedTuple
+
+from plastron_tui.model.source import FileSet
 
 MOST_LAYERS = 8
 """How many programs' changes of one file are remembered; the lowest layers are forgotten."""
@@ -33,8 +35,8 @@ class Layer:
 
     Attributes:
         program: the name of the program's file.
-        original: the text that it started from.
-        written: the text that it made of it, without handwork.
+        original: what it started from.
+        written: what it made of that, without handwork.
         base: what the node had in the end, as `remembered` gives it.
         origin: the file that the original is of, from the folder of the manifest; None where it
             is the written file itself.
@@ -45,8 +47,8 @@ class Layer:
     """
 
     program: str
-    original: bytes
-    written: bytes
+    original: FileSet
+    written: FileSet
     base: Mapping[str, Any] = field(default_factory=dict)
     origin: str | None = None
     seen: str | None = None
@@ -57,14 +59,15 @@ class Layer:
     @property
     def size(self) -> int:
         """The size of its texts, in bytes."""
-        return len(self.original) + len(self.written)
+        return len(_joined(self.original)) + len(_joined(self.written))
 
-    def shows_in(self, text: bytes) -> bool:
-        """Tell whether a text has any of the lines that the program wrote, or lacks its cuts."""
+    def shows_in(self, files: FileSet) -> bool:
+        """Tell whether files have any of the lines that the program wrote, or lack its cuts."""
         if self.origin is not None:
-            return text != self.original
+            return files != self.original
         before, after, now = (
-            Counter(each.split(b"\n")) for each in (self.original, self.written, text)
+            Counter(_joined(each, b"\n").split(b"\n"))
+            for each in (self.original, self.written, files)
         )
         added, cut = after - before, before - after
         if not added and not cut:
@@ -80,6 +83,17 @@ Layers = tuple[Layer, ...]
 def digest(text: bytes) -> str:
     """Return the digest of a file's text, as the manifest keeps it."""
     return f"sha256:{sha256(text).hexdigest()}"
+
+
+def digest_of(files: FileSet) -> str:
+    """Return the digest of files: of one file that of its text, whatever it is called."""
+    if len(files.texts) == 1:
+        return digest(files.main)
+    return digest("\n".join(f"{digest(text)} {name}" for name, text in files.texts).encode())
+
+
+def _joined(files: FileSet, between: bytes = b"") -> bytes:
+    return between.join(text for _, text in files.texts)
 
 
 class Author(NamedTuple):
@@ -105,44 +119,52 @@ class Author(NamedTuple):
 
 
 def live_layers(
-    layers: Layers, text: bytes | None, shows: Callable[[Layer, bytes], bool]
+    layers: Layers, files: FileSet | None, shows: Callable[[Layer, FileSet], bool]
 ) -> Layers:
-    """Return the layers that a file still shows.
+    """Return the layers that files still show.
 
-    A file that shows nothing of a program's work was put back to what it was, by version control
-    perhaps, or is another: what it holds is an original again.
+    Files that show nothing of a program's work were put back to what they were, by version
+    control perhaps, or are others: what they hold is an original again.
 
     Args:
         layers: what is remembered.
-        text: what the file holds, None where there is none.
-        shows: tells whether a text has any endpoint as the program left it, not as it found it.
+        files: what there is, None for nothing.
+        shows: tells whether files have any endpoint as the program left it, not as it found it.
     """
-    if text is None:
+    if files is None:
         return ()
-    if layers and (layers[-1].written == text or layers[-1].left == digest(text)):
+    if layers and (layers[-1].written == files or layers[-1].left == digest_of(files)):
         return layers
     for index, layer in enumerate(layers):
-        if not layer.shows_in(text) and not shows(layer, text):
+        if not layer.shows_in(files) and not shows(layer, files):
             return layers[:index]
     return layers
 
 
-def are_untouched(layers: Layers, text: bytes | None) -> bool:
-    """Tell whether nothing was changed by hand since the first of some programs wrote a file.
+def are_untouched(layers: Layers, files: FileSet | None) -> bool:
+    """Tell whether nothing was changed by hand since the first of some programs wrote files.
 
     Handwork between two programs is in what the second found, and the last one's text has it.
 
     Args:
-        layers: what the programs made of it, one after the other.
-        text: what the file holds.
+        layers: what the programs made of them, one after the other.
+        files: what there is.
     """
-    found = (*(layer.original for layer in layers[1:]), text)
+    found = (*(layer.original for layer in layers[1:]), files)
     return all(layer.written == after for layer, after in zip(layers, found, strict=True))
 
 
-def layer_json(layer: Layer) -> dict[str, Any]:
-    """Return a layer as the manifest keeps it; its two texts are much alike, and packed as one."""
-    texts = zlib.compress(layer.original + layer.written, 9)
+def layer_json(layer: Layer, name: str) -> dict[str, Any]:
+    """Return a layer as the manifest keeps it; its texts are much alike, and packed as one.
+
+    Of one file each, which both are called as the file that the layer is of, the size of the
+    first is enough.
+    """
+    texts = zlib.compress(_joined(layer.original) + _joined(layer.written), 9)
+    sets = (layer.original, layer.written)
+    usual = (_main_name(name),)
+    is_usual = all(files.names == usual for files in sets)
+    sizes = [[[each, len(text)] for each, text in files.texts] for files in sets]
     data = {
         "program": layer.program,
         "text": layer.text,
@@ -151,17 +173,19 @@ def layer_json(layer: Layer) -> dict[str, Any]:
         "seen": layer.seen,
         "clean": layer.is_clean,
         "base": layer.base,
-        "size": len(layer.original),
+        "size": len(layer.original.main) if is_usual else None,
+        "sizes": None if is_usual else sizes,
         "texts": base64.b64encode(texts).decode("ascii"),
     }
     return {key: value for key, value in data.items() if value is not None}
 
 
-def read_layer(data: object, most: int = LARGEST_TEXTS) -> Layer | None:
+def read_layer(data: object, name: str, most: int = LARGEST_TEXTS) -> Layer | None:
     """Return the layer that JSON tells of, None when it is broken, or has too much of a text.
 
     Args:
         data: what the manifest has.
+        name: the file that the layer is of.
         most: the most bytes that its texts may have, where that is less than `LARGEST_TEXTS`.
     """
     if not isinstance(data, dict):
@@ -173,13 +197,40 @@ def read_layer(data: object, most: int = LARGEST_TEXTS) -> Layer | None:
         texts = unpacker.decompress(packed, max(1, min(most, LARGEST_TEXTS)))
     except (KeyError, TypeError, ValueError, binascii.Error, zlib.error):
         return None
-    size, base, program = data.get("size"), data.get("base"), data.get("program")
-    origin, seen = data.get("origin"), data.get("seen")
-    if not (isinstance(size, int) and isinstance(base, dict) and isinstance(program, str)):
+    base, program, origin, seen = (data.get(key) for key in ("base", "program", "origin", "seen"))
+    if not (isinstance(base, dict) and isinstance(program, str) and unpacker.eof):
         return None
-    is_named = isinstance(origin, str | None) and isinstance(seen, str | None)
-    if not unpacker.eof or not 0 <= size <= len(texts) or not is_named:
+    if not (isinstance(origin, str | None) and isinstance(seen, str | None)):
         return None
     clean, text, left = data.get("clean") is True, data.get("text", ""), data.get("left", "")
-    original, written = texts[:size], texts[size:]
-    return Layer(program, original, written, base, origin, seen, clean, str(text), str(left))
+    sets = _cut(texts, data, name)
+    if sets is None:
+        return None
+    return Layer(program, *sets, base, origin, seen, clean, str(text), str(left))
+
+
+def _cut(texts: bytes, data: Mapping[str, Any], name: str) -> tuple[FileSet, FileSet] | None:
+    """Return the two sets of files of a layer, None where their sizes are broken."""
+    size, usual = data.get("size"), _main_name(name)
+    if isinstance(size, int) and 0 <= size <= len(texts):
+        return FileSet(((usual, texts[:size]),)), FileSet(((usual, texts[size:]),))
+    sets, start = [], 0
+    try:
+        for listed in data["sizes"]:
+            found = []
+            for each, length in listed:
+                if not isinstance(each, str) or not isinstance(length, int) or length < 0:
+                    return None
+                found.append((each, texts[start : start + length]))
+                start += length
+            sets.append(FileSet(tuple(found)))
+        original, written = sets
+    except (KeyError, TypeError, ValueError):
+        return None
+    is_whole = start == len(texts) and original.texts and written.texts
+    return (original, written) if is_whole else None
+
+
+def _main_name(name: str) -> str:
+    """Return what a file is called in the set that it is the main file of."""
+    return FileSet.single(PurePath(name).suffix, b"").names[0]

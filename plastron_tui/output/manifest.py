@@ -206,7 +206,7 @@ def _entries(files: object, version: int) -> Manifest | None:
                 return None
             known = []
             for each in data:
-                layer = read_layer(each, left)
+                layer = read_layer(each, name, left)
                 if layer is None:
                     return None
                 known.append(layer)
@@ -225,7 +225,7 @@ def manifest_text(manifest: Manifest) -> bytes:
         if name in manifest.bases:
             entry["base"] = manifest.bases[name]
         if name in manifest.layers:
-            entry["layers"] = [layer_json(each) for each in manifest.layers[name]]
+            entry["layers"] = [layer_json(each, name) for each in manifest.layers[name]]
         entries.append(f"    {json.dumps(name)}: {json.dumps(entry)}")
     files = "{\n" + ",\n".join(entries) + "\n  }" if entries else "{}"
     text = f'{{\n  "generator": "{_GENERATOR}",\n  "version": {VERSION},\n  "files": {files}\n}}\n'

@@ -40,7 +40,7 @@ class OutputFile:
     """A file that is wanted.
 
     Attributes:
-        name: the file's name, without a folder.
+        name: the file's name from the output folder; between folders stands `/`.
         text: what it shall hold.
         is_executable: whether it gets the executable bit: where it is new, or starts with `#!`. One
             that has the bit keeps it.
@@ -274,7 +274,7 @@ def _real_folder(folder: Path, within: Path | None) -> str:
 
 def _target(shown: Path, real_folder: str, file: OutputFile) -> tuple[str, os.stat_result | None]:
     """Return the real path of the file that is written, and its status."""
-    if not _is_plain_name(file.name):
+    if not _is_inner_name(file.name):
         message = f"{file.name!a} cannot be the name of a file in the output folder"
         raise _RefusedError(_diagnostic("outside-output", message, None))
     try:
@@ -283,6 +283,8 @@ def _target(shown: Path, real_folder: str, file: OutputFile) -> tuple[str, os.st
             status = _status(path)
         else:
             path = os.path.join(real_folder, file.name)
+            # A folder on the way may be a link.
+            path = os.path.join(os.path.realpath(os.path.dirname(path)), os.path.basename(path))
             status = _status(path)
             if status is not None and stat.S_ISLNK(status.st_mode):
                 path = os.path.realpath(path)
@@ -300,15 +302,22 @@ def _target(shown: Path, real_folder: str, file: OutputFile) -> tuple[str, os.st
     return path, status
 
 
+def _is_inner_name(name: str) -> bool:
+    """Tell whether a name means a file of the folder or of one in it, and none of Plastron's own.
+
+    Between folders stands `/`.
+    """
+    return all(map(_is_plain_name, name.split("/")))
+
+
 def _is_plain_name(name: str) -> bool:
-    """Tell whether a name means a file of the folder itself, and none of Plastron's own."""
     if not name or name in {".", "..", MANIFEST_NAME} or name.startswith(PREFIX):
         return False
     try:
         os.fsencode(name)
     except UnicodeEncodeError:
         return False
-    return name.isprintable() and not {"/", "\\"} & set(name)
+    return name.isprintable() and "\\" not in name
 
 
 def _is_inside(path: bytes, folder: bytes) -> bool:

@@ -9,6 +9,8 @@ from collections.abc import Iterator
 from difflib import SequenceMatcher
 from typing import NamedTuple
 
+from plastron_tui.model.source import FileSet
+
 _MOST_LINES = 5_000
 """Texts that differ over more lines are not compared: the time grows with their square."""
 
@@ -35,6 +37,44 @@ class _Match(NamedTuple):
     start: int
     end: int
     other: int
+
+
+def merge_files(base: FileSet, ours: FileSet, theirs: FileSet) -> FileSet | None:
+    """Return files with the changes of both sides, None where they touch the same lines.
+
+    A file that one side does not have stays out only where the other left it as it was.
+    """
+    merged = []
+    for name in dict.fromkeys((*ours.names, *theirs.names)):
+        before, mine, other = (each.get(name) for each in (base, ours, theirs))
+        text: bytes | None
+        if mine == other or other == before:
+            text = mine
+        elif mine == before:
+            text = other
+        elif before is None or mine is None or other is None:
+            return None
+        else:
+            text = merge_lines(before, mine, other)
+            if text is None:
+                return None
+        if text is not None:
+            merged.append((name, text))
+    return FileSet(tuple(merged)) if merged else None
+
+
+def replay_files(base: FileSet, changed: FileSet, onto: FileSet) -> FileSet:
+    """Make the changes from `base` to `changed` in other files, as far as they fit there.
+
+    The main files belong together, whatever they are called; the others by their names.
+    """
+    main = replay(base.main, changed.main, onto.main)
+    replayed = onto.with_main(main)
+    for name, text in onto.texts[1:]:
+        before, now = base.get(name), changed.get(name)
+        if before is not None and now is not None:
+            replayed = replayed.with_text(name, replay(before, now, text))
+    return replayed
 
 
 def merge_lines(base: bytes, ours: bytes, theirs: bytes) -> bytes | None:

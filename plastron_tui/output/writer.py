@@ -263,7 +263,9 @@ def _manifest_step(home: str, news: _News, manifest: Manifest) -> Step | None:
     path = os.path.join(home, NAME)
     if manifest.is_up_to_date(*news):
         return None
-    present = {*os.listdir(home), *news.entries, *news.bases, *news.layers}
+    known = {*manifest.digests, *manifest.bases, *manifest.layers, *news.superseded}
+    there = {name for name in known if os.path.lexists(os.path.join(home, name))}
+    present = {*there, *news.entries, *news.bases, *news.layers}
     updated = manifest.updated(news.entries, present, news.bases, news.superseded, news.layers)
     text = manifest_text(updated)
     if not os.path.lexists(path):

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import ClassVar, TypeVar
 
 from plastron_tui.diagnostics import Diagnostic
-from plastron_tui.model.source import SourceFile
+from plastron_tui.model.source import FileSet, SourceUnit
 
 _Method = TypeVar("_Method", bound=Callable[..., object])
 
@@ -31,9 +31,9 @@ def if_it_fails(answer: object) -> Callable[[_Method], _Method]:
 
 @dataclass(frozen=True, slots=True)
 class Rendered:
-    """The source of a node, or why there is none (`text` is then None)."""
+    """The files of a node, or why there are none (`files` is then None)."""
 
-    text: bytes | None
+    files: FileSet | None
     diagnostics: tuple[Diagnostic, ...] = ()
 
 
@@ -41,7 +41,7 @@ class Rendered:
 class ReadResult:
     """What a file holds; `source` is None when the language cannot read the file at all."""
 
-    source: SourceFile | None
+    source: SourceUnit | None
     diagnostics: tuple[Diagnostic, ...] = ()
 
 
@@ -77,15 +77,23 @@ class Language:
         del text
         return None
 
-    def read(self, path: Path, text: bytes, library: str | None = None) -> ReadResult:
-        """Read the nodes and endpoints of a file.
+    def others(self, path: Path, text: bytes) -> tuple[str, ...]:
+        """Return the names of the files that are read and changed together with a file.
+
+        They need not be there. See `FileSet` for how they are written.
+        """
+        del path, text
+        return ()
+
+    def read(self, path: Path, files: FileSet, library: str | None = None) -> ReadResult:
+        """Read the nodes and endpoints of files.
 
         Args:
-            path: the file.
-            text: what it holds.
-            library: the client library that it is of; None for the one that the file says.
+            path: the main file.
+            files: what they hold.
+            library: the client library that they are of; None for the one that they say.
         """
-        del text, library
+        del files, library
         message = f"plastron cannot read {self.title} files yet, such as `{path.name}`"
         return ReadResult(None, (Diagnostic("unsupported-target", message),))
 

@@ -67,32 +67,39 @@ def previews_of(analysis: Analysis, variable: str) -> tuple[Preview, ...]:
         if generation.node.variable == variable
     }
     if asked:
-        return tuple(_preview(analysis, generation, True) for generation in asked.values())
+        return tuple(
+            preview
+            for generation in asked.values()
+            for preview in _previews(analysis, generation, True)
+        )
     library = node.source.library if node.source is not None else node.library
     generation = Generation(node, library or analysis.session.library, node.span)
-    return (_preview(analysis, generation, False),)
+    return tuple(_previews(analysis, generation, False))
 
 
-def _preview(analysis: Analysis, generation: Generation, is_asked: bool) -> Preview:
+def _previews(analysis: Analysis, generation: Generation, is_asked: bool) -> Iterator[Preview]:
     from plastron_tui.output.diff import file_diff, visible_patch
 
     session = analysis.session
     made = session.generate(generation)
-    if made.file is None:
-        return Preview(generation.node.name, None, None, (), None, made.diagnostics)
+    if made.files is None:
+        yield Preview(generation.node.name, None, None, (), None, made.diagnostics)
+        return
     plan, problems = session.plan_of([made], is_preview=True)
     if not plan.files:
-        return Preview(made.file.name, None, None, (), None, problems)
-    file = plan.files[0]
-    diff = None
+        yield Preview(made.files.name, None, None, (), None, problems)
     source = generation.node.source
-    if file.before is not None and file.state is not FileState.IDENTICAL:
-        diff = diff_lines(visible_patch(file_diff(file)))
-    elif source is not None and source.library == generation.library:
-        diff = difference(source.text, file.text)
-    state = file.state if is_asked else None
-    lines = coloured(file.text.decode("utf-8", "replace"), file.path)
-    return Preview(file.name, file.path, state, lines, diff, made.diagnostics)
+    is_own = source is not None and source.library == generation.library
+    loaded = {} if source is None or not is_own else dict(source.files.texts)
+    for file, name in zip(plan.files, made.files.files.names, strict=False):
+        diff = None
+        if file.before is not None and file.state is not FileState.IDENTICAL:
+            diff = diff_lines(visible_patch(file_diff(file)))
+        elif name in loaded:
+            diff = difference(loaded[name], file.text)
+        state = file.state if is_asked else None
+        lines = coloured(file.text.decode("utf-8", "replace"), file.path)
+        yield Preview(file.name, file.path, state, lines, diff, made.diagnostics)
 
 
 def coloured(text: str, path: Path) -> Lines:

@@ -7,12 +7,13 @@ own, since listing entry points is slow.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.model.libraries import ClientLibrary, Libraries
+from plastron_tui.model.source import FileSet
 from plastron_tui.sources import find_language, own_languages
 
 if TYPE_CHECKING:
@@ -134,10 +135,22 @@ def language_of(path: Path) -> Language | None:
     return next((each for each in languages() if path.suffix in each.suffixes), None)
 
 
-def read_source(path: Path, text: bytes) -> ReadResult:
-    """Read a node's source file, whichever client library it uses.
+def read_source(path: Path, files: FileSet) -> ReadResult:
+    """Read a node's source files, whichever client library they use."""
+    return _reading(path).read(path, files)
 
-    A file whose suffix tells nothing, such as a script without one, is read as Python.
+
+def files_of(path: Path, text: bytes, read: Callable[[Path], bytes | None]) -> FileSet:
+    """Return a file's text with those of the files that are read and changed together with it.
+
+    Args:
+        path: the file.
+        text: what it holds.
+        read: returns another file's text, None where there is no such file.
     """
-    language = language_of(path) or find_language("python")
-    return language.read(path, text)
+    return FileSet.gather(path, text, _reading(path).others(path, text), read)
+
+
+def _reading(path: Path) -> Language:
+    """Return what reads a file; one whose suffix tells nothing, such as a script, is Python's."""
+    return language_of(path) or find_language("python")

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import ClassVar
 
 from plastron_tui.diagnostics import Diagnostic
-from plastron_tui.model.source import Change, SourceFile
+from plastron_tui.model.source import Change, FileSet, SourceUnit
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources.base import Language, ReadResult, Rendered
@@ -37,7 +37,7 @@ class Target:
     language: ClassVar[Language]
 
     def file_name(self, node: Node) -> str:
-        """Return the name of the file that a created node becomes (docs/language.md, "Files").
+        """Return the name of a created node's main file (docs/language.md, "Files").
 
         The ending tells the next reader what the node does: `_pub`, `_sub1`, `_sub2`,
         `_client`, `_server`, or `_node` for a mixture.
@@ -52,23 +52,35 @@ class Target:
         return f"{node.name}{used[0] if len(used) == 1 else '_node'}{self.language.suffix}"
 
     def render(self, node: Node, catalog: Catalog) -> Rendered:
-        """Write a created node as a new source file."""
+        """Write a created node as new source files; `file_name` names the main one."""
         return Rendered(None, (self._cannot("generate nodes for"),))
 
-    def read(self, path: Path, text: bytes) -> ReadResult:
-        """Read the nodes and endpoints of a source file of this client library."""
-        return self.language.read(path, text, self.name)
+    def render_program(self, nodes: Sequence[Node], catalog: Catalog) -> Rendered:
+        """Write the files that belong to no single node, such as what builds them all.
 
-    def edit(self, source: SourceFile, changes: Sequence[Change], catalog: Catalog) -> Rendered:
-        """Change a source file by splices; every byte that no splice covers stays.
+        Their names are those in the output folder. Without any, `files` is None.
+
+        Args:
+            nodes: the nodes that a program generates for this client library.
+            catalog: the interface types.
+        """
+        del nodes, catalog
+        return Rendered(None)
+
+    def read(self, path: Path, files: FileSet) -> ReadResult:
+        """Read the nodes and endpoints of source files of this client library."""
+        return self.language.read(path, files, self.name)
+
+    def edit(self, source: SourceUnit, changes: Sequence[Change], catalog: Catalog) -> Rendered:
+        """Change source files by splices; every byte that no splice covers stays.
 
         The result was read again: it parses no worse than before and shows exactly the
-        endpoints that were asked for. Otherwise `text` is None and the diagnostics say why.
+        endpoints that were asked for. Otherwise `files` is None and the diagnostics say why.
         """
         return Rendered(None, (self._cannot("change files of"),))
 
-    def port(self, node: Node, source: SourceFile, catalog: Catalog) -> Rendered:
-        """Write a node that was loaded from a file of another client library."""
+    def port(self, node: Node, source: SourceUnit, catalog: Catalog) -> Rendered:
+        """Write a node that was loaded from files of another client library."""
         return Rendered(None, (self._cannot(f"bring a node of `{source.library}` to"),))
 
     def _cannot(self, what: str) -> Diagnostic:

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any, ClassVar, TypeVar, get_origin, get_type_hints
 
 from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.model.source import FileSet
 from plastron_tui.sources.base import Language, ReadResult, Rendered
 
 from .base import API_VERSION, Target
@@ -140,7 +141,15 @@ def _unfit(result: object, kind: Any) -> str:
     if not isinstance(result, kind):
         expected = getattr(kind, "__name__", kind)
         return f"it gives a {type(result).__name__}, and no {expected}"
-    if isinstance(result, Rendered) and not isinstance(result.text, bytes | None):
+    files = result.files if isinstance(result, Rendered) else None
+    return "" if files is None else _unfit_files(files)
+
+
+def _unfit_files(files: Any) -> str:
+    """Say why a set of files cannot be used, "" where it can."""
+    if not isinstance(files, FileSet) or not files.texts:
+        return f"it gives a {type(files).__name__}, and no set of files"
+    if not all(isinstance(name, str) and isinstance(text, bytes) for name, text in files.texts):
         return "the text that it gives is no bytes"
     return ""
 

@@ -6,6 +6,8 @@ from collections import Counter
 from pathlib import Path
 from typing import NamedTuple
 
+from file_sets import one
+
 from plastron_tui.diagnostics import Severity
 from plastron_tui.output.writer import write
 from plastron_tui.session import Options, Session
@@ -178,7 +180,7 @@ class Bench:
 
 def shown(path: Path) -> Counter[tuple[str, str | None]]:
     """Return kind and name of all that a file creates, but for timers."""
-    source = read_source(path, path.read_bytes()).source
+    source = read_source(path, one(path.read_bytes())).source
     assert source is not None
     return Counter(
         (each.kind.value, each.name)

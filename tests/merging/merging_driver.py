@@ -7,6 +7,8 @@ from collections import Counter
 from pathlib import Path
 from typing import NamedTuple
 
+from file_sets import one
+
 from plastron_tui.diagnostics import Severity
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.output.writer import write
@@ -48,7 +50,7 @@ def read(library: str, path: Path) -> Counter[tuple[str, str, str]]:
     """Return kind, name and type of what a file holds, but for timers."""
     target = find_target(library)
     assert target is not None
-    source = target.read(path, path.read_bytes()).source
+    source = target.read(path, one(path.read_bytes())).source
     assert source is not None
     return Counter(
         (each.kind.value, str(each.name), str(each.type))

@@ -6,11 +6,13 @@ from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 
+from file_sets import one
+
 from plastron_tui.diagnostics import Diagnostic, Span
 from plastron_tui.language import Document, lower
 from plastron_tui.model.interpreter import Interpretation, interpret
 from plastron_tui.model.setting import Loaded, LoadRequest, Setting
-from plastron_tui.model.source import EndpointKind, SourceEndpoint, SourceFile, SourceNode
+from plastron_tui.model.source import EndpointKind, SourceEndpoint, SourceNode, SourceUnit
 from plastron_tui.model.workspace import Workspace
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceName
@@ -29,7 +31,7 @@ def catalog(ros_version: int) -> Catalog:
 class FakeReader:
     """Reads files from a dictionary, and remembers what was asked for."""
 
-    def __init__(self, files: Mapping[str, SourceFile] | None = None) -> None:
+    def __init__(self, files: Mapping[str, SourceUnit] | None = None) -> None:
         self.files = files or {}
         self.requests: list[LoadRequest] = []
 
@@ -50,9 +52,9 @@ def endpoint(
 
 def source(
     *endpoints: SourceEndpoint, name: str | None = "driver", library: str = "rospy"
-) -> SourceFile:
+) -> SourceUnit:
     nodes = (SourceNode(name, repr(name), endpoints),)
-    return SourceFile(Path("driver.py"), b"", library, nodes)
+    return SourceUnit(Path("driver.py"), one(b""), library, nodes)
 
 
 def run(text: str, library: str = "rospy", reader: FakeReader | None = None) -> Interpretation:

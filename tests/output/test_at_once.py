@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 
 import pytest
+from file_sets import one
 
 from plastron_tui.cli.group import cli
 from plastron_tui.output import locks
@@ -50,7 +51,7 @@ def prepared(folder: Path) -> Path:
 def endpoints(folder: Path) -> set[str]:
     (node,) = (folder / "out").glob("*.py")
     assert "def mine" in node.read_text()
-    source = read_source(node, node.read_bytes()).source
+    source = read_source(node, one(node.read_bytes())).source
     return {str(each.name) for each in source.endpoints}
 
 

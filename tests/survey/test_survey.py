@@ -14,6 +14,7 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "scripts"))
 
 import survey_checks
 import survey_nodes
+from file_sets import one
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.source import Add, EndpointKind, Remove
@@ -54,7 +55,7 @@ PUBLISHER = "        self.pub = rospy.Publisher('on', Bool, queue_size=1)\n"
 
 
 def text(source: str) -> survey_checks.Text:
-    found = read_source(Path("switch.py"), source.encode()).source
+    found = read_source(Path("switch.py"), one(source.encode())).source
     assert found is not None
     return survey_checks.Text(found)
 

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections import Counter
 from pathlib import Path
 
+from file_sets import one
+
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.endpoints import EDITABLE
-from plastron_tui.model.source import EndpointKind, SourceFile
+from plastron_tui.model.source import EndpointKind, SourceUnit
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources.python import read_python
 from plastron_tui.targets import find_target
@@ -92,9 +94,9 @@ if __name__ == "__main__":
 '''
 
 
-def source(text: str | bytes, library: str) -> SourceFile:
+def source(text: str | bytes, library: str) -> SourceUnit:
     data = text.encode() if isinstance(text, str) else text
-    found = read_python(Path("node.py"), data, library).source
+    found = read_python(Path("node.py"), one(data), library).source
     assert found is not None
     return found
 
@@ -105,11 +107,11 @@ def ported(text: str | bytes, library: str) -> tuple[str, tuple[Diagnostic, ...]
     assert target is not None
     read = source(text, library)
     result = target.port(None, read, CATALOGS[OTHER[library]])  # type: ignore[arg-type]
-    assert result.text is not None, result.diagnostics
-    return result.text.decode("utf-8", "replace"), result.diagnostics
+    assert result.files is not None, result.diagnostics
+    return result.files.main.decode("utf-8", "replace"), result.diagnostics
 
 
-def endpoints(read: SourceFile) -> Counter[tuple[EndpointKind, str]]:
+def endpoints(read: SourceUnit) -> Counter[tuple[EndpointKind, str]]:
     return Counter(
         (each.kind, each.name.replace("~/", "~"))
         for each in read.endpoints

@@ -56,15 +56,15 @@ def test_no_node_of_rclpy_has_the_type(tmp_path: Path, start: str, use: str) -> 
 def test_a_node_of_rospy_has_it(tmp_path: Path, start: str, use: str) -> None:
     opened = session(tmp_path, start.format("rospy") + use + "generate_node n\n")
     [made] = opened.generated()
-    assert made.file is not None
+    assert made.files is not None
     if "publish" in use:
-        assert b"Lesson(class_=3, type=" in made.file.text
+        assert b"Lesson(class_=3, type=" in made.files.files.main
 
 
 def test_a_name_that_is_no_reserved_word_is_a_field(tmp_path: Path) -> None:
     program = "create_node 'n' as n using rclpy\nsubscribe n to 't' of message_type Plain\n"
     [made] = session(tmp_path, program + "generate_node n\n").generated()
-    assert made.file is not None
+    assert made.files is not None
 
 
 @pytest.mark.parametrize("library", LOADED)

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from file_sets import one
 
 from plastron_tui.model.inspection import inspect_json
 from plastron_tui.sources.python import read_python
@@ -43,7 +44,7 @@ def _lines(inspected: dict[str, Any]) -> list[str]:
 def test_a_node_reads_as_its_author_says(expected: Path) -> None:
     wanted = json.loads(expected.read_text(encoding="utf-8"))
     text = (expected.parent / wanted["file"]).read_bytes()
-    result = read_python(Path(wanted["file"]), text, library=None)
+    result = read_python(Path(wanted["file"]), one(text), library=None)
     assert result.source is not None, result.diagnostics
     inspected = inspect_json(result.source)
     assert _lines(inspected) == _lines(wanted)

@@ -18,7 +18,7 @@ generate_node talker
 MODULE = """\
 from pathlib import Path
 
-from plastron_tui.model.source import SourceFile, SourceNode
+from plastron_tui.model.source import FileSet, SourceUnit, SourceNode
 from plastron_tui.sources.base import Language, ReadResult, Rendered
 from plastron_tui.targets.base import Target
 
@@ -28,9 +28,9 @@ class Lisp(Language):
     title = "Lisp"
     suffixes = (".lisp",)
 
-    def read(self, path, text, library=None):
-        name = text.split()[1].decode()
-        return ReadResult(SourceFile(path, text, "roslisp", (SourceNode(name, name, ()),)))
+    def read(self, path, files, library=None):
+        name = files.main.split()[1].decode()
+        return ReadResult(SourceUnit(path, files, "roslisp", (SourceNode(name, name, ()),)))
 
 
 class RoslispTarget(Target):
@@ -44,7 +44,8 @@ class RoslispTarget(Target):
 
     def render(self, node, catalog):
         text = f";; {{node.name}} for ROS {{catalog.ros_version}}\\n"
-        return Rendered(text.encode())
+        rendered = Rendered(FileSet.single(".lisp", text.encode()))
+        return rendered
 """
 NAMES = "'rospy', 'rclpy', 'roscpp', 'rclcpp', 'nodelet', 'roslisp'"
 
@@ -176,9 +177,21 @@ def test_a_target_that_cannot_be_loaded_is_a_diagnostic(
 @pytest.mark.parametrize(
     ("old", "new", "reason"),
     [
-        ("return Rendered(text.encode())", "raise KeyError('broken')", "KeyError: 'broken'"),
-        ("return Rendered(text.encode())", "raise SystemExit(1)", "SystemExit: 1"),
-        ("return Rendered(text.encode())", "pass", "it gives a NoneType, and no Rendered"),
+        (
+            "return rendered",
+            "raise KeyError('broken')",
+            "KeyError: 'broken'",
+        ),
+        (
+            "return rendered",
+            "raise SystemExit(1)",
+            "SystemExit: 1",
+        ),
+        (
+            "return rendered",
+            "pass",
+            "it gives a NoneType, and no Rendered",
+        ),
         ("text.encode()", "text", "the text that it gives is no bytes"),
     ],
 )
@@ -195,7 +208,7 @@ def test_a_target_that_fails_is_a_diagnostic(
 def test_a_target_that_fails_keeps_no_file_of_others_from_being_read(tmp_path: Path) -> None:
     module = MODULE.format(ros_version=1).replace('".lisp"', '".py"')
     install(
-        tmp_path / "site", module.replace("name = text", "raise ValueError\n        name = text")
+        tmp_path / "site", module.replace("name = files", "raise ValueError\n        name = files")
     )
     tmp_path.joinpath("driver.py").write_text("print('no node')\n")
     result = plastron(tmp_path, "inspect", "driver.py")

@@ -8,6 +8,7 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
+from file_sets import one
 from ported_nodes import (
     CATALOGS,
     MARK,
@@ -17,7 +18,7 @@ from ported_nodes import (
 
 from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.model.endpoints import EDITABLE
-from plastron_tui.model.source import EndpointKind, SourceFile
+from plastron_tui.model.source import EndpointKind, SourceUnit
 from plastron_tui.sources.python import read_python
 from plastron_tui.targets import find_target
 
@@ -29,7 +30,7 @@ FILES = sorted(
 )
 
 
-def callbacks(read: SourceFile) -> set[str]:
+def callbacks(read: SourceUnit) -> set[str]:
     return {
         each.callback
         for each in read.endpoints
@@ -39,31 +40,31 @@ def callbacks(read: SourceFile) -> set[str]:
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: f"{path.parent.name}/{path.stem}")
 def test_every_node_of_the_collection(path: Path) -> None:
-    read = read_python(path, path.read_bytes(), None).source
+    read = read_python(path, one(path.read_bytes()), None).source
     if read is None or read.library not in OTHER:
         return
     target = find_target(OTHER[read.library])
     assert target is not None
     result = target.port(None, read, CATALOGS[target.name])  # type: ignore[arg-type]
-    if result.text is None:
+    if result.files is None:
         assert [found.code for found in result.diagnostics] == ["edit-refused"]
         with pytest.raises((SyntaxError, ValueError)):
-            ast.parse(read.text)
+            ast.parse(read.files.main)
         return
     assert all(
         found.code == "port-by-hand" and found.severity is Severity.WARNING and found.file == path
         for found in result.diagnostics
     )
-    check_endpoints(read, result.text, result.diagnostics, target.name)
-    check_marks(read, result.text, result.diagnostics)
-    check_bodies(read, result.text)
+    check_endpoints(read, result.files.main, result.diagnostics, target.name)
+    check_marks(read, result.files.main, result.diagnostics)
+    check_bodies(read, result.files.main)
 
 
 def check_endpoints(
-    read: SourceFile, text: bytes, diagnostics: tuple[Diagnostic, ...], library: str
+    read: SourceUnit, text: bytes, diagnostics: tuple[Diagnostic, ...], library: str
 ) -> None:
     """What the file shows is what it showed, apart from what is said to be missing."""
-    after = read_python(read.path, text, library).source
+    after = read_python(read.path, one(text), library).source
     assert after is not None
     missing = Counter(
         match[1].replace("~/", "~")
@@ -74,7 +75,7 @@ def check_endpoints(
     assert Counter(name for _, name in endpoints(after).elements()) >= before - missing
 
 
-def check_marks(read: SourceFile, text: bytes, diagnostics: tuple[Diagnostic, ...]) -> None:
+def check_marks(read: SourceUnit, text: bytes, diagnostics: tuple[Diagnostic, ...]) -> None:
     """Every statement that still names the old library stands below a comment."""
     try:
         tree = ast.parse(text)
@@ -96,7 +97,7 @@ def check_marks(read: SourceFile, text: bytes, diagnostics: tuple[Diagnostic, ..
         for what in line.partition(MARK)[2].strip().split("; ")
     }
     told = {found.message.split("`")[1] for found in diagnostics if "`" in found.message}
-    assert named - told == set() or MARK.encode() in read.text
+    assert named - told == set() or MARK.encode() in read.files.main
 
 
 # What is rewritten in a callback as well, where it is sure what becomes of it.
@@ -107,10 +108,10 @@ REWRITTEN = re.compile(
 )
 
 
-def check_bodies(read: SourceFile, text: bytes) -> None:
+def check_bodies(read: SourceUnit, text: bytes) -> None:
     """Every other line of a callback is as it was."""
     try:
-        before, after = ast.parse(read.text), ast.parse(text)
+        before, after = ast.parse(read.files.main), ast.parse(text)
     except (SyntaxError, ValueError):
         return
     for name in callbacks(read):

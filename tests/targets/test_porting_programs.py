@@ -28,11 +28,11 @@ class TestThroughAProgram:
         session = self.session(tmp_path, "load listener as x\ngenerate_node x using rclpy\n")
         assert session.diagnostics == ()
         [made] = session.generated()
-        assert made.file is not None
-        assert made.file.name == "listener.py"
-        assert made.file.text.decode() == LISTENER_2
+        assert made.files is not None
+        assert made.files.name == "listener.py"
+        assert made.files.files.main.decode() == LISTENER_2
         assert [found.span is not None for found in made.diagnostics] == [True] * 3
-        lines = made.file.text.decode().split("\n")
+        lines = made.files.files.main.decode().split("\n")
         for found in made.diagnostics:
             match = re.match(r"`(.*)` in line (\d+) of the new file", found.message)
             assert match is not None
@@ -48,16 +48,16 @@ class TestThroughAProgram:
         )
         assert session.diagnostics == ()
         [made] = session.generated()
-        assert made.file is not None
-        found = endpoints(source(made.file.text, "rclpy"))
+        assert made.files is not None
+        found = endpoints(source(made.files.files.main, "rclpy"))
         assert found == {(EndpointKind.SUBSCRIPTION, "other"): 1}
 
     def test_a_loaded_node_keeps_its_library_otherwise(self, tmp_path: Path) -> None:
         session = self.session(tmp_path, "load listener as x\ngenerate_node x\n")
         session.options = session.options._replace(target="rclpy")
         [made] = session.generated()
-        assert made.file is not None
-        assert made.file.text.decode() == LISTENER_1
+        assert made.files is not None
+        assert made.files.files.main.decode() == LISTENER_1
 
     def test_the_file_that_was_loaded_is_never_overwritten(self, tmp_path: Path) -> None:
         program = "load listener as x\ngenerate_node x using rclpy\n"

@@ -6,6 +6,7 @@ import ast
 from pathlib import Path
 
 import pytest
+from file_sets import one
 
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources.python import read_python
@@ -21,12 +22,12 @@ CLASS = (
 
 def ported(text: str, library: str, other: str) -> str:
     """Bring a file to the other library; the result is Python."""
-    read = read_python(Path("node.py"), text.encode(), library).source
+    read = read_python(Path("node.py"), one(text.encode()), library).source
     assert read is not None
     result = port_python(read, CATALOGS[other], other)
-    assert result.text is not None, result.diagnostics
-    ast.parse(result.text)
-    return result.text.decode()
+    assert result.files is not None, result.diagnostics
+    ast.parse(result.files.main)
+    return result.files.main.decode()
 
 
 SPINS = [

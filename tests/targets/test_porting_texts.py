@@ -271,8 +271,8 @@ def test_a_node_that_plastron_wrote_leaves_nothing_to_port(library: str) -> None
     target = find_target(library)
     assert target is not None
     rendered = target.render(Node("robot", "robot", SPAN), CATALOGS[library])
-    assert rendered.text is not None
-    text, found = ported(rendered.text.decode(), library)
+    assert rendered.files is not None
+    text, found = ported(rendered.files.main.decode(), library)
     assert (list(found), MARK in text) == ([], False)
 
 
@@ -293,7 +293,7 @@ def test_a_file_that_does_not_parse_is_refused() -> None:
     assert target is not None
     read = source(LISTENER_1.replace("def listener():", "def listener(:"), "rospy")
     result = target.port(None, read, CATALOGS["rclpy"])  # type: ignore[arg-type]
-    assert result.text is None
+    assert result.files is None
     assert [found.code for found in result.diagnostics] == ["edit-refused"]
 
 

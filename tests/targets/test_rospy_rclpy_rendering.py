@@ -9,6 +9,7 @@ import tempfile
 from pathlib import Path
 
 import pytest
+from file_sets import one
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 from machine import examples
@@ -35,8 +36,8 @@ def render(node: Node, library: str) -> str:
     target = find_target(library)
     assert target is not None
     rendered = target.render(node, catalog(library))
-    assert rendered.text is not None, rendered.diagnostics
-    return rendered.text.decode()
+    assert rendered.files is not None, rendered.diagnostics
+    return rendered.files.main.decode()
 
 
 def write(path: Path, text: str) -> None:
@@ -176,7 +177,7 @@ def test_what_is_written_reads_as_the_same_node(library: str, data: st.DataObjec
     node = data.draw(nodes(library))
     target = find_target(library)
     assert target is not None
-    source = target.read(Path("node.py"), render(node, library).encode()).source
+    source = target.read(Path("node.py"), one(render(node, library).encode())).source
     assert source is not None
     (read,) = source.nodes
     assert read.name == node.name

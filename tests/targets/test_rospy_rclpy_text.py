@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from file_sets import one
 from made_nodes import SPAN, catalog
 
 from plastron_tui.model.values import MessageValue, Value
@@ -34,8 +35,8 @@ def render(node: Node, library: str, templates: Path | None = None) -> Rendered:
 
 def text(node: Node, library: str) -> str:
     rendered = render(node, library)
-    assert rendered.text is not None, rendered.diagnostics
-    return rendered.text.decode()
+    assert rendered.files is not None, rendered.diagnostics
+    return rendered.files.main.decode()
 
 
 def new() -> Node:
@@ -199,7 +200,7 @@ REFUSED = [
 @pytest.mark.parametrize(("library", "node", "code"), REFUSED)
 def test_what_a_library_cannot_have_is_a_diagnostic(library: str, node: Node, code: str) -> None:
     rendered = render(node, library)
-    assert rendered.text is None
+    assert rendered.files is None
     assert [each.code for each in rendered.diagnostics] == [code]
     assert rendered.diagnostics[0].span == SPAN
 
@@ -214,8 +215,8 @@ def test_a_users_template_comes_first(tmp_path: Path) -> None:
     folder.mkdir()
     (folder / "node.py.j2").write_text("name = {{ node.name }}\n")
     node = with_subscription(STRING)
-    assert render(node, "rospy", tmp_path).text == b'name = "robot"\n'
-    assert render(node, "rclpy", tmp_path).text == text(node, "rclpy").encode()
+    assert render(node, "rospy", tmp_path).files == one(b'name = "robot"\n')
+    assert render(node, "rclpy", tmp_path).files == one(text(node, "rclpy").encode())
 
 
 @pytest.mark.parametrize(
@@ -236,7 +237,7 @@ def test_a_broken_template_is_a_diagnostic(tmp_path: Path, template: str) -> Non
     folder.mkdir()
     (folder / "node.py.j2").write_text(template)
     rendered = render(with_subscription(STRING), "rospy", tmp_path)
-    assert rendered.text is None
+    assert rendered.files is None
     assert [each.code for each in rendered.diagnostics] == ["template-error"]
 
 

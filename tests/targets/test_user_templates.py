@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from file_sets import one
 from made_nodes import SPAN, catalog
 
 from plastron_tui.model.workspace import Node
@@ -36,7 +37,7 @@ def render(folder: Path, template: str | None = None) -> Rendered:
 
 def refusal(folder: Path, template: str | None = None) -> str:
     rendered = render(folder, template)
-    assert rendered.text is None
+    assert rendered.files is None
     (diagnostic,) = rendered.diagnostics
     assert diagnostic.code == "template-error"
     assert len(diagnostic.message) < 600
@@ -68,7 +69,7 @@ def test_templates_are_read_inside_of_their_folder(folder: Path) -> None:
     (folder / "parts").mkdir()
     (folder / "parts" / "head.j2").write_text("# ours\n")
     (folder / "rospy" / "head.j2").symlink_to("../parts/head.j2")
-    assert render(folder, "{% include 'head.j2' %}").text == b"# ours\n"
+    assert render(folder, "{% include 'head.j2' %}").files == one(b"# ours\n")
 
 
 @pytest.mark.parametrize("use", ["{% include 'x' %}", "{% import 'x' as x %}", "{% extends 'x' %}"])
@@ -121,7 +122,7 @@ def test_a_template_that_was_stopped_is_not_begun_again(
     monkeypatch.setattr(sys, "executable", "/nowhere")
     assert reason in refusal(folder)
     monkeypatch.undo()
-    assert render(folder, "text\n").text == b"text\n"
+    assert render(folder, "text\n").files == one(b"text\n")
 
 
 def test_a_template_is_a_regular_file_that_is_not_too_large(folder: Path) -> None:
@@ -148,7 +149,7 @@ def test_no_module_is_taken_from_the_current_folder(
     monkeypatch.chdir(folder)
     monkeypatch.setenv("PYTHONPATH", os.fspath(folder))
     monkeypatch.setattr(sys, "path", ["", ".", *sys.path])
-    assert render(folder, "{{ node.name }}").text == b'"robot"'
+    assert render(folder, "{{ node.name }}").files == one(b'"robot"')
 
 
 @pytest.mark.parametrize(
@@ -187,7 +188,7 @@ def test_limits_that_are_tighter_stay() -> None:
 def test_the_limits_are_those_of_the_process_alone(folder: Path) -> None:
     kinds = (resource.RLIMIT_AS, resource.RLIMIT_CPU)
     before = [resource.getrlimit(kind) for kind in kinds]
-    assert render(folder, "{{ node.name }}").text is not None
+    assert render(folder, "{{ node.name }}").files is not None
     assert before == [resource.getrlimit(kind) for kind in kinds]
 
 
@@ -198,4 +199,4 @@ def test_a_part_that_is_mended_lets_a_stopped_template_begin_again(folder: Path)
     (folder / "rospy" / "head.j2").symlink_to("../parts/head.j2")
     assert "512 MB" in refusal(folder, "{% include 'head.j2' %}")
     part.write_text("# ours\n")
-    assert render(folder).text == b"# ours\n"
+    assert render(folder).files == one(b"# ours\n")

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 from plastron_tui.diagnostics import Diagnostic
-from plastron_tui.model.source import Change, SourceEndpoint, SourceFile
+from plastron_tui.model.source import Change, SourceEndpoint, SourceUnit
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources.base import Rendered
 
@@ -23,7 +23,7 @@ from .writing import Key
 
 
 def edit_python(
-    source: SourceFile, changes: Sequence[Change], catalog: Catalog, dialect: Dialect
+    source: SourceUnit, changes: Sequence[Change], catalog: Catalog, dialect: Dialect
 ) -> Rendered:
     """Change a Python file; what no change asks for stays byte for byte.
 
@@ -31,9 +31,9 @@ def edit_python(
     asked for. Otherwise there is no text, and a diagnostic says why.
     """
     if not changes:
-        return Rendered(source.text)
+        return Rendered(source.files)
     library = LIBRARIES[source.library]
-    before = analyze(source.text, library)
+    before = analyze(source.files.main, library)
     expected = Counter(map(key_of, _endpoints(before)))
     edits = Edits(before, catalog, dialect, expected)
     try:
@@ -50,10 +50,10 @@ def edit_python(
     if problem is not None:
         message = f"the change of `{source.path.name}` would {problem}"
         return Rendered(None, (Diagnostic("edit-refused", message),))
-    return Rendered(analysis.syntax.text)
+    return Rendered(source.files.with_main(analysis.syntax.text))
 
 
-def not_encodable(source: SourceFile, error: UnicodeEncodeError) -> Diagnostic:
+def not_encodable(source: SourceUnit, error: UnicodeEncodeError) -> Diagnostic:
     """Return what is said of a character that the encoding of a file has not."""
     character = error.object[error.start]
     message = f"`{source.path.name}` is in {error.encoding}, which has no `{character}`"

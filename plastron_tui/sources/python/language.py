@@ -10,6 +10,7 @@ from collections.abc import Container
 from pathlib import Path
 from typing import ClassVar
 
+from plastron_tui.model.source import FileSet
 from plastron_tui.sources.base import Language, ReadResult
 
 _LIBRARIES = (b"rospy", b"rclpy")
@@ -48,11 +49,11 @@ class Python(Language):
         """Return `rospy` or `rclpy` where a file has the word anywhere."""
         return next((each.decode() for each in _LIBRARIES if each in text), None)
 
-    def read(self, path: Path, text: bytes, library: str | None = None) -> ReadResult:
+    def read(self, path: Path, files: FileSet, library: str | None = None) -> ReadResult:
         """Read the nodes and endpoints of a Python file."""
         from .reader import read_python  # loads tree-sitter-python
 
-        return read_python(path, text, library)
+        return read_python(path, files, library)
 
     def runs_by_itself(self, name: str, packages: Container[str], *, is_own: bool) -> str | None:
         """Tell what of Python or pytest runs a file of a name, or imports it unasked."""

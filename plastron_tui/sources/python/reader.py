@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from plastron_tui.diagnostics import Diagnostic, Span
-from plastron_tui.model.source import SourceFile, SourceNode
+from plastron_tui.model.source import FileSet, SourceNode, SourceUnit
 from plastron_tui.sources.base import ReadResult
 
 from .analysis import Analysis, NodeSite, Site
@@ -26,12 +26,13 @@ _ROSPY_ONLY = rb"^[ \t]*(import|from)[ \t]+(message_filters|actionlib)\b"
 _CREATION = re.compile(rb"\.create_(lifecycle_)?(publisher|subscription|service|client)\s*\(")
 
 
-def read_python(path: Path, text: bytes, library: str | None = None) -> ReadResult:
-    """Read the nodes of a Python file.
+def read_python(path: Path, files: FileSet, library: str | None = None) -> ReadResult:
+    """Read the nodes of a Python file, the main one of a set.
 
     Without a `library` the imports of the file decide. A file that uses no client library is
     a diagnostic, not an exception.
     """
+    text = files.main
     if len(text) > MOST_BYTES:
         return _refuse(path, "file-too-large", "the file is larger than 4 MB and is not read")
     if b"\x00" in text:
@@ -52,7 +53,7 @@ def read_python(path: Path, text: bytes, library: str | None = None) -> ReadResu
     if is_guess and all(site.endpoint.type is None for site in analyses[0].sites):
         return _refuse(path, "no-node", "the file imports neither rospy nor rclpy")
     best = max(analyses, key=lambda analysis: (len(analysis.sites), len(analysis.nodes)))
-    source = SourceFile(path, text, best.library.module, group(best))
+    source = SourceUnit(path, files, best.library.module, group(best))
     return ReadResult(source)
 
 

@@ -15,6 +15,7 @@ from textual.widgets import Button, Label, OptionList
 from textual.widgets.option_list import Option
 
 from plastron_tui.diagnostics import Diagnostic, has_errors
+from plastron_tui.generating.node_files import name_of
 from plastron_tui.output.diff import file_diff, visible_patch
 from plastron_tui.output.plan import FilePlan, FileState, PlannedFile
 from plastron_tui.output.writer import WriteResult, write_current
@@ -65,9 +66,10 @@ class GenerateDialog(Dialog[bool]):
         made = session.generated()
         self.plan, self.problems = session.plan_of(made)
         self._origins = {
-            each.file.name: each.generation.node.source
+            name_of(each.files.name, name): (source.path.name, text)
             for each in made
-            if each.file is not None and each.generation.node.source is not None
+            if each.files is not None and (source := each.generation.node.source) is not None
+            for name, text in source.files.texts
         }
 
     def compose(self) -> ComposeResult:
@@ -184,12 +186,10 @@ class GenerateDialog(Dialog[bool]):
         """Yield how a file can be looked at: what it is called, the lines, whether numbered."""
         if file.before is not None and file.before != file.text:
             yield "what changes on the disk", diff_lines(visible_patch(file_diff(file))), False
-        source = self._origins.get(file.name)
-        if source is not None and source.text not in (file.text, file.before):
-            lines = difference(source.text, file.text)
-            yield f"what differs from {source.path.name}", lines, False
-        text = file.text.decode("utf-8", "replace")
-        yield "the whole file", coloured(text, file.path), True
+        name, text = self._origins.get(file.name, ("", file.text))
+        if text not in (file.text, file.before):
+            yield f"what differs from {name}", difference(text, file.text), False
+        yield "the whole file", coloured(file.text.decode("utf-8", "replace"), file.path), True
 
     def action_toggle_diff(self) -> None:
         """Show the file in another way: what changes in it, or the whole of it."""

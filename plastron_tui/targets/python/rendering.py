@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 
 from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.model.source import FileSet
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources.base import Rendered
@@ -39,7 +40,7 @@ def render_python(
     # A template may fail in any way; a user's does so in a process of its own.
     except Exception as error:
         return Rendered(None, (_template_error(dialect.library, template_folder, error),))
-    return Rendered(text.encode())
+    return Rendered(FileSet.single(".py", text.encode()))
 
 
 def _text(plan: NodePlan, library: str, folder: Path | None) -> str:

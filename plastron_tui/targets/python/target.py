@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import ClassVar
 
-from plastron_tui.model.source import Change, SourceFile
+from plastron_tui.model.source import Change, SourceUnit
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources import find_language
@@ -33,13 +33,13 @@ class PythonTarget(Target):
         """Write a created node as a new Python file."""
         return render_python(node, catalog, self.dialect, self._template_folder)
 
-    def edit(self, source: SourceFile, changes: Sequence[Change], catalog: Catalog) -> Rendered:
+    def edit(self, source: SourceUnit, changes: Sequence[Change], catalog: Catalog) -> Rendered:
         """Change a Python file by splices."""
         from plastron_tui.sources.python import edit_python  # loads tree-sitter-python
 
         return edit_python(source, changes, catalog, self.dialect)
 
-    def port(self, node: Node, source: SourceFile, catalog: Catalog) -> Rendered:
+    def port(self, node: Node, source: SourceUnit, catalog: Catalog) -> Rendered:
         """Bring a node that was loaded from a Python file of the other ROS."""
         if source.library not in _PORTED:
             return super().port(node, source, catalog)

@@ -6,10 +6,11 @@ from collections.abc import Iterator
 from itertools import count
 from pathlib import Path
 
+from file_sets import one
 from hypothesis import strategies as st
 
 from plastron_tui.diagnostics import Span
-from plastron_tui.model.source import SourceFile
+from plastron_tui.model.source import SourceUnit
 from plastron_tui.model.values import MessageValue
 from plastron_tui.model.workspace import (
     Client,
@@ -45,7 +46,7 @@ class Maker:
 
     def loaded(self, name: str, variable: str, path: str) -> Node:
         return self.node(
-            name, variable, library="rospy", source=SourceFile(Path(path), b"", "rospy", ())
+            name, variable, library="rospy", source=SourceUnit(Path(path), one(b""), "rospy", ())
         )
 
     def publish(

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from file_sets import one
+
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.source import Add, EndpointKind
 from plastron_tui.model.values import MessageValue
@@ -33,15 +35,15 @@ SRV, CLI = EndpointKind.SERVICE, EndpointKind.CLIENT
 
 def edit(text: str | bytes, *changes):
     data = text.encode() if isinstance(text, str) else text
-    source = read_python(Path("node.py"), data).source
+    source = read_python(Path("node.py"), one(data)).source
     assert source is not None
     return edit_python(source, changes, CATALOGS[source.library], DIALECTS[source.library])
 
 
 def edited(text: str, *changes) -> str:
     rendered = edit(text, *changes)
-    assert rendered.text is not None, [found.message for found in rendered.diagnostics]
-    return rendered.text.decode()
+    assert rendered.files is not None, [found.message for found in rendered.diagnostics]
+    return rendered.files.main.decode()
 
 
 def interface(text: str) -> InterfaceName:

@@ -18,6 +18,7 @@ from edits import (
     request,
     subscribe,
 )
+from file_sets import one
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from machine import examples
@@ -35,10 +36,10 @@ from plastron_tui.sources.python import edit_python, read_python
 def test_no_change_is_the_same_file():
     for path in NODES:
         data = path.read_bytes()
-        source = read_python(path, data).source
+        source = read_python(path, one(data)).source
         if source is not None:
             library = source.library
-            assert edit_python(source, [], CATALOGS[library], DIALECTS[library]).text == data
+            assert edit_python(source, [], CATALOGS[library], DIALECTS[library]).files == one(data)
 
 
 CHANGES = st.sampled_from(
@@ -67,7 +68,7 @@ def names(source) -> Counter:
 @given(st.sampled_from(NODES), st.lists(CHANGES, max_size=4, unique_by=id), st.randoms())
 def test_any_sequence_gives_the_endpoints_that_it_asks_for(path, additions, random):
     """Each step starts from the text of the one before, as load and generate do."""
-    source = read_python(path, path.read_bytes()).source
+    source = read_python(path, one(path.read_bytes())).source
     if source is None:
         return
     expected = names(source)
@@ -79,7 +80,7 @@ def test_any_sequence_gives_the_endpoints_that_it_asks_for(path, additions, rand
             kind, name = random.choice(choice)
             change = Remove(kind, name, AT)
         rendered = edit_python(source, [change], CATALOGS[library], DIALECTS[library])
-        if rendered.text is None:
+        if rendered.files is None:
             assert rendered.diagnostics
             continue
         if isinstance(change, Remove):
@@ -88,7 +89,7 @@ def test_any_sequence_gives_the_endpoints_that_it_asks_for(path, additions, rand
             endpoint = change.endpoint
             name = endpoint.topic if hasattr(endpoint, "topic") else endpoint.name
             expected[KIND_OF[type(endpoint)], name] += 1
-        result = read_python(path, rendered.text, library)
+        result = read_python(path, rendered.files, library)
         assert result.source is not None
         source = result.source
         assert names(source) == +expected

@@ -6,6 +6,7 @@ import ast
 from pathlib import Path
 
 import pytest
+from file_sets import one
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.source import Add
@@ -42,7 +43,7 @@ def test_the_encoding_of_a_file(text: bytes, encoding: str) -> None:
 
 
 def edited(text: bytes, data: str) -> Rendered:
-    source = read_python(Path("node.py"), text).source
+    source = read_python(Path("node.py"), one(text)).source
     assert source is not None
     type_, at = InterfaceName("std_msgs", "String"), Span(0, 1)
     sent = Publication(Message("m", MessageValue(type_, {"data": data}), at), 10.0, at, True)
@@ -51,22 +52,22 @@ def edited(text: bytes, data: str) -> Rendered:
 
 
 def test_an_edit_is_in_the_encoding_that_the_file_names() -> None:
-    text = edited(b"# coding: latin-1\n" + NODE, "caf\xe9").text
+    text = edited(b"# coding: latin-1\n" + NODE, "caf\xe9").files
     assert text is not None
-    assert b"caf\xe9" in text
-    ast.parse(text)
+    assert b"caf\xe9" in text.main
+    ast.parse(text.main)
 
 
 def test_a_character_that_the_encoding_lacks_is_refused() -> None:
     refused = edited(b"# coding: latin-1\n" + NODE, "\u4f60")
-    assert refused.text is None
+    assert refused.files is None
     assert [found.code for found in refused.diagnostics] == ["edit-refused"]
 
 
 def test_a_port_that_the_encoding_lacks_a_character_for_is_refused() -> None:
     text = b"# coding: ascii\n" + NODE.replace(b"'n'", b"'\\u4f60'")
-    source = read_python(Path("node.py"), text).source
+    source = read_python(Path("node.py"), one(text)).source
     assert source is not None
     refused = port_python(source, Catalog("kilted"), "rclpy")
-    assert refused.text is None
+    assert refused.files is None
     assert [found.code for found in refused.diagnostics] == ["edit-refused"]

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from edits import CATALOGS, DIALECTS, NODES, SUB, edit, provide, publish, request, subscribe
+from file_sets import one
 
 from plastron_tui.model.source import Add, Change, Remove
 from plastron_tui.sources.python import edit_python, edits, read_python
@@ -49,7 +50,7 @@ rospy.spin()
 
 
 def _check(path: Path, text: bytes, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    source = read_python(path, text).source
+    source = read_python(path, one(text)).source
     if source is None:
         return
     target = CATALOGS[source.library], DIALECTS[source.library]
@@ -81,7 +82,7 @@ def _analyses(monkeypatch, changes: Sequence[Change]) -> int:
         return analyze(*arguments)
 
     monkeypatch.setattr(edits, "analyze", counted)
-    assert edit(NODE, *changes).text is not None
+    assert edit(NODE, *changes).files is not None
     return count
 
 

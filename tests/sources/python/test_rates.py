@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from file_sets import one
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.source import Add
@@ -57,7 +58,7 @@ TIMER_2 = (
 def test_a_rate_that_the_file_does_not_have_gets_a_timer(
     text: str, own: str, rate: float | None, is_own: bool
 ) -> None:
-    source = read_python(Path("node.py"), text.replace("{}", own).encode()).source
+    source = read_python(Path("node.py"), one(text.replace("{}", own).encode())).source
     assert source is not None
     library = {"rospy": (Catalog("noetic"), ROSPY), "rclpy": (Catalog("jazzy"), RCLPY)}
     type_, at = InterfaceName("std_msgs", "String"), Span(0, 0)
@@ -65,6 +66,6 @@ def test_a_rate_that_the_file_does_not_have_gets_a_timer(
     sent = Publication(message, rate or DEFAULT_RATE, is_rate_open=rate is None)
     change = Add(Publisher("out", type_, [sent], at))
     result = edit_python(source, [change], *library[source.library])
-    assert result.text is not None, result.diagnostics
-    assert (b"def publish_out(" not in result.text) == is_own
-    assert result.text.count(b"out_pub.publish(") == 1
+    assert result.files is not None, result.diagnostics
+    assert (b"def publish_out(" not in result.files.main) == is_own
+    assert result.files.main.count(b"out_pub.publish(") == 1

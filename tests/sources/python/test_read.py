@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from file_sets import one
 
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.sources.python import read_python
@@ -12,7 +13,7 @@ from plastron_tui.sources.python import read_python
 
 def read(text: str | bytes):
     data = text.encode() if isinstance(text, str) else text
-    return read_python(Path("x.py"), data).source
+    return read_python(Path("x.py"), one(data)).source
 
 
 TOPICS = [
@@ -66,13 +67,13 @@ def test_a_block_without_its_colon_keeps_what_is_in_it():
     ["", "print('hello')\n", "# import rospy\n", b"\x00\x01import rospy", b"import rospy\n\x00"],
 )
 def test_a_file_that_is_no_node_is_a_diagnostic(text):
-    result = read_python(Path("x"), text if isinstance(text, bytes) else text.encode())
+    result = read_python(Path("x"), one(text if isinstance(text, bytes) else text.encode()))
     assert result.source is None
     assert [d.code for d in result.diagnostics] == ["no-node"]
 
 
 def test_a_huge_file_is_a_diagnostic():
-    result = read_python(Path("x"), b"import rospy\n" + b"x = 1\n" * 2_000_000)
+    result = read_python(Path("x"), one(b"import rospy\n" + b"x = 1\n" * 2_000_000))
     assert [d.code for d in result.diagnostics] == ["file-too-large"]
 
 

@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
+from file_sets import one
 
 from plastron_tui.sources.python import read_python
 
@@ -32,13 +33,13 @@ def test_what_the_page_says_of_its_examples_is_so(title: str) -> None:
     assert example is not None
     library = None if title == "Both libraries in one file" else "rospy"
     text = (IMPORTS + example[1]).encode()
-    source = read_python(Path("node.py"), text, library).source
+    source = read_python(Path("node.py"), one(text), library).source
     assert source is not None
     assert [found.name for node in source.nodes for found in node.endpoints] == FOUND[title]
 
 
 def test_an_object_that_is_not_known_to_be_a_node_creates_nothing_of_an_unknown_type() -> None:
     text = f"{IMPORTS}from config import session, KIND\nsession.create_publisher(KIND, 'a', 10)\n"
-    source = read_python(Path("node.py"), text.encode(), "rclpy").source
+    source = read_python(Path("node.py"), one(text.encode()), "rclpy").source
     assert source is not None
     assert not any(node.endpoints for node in source.nodes)

@@ -162,7 +162,7 @@ def test_what_is_in_use_is_not_removed(case):
     body, lines = IN_USE[case]
     kind = SUB if "Subscriber" in body else PUB
     rendered = edit(f"{HEAD}{body}{TAIL}", Remove(kind, "t", AT))
-    assert rendered.text is None
+    assert rendered.files is None
     (found,) = rendered.diagnostics
     assert found.code == "endpoint-in-use"
     assert found.message.endswith(" ".join(map(str, lines)))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 
 from plastron_tui.diagnostics import Diagnostic, Severity, Span
-from plastron_tui.model.source import EndpointKind, SourceFile
+from plastron_tui.model.source import EndpointKind, SourceUnit
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.sources.base import Rendered
@@ -31,7 +31,7 @@ _KINDS = {
 _Key = tuple[EndpointKind, str | None, str]
 
 
-def port_python(source: SourceFile, catalog: Catalog, library: str) -> Rendered:
+def port_python(source: SourceUnit, catalog: Catalog, library: str) -> Rendered:
     """Bring a file to another client library.
 
     The result was read again: an endpoint that it does not show is a warning, and a file that
@@ -42,7 +42,7 @@ def port_python(source: SourceFile, catalog: Catalog, library: str) -> Rendered:
         catalog: the types of the distribution that it goes to.
         library: the client library that it goes to.
     """
-    before = analyze(source.text, LIBRARIES[source.library])
+    before = analyze(source.files.main, LIBRARIES[source.library])
     if before.syntax.errors:
         message = f"`{source.path.name}` does not parse, and cannot be brought to {library}"
         return Rendered(None, (Diagnostic("edit-refused", message, help="mend the file first"),))
@@ -52,7 +52,7 @@ def port_python(source: SourceFile, catalog: Catalog, library: str) -> Rendered:
         return Rendered(None, (not_encodable(source, error),))
 
 
-def _ported(source: SourceFile, work: Work, library: str) -> Rendered:
+def _ported(source: SourceUnit, work: Work, library: str) -> Rendered:
     """Rewrite the file, and read the result.
 
     Raises:
@@ -70,12 +70,12 @@ def _ported(source: SourceFile, work: Work, library: str) -> Rendered:
     after = analyze(text, LIBRARIES[library])
     found += _missing(work, before, after, source)
     problem = syntax_error(text)
-    if problem is not None and syntax_error(source.text) is None:
+    if problem is not None and syntax_error(source.files.main) is None:
         message = f"`{source.path.name}` cannot be brought to {library}: {problem.reason}"
         return Rendered(None, (Diagnostic("edit-refused", message),))
     if problem is not None:
         found.append(_by_hand(source, f"the file is no Python 3: {problem.reason}", None, None))
-    return Rendered(text, tuple(found))
+    return Rendered(source.files.with_main(text), tuple(found))
 
 
 def _mark_type(work: Work, site: Site) -> None:
@@ -118,7 +118,7 @@ def _comment_lines(text: bytes) -> dict[str, list[int]]:
 
 
 def _listed(
-    mark: Mark, source: SourceFile, library: str, lines: dict[str, list[int]]
+    mark: Mark, source: SourceUnit, library: str, lines: dict[str, list[int]]
 ) -> Diagnostic:
     """Return the warning for a mark, with its line in the new file, one after the other."""
     span = Span(mark.node.start_byte, mark.node.end_byte)
@@ -130,7 +130,7 @@ def _listed(
     return _by_hand(source, message, span, mark.remedy)
 
 
-def _by_hand(source: SourceFile, message: str, span: Span | None, remedy: str | None) -> Diagnostic:
+def _by_hand(source: SourceUnit, message: str, span: Span | None, remedy: str | None) -> Diagnostic:
     return Diagnostic(
         "port-by-hand",
         message,
@@ -141,7 +141,7 @@ def _by_hand(source: SourceFile, message: str, span: Span | None, remedy: str | 
     )
 
 
-def _missing(work: Work, before: Analysis, after: Analysis, source: SourceFile) -> list[Diagnostic]:
+def _missing(work: Work, before: Analysis, after: Analysis, source: SourceUnit) -> list[Diagnostic]:
     """Return a warning for each endpoint that the result does not show."""
     shown = Counter(_key(work, each) for each in after.sites)
     found = []
