@@ -47,27 +47,30 @@ const unfinishedCommaSep1 = (rule, unfinishedRule) => choice(
  */
 const part = (whole, unfinished) => ({ whole, unfinished });
 
-/**
- * Any beginning of the parts, at least a piece of the first, at most all of them.
- * @returns {RuleOrLiteral}
- */
-function unfinished([first, ...rest]) {
-  const whole = first.whole ?? first;
-  const begun = rest.length ? seq(whole, optional(unfinished(rest))) : whole;
-  return first.unfinished ? choice(begun, first.unfinished) : begun;
+const whole = list => list.map(item => item.whole ?? item);
+
+/** The parts, broken off before their end; null where nothing can be missing. */
+function broken([first, ...rest]) {
+  const begun = first.unfinished ? [first.unfinished] : [];
+  if (rest.length) {
+    const more = broken(rest);
+    const start = first.whole ?? first;
+    begun.push(more ? seq(start, optional(more)) : start);
+  }
+  if (begun.length) return begun.length > 1 ? choice(...begun) : begun[0];
+  return null;
 }
 
 /**
- * A statement of these parts, and of those in `tail` if there are any, all or none of them.
+ * A statement of these parts, and after them of those in `tail`, all or none of them.
  * @param {GrammarSymbols<string>} $
  */
 function statement($, parts, tail = []) {
-  const whole = list => list.map(item => item.whole ?? item);
-  const end = tail.length ? [optional(seq(...whole(tail)))] : [];
-  return choice(
-    seq(...whole(parts), ...end),
-    seq(unfinished([...parts, ...tail]), stop($)),
-  );
+  const cut = tail.length ? broken(tail) : null;
+  const all = seq(...whole(parts), ...(tail.length ? [optional(seq(...whole(tail)))] : []));
+  const beyond = cut ? seq(all, optional(cut)) : all;
+  const before = broken(parts);
+  return choice(all, seq(before ? choice(before, beyond) : beyond, $._stop));
 }
 
 /**
@@ -80,20 +83,36 @@ function nodeStatement($, parts, tail = []) {
   return statement($, [seq(node, keyword), ...rest], tail);
 }
 
-/** @param {GrammarSymbols<string>} $ */
-const stop = $ => choice($.incomplete, seq($._cut, optional($.skipped)));
-
 const variable = ($, name) => field(name, alias($.identifier, $.variable));
-const using = $ => ['using', field('library', alias($.identifier, $.client_library))];
-const calling = $ => ['calling', field('function', alias($.identifier, $.function))];
 const type = $ => part(field('type', $.type), field('type', alias($._unfinished_type, $.type)));
-const ofMessageType = $ => ['of', 'message_type', type($)];
-const ofServiceType = $ => ['of', 'service_type', type($)];
 // input = "none" | argument { "," argument }
 const input = $ => part(
   field('input', choice($.none, $.arguments)),
   field('input', alias($._unfinished_arguments, $.arguments)),
 );
+
+// Parts that several statements have. Each is a rule, so that a word too many after one is the
+// mistake, and not the word that the part ends with.
+const PHRASES = {
+  as_variable: $ => ['as', variable($, 'variable')],
+  using: $ => ['using', field('library', alias($.identifier, $.client_library))],
+  calling: $ => ['calling', field('function', alias($.identifier, $.function))],
+  of_message_type: $ => ['of', 'message_type', type($)],
+  of_service_type: $ => ['of', 'service_type', type($)],
+  at_rate: $ => ['at', field('rate', $.number), 'hz'],
+};
+
+/** The rules of the phrases: `_NAME`, and `_broken_NAME` for one that ends early. */
+function phraseRules() {
+  const rules = {};
+  for (const [name, parts] of Object.entries(PHRASES)) {
+    rules[`_${name}`] = $ => seq(...whole(parts($)));
+    rules[`_broken_${name}`] = $ => broken(parts($));
+  }
+  return rules;
+}
+
+const phrase = ($, name) => part($[`_${name}`], $[`_broken_${name}`]);
 
 module.exports = grammar({
   name: 'plastron',
@@ -169,28 +188,33 @@ module.exports = grammar({
     // "create_node" name "as" variable [ "using" client_library ]
     create_node_statement: $ => statement(
       $,
-      ['create_node', field('name', $.ros_name), 'as', variable($, 'variable')],
-      using($),
+      ['create_node', field('name', $.ros_name), phrase($, 'as_variable')],
+      [phrase($, 'using')],
     ),
 
-    // "load" ( module | path ) "as" variable
+    // "load" ( module | path ) [ "node" name ] "as" variable
     load_statement: $ => statement($, [
       'load',
       field('source', choice(alias($.identifier, $.module), alias($.ros_name, $.path))),
-      'as',
-      variable($, 'variable'),
+      part(
+        seq(optional(seq('node', field('name', $.ros_name))), $._as_variable),
+        choice(
+          seq('node', optional(field('name', $.ros_name))),
+          seq(optional(seq('node', field('name', $.ros_name))), $._broken_as_variable),
+        ),
+      ),
     ]),
 
     // "create_message" variable "of" "message_type" type "and" "input" input
     create_message_statement: $ => statement($, [
-      'create_message', variable($, 'variable'), ...ofMessageType($), 'and', 'input', input($),
+      'create_message', variable($, 'variable'), phrase($, 'of_message_type'), 'and', 'input', input($),
     ]),
 
     // "subscribe" variable "to" name "of" "message_type" type [ "calling" function ]
     subscribe_statement: $ => statement(
       $,
-      ['subscribe', variable($, 'node'), 'to', field('topic', $.ros_name), ...ofMessageType($)],
-      calling($),
+      ['subscribe', variable($, 'node'), 'to', field('topic', $.ros_name), phrase($, 'of_message_type')],
+      [phrase($, 'calling')],
     ),
 
     // "unsubscribe" variable "from" name
@@ -203,9 +227,9 @@ module.exports = grammar({
       $,
       [
         'publish', variable($, 'message'),
-        'to', field('topic', $.ros_name), ...ofMessageType($),
+        'to', field('topic', $.ros_name), phrase($, 'of_message_type'),
       ],
-      ['at', field('rate', $.number), 'hz'],
+      [phrase($, 'at_rate')],
     ),
 
     // variable "stop_publishing" "to" name
@@ -216,7 +240,7 @@ module.exports = grammar({
     // variable "client_requests" name "of" "service_type" type "with" "input" input
     client_requests_statement: $ => nodeStatement($, [
       'client_requests', field('service', $.ros_name),
-      ...ofServiceType($), 'with', 'input', input($),
+      phrase($, 'of_service_type'), 'with', 'input', input($),
     ]),
 
     // variable "stop_request" name
@@ -229,9 +253,9 @@ module.exports = grammar({
       $,
       [
         'provides_service', field('service', $.ros_name),
-        ...ofServiceType($),
+        phrase($, 'of_service_type'),
       ],
-      calling($),
+      [phrase($, 'calling')],
     ),
 
     // variable "stop_service" name
@@ -243,8 +267,12 @@ module.exports = grammar({
     generate_node_statement: $ => statement(
       $,
       ['generate_node', variable($, 'node')],
-      using($),
+      [phrase($, 'using')],
     ),
+
+    ...phraseRules(),
+
+    _stop: $ => choice($.incomplete, seq($._cut, optional($.skipped))),
 
     skipped: $ => repeat1(choice(
       $.identifier, $.number, $.ros_name, ...KEYWORDS,
@@ -254,7 +282,7 @@ module.exports = grammar({
 
     // A node, and after it no word that says what it does.
     unknown_statement: $ => seq(variable($, 'node'), choice(
-      stop($),
+      $._stop,
       // A word that might be misspelt; the parser would take it for the begin of another statement.
       seq(field('keyword', $.identifier), optional($.skipped), choice($.incomplete, $._cut)),
     )),

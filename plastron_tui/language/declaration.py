@@ -30,6 +30,7 @@ class SlotKind(Enum):
     """What fills a slot: how it is written in a usage line, and in words."""
 
     NODE_NAME = "'NODE_NAME'", "a node name in single quotes"
+    NODE_OF_FILE = "'NODE_NAME'", "the name of a node of the file, in single quotes"
     NEW_NODE = "VARIABLE", "a variable for the node"
     NEW_MESSAGE = "MESSAGE", "a variable for the message"
     NODE = "VARIABLE", "the variable of a node"
@@ -61,7 +62,12 @@ class SlotKind(Enum):
     @property
     def is_quoted(self) -> bool:
         """Whether single quotes are around what fills the slot."""
-        return self in (SlotKind.NODE_NAME, SlotKind.TOPIC, SlotKind.SERVICE)
+        return self in (
+            SlotKind.NODE_NAME,
+            SlotKind.NODE_OF_FILE,
+            SlotKind.TOPIC,
+            SlotKind.SERVICE,
+        )
 
 
 @dataclass(frozen=True, slots=True)

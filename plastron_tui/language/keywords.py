@@ -18,10 +18,22 @@ def _words_of(elements: Iterable[Element]) -> Iterable[str]:
             yield from _words_of(element.elements)
 
 
-KEYWORDS: frozenset[str] = frozenset(_VALUE_WORDS).union(
+WORDS: frozenset[str] = frozenset(_VALUE_WORDS).union(
     *(_words_of(declaration.elements) for declaration in DECLARATIONS.values())
 )
-"""Every word that is no variable."""
+"""Every word of the language, as it is highlighted where it stands in its place."""
+
+# The plain words of version 0.1.0. Later ones are words only where their clause can stand, so that
+# no program that has one for a variable means something else.
+_RESERVED = frozenset(
+    {
+        "load", "subscribe", "unsubscribe", "publish", "as", "using", "of", "and", "with", "input",
+        "to", "from", "calling", "at", "hz", *_VALUE_WORDS,
+    }
+)  # fmt: skip
+
+KEYWORDS: frozenset[str] = frozenset(word for word in WORDS if word in _RESERVED or "_" in word)
+"""The words that are no variables."""
 
 BY_KEYWORD: dict[str, Declaration] = {
     declaration.keyword: declaration for declaration in DECLARATIONS.values()

@@ -31,7 +31,7 @@ class CreateNode(Statement):
 
 @statement(
     "load_statement",
-    "load {source} as {variable}",
+    "load {source} [node {name}] as {variable}",
     summary="Read a node from a source file, to change it.",
     example="load 'scripts/driver.py' as driver",
     purpose="change a node file that exists",
@@ -44,6 +44,10 @@ class Load(Statement):
     source: str = slot(
         SlotKind.FILE,
         "a file in the output folder by its name, or a path from the program's folder",
+    )
+    name: str | None = slot(
+        SlotKind.NODE_OF_FILE,
+        "which node, where the file holds several: the name that it has there",
     )
     variable: str = slot(SlotKind.NEW_NODE, "what the program calls the node")
 

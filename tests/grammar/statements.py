@@ -10,6 +10,7 @@ STATEMENTS: dict[str, list[str]] = {
     "load_statement": [
         "load talker_pub as n1",
         "load 'nodes/talker_pub.py' as n1",
+        "load talker_pub node 'talker' as n1",
     ],
     "create_message_statement": [
         "create_message m1 of message_type Empty and input none",

@@ -9,7 +9,7 @@ import tree_sitter_plastron
 from tree_sitter import Language, Parser, Query, QueryCursor
 
 from plastron_tui.language import DECLARATIONS, Declaration, SlotKind
-from plastron_tui.language.keywords import KEYWORDS
+from plastron_tui.language.keywords import WORDS
 
 from .statements import STATEMENTS
 
@@ -66,7 +66,7 @@ def test_every_keyword_is_highlighted() -> None:
     text = "\n".join(text for texts in STATEMENTS.values() for text in texts)
     words = "keyword", "keyword.function", "constant.builtin", "boolean"
     found = captured(tree_sitter_plastron.HIGHLIGHTS_QUERY, text + " , False")
-    assert {text for word in words for text in found[word]} == KEYWORDS
+    assert {text for word in words for text in found[word]} == WORDS
     firsts = {declaration.keyword for declaration in DECLARATIONS.values()}
     assert set(found["keyword.function"]) == firsts
 

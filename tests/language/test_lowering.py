@@ -16,8 +16,9 @@ from plastron_tui.language.statements import CreateMessage
 CASES = {
     "create_node 'talker' as n": ("CreateNode", "talker", "n", None),
     "create_node 'talker' as n using rclpy": ("CreateNode", "talker", "n", "rclpy"),
-    "load talker_pub as n": ("Load", "talker_pub", "n"),
-    "load 'a b/c.py' as n": ("Load", "a b/c.py", "n"),
+    "load talker_pub as n": ("Load", "talker_pub", None, "n"),
+    "load two node 'a' as n": ("Load", "two", "a", "n"),
+    "load 'a b/c.py' as n": ("Load", "a b/c.py", None, "n"),
     "create_message m of message_type Point and input 1, .5": (
         "CreateMessage",
         "m",

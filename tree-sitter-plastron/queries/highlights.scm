@@ -8,7 +8,7 @@
 
 [
   "as" "using" "of" "message_type" "service_type" "and" "with" "input"
-  "to" "from" "calling" "at" "hz"
+  "to" "from" "calling" "at" "hz" "node"
 ] @keyword
 
 (none) @constant.builtin
