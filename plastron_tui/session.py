@@ -320,7 +320,7 @@ class Session:
 
         manifests = Manifests(self._files.manifest)
         last = {(each.node.variable, each.library): each for each in self.workspace.generations}
-        made = [self._generate(generation, manifests) for generation in last.values()]
+        made = [self._generate(each, manifests, tuple(last.values())) for each in last.values()]
         kept = last_of_each(made, self.output)
         if manifests.problems and kept:
             found = (*manifests.problems, *kept[0].diagnostics)
@@ -331,10 +331,16 @@ class Session:
         """Make the file of one `generate_node`."""
         from plastron_tui.generating.generation import Manifests
 
-        return self._generate(generation, Manifests(self._files.manifest))
+        manifests = Manifests(self._files.manifest)
+        return self._generate(generation, manifests, self.workspace.generations)
 
-    def _generate(self, generation: Generation, manifests: Callable[[Path], Manifest]) -> Generated:
-        from plastron_tui.generating.generation import Generated, generate
+    def _generate(
+        self,
+        generation: Generation,
+        manifests: Callable[[Path], Manifest],
+        generations: Sequence[Generation] = (),
+    ) -> Generated:
+        from plastron_tui.generating.generation import Generated, generate, nodes_of_file
         from plastron_tui.generating.place import Writing
         from plastron_tui.output.layers import Author
         from plastron_tui.output.manifest import digest
@@ -347,7 +353,8 @@ class Session:
         author = Author(self._name, digest(self.document.text), self.folder)
         in_place, force = self.options.in_place, self.options.force
         writing = Writing(self.output, manifests, author, in_place, force)
-        return generate(generation, library, writing, own=own)
+        nodes = nodes_of_file(generation, generations)
+        return generate(generation, library, writing, own=own, nodes=nodes)
 
     def _rendered(self, generation: Generation) -> tuple[Path, FileSet] | None:
         """Return the files that an earlier `generate_node` makes, for a `load` that follows it."""
@@ -400,8 +407,9 @@ class Session:
         if not is_preview:
             asked = self.workspace.generations if generations is None else generations
             common = program_files(asked, self._library, self.output, manifest)
-        found = [found for generated in made for found in generated.diagnostics]
-        found += common.diagnostics
+        # Of two nodes of one file both say what is to be said of it.
+        told = dict.fromkeys(found for generated in made for found in generated.diagnostics)
+        found = [*told, *common.diagnostics]
         refusals = [as_error(each) for each in self._project[1] if each.code in TRUST_CODES]
         if not is_preview:
             found += refusals

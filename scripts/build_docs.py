@@ -130,7 +130,8 @@ A node is written for a client library: `rospy` in ROS 1, `rclpy` in ROS 2. (`ro
 `nodelet` are words of the language, but Plastron does not write them yet: `unsupported-target`.)
 Another distribution adds a client library with an entry point in the group `plastron.targets`: its
 name, and a subclass of `plastron_tui.targets.base.Target` of that `name`, with the `ros_version`
-that it is for.
+that it is for, its `language` (a `plastron_tui.sources.base.Language`), and the `api_version` that it
+was written for, which is 2: a target for another version is refused by name (`unsupported-target`).
 The word `using` names it. Without it counts, in this order: the option `--target`, the `target` in
 `plastron.yaml`, the ROS that is sourced, `rospy`.
 
@@ -160,6 +161,10 @@ project (the repository, else the folder of `plastron.yaml`, else the program's)
 [trust the project](commands.md#plastron-trust). A loaded node keeps its file's name, and goes into
 the output folder, with `--in-place` over the file it came from: what no statement asked to change
 stays as it is, byte for byte.
+
+A file may hold several nodes: `load 'arms.py' node 'left_arm' as left` names one, by the name that it
+has there, or by its class where the file does not say its name. The other nodes stay as they are; the
+changes of all that a program loads from one file are written to one file.
 
 No node gets the name of a file that Python, pytest, a shell or git runs by itself (`conftest.py`,
 `usercustomize.py`, `test_….py`, `.bashrc`), or of a module that nodes import (`rospy.py`), unless it

@@ -250,6 +250,18 @@ MEANING_CODES = (
         "spare provides_service 'add_2' of service_type AddTwoInts\n",
     ),
     Code(
+        "several-nodes",
+        "A file holds several nodes, and `load` does not say which one is meant: write the name "
+        "that it has in the file, as in `load arms node 'left_arm' as left`. Where the file does "
+        "not say a node's name, the name of its class stands for it.",
+    ),
+    Code(
+        "node-not-found",
+        "The file that `load` names holds no node of the name that stands after `node`.",
+        bad=f"{_LISTENER}generate_node listener\nload listener_sub1 node 'talker' as again\n",
+        good=f"{_LISTENER}generate_node listener\nload listener_sub1 node 'listener' as again\n",
+    ),
+    Code(
         "file-not-found",
         "A node is to be loaded from a file that is not there. `load NAME` looks for `NAME.py`, "
         "then `NAME.cpp`, in the output folder, the program's folder and the working folder; "

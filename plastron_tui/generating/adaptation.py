@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.loading import add_found
-from plastron_tui.model.source import FileSet, Remove, SourceUnit
+from plastron_tui.model.source import Change, FileSet, Remove, SourceUnit
 from plastron_tui.model.workspace import Node
 from plastron_tui.output.layers import Layer
 from plastron_tui.output.remembered import recall
@@ -30,28 +30,38 @@ class Library(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Adaptation:
-    """What a program makes of a node that it loaded, wherever that is written.
+    """What a program makes of the nodes that it loaded from one file, wherever that is written.
 
     Attributes:
-        node: the node.
-        source: what it was loaded from.
-        library: what the node is written for.
+        nodes: the nodes, each with the part of the file that is its own.
+        library: what they are written for.
         own: the source's own client library; None where there is none.
     """
 
-    node: Node
-    source: SourceUnit
+    nodes: tuple[Node, ...]
     library: Library
     own: Library | None
 
     @property
+    def source(self) -> SourceUnit:
+        """What the nodes were loaded from."""
+        source = self.nodes[0].source
+        assert source is not None, "a node that was loaded has a source"
+        return source
+
+    @property
     def is_ported(self) -> bool:
-        """Whether the node goes to another client library than it came from."""
+        """Whether the nodes go to another client library than they came from."""
         return self.source.library != self.library.target.name
 
+    @property
+    def changes(self) -> tuple[Change, ...]:
+        """What the program changes in the file."""
+        return tuple(change for node in self.nodes for change in changes_of(node))
+
     def made_of(self, source: SourceUnit) -> Rendered:
-        """Make the program's changes in a text, and bring it to the target's client library."""
-        changes = changes_of(self.node)
+        """Make the program's changes in files, and bring them to the target's client library."""
+        changes = self.changes
         if not self.is_ported:
             return self.library.target.edit(source, changes, self.library.catalog)
         if changes and self.own is not None:
@@ -62,7 +72,7 @@ class Adaptation:
             if read is None:
                 return edited
             source = read
-        return self.library.target.port(self.node, source, self.library.catalog)
+        return self.library.target.port(self.nodes[0], source, self.library.catalog)
 
     def made_of_original(self) -> FileSet | None:
         """Return what the program would make of what it found at first, None for nothing."""
@@ -74,7 +84,7 @@ class Adaptation:
 
     def placed(self, made: Rendered) -> tuple[Diagnostic, ...]:
         """Return what was found, with no place where the text is not as it is on the disk."""
-        if not self.is_ported or not (changes_of(self.node) or self.source.origin):
+        if not self.is_ported or not (self.changes or self.source.origin):
             return made.diagnostics
         return tuple(found._replace(span=None) for found in made.diagnostics)
 
@@ -86,30 +96,20 @@ class Adaptation:
         present = files_on_disk(self.source.path)
         read = None if present is None else own.read(self.source.path, present).source
         for source in (read, self.source) if read is not None else (self.source,):
-            for change in changes_of(self.node):
-                if isinstance(change, Remove) and change.name in names_in(source)[change.kind]:
+            for change in self.changes:
+                names = names_in(source.only(change.node))
+                if isinstance(change, Remove) and change.name in names[change.kind]:
                     alone = own.edit(source, [change], catalog)
                     if alone.files is None:
                         return alone.diagnostics
         return made.diagnostics
 
-    def own_node(self) -> Node:
-        """Return the node without what was added to the file by hand, or calls another function."""
-        node = self.node.snapshot()
+    def own_nodes(self) -> tuple[Node, ...]:
+        """Return the nodes without what was added by hand, or calls another function."""
         original = self._original()
         if original is None:
-            return node
-        names = names_in(original)
-        asked = set()
-        for (kind, name), endpoint in self.node.endpoints.items():
-            if endpoint.span is not None or is_extended(endpoint):
-                asked.add((kind, name))
-            elif name not in names[kind]:
-                drop(node, kind, name)
-        for each in original.endpoints:
-            if (each.kind, each.name) not in asked and each.name is not None:
-                call_again(node, each, each.name)
-        return node
+            return self.nodes
+        return tuple(_own_node(node, original.only(_label(node))) for node in self.nodes)
 
     def _original(self) -> SourceUnit | None:
         """Return what the program found at first, without handwork."""
@@ -118,13 +118,39 @@ class Adaptation:
             return None
         return self.own.target.read(origin.path, origin.files).source
 
-    def base(self, known: Layer) -> Node | None:
-        """Return what the node had when the file was written, and what was added by hand."""
-        base, original = recall(known.base), self._original()
-        if base is None or original is None:
+    def base(self, known: Layer, node: Node) -> Node | None:
+        """Return what a node had when the file was written, and what was added by hand."""
+        original, label = self._original(), _label(node)
+        base = recall(known.base, label)
+        if base is None and label is not None and node.source is not None and recall(known.base):
+            # The program changes another node of the file for the first time.
+            base = Node(node.name, "", node.span, node.library)
+            for each in node.source.endpoints:
+                if each.name is not None:
+                    add_found(base, each, each.name)
+        if base is None or original is None or node.source is None:
             return base
-        names = names_in(original)
-        for each in self.source.endpoints:
+        names = names_in(original.only(label))
+        for each in node.source.endpoints:
             if each.name is not None and each.name not in names[each.kind]:
                 add_found(base, each, each.name)
         return base
+
+
+def _label(node: Node) -> str | None:
+    return None if node.source is None else node.source.label
+
+
+def _own_node(node: Node, original: SourceUnit) -> Node:
+    own = node.snapshot()
+    names = names_in(original)
+    asked = set()
+    for (kind, name), endpoint in node.endpoints.items():
+        if endpoint.span is not None or is_extended(endpoint):
+            asked.add((kind, name))
+        elif name not in names[kind]:
+            drop(own, kind, name)
+    for each in original.endpoints:
+        if (each.kind, each.name) not in asked and each.name is not None:
+            call_again(own, each, each.name)
+    return own

@@ -13,14 +13,16 @@ def changes_of(node: Node) -> tuple[Change, ...]:
     """Return what a program changed in a node that it loaded."""
     if node.source is None:
         return ()
-    return tuple(_changes(node, names_in(node.source)))
+    return tuple(_changes(node, names_in(node.source), node.source.label))
 
 
-def _changes(node: Node, present: Mapping[EndpointKind, set[str]]) -> Iterator[Change]:
+def _changes(
+    node: Node, present: Mapping[EndpointKind, set[str]], label: str | None
+) -> Iterator[Change]:
     wanted = node.endpoints
     for kind in EDITABLE:
         for name in sorted(name for name in present[kind] if (kind, name) not in wanted):
-            yield Remove(kind, name, node.removed.get(name))
+            yield Remove(kind, name, node.removed.get(name), label)
         for key, endpoint in wanted.items():
             name = key[1]
             if key[0] is not kind:
@@ -28,10 +30,10 @@ def _changes(node: Node, present: Mapping[EndpointKind, set[str]]) -> Iterator[C
             if endpoint.span is not None:
                 # Removed and asked for again, with another type perhaps.
                 if name in present[kind]:
-                    yield Remove(kind, name, node.removed.get(name))
-                yield Add(endpoint)
+                    yield Remove(kind, name, node.removed.get(name), label)
+                yield Add(endpoint, label)
             elif is_extended(endpoint):
-                yield Add(endpoint)
+                yield Add(endpoint, label)
 
 
 def is_extended(endpoint: Endpoint) -> bool:

@@ -8,15 +8,16 @@ endpoint otherwise.
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
-from plastron_tui.model.source import FileSet
+from plastron_tui.model.source import FileSet, SourceUnit
 from plastron_tui.model.workspace import Node
 from plastron_tui.output.layers import Layer, Layers, digest_of
-from plastron_tui.output.remembered import remember
+from plastron_tui.output.remembered import remember_all
 from plastron_tui.output.three_way import merge_files
 
 from .adaptation import Adaptation
@@ -102,7 +103,7 @@ class Derivation:
         start, written = self._without_handwork(place, made)
         is_from = self._is_from(place)
         read = origin.files if origin is not None and is_from else start
-        node = self.work.own_node() if is_from else self.work.node
+        nodes = self.work.own_nodes() if is_from else self.work.nodes
         # A link stays one: what it leads to may be another file later.
         first = (self.work.source.path if origin is None else origin.path).absolute()
         is_itself = os.path.realpath(first) == os.fspath(place.real)
@@ -110,7 +111,7 @@ class Derivation:
             author.name,
             start,
             written,
-            remember(node, self.work.library.target.name, author.name),
+            remember_all(nodes, self.work.library.target.name, author.name),
             None if is_itself else os.path.relpath(first, place.real.parent),
             None if is_itself else digest_of(read),
             text=author.text,
@@ -189,37 +190,69 @@ class Derivation:
             return Merged(before, notes=notes)
         if origin is not None and origin.is_torn:
             return Merged(None, f"`{origin.path}`, which it was made from, was changed as well")
-        base = self.work.base(known)
+        bases = [(node, self.work.base(known, node)) for node in self.work.nodes]
         files = merge_files(known.written, mine, before)
-        if files is not None and self._is_sound(place.real, files, before, mine, base):
+        if files is not None and self._is_sound(place.real, files, before, mine, bases):
             return Merged(files, notes=notes)
         if origin is not None and known.seen != new.seen:
             return Merged(None, f"`{origin.path}`, which it was made from, in the same lines")
-        target, catalog = self.work.library
-        read = target.read(place.real, before).source
-        if self.work.is_ported or read is None:
+        if self.work.is_ported:
             return Merged(None, "the program now changes the same lines")
-        merged = merge(read, base, self.work.node, target, catalog)
-        return merged._replace(notes=(*notes, *merged.notes))
+        target, catalog = self.work.library
+        merged = Merged(before, notes=notes)
+        for node, base in bases:
+            read = None if merged.files is None else target.read(place.real, merged.files).source
+            if read is None or node.source is None:
+                return merged._replace(files=None)
+            made = merge(read.only(node.source.label), base, node, target, catalog)
+            merged = Merged(made.files, made.reason, (*merged.notes, *made.notes))
+        return merged
 
     def _is_sound(
-        self, path: Path, files: FileSet, before: FileSet, mine: FileSet, base: Node | None
+        self,
+        path: Path,
+        files: FileSet,
+        before: FileSet,
+        mine: FileSet,
+        bases: Sequence[tuple[Node, Node | None]],
     ) -> bool:
         """Tell whether lines were merged into files that hold what they are to hold."""
-        from .merging import call_sites
-
         target = self.work.library.target
         sources = [target.read(path, each).source for each in (files, before, mine)]
         if is_worse(target.language, files, before, mine):
             return False
         if self.work.is_ported:
             return sources[0] is not None
-        found, there, made = ({} if each is None else call_sites(each) for each in sources)
-        wanted, known = self.work.node.endpoints, {} if base is None else base.endpoints
-        has_all = all(key in found or (key in known and key not in there) for key in wanted)
-        has_no_more = all(
-            (key in wanted or (key in there and key not in known))
-            and len(sites) <= max(len(there.get(key, ())), len(made.get(key, ())))
-            for key, sites in found.items()
-        )
-        return has_all and has_no_more
+        return all(_has_what_it_is_to_have(node, base, *sources) for node, base in bases)
+
+
+def _has_what_it_is_to_have(
+    node: Node,
+    base: Node | None,
+    merged: SourceUnit | None,
+    before: SourceUnit | None,
+    mine: SourceUnit | None,
+) -> bool:
+    """Tell whether merged files have the endpoints of a node as the program and hands want them.
+
+    Args:
+        node: the node, as the program has it.
+        base: what it had when the file was written.
+        merged: the merged files.
+        before: the files as they are.
+        mine: the files as the program makes them.
+    """
+    from .merging import call_sites
+
+    label = None if node.source is None else node.source.label
+    found, there, made = (
+        {} if each is None else call_sites(each.only(label)) for each in (merged, before, mine)
+    )
+    wanted, known = node.endpoints, {} if base is None else base.endpoints
+    has_all = all(key in found or (key in known and key not in there) for key in wanted)
+    has_no_more = all(
+        (key in wanted or (key in there and key not in known))
+        and len(sites) <= max(len(there.get(key, ())), len(made.get(key, ())))
+        for key, sites in found.items()
+    )
+    return has_all and has_no_more

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.model.source import FileSet
-from plastron_tui.model.workspace import Generation
+from plastron_tui.model.workspace import Generation, Node
 from plastron_tui.output.layers import are_untouched
 from plastron_tui.output.manifest import Base, Manifest, Reading
 from plastron_tui.output.remembered import recall, remember
@@ -78,6 +78,27 @@ class Manifests:
         return self._known[real]
 
 
+def nodes_of_file(generation: Generation, generations: Sequence[Generation]) -> tuple[Node, ...]:
+    """Return the nodes that a program loads from one file, each by its name, and generates.
+
+    They are written to one file, with the changes of all.
+    """
+    source = generation.node.source
+    if source is None or source.label is None:
+        return (generation.node,)
+    found = {source.label: generation.node}
+    order = []
+    for each in generations:
+        other = each.node.source
+        if other is None or other.label is None or each.library != generation.library:
+            continue
+        if other.path == source.path:
+            order.append(other.label)
+            if other.label != source.label:
+                found[other.label] = each.node
+    return tuple(found[label] for label in dict.fromkeys((*order, source.label)))
+
+
 def last_of_each(made: Sequence[Generated], output: Path) -> list[Generated]:
     """Leave out the files that the program loads after it generated them, and generates again.
 
@@ -125,7 +146,12 @@ def _is_chained(made: Generated) -> bool:
 
 
 def generate(
-    generation: Generation, library: Library, writing: Writing, *, own: Library | None = None
+    generation: Generation,
+    library: Library,
+    writing: Writing,
+    *,
+    own: Library | None = None,
+    nodes: Sequence[Node] = (),
 ) -> Generated:
     """Make the text of one `generate_node`.
 
@@ -139,13 +165,14 @@ def generate(
         library: what the node is written for.
         writing: where files are written.
         own: the client library of a loaded node's file.
+        nodes: all nodes of that file that the program generates, in their order.
     """
     node = generation.node
     if node.source is None:
         manifest = writing.manifests(writing.output)
         made = _Creation(generation, library, writing, manifest).result()
     else:
-        derived = Derivation(Adaptation(node, node.source, library, own), writing).result()
+        derived = Derivation(Adaptation(tuple(nodes) or (node,), library, own), writing).result()
         made = Generated(generation, derived.files, derived.diagnostics)
     problem = _wrong_name(made, writing, library.target.language)
     if made.files is None or problem is not None:

@@ -104,7 +104,8 @@ class _Merge:
         sending: list[Change] = []
         for key, found in self.resends.items():
             if self._is_untouched(key, base[key]):
-                sending += [Remove(*key), Add(wanted[key])]
+                label = self.source.label
+                sending += [Remove(*key, node=label), Add(wanted[key], label)]
             else:
                 self._tell_resend(key, found)
         swaps = self._anchored([*self.swaps, *sending], file)
@@ -125,7 +126,11 @@ class _Merge:
         added = swaps[1]
         assert isinstance(added, Add)
         anchor = _anchor(added.endpoint)
-        return [Add(anchor), *swaps, Remove(key[0], _ANCHOR)]
+        return [
+            Add(anchor, self.source.label),
+            *swaps,
+            Remove(key[0], _ANCHOR, node=self.source.label),
+        ]
 
     def _check_callbacks(self, files: FileSet) -> None:
         """Refuse files in which a callback that holds handwork has got a twin."""
@@ -179,12 +184,12 @@ class _Merge:
                 f"the {_name(key)}, which the program no longer has, is of type "
                 f"`{found[0].type}` in line {found[0].line}"
             )
-        self.removes.append(Remove(*key))
+        self.removes.append(Remove(*key, node=self.source.label))
         self.cut += found
 
     def _add(self, key: EndpointKey, wanted: Endpoint, found: list[SourceEndpoint]) -> None:
         if not found:
-            self.adds.append(Add(wanted))
+            self.adds.append(Add(wanted, self.source.label))
         elif not all(_has_type(each, wanted) for each in found):
             raise _RefusedError(self._differing(key, wanted, found))
 
@@ -217,10 +222,10 @@ class _Merge:
         if callback is not None and callback.isidentifier() and _calling(wanted) is None:
             # What was written in the callback goes on being called.
             wanted = _with_callback(wanted, callback)
-            if self._stays(callback, Remove(*key)):
+            if self._stays(callback, Remove(*key, node=self.source.label)):
                 message = f"`{callback}` was written for `{base.type}`, and gets `{wanted.type}`"
                 self._tell(message, found[0])
-        self.swaps += [Remove(*key), Add(wanted)]
+        self.swaps += [Remove(*key, node=self.source.label), Add(wanted, self.source.label)]
         self.cut += found
 
     def _change_callback(
@@ -231,7 +236,7 @@ class _Merge:
             message = f"the {_name(key)} calls another function by hand than `{_calling(wanted)}`"
             self._tell(message, found[0])
             return
-        self.swaps += [Remove(*key), Add(wanted)]
+        self.swaps += [Remove(*key, node=self.source.label), Add(wanted, self.source.label)]
         self.cut += found
 
     def _differing(self, key: EndpointKey, wanted: Endpoint, found: list[SourceEndpoint]) -> str:
@@ -264,17 +269,18 @@ class _Merge:
                 made = lines_of_code(language, fresh.files) - lines_of_code(language, rest.files)
                 if made == there:
                     return True
-        again = self.target.edit(without, [Add(base)], self.catalog).files
+        again = self.target.edit(without, [Add(base, self.source.label)], self.catalog).files
         if again is None:
             return False
         return lines_of_code(language, again) - lines_of_code(language, without.files) == there
 
     def _without(self, source: SourceUnit, key: EndpointKey) -> SourceUnit | None:
-        files = self.target.edit(source, [Remove(*key)], self.catalog).files
+        files = self.target.edit(source, [Remove(*key, node=self.source.label)], self.catalog).files
         return None if files is None else self._read(files)
 
     def _read(self, files: FileSet) -> SourceUnit | None:
-        return self.target.read(self.source.path, files).source
+        read = self.target.read(self.source.path, files).source
+        return None if read is None else read.only(self.source.label)
 
     def _stays(self, callback: str, remove: Remove) -> bool:
         """Tell whether a callback outlives its endpoint: then it is more than a stub."""

@@ -163,7 +163,7 @@ class Interpreter(Messages):
         )
 
     def _load(self, statement: st.Load) -> None:
-        from .loading import loaded_node  # most programs load nothing
+        from .loading import loaded_node, node_in  # most programs load nothing
 
         self._check_new_variable(statement, statement.variable)
         request = LoadRequest(
@@ -177,7 +177,10 @@ class Interpreter(Messages):
             self._report(statement, placed)
         if loaded.source is None:
             raise Mistake
-        node = loaded_node(loaded.source, statement)
+        source = node_in(loaded.source, statement)
+        if isinstance(source, Diagnostic):
+            raise Mistake(source)
+        node = loaded_node(source, statement)
         self._adopt(node, statement)
         self.workspace.nodes[statement.variable] = node
 

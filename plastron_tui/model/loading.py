@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from plastron_tui.diagnostics import Diagnostic, guess
+from plastron_tui.diagnostics.wording import listed
 from plastron_tui.language.statements import Load
 
 from .endpoints import EDITABLE
@@ -9,11 +11,39 @@ from .source import EndpointKind, SourceEndpoint, SourceUnit
 from .workspace import Client, Node, Publisher, Service, Subscription
 
 
-def loaded_node(source: SourceUnit, statement: Load) -> Node:
-    """Make a node of a file's endpoints; those whose name the file does not say stay unseen.
+def node_in(source: SourceUnit, statement: Load) -> SourceUnit | Diagnostic:
+    """Return a file with the one node that a statement means, or say which there are.
 
-    A file may hold several nodes: they load as one, under the name of the first that has one.
+    A file that makes no node is taken as it is: its call sites are of a node that another makes.
     """
+    if statement.name is None and len(source.nodes) < 2:
+        return source
+    labels = list(dict.fromkeys(node.label for node in source.nodes if node.label))
+    shown = listed(f"`{label}`" for label in labels)
+    if statement.name is None:
+        where = statement.span_of("source")
+        example = f"node '{labels[0]}' " if labels else ""
+        return Diagnostic(
+            "several-nodes",
+            f"`{source.path.name}` holds {len(source.nodes)} nodes: {shown}",
+            where,
+            help=f"say which one: `load … {example}as {statement.variable}`",
+        )
+    if statement.name not in labels:
+        where = statement.span_of("name")
+        remedy, fix = guess(statement.name, labels, where, is_quoted=True)
+        return Diagnostic(
+            "node-not-found",
+            f"`{source.path.name}` has no node `{statement.name}`",
+            where,
+            help=remedy or (f"there are {shown}" if labels else "the file names none"),
+            fix=fix,
+        )
+    return source.only(statement.name)
+
+
+def loaded_node(source: SourceUnit, statement: Load) -> Node:
+    """Make a node of a file's endpoints; those whose name the file does not say stay unseen."""
     name = next((node.name for node in source.nodes if node.name is not None), source.path.stem)
     loaded = Node(name, statement.variable, statement.span, source.library, source)
     for endpoint in source.endpoints:

@@ -111,12 +111,26 @@ class SourceEndpoint(NamedTuple):
 
 
 class SourceNode(NamedTuple):
-    """A node of a file: its name, None where the file does not say it, and its call sites."""
+    """A node of a file.
+
+    Attributes:
+        name: its name, None where the file does not say it.
+        expression: the source text that decides the name.
+        endpoints: its call sites.
+        span: what makes it.
+        class_name: the class that the file has for it, None where it has none.
+    """
 
     name: str | None
     expression: str
     endpoints: tuple[SourceEndpoint, ...]
     span: Span | None = None
+    class_name: str | None = None
+
+    @property
+    def label(self) -> str:
+        """What a program calls the node: its name, or that of its class where it says none."""
+        return self.name or self.class_name or ""
 
     def of_kind(self, kind: EndpointKind) -> Iterator[SourceEndpoint]:
         """Yield the endpoints of one kind, in the order of the file."""
@@ -148,8 +162,14 @@ class Origin(NamedTuple):
 class SourceUnit(NamedTuple):
     """Files that are read and changed together, with the nodes that they hold.
 
-    `path` is the main file's. `origin` is there where the program itself wrote the files on an
-    earlier run: their texts are then what it started from, with what was changed by hand since.
+    Attributes:
+        path: the main file's path.
+        files: what the files hold.
+        library: the client library that they use.
+        nodes: their nodes; with a label, the one of that label alone.
+        origin: there where the program itself wrote the files on an earlier run: their texts are
+            then what it started from, with what was changed by hand since.
+        label: the label of the node that is meant, None where all are.
     """
 
     path: Path
@@ -157,11 +177,19 @@ class SourceUnit(NamedTuple):
     library: str
     nodes: tuple[SourceNode, ...]
     origin: Origin | None = None
+    label: str | None = None
 
     @property
     def endpoints(self) -> Iterator[SourceEndpoint]:
         """The endpoints of all its nodes, in the order of the files."""
         return (endpoint for node in self.nodes for endpoint in node.endpoints)
+
+    def only(self, label: str | None) -> SourceUnit:
+        """Return the unit with one of its nodes alone, or as it is for None."""
+        if label is None:
+            return self
+        found = next((node for node in self.nodes if node.label == label), None)
+        return self._replace(nodes=() if found is None else (found,), label=label)
 
     def path_of(self, endpoint: SourceEndpoint) -> Path:
         """Return the file that has a call site."""
@@ -169,18 +197,31 @@ class SourceUnit(NamedTuple):
 
 
 class Add(NamedTuple):
-    """Ask an editor for an endpoint that is not in the file yet."""
+    """Ask an editor for an endpoint that a node does not have yet.
+
+    Attributes:
+        endpoint: the endpoint.
+        node: the label of the node that gets it, None for the file's only one.
+    """
 
     endpoint: Publisher | Subscription | Service | Client
+    node: str | None = None
 
 
 class Remove(NamedTuple):
-    """Ask an editor to take every call site of an endpoint out of the file."""
+    """Ask an editor to take every call site of an endpoint away from a node.
+
+    Attributes:
+        kind: the kind of the endpoint.
+        name: its name.
+        span: the statement that asked, for a refusal to point at.
+        node: the label of the node that has it, None for the file's only one.
+    """
 
     kind: EndpointKind
     name: str
     span: Span | None = None
-    """The statement that asked, for a refusal to point at."""
+    node: str | None = None
 
 
 Change = Add | Remove

@@ -7,12 +7,15 @@
      "services": {"reset": {"type": "std_srvs/Empty"}},
      "clients": {"stop": {"type": "std_srvs/SetBool", "requests": [{"std_srvs/SetBool": {}}]}}}
 
+Of a file that holds several nodes the first that a program loaded is remembered like this, and the
+others in the list `others`; `label` is what each is called in the file.
+
 A message is an object of one key, its type; all other values are JSON's own.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from plastron_tui.diagnostics import Span
@@ -59,11 +62,30 @@ def remember(node: Node, library: str, program: str) -> Base:
         },
     }
     used = {kind: endpoints for kind, endpoints in kinds.items() if endpoints}
-    return {"node": node.name, "library": library, "program": program, **used}
+    label = None if node.source is None else node.source.label
+    named = {} if label is None else {"label": label}
+    return {"node": node.name, **named, "library": library, "program": program, **used}
 
 
-def recall(base: Base) -> Node | None:
-    """Return the node that a base tells of, None when someone has broken it."""
+def remember_all(nodes: Sequence[Node], library: str, program: str) -> Base:
+    """Return what the manifest shall remember of the nodes of one file."""
+    first, *others = (remember(node, library, program) for node in nodes)
+    return {**first, "others": others} if others else first
+
+
+def recall(base: Base, label: str | None = None) -> Node | None:
+    """Return the node that a base tells of, None when someone has broken it.
+
+    Args:
+        base: what the manifest has.
+        label: what the node is called in a file that holds several.
+    """
+    if label is not None and base.get("label") != label:
+        others = base.get("others")
+        found = others if isinstance(others, list) else ()
+        named = (each for each in found if isinstance(each, dict) and each.get("label") == label)
+        other = next(named, None)
+        return None if other is None else recall(other, label)
     try:
         node = Node(_text(base["node"]), "", _NOWHERE, _text(base["library"]))
         for name, data in base.get("publishers", {}).items():

@@ -58,9 +58,16 @@ _QUEUE = re.compile(r"[1-9]\d{0,5}$")
 
 
 def plan_addition(
-    analysis: Analysis, endpoint: Endpoint, catalog: Catalog, dialect: Dialect
+    analysis: Analysis, node: Analysis, endpoint: Endpoint, catalog: Catalog, dialect: Dialect
 ) -> Writer:
-    """Plan what adds an endpoint to a file, or more messages to one that it has.
+    """Plan what adds an endpoint to a node, or more messages to one that it has.
+
+    Args:
+        analysis: the file.
+        node: what is known of the node alone, where the file holds several.
+        endpoint: the endpoint.
+        catalog: the interface types.
+        dialect: the client library.
 
     Raises:
         CannotAddError: the file has no place for it, or its type is not known.
@@ -72,15 +79,15 @@ def plan_addition(
     messages = Messages(catalog, dialect, imports, conventions, endpoint.span)
     writer = Writer(analysis, conventions)
     present = [
-        site for site in analysis.sites if site.endpoint.kind is kind and site.endpoint.name == name
+        site for site in node.sites if site.endpoint.kind is kind and site.endpoint.name == name
     ]
-    place = find_place(analysis, kind)
+    place = find_place(node, kind)
     if place is None:
         message = f"the file has no line behind which it could create `{name}`"
         raise CannotAddError("edit-refused", message, endpoint.span)
     sends = isinstance(endpoint, Publisher) and bool(endpoint.publications)
     if sends or (isinstance(endpoint, Client) and endpoint.requests):
-        place = running_place(analysis, place)
+        place = running_place(node, place)
     added = Addition(analysis, kind, endpoint, name, place, writer, imports, messages, dialect)
     added.stand(is_nested=True)
     lines: list[str] = []

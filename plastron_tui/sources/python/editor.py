@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 from plastron_tui.diagnostics import Diagnostic
-from plastron_tui.model.source import Change, SourceEndpoint, SourceUnit
+from plastron_tui.model.source import Change, SourceUnit
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources.base import Rendered
 
@@ -14,12 +14,11 @@ from .analysis import Analysis
 from .calls import LIBRARIES
 from .compiling import syntax_error
 from .dialect import Dialect
-from .edits import Edits, RefusedError, key_of
+from .edits import Edits, Found, RefusedError, endpoints_of
 from .imports import restore_imports
 from .messages import CannotAddError
 from .sites import analyze
 from .splices import apply
-from .writing import Key
 
 
 def edit_python(
@@ -34,7 +33,7 @@ def edit_python(
         return Rendered(source.files)
     library = LIBRARIES[source.library]
     before = analyze(source.files.main, library)
-    expected = Counter(map(key_of, _endpoints(before)))
+    expected = endpoints_of(before)
     edits = Edits(before, catalog, dialect, expected)
     try:
         edits.make(changes)
@@ -60,18 +59,13 @@ def not_encodable(source: SourceUnit, error: UnicodeEncodeError) -> Diagnostic:
     return Diagnostic("edit-refused", message, help="save the file in UTF-8 first")
 
 
-def _endpoints(analysis: Analysis) -> list[SourceEndpoint]:
-    return [site.endpoint for site in analysis.sites]
-
-
-def _problem(before: Analysis, after: Analysis, expected: Counter[Key]) -> str | None:
+def _problem(before: Analysis, after: Analysis, expected: Found) -> str | None:
     """Return what is wrong with a changed file, None where nothing is."""
     if after.syntax.errors > before.syntax.errors:
         return "leave a file that parses worse"
     if after.syntax.encoding != before.syntax.encoding:
         return "change the file's encoding"
-    found = Counter(map(key_of, _endpoints(after)))
-    if found != +expected:
+    if endpoints_of(after) != +expected:
         return "change other endpoints than the ones asked for"
     if not _has_same_nodes(before, after):
         return "change the nodes of the file"

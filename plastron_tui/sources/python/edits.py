@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
-from plastron_tui.model.source import Change, Remove, SourceEndpoint
+from plastron_tui.model.source import Add, Change, Remove, SourceEndpoint
 from plastron_tui.model.workspace import Client, Publisher, Service, Subscription
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceName
@@ -18,6 +18,7 @@ from .addition import Endpoint
 from .analysis import Analysis
 from .dialect import Dialect
 from .messages import CannotAddError
+from .nodes import group, labels_of, part_of
 from .removal import find_sites, plan_removal
 from .sites import analyze
 from .splices import apply
@@ -41,8 +42,18 @@ class RefusedError(Exception):
         self.diagnostic = diagnostic
 
 
-def key_of(endpoint: SourceEndpoint) -> Key:
-    """Return what makes two endpoints of a file equal."""
+Found = Counter[tuple[str, Key]]
+"""The endpoints of a file, each with the label of its node."""
+
+
+def endpoints_of(analysis: Analysis) -> Found:
+    """Return the endpoints of a file."""
+    labels = labels_of(analysis)
+    return Counter((labels.get(site, ""), _key_of(site.endpoint)) for site in analysis.sites)
+
+
+def _key_of(endpoint: SourceEndpoint) -> Key:
+    """Return what makes two endpoints of a node equal."""
     name = endpoint.name if endpoint.name is not None else endpoint.expression
     return (endpoint.kind, name, str(endpoint.type), endpoint.callback or "")
 
@@ -87,7 +98,7 @@ class Edits:
     analysis: Analysis
     catalog: Catalog
     dialect: Dialect
-    expected: Counter[Key]
+    expected: Found
     _reads: int = 0
     _work: int = 0
     _alike: set[_Manner] = field(default_factory=set)
@@ -109,29 +120,39 @@ class Edits:
                 self._last = None
                 at += 1
             else:
-                writers = self._planned(change.endpoint, changes[at + 1 :])
+                writers = self._planned(change, changes[at + 1 :])
                 text = _applied(self.analysis, writers)
                 if len(changes) - at > _MANY:
-                    self._compare(change.endpoint, text)
+                    self._compare(change, text)
                 self._last = (self.analysis, writers[0]) if len(writers) == 1 else None
+                label = self._label(change)
                 for writer in writers:
-                    self.expected.update(writer.endpoints)
+                    self.expected.update((label, key) for key in writer.endpoints)
                 at += len(writers)
             self._read(text)
             self.analysis = analyze(text, self.analysis.library)
 
-    def _planned(self, endpoint: Endpoint, following: Sequence[Change]) -> list[Writer]:
+    def _label(self, change: Change) -> str:
+        """Return the label of the node that a change is for."""
+        if change.node is not None:
+            return change.node
+        nodes = group(self.analysis)
+        return nodes[0].label if nodes else ""
+
+    def _planned(self, change: Add, following: Sequence[Change]) -> list[Writer]:
         """Plan an addition, and those after it that can be made with it."""
-        first = self._plan(self.analysis, endpoint)
+        first = self._plan(self.analysis, change)
         writers = [first]
-        if first.has_imports or _manner(endpoint) not in self._alike:
+        if first.has_imports or _manner(change.endpoint) not in self._alike:
             return writers
         words = set(first.words)
-        for change in following:
-            if isinstance(change, Remove) or _manner(change.endpoint) not in self._alike:
+        for other in following:
+            if isinstance(other, Remove) or other.node != change.node:
+                break
+            if _manner(other.endpoint) not in self._alike:
                 break
             try:
-                writer = self._plan(self.analysis, change.endpoint)
+                writer = self._plan(self.analysis, other)
             except (CannotAddError, UnicodeEncodeError):
                 break
             is_alike = not writer.has_imports and _places(writer) == _places(first)
@@ -141,22 +162,23 @@ class Edits:
             writers.append(writer)
         return writers
 
-    def _compare(self, endpoint: Endpoint, text: bytes) -> None:
+    def _compare(self, change: Add, text: bytes) -> None:
         """Find out whether an addition and the one before can be made in one go."""
-        manner = _manner(endpoint)
+        manner = _manner(change.endpoint)
         if self._last is None or manner in self._alike:
             return
         before, last = self._last
         try:
-            both = _applied(before, (last, self._plan(before, endpoint)))
+            both = _applied(before, (last, self._plan(before, change)))
         except (CannotAddError, UnicodeEncodeError):
             return
         if both == text:
             self._alike.add(manner)
 
-    def _plan(self, analysis: Analysis, endpoint: Endpoint) -> Writer:
+    def _plan(self, analysis: Analysis, change: Add) -> Writer:
         self._read(analysis.syntax.text)
-        return plan_addition(analysis, endpoint, self.catalog, self.dialect)
+        node = part_of(analysis, change.node)
+        return plan_addition(analysis, node, change.endpoint, self.catalog, self.dialect)
 
     def _read(self, text: bytes) -> None:
         """Count what is read; few changes may be made in a file of any size."""
@@ -168,10 +190,10 @@ class Edits:
             raise RefusedError(Diagnostic("edit-refused", message, help=remedy))
 
 
-def _removed(analysis: Analysis, change: Remove, expected: Counter[Key]) -> bytes:
+def _removed(analysis: Analysis, change: Remove, expected: Found) -> bytes:
     """Return the text without an endpoint."""
     kind = change.kind.word
-    sites = find_sites(analysis, change)
+    sites = find_sites(part_of(analysis, change.node), change)
     if not sites:
         message = f"the file has no {kind} `{change.name}`"
         raise RefusedError(Diagnostic("edit-refused", message, change.span))
@@ -190,7 +212,8 @@ def _removed(analysis: Analysis, change: Remove, expected: Counter[Key]) -> byte
                 "change this line in the file first",
             )
         )  # fmt: skip
-    expected.subtract(key_of(site.endpoint) for site in removal.sites)
+    labels = labels_of(analysis)
+    expected.subtract((labels.get(site, ""), _key_of(site.endpoint)) for site in removal.sites)
     return apply(analysis.syntax.text, removal.splices)
 
 

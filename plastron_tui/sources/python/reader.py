@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 from pathlib import Path
 
-from plastron_tui.diagnostics import Diagnostic, Span
-from plastron_tui.model.source import FileSet, SourceNode, SourceUnit
+from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.model.source import FileSet, SourceUnit
 from plastron_tui.sources.base import ReadResult
 
-from .analysis import Analysis, NodeSite, Site
 from .calls import LIBRARIES, ClientLibrary
 from .extent import MOST_CLASSES, comment_run
-from .owning import Owners
+from .nodes import group
 from .sites import analyze
 from .syntax import parse
 
@@ -89,34 +87,3 @@ def _imports(text: bytes, name: bytes) -> bool:
             if start is not None and word.search(code, start.end()):
                 return True
     return False
-
-
-def group(analysis: Analysis) -> tuple[SourceNode, ...]:
-    """Sort the call sites into the nodes of the file."""
-    makers = _merge(analysis.nodes, analysis.library)
-    if not makers:
-        return (_source_node(None, analysis.sites),) if analysis.sites else ()
-    owned: list[list[Site]] = [[] for _ in makers]
-    owners = Owners(makers, analysis)
-    for site in analysis.sites:
-        owned[owners.owner(site)].append(site)
-    return tuple(_source_node(maker, sites) for maker, sites in zip(makers, owned, strict=True))
-
-
-def _merge(nodes: list[NodeSite], library: ClientLibrary) -> list[NodeSite]:
-    """Make the one node of a rospy file of the calls that name it; they may disagree."""
-    if library.node_classes or len(nodes) < 2:
-        return nodes
-    first = nodes[0]
-    if all(node.name == first.name for node in nodes):
-        return [first]
-    return [replace(first, name=None)]
-
-
-def _source_node(maker: NodeSite | None, sites: list[Site]) -> SourceNode:
-    endpoints = tuple(site.endpoint for site in sites)
-    if maker is None:
-        return SourceNode(None, "", endpoints)
-    place = maker.call if maker.call is not None else maker.scope.node
-    span = Span(place.start_byte, place.end_byte)
-    return SourceNode(maker.name, maker.expression, endpoints, span)

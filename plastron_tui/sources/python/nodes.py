@@ -1,0 +1,70 @@
+"""The nodes of a file, and which of its call sites belong to which."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from plastron_tui.diagnostics import Span
+from plastron_tui.model.source import SourceNode
+
+from .analysis import Analysis, NodeSite, Site
+from .owning import Owners
+
+
+def group(analysis: Analysis) -> tuple[SourceNode, ...]:
+    """Sort the call sites into the nodes of the file."""
+    makers = makers_of(analysis)
+    if not makers:
+        return (_source_node(None, analysis.sites),) if analysis.sites else ()
+    owned = _owned(makers, analysis)
+    return tuple(_source_node(maker, sites) for maker, sites in zip(makers, owned, strict=True))
+
+
+def part_of(analysis: Analysis, label: str | None) -> Analysis:
+    """Return what is known of one of the nodes alone; of all for None."""
+    makers = makers_of(analysis) if label is not None else []
+    for maker, sites in zip(makers, _owned(makers, analysis), strict=True):
+        if _source_node(maker, sites).label == label:
+            return replace(analysis, sites=sites, nodes=[maker])
+    return analysis
+
+
+def labels_of(analysis: Analysis) -> dict[Site, str]:
+    """Return the label of the node that each call site belongs to."""
+    makers = makers_of(analysis)
+    owned = _owned(makers, analysis)
+    return {
+        site: _source_node(maker, sites).label
+        for maker, sites in zip(makers, owned, strict=True)
+        for site in sites
+    }
+
+
+def makers_of(analysis: Analysis) -> list[NodeSite]:
+    """Return what makes the nodes; the calls that name the one of a rospy file may disagree."""
+    nodes = analysis.nodes
+    if analysis.library.node_classes or len(nodes) < 2:
+        return nodes
+    first = nodes[0]
+    if all(node.name == first.name for node in nodes):
+        return [first]
+    return [replace(first, name=None)]
+
+
+def _source_node(maker: NodeSite | None, sites: list[Site]) -> SourceNode:
+    endpoints = tuple(site.endpoint for site in sites)
+    if maker is None:
+        return SourceNode(None, "", endpoints)
+    place = maker.call if maker.call is not None else maker.scope.node
+    span = Span(place.start_byte, place.end_byte)
+    class_name = None if maker.owner is None else maker.owner.name
+    return SourceNode(maker.name, maker.expression, endpoints, span, class_name)
+
+
+def _owned(makers: list[NodeSite], analysis: Analysis) -> list[list[Site]]:
+    """Return the call sites of each node."""
+    owned: list[list[Site]] = [[] for _ in makers]
+    owners = Owners(makers, analysis)
+    for site in analysis.sites if makers else ():
+        owned[owners.owner(site)].append(site)
+    return owned
