@@ -11,7 +11,8 @@ from functools import cache, lru_cache, wraps
 from importlib.metadata import EntryPoint, entry_points
 from inspect import isfunction
 from pathlib import Path
-from typing import Any, ClassVar, TypeVar, get_origin, get_type_hints
+from types import UnionType
+from typing import Any, ClassVar, TypeVar, get_args, get_origin, get_type_hints
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.source import FileSet
@@ -114,7 +115,9 @@ def _guarded(base: type[_T], inner: _T, name: str) -> _T:
 def _asking(method: Callable[..., Any], inner: object, name: str) -> Callable[..., Any]:
     """Return a method that asks an object, and answers for it where the object fails."""
     hint = get_type_hints(method)["return"]
-    kind = get_origin(hint) or hint
+    # `tuple[str, ...] | None` is a tuple or None.
+    hints = get_args(hint) if get_origin(hint) is UnionType else (hint,)
+    kinds = tuple(get_origin(each) or each for each in hints)
 
     @wraps(method)
     def ask(self: object, *args: Any, **options: Any) -> Any:
@@ -123,12 +126,12 @@ def _asking(method: Callable[..., Any], inner: object, name: str) -> Callable[..
         except (Exception, SystemExit) as error:
             problem = _told(error)
         else:
-            problem = _unfit(result, kind)
+            problem = _unfit(result, kinds)
             if not problem:
                 return result
-        if kind in (Rendered, ReadResult):
+        if kinds[0] in (Rendered, ReadResult):
             message = f"the target `{name}` failed: {problem}"
-            return kind(None, (Diagnostic("unsupported-target", message),))
+            return kinds[0](None, (Diagnostic("unsupported-target", message),))
         missing = object()
         answer = getattr(method, "if_it_fails", missing)
         return method(self, *args, **options) if answer is missing else answer
@@ -136,10 +139,10 @@ def _asking(method: Callable[..., Any], inner: object, name: str) -> Callable[..
     return ask
 
 
-def _unfit(result: object, kind: Any) -> str:
+def _unfit(result: object, kinds: tuple[type, ...]) -> str:
     """Say why an answer is not what was asked for, "" where it is."""
-    if not isinstance(result, kind):
-        expected = getattr(kind, "__name__", kind)
+    if not isinstance(result, kinds):
+        expected = kinds[0].__name__
         return f"it gives a {type(result).__name__}, and no {expected}"
     files = result.files if isinstance(result, Rendered) else None
     return "" if files is None else _unfit_files(files)
