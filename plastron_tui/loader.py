@@ -10,7 +10,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
-from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.diagnostics import Code, Diagnostic, codes
 from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.model.setting import Loaded, LoadRequest
 from plastron_tui.model.source import LARGEST_FILE
@@ -131,7 +131,7 @@ class NodeLoader:
     def __call__(self, request: LoadRequest) -> Loaded:
         """Read the file that a `load` asks for."""
         if "\0" in request.source:
-            return _failed("file-not-found", "a path holds no NUL character")
+            return _failed(codes.FILE_NOT_FOUND, "a path holds no NUL character")
         if not request.is_path:
             for loaded in self._generated(request):
                 return loaded
@@ -144,7 +144,7 @@ class NodeLoader:
             if self._boundary.allows(path.parent):
                 self._files.settle(path.parent)
             if os.path.isdir(path):  # noqa: PTH112
-                return _failed("unreadable-file", f"`{path.name}` is a folder")
+                return _failed(codes.UNREADABLE_FILE, f"`{path.name}` is a folder")
             if os.path.isfile(path):  # noqa: PTH113
                 return self._in_front(path, candidates[index + 1 :])
         return self._not_found(request)
@@ -163,10 +163,9 @@ class NodeLoader:
         if path.name in manifest or path.name in manifest.layers:
             return loaded
         warning = Diagnostic(
-            "hidden-file",
+            codes.HIDDEN_FILE,
             f"`{path.name}` is the one of the output folder, and hides `{others[0]}`",
             help=f"remove `{path}` if an earlier run wrote it, or load the other by its path",
-            severity=Severity.WARNING,
         )
         return loaded._replace(diagnostics=(*loaded.diagnostics, warning))
 
@@ -196,7 +195,7 @@ class NodeLoader:
         origin = _chained(source)
         if origin.turns > _MOST_TURNS:
             reason = f"the program generates and loads it more than {_MOST_TURNS} times in turn"
-            return path, _failed("unreadable-file", f"`{path.name}` is not read: {reason}")
+            return path, _failed(codes.UNREADABLE_FILE, f"`{path.name}` is not read: {reason}")
         return path, _with_origin(read_node(path, files), origin)
 
     def _candidates(self, request: LoadRequest) -> Iterator[Path]:
@@ -214,7 +213,7 @@ class NodeLoader:
             if status.st_size > LARGEST_FILE:
                 limit = LARGEST_FILE // (1024 * 1024)
                 message = f"`{path.name}` is larger than {limit} MB, which no node is"
-                return _failed("unreadable-file", message)
+                return _failed(codes.UNREADABLE_FILE, message)
             started = self._started(path)
             if started is not None:
                 return started
@@ -226,7 +225,7 @@ class NodeLoader:
                 self._files.nodes[path] = known
             return known[1]
         except OSError as error:
-            return _failed("unreadable-file", f"`{path.name}` cannot be read: {reason(error)}")
+            return _failed(codes.UNREADABLE_FILE, f"`{path.name}` cannot be read: {reason(error)}")
 
     def _started(self, path: Path) -> Loaded | None:
         """Read what the program started from when it wrote a file, None where it did not."""
@@ -345,7 +344,7 @@ def _names(folder: Path, *, full: bool = False) -> list[str]:
     return sorted(file.name if full else file.stem for file in files)
 
 
-def _failed(code: str, message: str, remedy: str | None = None) -> Loaded:
+def _failed(code: Code, message: str, remedy: str | None = None) -> Loaded:
     return Loaded(None, (Diagnostic(code, message, help=remedy),))
 
 
@@ -353,9 +352,9 @@ def _outside(request: LoadRequest, path: Path, boundary: Boundary) -> Loaded:
     """Say that a path leads out of the project, whether or not anything is there."""
     where = "" if request.is_path else f" is `{path}`, which"
     message = f"`{request.source}`{where} is {boundary.place_of(path)}"
-    return _failed("outside-project", message, boundary.remedy)
+    return _failed(codes.OUTSIDE_PROJECT, message, boundary.remedy)
 
 
 def _not_there(message: str, remedy: str | None, right: str | None) -> Loaded:
     """Say that no file has a name, what may help, and how the one that may be meant is written."""
-    return Loaded(None, (Diagnostic("file-not-found", message, help=remedy),), right)
+    return Loaded(None, (Diagnostic(codes.FILE_NOT_FOUND, message, help=remedy),), right)

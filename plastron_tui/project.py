@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from plastron_tui.boundary import Boundary, belongs_to_another
-from plastron_tui.diagnostics import Diagnostic, Severity, Span, did_you_mean
+from plastron_tui.diagnostics import Code, Diagnostic, Severity, Span, codes, did_you_mean
 from plastron_tui.model.libraries import Libraries
 from plastron_tui.regular_files import read_regular
 from plastron_tui.ros.catalog import DISTRIBUTIONS
@@ -17,7 +17,7 @@ from plastron_tui.trust import real_path
 LARGEST_PROJECT = 64 * 1024
 """The largest project file that is read, in bytes; one is a few lines."""
 
-TRUST_CODES = frozenset({"foreign-project", "outside-project", "untrusted-templates"})
+TRUST_CODES = frozenset({codes.FOREIGN_PROJECT, codes.OUTSIDE_PROJECT, codes.UNTRUSTED_TEMPLATES})
 """The codes of what the user has to trust the project for."""
 
 LONGEST_PATH = 4096
@@ -136,7 +136,7 @@ class _Reader:
         more = len(self.diagnostics) - MOST_MISTAKES
         if more <= 0:
             return tuple(self.diagnostics)
-        last = Diagnostic("bad-project", f"… and {more} more mistakes", file=self._file)
+        last = Diagnostic(codes.BAD_PROJECT, f"… and {more} more mistakes", file=self._file)
         return (*self.diagnostics[:MOST_MISTAKES], last)
 
     def pairs(self, root: _Node | None) -> dict[str, _Node]:
@@ -200,7 +200,7 @@ class _Reader:
         # `Path.expanduser` raises for a user that there is none of.
         path: Path = self._file.parent / os.path.expanduser(node.value)  # noqa: PTH111
         if key not in self._overruled and not self._boundary.allows(path):
-            self._report(node, *_outside(key, path, self._boundary), code="outside-project")
+            self._report(node, *_outside(key, path, self._boundary), code=codes.OUTSIDE_PROJECT)
             return None
         if must_exist and not os.path.isdir(path):  # noqa: PTH112 - a path too long is none
             self._report(node, f"there is no folder `{_short(node.value)}`")
@@ -213,7 +213,7 @@ class _Reader:
         if folder is None or self._boundary.is_trusted:
             return folder
         message = "the templates of the project are not used until you trust it"
-        self._report(node, message, self._boundary.remedy, "untrusted-templates", Severity.WARNING)
+        self._report(node, message, self._boundary.remedy, codes.UNTRUSTED_TEMPLATES)
         return None
 
     def check_agreement(self, project: Project, node: _Node | None, libraries: Libraries) -> None:
@@ -235,13 +235,12 @@ class _Reader:
         node: _Node,
         message: str,
         remedy: str | None = None,
-        code: str = "bad-project",
-        severity: Severity = Severity.ERROR,
+        code: Code = codes.BAD_PROJECT,
     ) -> None:
         text = self._text
         start, end = node.start_mark.index, node.end_mark.index
         span = Span(len(text[:start].encode()), len(text[:end].rstrip().encode()))
-        found = Diagnostic(code, message, span, self._file, help=remedy, severity=severity)
+        found = Diagnostic(code, message, span, self._file, help=remedy)
         self.diagnostics.append(found)
 
 
@@ -253,7 +252,7 @@ def as_error(found: Diagnostic) -> Diagnostic:
 def outside_output(output: Path, boundary: Boundary) -> Diagnostic:
     """Say that the output folder, which nobody named, is a link out of the project."""
     message, remedy = _outside("output", output, boundary)
-    return Diagnostic("outside-output", message, file=output, help=remedy)
+    return Diagnostic(codes.OUTSIDE_OUTPUT, message, file=output, help=remedy)
 
 
 def outside_program(path: Path, boundary: Boundary) -> Diagnostic | None:
@@ -265,7 +264,7 @@ def outside_program(path: Path, boundary: Boundary) -> Diagnostic | None:
         return None
     message = f"`{path.name}` is a link to a file {boundary.place_of(path)}"
     remedy = f"name the file itself; or {boundary.remedy}"
-    return Diagnostic("outside-project", message, file=path, help=remedy)
+    return Diagnostic(codes.OUTSIDE_PROJECT, message, file=path, help=remedy)
 
 
 def outside_definition(
@@ -282,7 +281,7 @@ def outside_definition(
         message = f"the definition `{file.name}` is {boundary.place_of(file)}, and is not read"
         warning = Severity.WARNING
         return Diagnostic(
-            "outside-project", message, file=file, help=boundary.remedy, severity=warning
+            codes.OUTSIDE_PROJECT, message, file=file, help=boundary.remedy, severity=warning
         )
     return None
 
@@ -302,7 +301,7 @@ def _outside(key: str, path: Path, boundary: Boundary) -> tuple[str, str]:
 
 def _foreign(file: Path, boundary: Boundary) -> Diagnostic:
     return Diagnostic(
-        "foreign-project",
+        codes.FOREIGN_PROJECT,
         "the project file, or the folder that it is in, belongs to another user",
         file=file,
         help=boundary.remedy,
@@ -324,4 +323,4 @@ def _unreadable(file: Path, error: Exception) -> Diagnostic:
         problem = getattr(error, "reason", None) or str(error)
     where = "" if mark is None else f" (line {mark.line + 1})"
     message = f"the project file cannot be read{where}: {problem[:1].lower()}{problem[1:]}"
-    return Diagnostic("bad-project", message, file=file)
+    return Diagnostic(codes.BAD_PROJECT, message, file=file)

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.boundary import DEFAULT_OUTPUT, Boundary, find_boundary
-from plastron_tui.diagnostics import Diagnostic, LineIndex
+from plastron_tui.diagnostics import Diagnostic, LineIndex, codes
 from plastron_tui.language import Document, Program
 from plastron_tui.language.relowering import Lowered, lower_edited
 from plastron_tui.model.libraries import written_libraries
@@ -67,7 +67,7 @@ class Options(NamedTuple):
 
 def _unsupported(generation: Generation) -> Diagnostic:
     return Diagnostic(
-        "unsupported-target",
+        codes.UNSUPPORTED_TARGET,
         f"plastron cannot generate `{generation.library}` yet",
         generation.span,
         help=f"use {' or '.join(written_libraries(LIBRARIES))}",

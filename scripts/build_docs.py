@@ -10,9 +10,8 @@ import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from plastron_tui.diagnostics import CODES, IO_CODES, Code, escapes
-from plastron_tui.diagnostics.program_codes import MEANING_CODES, NAME_CODES, SYNTAX_CODES
-from plastron_tui.diagnostics.value_codes import VALUE_CODES
+from plastron_tui.diagnostics import Code, escapes
+from plastron_tui.diagnostics.codes import GROUPS
 from plastron_tui.language import DECLARATIONS, Declaration, SlotKind
 from plastron_tui.language.keywords import KEYWORDS
 
@@ -188,12 +187,14 @@ with status 2 when a file cannot be read or written.
 
 """
 
-_SECTIONS = (
-    ("Sentences", "Lines that are no statement.", SYNTAX_CODES),
-    ("Names and types", "What a statement names.", NAME_CODES),
-    ("Meaning", "What a statement does.", MEANING_CODES),
-    ("Values", "What messages and requests hold.", VALUE_CODES),
-)
+_SECTIONS = {
+    "sentences": ("Sentences", "Lines that are no statement."),
+    "names": ("Names and types", "What a statement names."),
+    "meaning": ("Meaning", "What a statement does."),
+    "values": ("Values", "What messages and requests hold."),
+    "files": ("Files", "What is read and written."),
+    "ros": ("ROS", "What is installed, and what runs."),
+}
 
 
 def language_page() -> str:
@@ -230,23 +231,15 @@ def diagnostics_page() -> str:
 
 
 def _diagnostics() -> Iterator[str]:
-    shown: set[str] = set()
-    for title, about, codes in _SECTIONS:
+    for group, declared in GROUPS.items():
+        title, about = _SECTIONS[group]
         yield f"## {title}\n\n{about}\n"
-        yield from map(_code, codes)
-        shown.update(code.name for code in codes)
-    yield "## Files, ROS and its graph\n\nWhat is not about a statement.\n"
-    rest = sorted((code for name, code in CODES.items() if name not in shown), key=_by_name)
-    yield from map(_code, rest)
-
-
-def _by_name(code: Code) -> str:
-    return code.name
+        yield from map(_code, declared)
 
 
 def _code(code: Code) -> str:
-    status = " A command then ends with status 2." if code.name in IO_CODES else ""
-    text = f"### `{code.name}`\n\n{code.summary}{status}\n"
+    status = " A command then ends with status 2." if code.is_io else ""
+    text = f"### `{code}`\n\n{code.summary}{status}\n"
     for label, program in (("Wrong", code.bad), ("Right", code.good)):
         if program:
             text += f"\n{label}:\n\n```plastron\n{program}```\n"

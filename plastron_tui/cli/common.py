@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.diagnostics import Diagnostic, Severity, codes
 from plastron_tui.program_file import LARGEST_PROGRAM, ProgramText, check_text, read_program
 from plastron_tui.session import Options, Session
 from plastron_tui.sources import own_languages
@@ -155,10 +155,8 @@ class Report:
             if found.severity is Severity.WARNING:
                 self._warnings += 1
                 continue
-            from plastron_tui.diagnostics.codes import IO_CODES
-
             self._errors += 1
-            self.status = max(self.status, 2 if found.code in IO_CODES else 1)
+            self.status = max(self.status, 2 if found.code.is_io else 1)
         return fresh
 
     def unreadable(self, diagnostics: Iterable[Diagnostic]) -> None:
@@ -200,7 +198,7 @@ def _node_file(file: Path) -> Diagnostic | None:
     if language is None or not file.is_file():
         return None
     return Diagnostic(
-        "unreadable-file",
+        codes.UNREADABLE_FILE,
         f"`{file.name}` is {language.title}, not a program",
         file=file,
         help="`plastron inspect` shows what a node file holds, and `load` changes it in a program",
@@ -226,7 +224,7 @@ def open_sessions(
 def nothing_to_generate() -> Diagnostic:
     """Return the warning for a program that makes no file."""
     return Diagnostic(
-        "nothing-to-generate",
+        codes.NOTHING_TO_GENERATE,
         "the program generates no node",
         help="end it with `generate_node` and the variable of a node",
         severity=Severity.WARNING,

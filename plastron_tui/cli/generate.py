@@ -9,7 +9,7 @@ from pathlib import Path
 
 import click
 
-from plastron_tui.diagnostics import Diagnostic, has_errors
+from plastron_tui.diagnostics import Diagnostic, codes, has_errors
 from plastron_tui.diagnostics.terminal import wants_colour
 from plastron_tui.output.diff import file_diff, visible_patch
 from plastron_tui.output.plan import FilePlan, FileState
@@ -100,7 +100,7 @@ def _carry_out(
     sessions: Sequence[Session], plans: Sequence[FilePlan], report: Report, *, force: bool
 ) -> None:
     conflicts = [found for plan in plans for found in plan.conflicts]
-    is_stale = len(plans) == 1 and all(found.code == "changed-on-disk" for found in conflicts)
+    is_stale = len(plans) == 1 and all(found.code == codes.CHANGED_ON_DISK for found in conflicts)
     if conflicts and not force and not is_stale:
         report.add(conflicts, lambda _: None)
         return
@@ -187,7 +187,7 @@ def show_plan(plan: FilePlan, *, only_changes: bool = False, force: bool = False
 
 def _same_file(name: str) -> Diagnostic:
     return Diagnostic(
-        "same-file",
+        codes.SAME_FILE,
         f"an earlier program writes `{name}` too, with another text",
         help="give one of the nodes another name, or one of the programs another `-o`",
     )

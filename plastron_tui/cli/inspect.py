@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from plastron_tui.diagnostics import Diagnostic, LineIndex
+from plastron_tui.diagnostics import Diagnostic, LineIndex, codes
 from plastron_tui.loader import read_node, with_others
 from plastron_tui.model.inspection import inspect_json, inspect_text
 from plastron_tui.model.program_text import program_of
@@ -61,12 +61,12 @@ def _read(file: Path, report: Report) -> SourceUnit | None:
 
 
 def _unreadable(file: Path, message: str) -> Diagnostic:
-    return Diagnostic("unreadable-file", message, file=file)
+    return Diagnostic(codes.UNREADABLE_FILE, message, file=file)
 
 
 def _program(file: Path) -> Diagnostic:
     return Diagnostic(
-        "no-node",
+        codes.NO_NODE,
         f"`{file.name}` is a program, not a node file",
         file=file,
         help="`plastron check` and `plastron graph` read programs",

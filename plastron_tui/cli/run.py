@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from plastron_tui.diagnostics import Diagnostic, did_you_mean, has_errors
+from plastron_tui.diagnostics import Diagnostic, codes, did_you_mean, has_errors
 from plastron_tui.diagnostics.terminal import drawn_on, visible
 from plastron_tui.ros.catalog import DISTRIBUTIONS, default_distribution
 from plastron_tui.session import Options, Session
@@ -150,10 +150,10 @@ def _unknown_names(made: Sequence[Generated], names: Sequence[str]) -> list[Diag
     }
     if not made:
         message = "the program generates no node, so there is nothing to run"
-        return [Diagnostic("nothing-to-generate", message)]
+        return [Diagnostic(codes.NOTHING_TO_GENERATE, message)]
     return [
         Diagnostic(
-            "unknown-node",
+            codes.UNKNOWN_NODE,
             f"the program generates no node `{name}`",
             help=did_you_mean(name, known),
         )
@@ -205,7 +205,7 @@ def _node_files(
         command = target.language.command(path, environment.python)
         if command is None:
             message = f"`run` cannot start {target.language.title} nodes, such as `{path.name}`"
-            found = Diagnostic("unsupported-target", message, generated.generation.span)
+            found = Diagnostic(codes.UNSUPPORTED_TARGET, message, generated.generation.span)
             report.add([found], session.lines, session.path)
             continue
         script = path if target.language.is_script else None

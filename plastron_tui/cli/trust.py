@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from plastron_tui.boundary import find_boundary
-from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.diagnostics import Diagnostic, Severity, codes
 from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.trust import TrustStore, TrustStoreError, UnsafeStoreError, real_path
 
@@ -76,4 +76,4 @@ def _remove(store: TrustStore, folder: Path, report: Report) -> None:
 
 
 def _unsafe(message: str, remedy: str | None) -> Diagnostic:
-    return Diagnostic("unsafe-trust-store", message, help=remedy)
+    return Diagnostic(codes.UNSAFE_TRUST_STORE, message, help=remedy)

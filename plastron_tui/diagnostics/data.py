@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from enum import Enum
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
+from .severity import Severity
 from .wording import shortened
 
-
-class Severity(str, Enum):
-    """How bad it is. A program with an error generates nothing; a warning stops nothing."""
-
-    ERROR = "error"
-    WARNING = "warning"
+if TYPE_CHECKING:
+    from .code import Code
 
 
 class Span(NamedTuple):
@@ -55,7 +51,7 @@ class Label(NamedTuple):
 
 
 class _Parts(NamedTuple):
-    code: str
+    code: Code
     message: str
     span: Span | None
     file: Path | None
@@ -72,31 +68,32 @@ class Diagnostic(_Parts):
     name of any length.
 
     Attributes:
-        code: the stable name of the kind of mistake, a key of `CODES`.
+        code: the kind of mistake, one of `codes`.
         message: lower case, no full stop, about the span.
         span: the smallest range that is wrong; None when it is about the file as a whole.
         file: the file that the span lies in; None for a text that has no file yet.
         help: the remedy, in words.
         fix: the remedy, as an edit.
         labels: other places that matter.
-        severity: an error unless the code says otherwise.
+        severity: as the code says, unless said otherwise.
     """
 
     __slots__ = ()
 
     def __new__(
         cls,
-        code: str,
+        code: Code,
         message: str,
         span: Span | None = None,
         file: Path | None = None,
         help: str | None = None,  # noqa: A002 - the name that it has in JSON
         fix: Fix | None = None,
         labels: tuple[Label, ...] = (),
-        severity: Severity = Severity.ERROR,
+        severity: Severity | None = None,
     ) -> Diagnostic:
         """Make a mistake; a text that is too long is cut."""
         message = shortened(message)
+        severity = code.severity if severity is None else severity
         help = None if help is None else shortened(help)  # noqa: A001
         if fix is not None:
             fix = fix._replace(title=shortened(fix.title))

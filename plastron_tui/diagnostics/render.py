@@ -8,8 +8,9 @@ from itertools import accumulate
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from .data import Diagnostic, Severity, Span
+from .data import Diagnostic, Span
 from .lines import LineIndex
+from .severity import Severity
 from .terminal import visible
 from .terminal import width as cell_width
 from .wording import shortened

@@ -11,7 +11,7 @@ from collections.abc import Container
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, codes
 
 if TYPE_CHECKING:
     from plastron_tui.sources.base import Language
@@ -57,7 +57,7 @@ def refuse_name(
     remedy = "give the node another name"
     if not is_own:
         remedy = "give the loaded file another name, or write the node over it with `--in-place`"
-    return Diagnostic("runs-by-itself", f"no node is written to `{name}`: {what}", help=remedy)
+    return Diagnostic(codes.RUNS_BY_ITSELF, f"no node is written to `{name}`: {what}", help=remedy)
 
 
 def _runner(name: str) -> str | None:

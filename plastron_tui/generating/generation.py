@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
-from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import FileSet
 from plastron_tui.model.workspace import Generation, Node
 from plastron_tui.output.layers import are_untouched
@@ -350,17 +350,16 @@ def _may_replace(path: Path, manifest: Manifest) -> bool:
 
 def _left_behind(path: Path, name: str) -> Diagnostic:
     return Diagnostic(
-        "left-behind",
+        codes.LEFT_BEHIND,
         f"the node of `{path.name}` is in `{name}` now, but can still be started from the old file",
         file=path,
         help=f"compare it with `{name}`, and remove it",
-        severity=Severity.WARNING,
     )
 
 
 def _stale(path: Path, current: str) -> Diagnostic:
     return Diagnostic(
-        "file-conflict",
+        codes.FILE_CONFLICT,
         f"`{path.name}` was changed by hand, and later the node went on in `{current}`",
         file=path,
         help=f"remove `{path.name}`, and what `{current}` holds goes there; or use "

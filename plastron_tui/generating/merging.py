@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.endpoints import EDITABLE
 from plastron_tui.model.source import (
     Add,
@@ -311,13 +311,12 @@ class _Merge:
         self, message: str, found: SourceEndpoint | None, remedy: str | None = None
     ) -> Diagnostic:
         return Diagnostic(
-            "merged-by-hand",
+            codes.MERGED_BY_HAND,
             message,
             None if found is None else found.span,
             self.source.path if found is None else self.source.path_of(found),
             help=remedy
             or "change the file by hand; `--force --diff` shows what would be written anew",
-            severity=Severity.WARNING,
         )
 
 

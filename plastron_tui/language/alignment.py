@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, escapes, write
+from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes, escapes, write
 from plastron_tui.diagnostics.suggest import nearest
 
 from .declaration import Clause, Declaration, Element, Slot, SlotKind
@@ -26,19 +26,19 @@ def unexpected(token: Token) -> Diagnostic:
     start = token.start
     if token.kind == UNCLOSED_STRING or (token.kind == UNKNOWN and first in "'\""):
         return Diagnostic(
-            "unclosed-quote",
+            codes.UNCLOSED_QUOTE,
             f"the quote is not closed on this line: {first}",
             Span(start, start + 1),
             help=f"close it with {first}",
         )
     if token.kind == UNKNOWN and token.text.startswith("/*"):
         return Diagnostic(
-            "unclosed-comment",
+            codes.UNCLOSED_COMMENT,
             "the comment is not closed",
             Span(start, start + 2),
             help="close it with `*/`",
         )
-    return Diagnostic("syntax-error", f"unexpected `{_shown(token.text)}`", token.span)
+    return Diagnostic(codes.SYNTAX_ERROR, f"unexpected `{_shown(token.text)}`", token.span)
 
 
 def _shown(text: str) -> str:
@@ -76,7 +76,7 @@ class Alignment:
         token = self._token
         if token is None:
             return Diagnostic(
-                "syntax-error",
+                codes.SYNTAX_ERROR,
                 "a statement stands on a line of its own",
                 Span(self._tokens[0].start, self._tokens[-1].end),
             )
@@ -109,7 +109,7 @@ class Alignment:
             return None
         if token is not None and token.kind in WORD_KINDS and nearest(token.text, [word]):
             return Diagnostic(
-                "syntax-error",
+                codes.SYNTAX_ERROR,
                 f"expected `{word}`, not `{_shown(token.text)}`",
                 token.span,
                 help=f"did you mean `{word}`?",
@@ -131,7 +131,7 @@ class Alignment:
             return None
         if kind.is_variable and token.text in KEYWORDS and token.text != self._declaration.keyword:
             return Diagnostic(
-                "keyword-as-variable",
+                codes.KEYWORD_AS_VARIABLE,
                 f"`{token.text}` is a keyword and cannot be a variable",
                 token.span,
                 help="choose another name",
@@ -140,7 +140,7 @@ class Alignment:
         if kind.is_quoted and (is_bare or token.kind == "string"):
             bare = token.text.strip('"')
             return Diagnostic(
-                "syntax-error",
+                codes.SYNTAX_ERROR,
                 f"expected {kind.words}",
                 token.span,
                 help=f"write '{_shown(bare)}'",
@@ -167,7 +167,7 @@ class Alignment:
             self._at += 1
         span = Span(first.start, self._tokens[self._at - 1].end)
         return Diagnostic(
-            "syntax-error",
+            codes.SYNTAX_ERROR,
             "a bare file name is one word; a path, or a name with its ending, is quoted",
             span,
             help=f"write '{_shown(text)}'",
@@ -300,7 +300,7 @@ class Alignment:
             escape = after.text[:2]
             end = after.start + len(escape.encode())
             return Diagnostic(
-                "unknown-escape",
+                codes.UNKNOWN_ESCAPE,
                 f"`{_shown(escape)}` is no escape",
                 Span(after.start, end),
                 help=f"the escapes are {escapes.listed()}; a backslash is written \\\\",
@@ -314,7 +314,7 @@ class Alignment:
     def _instead(self, token: Token, message: str, right: str) -> Diagnostic:
         what = f"a number is written in digits, text in double quotes: {_shown(right)}"
         return Diagnostic(
-            "syntax-error",
+            codes.SYNTAX_ERROR,
             message,
             token.span,
             help=what if right.startswith('"') else f"did you mean `{right}`?",
@@ -332,5 +332,5 @@ class Alignment:
 
     def _syntax_error(self, message: str, span: Span) -> Diagnostic:
         return Diagnostic(
-            "syntax-error", message, span, help=f"the sentence is: {self._declaration.usage}"
+            codes.SYNTAX_ERROR, message, span, help=f"the sentence is: {self._declaration.usage}"
         )

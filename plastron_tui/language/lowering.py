@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from tree_sitter import Node
 
-from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.diagnostics import Diagnostic, Span, codes
 
 from . import statements as _statements  # noqa: F401 - declares the statements
 from .broken import Broken
@@ -125,7 +125,7 @@ def _apart(
 
 def _too_deep(syntax: Node) -> Diagnostic:
     return Diagnostic(
-        "too-deep",
+        codes.TOO_DEEP,
         f"values are nested at most {DEEPEST_NESTING} deep",
         Span(syntax.start_byte, syntax.start_byte + 1),
     )

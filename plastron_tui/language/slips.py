@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span
+from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes
 
 from .declaration import Declaration, Slot, SlotKind
 from .keywords import BY_KEYWORD, FIRST_WORDS, KEYWORDS, VERBS
@@ -100,7 +100,7 @@ def _mended(found: Diagnostic, message: str, span: Span, text: str) -> Diagnosti
     """Say what to write in the place of a span."""
     edit = Fix(f"write `{text}`" if text else "take it away", (Edit(span, text),))
     shown = f"write `{text}`" if text else "take it away"
-    return found._replace(code="syntax-error", message=message, span=span, help=shown, fix=edit)
+    return found._replace(code=codes.SYNTAX_ERROR, message=message, span=span, help=shown, fix=edit)
 
 
 def _comment(place: Place, found: Diagnostic) -> Diagnostic | None:
@@ -130,7 +130,7 @@ def _quotes(place: Place, found: Diagnostic) -> Diagnostic | None:
     end = span.end + len(line[text.end()].encode())
     right = f"{straight}{text[0]}{straight}"
     return found._replace(
-        code="syntax-error",
+        code=codes.SYNTAX_ERROR,
         message=what,
         span=Span(token.start, end),
         help=f"write {right}",
@@ -140,7 +140,7 @@ def _quotes(place: Place, found: Diagnostic) -> Diagnostic | None:
 
 def _unclosed(place: Place, found: Diagnostic) -> Diagnostic | None:
     """Find where a quote is to be closed: a name is one word, a text goes on to the line's end."""
-    if found.code != "unclosed-quote" or found.span is None:
+    if found.code != codes.UNCLOSED_QUOTE or found.span is None:
         return None
     quote, start = place.token.text[0], found.span.end
     line = place.source[start:].partition(b"\n")[0].decode("utf-8", "replace").rstrip()
@@ -293,7 +293,7 @@ def _left_out(place: Place, found: Diagnostic) -> Diagnostic | None:
             return None
         words = wanted.words
     return found._replace(
-        code="syntax-error",
+        code=codes.SYNTAX_ERROR,
         message=f"expected {words} before `{place.token.text}`",
         help=f"the sentence is: {declaration.usage}",
         fix=None,

@@ -7,7 +7,7 @@ from itertools import groupby, islice
 
 from tree_sitter import Node
 
-from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span
+from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes
 from plastron_tui.diagnostics.suggest import nearest
 
 from .alignment import Alignment, unexpected
@@ -129,7 +129,7 @@ def _unknown_statement(tokens: Sequence[Token]) -> Diagnostic:
     if found is not None:
         token, name = found
         return Diagnostic(
-            "unknown-statement",
+            codes.UNKNOWN_STATEMENT,
             f"`{token.text}` starts no statement",
             token.span,
             help=f"did you mean `{name}`?",
@@ -139,13 +139,13 @@ def _unknown_statement(tokens: Sequence[Token]) -> Diagnostic:
         return unexpected(first)
     if len(tokens) == 1:
         return Diagnostic(
-            "unknown-statement",
+            codes.UNKNOWN_STATEMENT,
             f"`{first.text}` alone is no statement",
             first.span,
             help=f"after the variable of a node comes {', '.join(VERBS)}",
         )
     return Diagnostic(
-        "unknown-statement",
+        codes.UNKNOWN_STATEMENT,
         f"`{first.text}` starts no statement",
         first.span,
         help=f"a statement starts with {', '.join(FIRST_WORDS)}, or with the variable of a node",

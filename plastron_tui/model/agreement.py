@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from plastron_tui.diagnostics import Diagnostic, Label, write
+from plastron_tui.diagnostics import Code, Diagnostic, Label, write
 from plastron_tui.language.declaration import Statement
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.names import resolved_name
@@ -25,7 +25,7 @@ class _Use:
 class Agreement:
     """The types of the topics (or of the services) that are in use, and who uses each."""
 
-    def __init__(self, what: str, code: str) -> None:
+    def __init__(self, what: str, code: Code) -> None:
         """Start with nothing in use; a conflict of a `what` has the `code`."""
         self._what = what
         self._code = code

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Label, Span, guess, write
+from plastron_tui.diagnostics import Code, Diagnostic, Edit, Fix, Label, Span, codes, guess, write
 from plastron_tui.language import statements as st
 from plastron_tui.language.broken import Broken
 from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
@@ -81,7 +81,7 @@ class Checks:
             where, right = statement.span_of("variable"), variable.lstrip("_") or "node1"
             raise Mistake(
                 Diagnostic(
-                    "invalid-variable",
+                    codes.INVALID_VARIABLE,
                     f"a variable starts with a letter, and `{variable}` does not",
                     where,
                     help=f"write `{right}`",
@@ -95,7 +95,7 @@ class Checks:
             return
         raise Mistake(
             Diagnostic(
-                "variable-exists",
+                codes.VARIABLE_EXISTS,
                 f"a {'message' if node is None else 'node'} `{variable}` exists already",
                 statement.span_of("variable"),
                 help="nodes and messages share one namespace; choose another name",
@@ -120,7 +120,7 @@ class Checks:
             # The node that is meant lacks this statement: it is not to be called idle.
             self._failed_nodes.update(edit.text for edit in fix.edits)
         raise Mistake(
-            Diagnostic("unknown-node", f"no node `{variable}`", where, help=remedy, fix=fix)
+            Diagnostic(codes.UNKNOWN_NODE, f"no node `{variable}`", where, help=remedy, fix=fix)
         )
 
     def _is_broken(self, variable: str) -> bool:
@@ -156,7 +156,7 @@ class Checks:
         remedy, fix = guess(library if known is None else known, names, where)
         raise Mistake(
             Diagnostic(
-                "unknown-library",
+                codes.UNKNOWN_LIBRARY,
                 f"no client library `{library}`",
                 where,
                 help=remedy or f"there are {', '.join(names)}",
@@ -177,7 +177,7 @@ class Checks:
         length = len(name[problem.offset : problem.offset + problem.length].encode())
         raise Mistake(
             Diagnostic(
-                "invalid-name",
+                codes.INVALID_NAME,
                 problem.message,
                 Span(start + before, start + before + length),
                 help=None if problem.suggestion is None else f"write '{problem.suggestion}'",
@@ -253,7 +253,7 @@ class Checks:
         is_negative = _LOWEST_RATE <= -rate <= _HIGHEST_RATE
         raise Mistake(
             Diagnostic(
-                "invalid-rate",
+                codes.INVALID_RATE,
                 f"a rate is at least {_LOWEST_RATE:g} and at most {_HIGHEST_RATE:g} hz",
                 where,
                 help=f"write `at {-rate:g} hz`" if is_negative else None,
@@ -279,7 +279,7 @@ class Checks:
             where = statement.span_of("function")
             raise Mistake(
                 Diagnostic(
-                    "invalid-function",
+                    codes.INVALID_FUNCTION,
                     f"`{function}` is a keyword of {library.language} and cannot be a function",
                     where,
                     help=f"write `{function}_`",
@@ -291,7 +291,7 @@ class Checks:
                 labels = () if elsewhere is None else (Label(elsewhere, "called here"),)
                 raise Mistake(
                     Diagnostic(
-                        "function-conflict",
+                        codes.FUNCTION_CONFLICT,
                         f"`{node.variable}` calls `{function}` for something else already",
                         statement.span_of("function"),
                         help="each kind of message and request needs a function of its own",
@@ -305,7 +305,7 @@ class Checks:
         slot: str,
         node: Node,
         endpoints: dict[str, Any],
-        code: str,
+        code: Code,
         verb: str,
     ) -> None:
         """Take an endpoint away from the statement's node, or say that it has none such."""
@@ -320,7 +320,7 @@ class Checks:
         node.removed[name] = statement.span
 
     def _exists_already(
-        self, statement: Any, slot: str, node: Node, code: str, what: str
+        self, statement: Any, slot: str, node: Node, code: Code, what: str
     ) -> Mistake:
         """Make the mistake of an endpoint that the node has already."""
         name: str = getattr(statement, slot)

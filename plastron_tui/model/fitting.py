@@ -8,7 +8,7 @@ from math import isinf
 
 from tree_sitter import Node as SyntaxNode
 
-from plastron_tui.diagnostics import Diagnostic, Span, listed, write
+from plastron_tui.diagnostics import Diagnostic, Span, codes, listed, write
 from plastron_tui.language.inputs import (
     Argument,
     Input,
@@ -93,7 +93,7 @@ class Fitter:
             return self._message(type_.name, type_.fields, statement.input, where)
         except Misfit as misfit:
             found = misfit.diagnostic
-            if not type_.fields and found.code == "wrong-number-of-values":
+            if not type_.fields and found.code == codes.WRONG_NUMBER_OF_VALUES:
                 return found._replace(fix=write("none", where()))
             return found
 
@@ -156,7 +156,7 @@ class Fitter:
             elif index > 0 and isinstance(values[index - 1], NamedArgument):
                 raise Misfit(
                     Diagnostic(
-                        "value-after-named",
+                        codes.VALUE_AFTER_NAMED,
                         "a value without a name cannot follow one with a name",
                         span(value.syntax),
                         help="name it too, or put it first",
@@ -186,7 +186,7 @@ class Fitter:
             if head in direct or (not rest and head in deeper):
                 raise Misfit(
                     Diagnostic(
-                        "duplicate-field",
+                        codes.DUPLICATE_FIELD,
                         f"`{head}` has a value already",
                         path_span(syntax, len(path)),
                     )
@@ -196,7 +196,7 @@ class Fitter:
             elif field.type.is_array or not self._has_parts(field.type):
                 raise Misfit(
                     Diagnostic(
-                        "unknown-field",
+                        codes.UNKNOWN_FIELD,
                         f"`{head}` is of type `{field.type}` and has no fields",
                         path_span(syntax, len(rest)),
                     )
@@ -231,7 +231,7 @@ class Fitter:
         given = value.value
         if isinstance(given, float) and isinf(given):
             raise Misfit(
-                Diagnostic("value-out-of-range", "the number is too large", span(value.syntax))
+                Diagnostic(codes.VALUE_OUT_OF_RANGE, "the number is too large", span(value.syntax))
             )
         problem = check_scalar(
             type_.name, given, self._catalog.ros_version, string_bound=type_.string_bound
@@ -253,7 +253,7 @@ class Fitter:
         if not isinstance(value, ListValue):
             raise Misfit(
                 Diagnostic(
-                    "wrong-kind-of-value",
+                    codes.WRONG_KIND_OF_VALUE,
                     f"`{field}` is an array (`{type_}`)",
                     span(value.syntax),
                     help=f"write its elements in brackets: {field}=[…]",
@@ -277,7 +277,7 @@ class Fitter:
             names = listed(inner.name for inner in nested.fields)
             raise Misfit(
                 Diagnostic(
-                    "wrong-kind-of-value",
+                    codes.WRONG_KIND_OF_VALUE,
                     f"`{field}` is a message (`{type_}`)",
                     span(value.syntax),
                     help=f"write its values in parentheses: {field}=({names})",
@@ -296,7 +296,7 @@ class Fitter:
         if found is None:
             raise Misfit(
                 Diagnostic(
-                    "unknown-type",
+                    codes.UNKNOWN_TYPE,
                     f"the definition of `{message}` is not at hand, so its fields are not known",
                     span(syntax),
                 )

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from itertools import product
 from typing import Any, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Label, Severity, Span, has_errors, write
+from plastron_tui.diagnostics import Diagnostic, Label, Span, codes, has_errors, write
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
 from plastron_tui.language.lowering import Program
@@ -81,8 +81,8 @@ class Interpreter(Messages):
         super().__init__(setting, fitters or {})
         self._found: list[tuple[int, Diagnostic]] = []
         # ROS 1 and ROS 2 are two graphs: what one means by a topic is nothing to the other.
-        self._topics = {v: Agreement("topic", "topic-type-conflict") for v in (1, 2)}
-        self._services = {v: Agreement("service", "service-type-conflict") for v in (1, 2)}
+        self._topics = {v: Agreement("topic", codes.TOPIC_TYPE_CONFLICT) for v in (1, 2)}
+        self._services = {v: Agreement("service", codes.SERVICE_TYPE_CONFLICT) for v in (1, 2)}
         self._node_names: dict[str, Span] = {}
         # Functions, not methods of this object: a cycle would keep each interpretation alive
         # until the collector comes, which passes of this size keep away.
@@ -149,7 +149,7 @@ class Interpreter(Messages):
         if earlier is not None:
             raise Mistake(
                 Diagnostic(
-                    "node-exists",
+                    codes.NODE_EXISTS,
                     f"a node `{statement.name}` exists already",
                     statement.span_of("name"),
                     help="ROS stops the first of two nodes of one name; choose another",
@@ -205,7 +205,11 @@ class Interpreter(Messages):
         type_ = self._type(statement, statement.type, InterfaceKind.MESSAGE, version).name
         if topic in node.subscriptions:
             raise self._exists_already(
-                statement, "topic", node, "already-subscribed", f"`{node.variable}` subscribes to"
+                statement,
+                "topic",
+                node,
+                codes.ALREADY_SUBSCRIBED,
+                f"`{node.variable}` subscribes to",
             )
         if statement.function is not None:
             handlers = ((service.handler, service.span) for service in node.services.values())
@@ -216,7 +220,7 @@ class Interpreter(Messages):
     def _unsubscribe(self, statement: st.Unsubscribe) -> None:
         node = self._node(statement)
         endpoints = node.subscriptions
-        self._take(statement, "topic", node, endpoints, "not-subscribed", "subscribe to")
+        self._take(statement, "topic", node, endpoints, codes.NOT_SUBSCRIBED, "subscribe to")
         self._topics[self._version_of(node)].leave(node, EndpointKind.SUBSCRIPTION, statement.topic)
 
     def _publish(self, statement: st.Publish) -> None:
@@ -234,7 +238,7 @@ class Interpreter(Messages):
         earlier = () if publisher is None else publisher.publications
         if earlier and any(publication.message is message for publication in earlier):
             what = f"`{node.variable}` publishes `{message.variable}` to"
-            raise self._exists_already(statement, "topic", node, "already-publishing", what)
+            raise self._exists_already(statement, "topic", node, codes.ALREADY_PUBLISHING, what)
         self._agree(statement, node, EndpointKind.PUBLISHER, topic, type_)
         span = statement.span if publisher is None else publisher.span
         sent = Publication(message, rate, statement.span, is_open)
@@ -242,7 +246,7 @@ class Interpreter(Messages):
 
     def _stop_publishing(self, statement: st.StopPublishing) -> None:
         node = self._node(statement)
-        self._take(statement, "topic", node, node.publishers, "not-publishing", "publish to")
+        self._take(statement, "topic", node, node.publishers, codes.NOT_PUBLISHING, "publish to")
         self._topics[self._version_of(node)].leave(node, EndpointKind.PUBLISHER, statement.topic)
 
     def _client_requests(self, statement: st.ClientRequests) -> None:
@@ -261,7 +265,7 @@ class Interpreter(Messages):
 
     def _stop_request(self, statement: st.StopRequest) -> None:
         node = self._node(statement)
-        self._take(statement, "service", node, node.clients, "not-requesting", "request")
+        self._take(statement, "service", node, node.clients, codes.NOT_REQUESTING, "request")
         self._services[self._version_of(node)].leave(node, EndpointKind.CLIENT, statement.service)
 
     def _provides_service(self, statement: st.ProvidesService) -> None:
@@ -272,7 +276,7 @@ class Interpreter(Messages):
         type_ = self._type(statement, statement.type, InterfaceKind.SERVICE, version).name
         if name in node.services:
             raise self._exists_already(
-                statement, "service", node, "already-providing", f"`{node.variable}` provides"
+                statement, "service", node, codes.ALREADY_PROVIDING, f"`{node.variable}` provides"
             )
         if statement.function is not None:
             callbacks = ((each.callback, each.span) for each in node.subscriptions.values())
@@ -287,19 +291,18 @@ class Interpreter(Messages):
             self._report(
                 statement,
                 Diagnostic(
-                    "service-provided-twice",
+                    codes.SERVICE_PROVIDED_TWICE,
                     f"another node of this program provides `{name}` too",
                     statement.span_of("service"),
                     help="a call reaches one of them only; give each a service of its own",
                     labels=(Label(other.span, "provided here"),),
-                    severity=Severity.WARNING,
                 ),
             )
         node.services[name] = Service(name, type_, statement.function, statement.span)
 
     def _stop_service(self, statement: st.StopService) -> None:
         node = self._node(statement)
-        self._take(statement, "service", node, node.services, "not-providing", "provide")
+        self._take(statement, "service", node, node.services, codes.NOT_PROVIDING, "provide")
         self._services[self._version_of(node)].leave(node, EndpointKind.SERVICE, statement.service)
 
     def _generate_node(self, statement: st.GenerateNode) -> None:
@@ -310,7 +313,7 @@ class Interpreter(Messages):
                 raise Mistake
             raise Mistake(
                 Diagnostic(
-                    "idle-node",
+                    codes.IDLE_NODE,
                     f"`{node.variable}` does nothing yet",
                     statement.span_of("node"),
                     help="let it publish, subscribe, provide a service or request one first",

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import Any, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Label, Severity, Span
+from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Label, Span, codes
 from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
 from plastron_tui.language.lowering import Program
 
@@ -53,13 +53,12 @@ def late_changes(program: Program, workspace: Workspace) -> Iterator[Diagnostic]
         if all(message.span.start < generation.span.start for message in messages):
             fix = _moved(statement, generation)
         yield Diagnostic(
-            "changed-after-generating",
+            codes.CHANGED_AFTER_GENERATING,
             f"this comes after `{variable}` was generated, and is not in its file",
             statement.span,
             help=f"write it before `generate_node {variable}`",
             fix=fix,
             labels=(Label(generation.span, "generated here"),),
-            severity=Severity.WARNING,
         )
 
 

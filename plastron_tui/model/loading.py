@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from plastron_tui.diagnostics import Diagnostic, guess
+from plastron_tui.diagnostics import Diagnostic, codes, guess, write
 from plastron_tui.diagnostics.wording import listed
 from plastron_tui.language.statements import Load
 
@@ -24,7 +24,7 @@ def node_in(source: SourceUnit, statement: Load) -> SourceUnit | Diagnostic:
         where = statement.span_of("source")
         example = f"node '{labels[0]}' " if labels else ""
         return Diagnostic(
-            "several-nodes",
+            codes.SEVERAL_NODES,
             f"`{source.path.name}` holds {len(source.nodes)} nodes: {shown}",
             where,
             help=f"say which one: `load … {example}as {statement.variable}`",
@@ -32,8 +32,10 @@ def node_in(source: SourceUnit, statement: Load) -> SourceUnit | Diagnostic:
     if statement.name not in labels:
         where = statement.span_of("name")
         remedy, fix = guess(statement.name, labels, where, is_quoted=True)
+        if fix is None and len(labels) == 1:
+            fix = write(f"'{labels[0]}'", where)
         return Diagnostic(
-            "node-not-found",
+            codes.NODE_NOT_FOUND,
             f"`{source.path.name}` has no node `{statement.name}`",
             where,
             help=remedy or (f"there are {shown}" if labels else "the file names none"),

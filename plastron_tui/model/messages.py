@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from contextlib import suppress
 
-from plastron_tui.diagnostics import Diagnostic, Label, guess, write
+from plastron_tui.diagnostics import Diagnostic, Label, codes, guess, write
 from plastron_tui.language import statements as st
 from plastron_tui.language.lowering import Program
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
@@ -88,7 +88,9 @@ class Messages(Checks):
             made = f"create_message {variable} of message_type {statement.type} and input"
             remedy = f"make it first: `{made} ...`, with its values"
         raise Mistake(
-            Diagnostic("unknown-message", f"no message `{variable}`", where, help=remedy, fix=fix)
+            Diagnostic(
+                codes.UNKNOWN_MESSAGE, f"no message `{variable}`", where, help=remedy, fix=fix
+            )
         )
 
     def _check_sent(self, statement: st.Publish, message: Message, type_: InterfaceName) -> None:
@@ -97,7 +99,7 @@ class Messages(Checks):
             where = statement.span_of("type")
             raise Mistake(
                 Diagnostic(
-                    "message-type-mismatch",
+                    codes.MESSAGE_TYPE_MISMATCH,
                     f"`{message.variable}` is of type `{message.value.type}`, not `{type_}`",
                     where,
                     help=f"write of message_type {message.value.type}",

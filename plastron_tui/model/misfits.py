@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 
 from tree_sitter import Node as SyntaxNode
 
-from plastron_tui.diagnostics import Diagnostic, Span, listed, write
+from plastron_tui.diagnostics import Diagnostic, Span, codes, listed, write
 from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.language.inputs import COMMENTS, InputValue, Literal
 from plastron_tui.ros.interfaces import Field, FieldType, InterfaceName
@@ -37,7 +37,7 @@ def wrong_count(
     """Say that a message takes another number of values, and name its fields in order."""
     if not fields:
         return Diagnostic(
-            "wrong-number-of-values", f"`{name}` takes no values", where, help="write `none`"
+            codes.WRONG_NUMBER_OF_VALUES, f"`{name}` takes no values", where, help="write `none`"
         )
     takes = f"{len(fields)} value{'' if len(fields) == 1 else 's'}"
     text = f"in order: {listed(field.name for field in fields)}"
@@ -45,7 +45,7 @@ def wrong_count(
         takes += f", or {len(leaves)}"
         text += f"; or: {listed('.'.join(path) for path in leaves)}"
     return Diagnostic(
-        "wrong-number-of-values", f"`{name}` takes {takes}, not {count}", where, help=text
+        codes.WRONG_NUMBER_OF_VALUES, f"`{name}` takes {takes}, not {count}", where, help=text
     )
 
 
@@ -78,7 +78,7 @@ def wrong_kind(
     if remedy is not None:
         text += f"; write {remedy[0]}"
         fix = None if remedy[1] is None else write(remedy[1], where)
-    return Diagnostic("wrong-kind-of-value", problem, where, help=text, fix=fix)
+    return Diagnostic(codes.WRONG_KIND_OF_VALUE, problem, where, help=text, fix=fix)
 
 
 def _remedy(given: bool | int | float | str, kind: type | None) -> tuple[str, str | None] | None:
@@ -97,13 +97,13 @@ def _remedy(given: bool | int | float | str, kind: type | None) -> tuple[str, st
 
 def wrong_length(problem: str, count: int, value: InputValue) -> Diagnostic:
     """Say that a list has more or fewer elements than its array."""
-    return Diagnostic("wrong-array-length", f"{problem}, not {count}", span(value.syntax))
+    return Diagnostic(codes.WRONG_ARRAY_LENGTH, f"{problem}, not {count}", span(value.syntax))
 
 
 def no_time(type_: str, value: InputValue, field: str) -> Diagnostic:
     """Say that a value is no time, and how a time is written."""
     return Diagnostic(
-        "wrong-kind-of-value",
+        codes.WRONG_KIND_OF_VALUE,
         f"`{field}` is a `{type_}`",
         span(value.syntax),
         help=f"write seconds ({field}=1.5), or seconds and nanoseconds ({field}=(1, 500000000))",
@@ -117,12 +117,12 @@ def does_not_fit(
     given = value.value
     kind = None if wanted is None else wanted.kind
     if kind is str and isinstance(given, str):
-        return Diagnostic("invalid-text", problem, span(value.syntax))
+        return Diagnostic(codes.INVALID_TEXT, problem, span(value.syntax))
     is_number = isinstance(given, (int, float)) and not isinstance(given, bool)
     if not is_number or (kind is not float and (kind is not int or isinstance(given, float))):
         return wrong_kind(problem, value, type_, field, _remedy(given, kind))
     text = f"`{field}` is of type `{type_}`"
-    return Diagnostic("value-out-of-range", problem, span(value.syntax), help=text)
+    return Diagnostic(codes.VALUE_OUT_OF_RANGE, problem, span(value.syntax), help=text)
 
 
 def unknown_field(
@@ -142,6 +142,6 @@ def unknown_field(
     message = f"`{name}` has no field `{field}`"
     if guess is not None:
         text, fix = f"did you mean `{guess}`?", write(guess, where)
-        return Diagnostic("unknown-field", message, where, help=text, fix=fix)
+        return Diagnostic(codes.UNKNOWN_FIELD, message, where, help=text, fix=fix)
     text = f"its fields are: {listed(fields)}" if fields else "it has no fields"
-    return Diagnostic("unknown-field", message, where, help=text)
+    return Diagnostic(codes.UNKNOWN_FIELD, message, where, help=text)

@@ -6,7 +6,7 @@ package `builtin_interfaces`. A program writes both in the same ways.
 
 from __future__ import annotations
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.language.inputs import InputValue, Literal, NamedArgument, NestedValue
 from plastron_tui.ros.interfaces import FieldType, Interface, InterfaceName
 from plastron_tui.ros.primitives import check_scalar, primitive
@@ -40,7 +40,7 @@ def builtin_time(type_: Interface, value: Literal, field: str) -> MessageValue:
         raise Misfit(no_time(str(type_.name), value, field))
     if not _LEAST_SECONDS <= seconds < _MOST_SECONDS + 1:
         message = f"`{type_.name}` takes {_LEAST_SECONDS} to {_MOST_SECONDS} seconds"
-        raise Misfit(Diagnostic("value-out-of-range", message, span(value.syntax)))
+        raise Misfit(Diagnostic(codes.VALUE_OUT_OF_RANGE, message, span(value.syntax)))
     names = [part.name for part in type_.fields]
     return MessageValue(type_.name, dict(zip(names, split_seconds(float(seconds)), strict=True)))
 
@@ -75,5 +75,5 @@ def _time_part(type_: FieldType, given: InputValue, is_secs: bool, field: str) -
         in_range = 0 <= given.value < _NANOSECONDS
         problem = None if in_range else f"nanoseconds are 0 to {_NANOSECONDS - 1}"
     if problem is not None:
-        raise Misfit(Diagnostic("value-out-of-range", problem, span(given.syntax)))
+        raise Misfit(Diagnostic(codes.VALUE_OUT_OF_RANGE, problem, span(given.syntax)))
     return given.value

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from plastron_tui.diagnostics import Code, codes
 from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
@@ -19,7 +20,7 @@ _MOST_LISTED = 8
 class TypeProblem(NamedTuple):
     """Why a type name means nothing, or too much, and the one to write where that is known."""
 
-    code: str
+    code: Code
     message: str
     help: str | None
     right: str | None = None
@@ -48,7 +49,7 @@ class TypeResolver:
         package, *folder = prefix
         if folder and folder[0] != kind.value:
             return TypeProblem(
-                "unknown-type",
+                codes.UNKNOWN_TYPE,
                 f"`{text}` is no {_WORDS[kind]}",
                 f"a {_WORDS[kind]} is written {package}/{kind.value}/{name}",
                 f"{package}/{kind.value}/{name}",
@@ -65,7 +66,7 @@ class TypeResolver:
         if candidates:
             listed = [str(candidate) for candidate in candidates[:_MOST_LISTED]]
             return TypeProblem(
-                "ambiguous-type",
+                codes.AMBIGUOUS_TYPE,
                 f"several packages have a {_WORDS[kind]} `{name}`",
                 f"write one of {', '.join(listed)}",
             )
@@ -78,9 +79,9 @@ class TypeResolver:
         message = f"no package `{full.package}` with {_WORDS[kind]}s is known in {self._ros}"
         if guess is not None:
             right = f"{guess}/{full.name}"
-            return TypeProblem("unknown-type", message, f"did you mean `{right}`?", right)
+            return TypeProblem(codes.UNKNOWN_TYPE, message, f"did you mean `{right}`?", right)
         return TypeProblem(
-            "unknown-type",
+            codes.UNKNOWN_TYPE,
             message,
             "source the workspace that has it, or name its folder under `types` in plastron.yaml",
         )
@@ -92,7 +93,7 @@ class TypeResolver:
         other = InterfaceKind.SERVICE if kind is InterfaceKind.MESSAGE else InterfaceKind.MESSAGE
         if package is None and self.catalog.candidates(name, other):
             return TypeProblem(
-                "unknown-type", message, f"`{name}` is a {_WORDS[other]}, not a {_WORDS[kind]}"
+                codes.UNKNOWN_TYPE, message, f"`{name}` is a {_WORDS[other]}, not a {_WORDS[kind]}"
             )
         names = {
             full.name: full
@@ -101,6 +102,6 @@ class TypeResolver:
         }
         guess = nearest(name, names)
         if guess is None:
-            return TypeProblem("unknown-type", message, "`plastron types` lists what is known")
+            return TypeProblem(codes.UNKNOWN_TYPE, message, "`plastron types` lists what is known")
         text = guess if package is None else str(names[guess])
-        return TypeProblem("unknown-type", message, f"did you mean `{text}`?", text)
+        return TypeProblem(codes.UNKNOWN_TYPE, message, f"did you mean `{text}`?", text)

@@ -16,7 +16,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.regular_files import read_regular, reason
 
 from .layers import MOST_LAYERS, MOST_TEXTS, Layers, layer_json, read_layer
@@ -234,10 +234,9 @@ def manifest_text(manifest: Manifest) -> bytes:
 
 def _foreign(path: Path, why: str) -> Reading:
     warning = Diagnostic(
-        "bad-manifest",
+        codes.BAD_MANIFEST,
         f"`{NAME}` is no manifest: {why}",
         file=path,
         help="files that are in the way count as written by hand until the next generate",
-        severity=Severity.WARNING,
     )
     return Manifest(is_foreign=True), (warning,)

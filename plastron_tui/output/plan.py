@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from pathlib import Path
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Code, Diagnostic, codes
 from plastron_tui.regular_files import read_regular, reason
 
 from .layers import Layers
@@ -177,7 +177,7 @@ def make_plan(
         elif planned.setdefault(new.path, new).text != new.text:
             message = f"two nodes would be written to `{file.name}`"
             remedy = "give one of the nodes another name"
-            diagnostics.append(_diagnostic("same-file", message, folder / file.name, remedy))
+            diagnostics.append(_diagnostic(codes.SAME_FILE, message, folder / file.name, remedy))
     return FilePlan(folder, tuple(planned.values()), Path(real_folder)), tuple(diagnostics)
 
 
@@ -233,7 +233,7 @@ def _state(
     if file.merged_from is not None and before != file.merged_from:
         message = f"`{file.name}` changed on the disk since it was read"
         remedy = "run it again to start from what the file holds now"
-        return FileState.CONFLICT, _diagnostic("changed-on-disk", message, shown, remedy)
+        return FileState.CONFLICT, _diagnostic(codes.CHANGED_ON_DISK, message, shown, remedy)
     if file.problem is not None:
         return FileState.CONFLICT, file.problem
     if before is None or status is None:
@@ -252,7 +252,7 @@ def _state(
         "`load` it to keep what it holds, or use `generate --force` to overwrite it and keep a "
         "backup"
     )
-    return FileState.CONFLICT, _diagnostic("file-conflict", message, shown, remedy)
+    return FileState.CONFLICT, _diagnostic(codes.FILE_CONFLICT, message, shown, remedy)
 
 
 def _real_folder(folder: Path, within: Path | None) -> str:
@@ -261,14 +261,14 @@ def _real_folder(folder: Path, within: Path | None) -> str:
         root = None if within is None else os.path.realpath(os.fsencode(within))
     except (OSError, ValueError) as error:
         message = f"`{str(folder)!a}` cannot be the name of a folder"
-        raise _RefusedError(_diagnostic("cannot-write", message, None)) from error
+        raise _RefusedError(_diagnostic(codes.CANNOT_WRITE, message, None)) from error
     if root is not None and not _is_inside(real, root):
         message = f"the output folder `{folder}` is a link that leads out of `{within}`"
         remedy = "name the folder with `-o` if that is what you want"
-        raise _RefusedError(_diagnostic("outside-output", message, folder, remedy))
+        raise _RefusedError(_diagnostic(codes.OUTSIDE_OUTPUT, message, folder, remedy))
     if os.path.lexists(real) and not os.path.isdir(real):
         message = f"the output folder `{folder}` is not a folder"
-        raise _RefusedError(_diagnostic("cannot-write", message, folder))
+        raise _RefusedError(_diagnostic(codes.CANNOT_WRITE, message, folder))
     return os.fsdecode(real)
 
 
@@ -276,7 +276,7 @@ def _target(shown: Path, real_folder: str, file: OutputFile) -> tuple[str, os.st
     """Return the real path of the file that is written, and its status."""
     if not _is_inner_name(file.name):
         message = f"{file.name!a} cannot be the name of a file in the output folder"
-        raise _RefusedError(_diagnostic("outside-output", message, None))
+        raise _RefusedError(_diagnostic(codes.OUTSIDE_OUTPUT, message, None))
     try:
         if file.path is not None:
             path = os.path.realpath(file.path)
@@ -294,11 +294,11 @@ def _target(shown: Path, real_folder: str, file: OutputFile) -> tuple[str, os.st
     if file.path is None and not _is_inside(os.fsencode(path), os.fsencode(real_folder)):
         message = f"`{file.name}` is a symbolic link that leads out of the output folder"
         remedy = "remove the link, or choose another folder with `-o`"
-        raise _RefusedError(_diagnostic("outside-output", message, shown, remedy))
+        raise _RefusedError(_diagnostic(codes.OUTSIDE_OUTPUT, message, shown, remedy))
     if status is not None and not stat.S_ISREG(status.st_mode):
         what = "a folder" if stat.S_ISDIR(status.st_mode) else "not a plain file"
         message = f"cannot write `{file.name}`: it is {what}"
-        raise _RefusedError(_diagnostic("cannot-write", message, shown))
+        raise _RefusedError(_diagnostic(codes.CANNOT_WRITE, message, shown))
     return path, status
 
 
@@ -352,7 +352,7 @@ def read_only(file: Path) -> Diagnostic:
     """Return the diagnostic for a file that nobody is to write."""
     message = f"cannot write `{file.name}`: it is read-only"
     remedy = f"allow it with `chmod u+w {file.name}`, or write to another file"
-    return _diagnostic("cannot-write", message, file, remedy)
+    return _diagnostic(codes.CANNOT_WRITE, message, file, remedy)
 
 
 def cannot_write(file: Path, error: Exception) -> Diagnostic:
@@ -361,7 +361,7 @@ def cannot_write(file: Path, error: Exception) -> Diagnostic:
         # No target that exists is an error: it is a name that the writer needs for itself.
         name = error.filename if error.filename2 is None else error.filename2
         file = Path(os.fsdecode(name))
-        return _diagnostic("cannot-write", f"`{file.name}` is in the way", file, "remove it")
+        return _diagnostic(codes.CANNOT_WRITE, f"`{file.name}` is in the way", file, "remove it")
     remedy = None
     number = getattr(error, "errno", None)
     if number in {errno.ENOSPC, errno.EDQUOT}:
@@ -369,10 +369,10 @@ def cannot_write(file: Path, error: Exception) -> Diagnostic:
     elif number in {errno.EACCES, errno.EPERM, errno.EROFS}:
         remedy = "choose a folder that you may write to with `-o`"
     message = f"cannot write `{file.name}`: {reason(error)}"
-    return _diagnostic("cannot-write", message, file, remedy)
+    return _diagnostic(codes.CANNOT_WRITE, message, file, remedy)
 
 
 def _diagnostic(
-    code: str, message: str, file: Path | None, remedy: str | None = None
+    code: Code, message: str, file: Path | None, remedy: str | None = None
 ) -> Diagnostic:
     return Diagnostic(code, message, file=file, help=remedy)

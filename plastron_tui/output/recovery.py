@@ -10,7 +10,7 @@ from contextlib import suppress
 from itertools import count
 from pathlib import Path
 
-from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.regular_files import reason
 
 from .file_calls import digest_of, remove, sync_folder
@@ -257,11 +257,10 @@ def not_removed(path: str, error: OSError) -> Diagnostic:
     """Return the warning that a temporary file stays."""
     name = os.path.basename(path)
     return Diagnostic(
-        "leftover-file",
+        codes.LEFTOVER_FILE,
         f"cannot remove `{name}`: {reason(error)}",
         file=Path(path),
         help="the next run tries it again",
-        severity=Severity.WARNING,
     )
 
 
@@ -271,11 +270,10 @@ def _kept(folder: str, path: str) -> Diagnostic:
     name = next(name for name in names if not os.path.lexists(os.path.join(folder, name)))
     os.rename(path, os.path.join(folder, name))
     return Diagnostic(
-        "leftover-file",
+        codes.LEFTOVER_FILE,
         f"a process that was killed left the only copy of an earlier text, now in `{name}`",
         file=Path(folder) / name,
         help="rename it if you want to keep it, or remove it",
-        severity=Severity.WARNING,
     )
 
 
@@ -286,31 +284,28 @@ def _told(done: str, changed: Sequence[Replacement]) -> Iterator[Diagnostic]:
         if len(changed) > len(names):
             names.append(f"… and {len(changed) - len(names)} more")
         yield Diagnostic(
-            "interrupted-write",
+            codes.INTERRUPTED_WRITE,
             f"a write that was interrupted was {done}: {', '.join(names)}",
             file=Path(changed[0].path),
-            severity=Severity.WARNING,
         )
 
 
 def _left_alone(replacement: Replacement) -> Diagnostic:
     name = replacement.entry.name
     return Diagnostic(
-        "interrupted-write",
+        codes.INTERRUPTED_WRITE,
         f"`{name}` was changed by hand before a write that was interrupted could be finished",
         file=Path(replacement.path),
         help=f"`{name}` is as you left it; see with `plastron generate --diff` what it lacks",
-        severity=Severity.WARNING,
     )
 
 
 def _unfinished(folder: Path, reason: str) -> Diagnostic:
     return Diagnostic(
-        "interrupted-write",
+        codes.INTERRUPTED_WRITE,
         f"a write to this folder was interrupted, and cannot be finished: {reason}",
         file=folder / JOURNAL,
         help="until it is, some files may be new and others old",
-        severity=Severity.WARNING,
     )
 
 
@@ -319,11 +314,10 @@ def _bad_journal(folder: str) -> Notes:
         read_journal(folder)
     except BadJournalError as error:
         warning = Diagnostic(
-            "interrupted-write",
+            codes.INTERRUPTED_WRITE,
             f"`{JOURNAL}` is no journal of this folder: {error}",
             file=Path(folder) / JOURNAL,
             help="remove it; if a write was interrupted here, some files may be new and others old",
-            severity=Severity.WARNING,
         )
         return (warning,)
     return ()

@@ -21,7 +21,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.diagnostics import Diagnostic, Severity, codes
 from plastron_tui.regular_files import read_regular, reason
 
 from .file_calls import is_unchanged
@@ -58,7 +58,7 @@ class WriteResult(NamedTuple):
     @property
     def is_stale(self) -> bool:
         """Whether nothing was written because the disk moved on: a new plan may do."""
-        found = (diagnostic.code == "changed-on-disk" for diagnostic in self.diagnostics)
+        found = (diagnostic.code == codes.CHANGED_ON_DISK for diagnostic in self.diagnostics)
         return not self.written and any(found)
 
 
@@ -93,7 +93,7 @@ def write(plan: FilePlan, *, force: bool = False) -> WriteResult:
             problem = _changed(transaction.at)
         except BusyError:
             message = "another plastron is writing to this folder"
-            problem = Diagnostic("cannot-write", message, file=Path(transaction.at))
+            problem = Diagnostic(codes.CANNOT_WRITE, message, file=Path(transaction.at))
         except (OSError, ValueError) as error:
             problem = cannot_write(Path(transaction.at), error)
         left = (not_removed(path, error) for path, error in transaction.left)
@@ -220,18 +220,16 @@ def _not_kept(file: PlannedFile, step: Step) -> Iterator[Diagnostic]:
     """Yield warnings of what a file has no longer, now that another took its place."""
     for name in step.lost:
         yield Diagnostic(
-            "not-kept",
+            codes.NOT_KEPT,
             f"`{file.name}` lost its {name}",
             file=file.path,
-            severity=Severity.WARNING,
         )
     if step.status is not None and step.status.st_nlink > 1:
         yield Diagnostic(
-            "not-kept",
+            codes.NOT_KEPT,
             f"`{file.name}` had another name, a hard link, which keeps what the file held before",
             file=file.path,
             help="make the link again, or a symbolic one, which stays",
-            severity=Severity.WARNING,
         )
 
 
@@ -304,7 +302,7 @@ def _news(folder: Path, files: list[PlannedFile]) -> dict[str, _News]:
 
 def _changed(path: str) -> Diagnostic:
     return Diagnostic(
-        "changed-on-disk",
+        codes.CHANGED_ON_DISK,
         f"`{os.path.basename(path)}` changed on the disk since it was read",
         file=Path(path),
         help="run it again to start from what the file holds now",
@@ -313,7 +311,7 @@ def _changed(path: str) -> Diagnostic:
 
 def _not_restored(path: str, error: OSError) -> Diagnostic:
     return Diagnostic(
-        "cannot-write",
+        codes.CANNOT_WRITE,
         f"cannot put `{os.path.basename(path)}` back: {reason(error)}",
         file=Path(path),
         help="its text is beside it, in a file whose name starts with `.plastron-`; the next run "

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Span, did_you_mean
+from plastron_tui.diagnostics import Diagnostic, Span, codes, did_you_mean
 
 from .definition_literals import parse_array, parse_literal, split_comment
 from .interfaces import (
@@ -80,7 +80,7 @@ def parse_definition(
     size = len(source)
     if size > MAX_DEFINITION_BYTES:
         message = f"a definition of {size} bytes is too long (up to {MAX_DEFINITION_BYTES})"
-        return Definition(None, (Diagnostic("bad-definition", message, file=file),))
+        return Definition(None, (Diagnostic(codes.BAD_DEFINITION, message, file=file),))
     text = source if isinstance(source, str) else source.decode("utf-8", "surrogateescape")
     reader = _Reader(name, kind, ros_version, file)
     reader.read(text.removeprefix("\ufeff"), 3 if text.startswith("\ufeff") else 0)
@@ -135,14 +135,14 @@ class _Reader:
         self._end_leading_block()
         if self._mistakes > MOST_MISTAKES:
             message = f"… and {self._mistakes - MOST_MISTAKES} more lines are wrong"
-            self.diagnostics.append(Diagnostic("bad-definition", message, file=self.file))
+            self.diagnostics.append(Diagnostic(codes.BAD_DEFINITION, message, file=self.file))
         wanted = SECTION_COUNT[self.kind]
         if len(self.sections) != wanted and not self.diagnostics:
             message = (
                 f"a `.{self.kind.value}` definition has {wanted - 1} `---` "
                 f"line{'' if wanted == 2 else 's'}, and this one {len(self.sections) - 1}"
             )
-            self.diagnostics.append(Diagnostic("bad-definition", message, file=self.file))
+            self.diagnostics.append(Diagnostic(codes.BAD_DEFINITION, message, file=self.file))
 
     def _report(self, mistake: _Mistake, raw: str, start: int) -> None:
         self._mistakes += 1
@@ -154,7 +154,7 @@ class _Reader:
 
         span = Span(offset(mistake.start), offset(mistake.end))
         self.diagnostics.append(
-            Diagnostic("bad-definition", mistake.message, span, self.file, mistake.remedy)
+            Diagnostic(codes.BAD_DEFINITION, mistake.message, span, self.file, mistake.remedy)
         )
 
     def _end_leading_block(self) -> None:

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
-from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.diagnostics import Diagnostic, Severity, codes
 from plastron_tui.ros.interfaces import InterfaceName
 
 from .environment import LOOPBACK, Environment, node_environ
@@ -248,7 +248,7 @@ def _receive(connection: socket.socket, length: int) -> bytes:
 def _no_graph(message: str, reason: object) -> Diagnostic:
     text = str(reason)
     return Diagnostic(
-        "no-graph",
+        codes.NO_GRAPH,
         message if message in text else f"{message}: {text}",
         help="start the nodes first, for instance with `plastron run FILE`",
     )
@@ -256,7 +256,7 @@ def _no_graph(message: str, reason: object) -> Diagnostic:
 
 def _gone(name: str) -> Diagnostic:
     return Diagnostic(
-        "no-graph",
+        codes.NO_GRAPH,
         f"`{name}` is registered but does not answer, and is left out",
         help="`rosnode cleanup` takes nodes that are gone off the master",
         severity=Severity.WARNING,

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
-from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.diagnostics import Diagnostic, Severity, codes
 
 from . import installing
 
@@ -110,7 +110,7 @@ class Found:
         which = "ROS" if ros_version is None else f"ROS {ros_version}"
         message = f"no {which} is on this machine" + (f", only {there}" if there else "")
         command = DEBIAN_COMMAND if ros_version == 1 else EXTRA_COMMAND
-        return None, [Diagnostic("no-ros", message, help=f"install it with `{command}`")]
+        return None, [Diagnostic(codes.NO_ROS, message, help=f"install it with `{command}`")]
 
 
 def find_environments(
@@ -151,7 +151,7 @@ def missing_packages(
     missing: Sequence[str] = found["missing"] if found is not None else ()
     return [
         Diagnostic(
-            "missing-ros-package",
+            codes.MISSING_ROS_PACKAGE,
             f"`{name}` is not installed in {environment.words}",
             help=_remedy(environment, name),
         )
@@ -292,7 +292,7 @@ def _middleware_problem(
 
 
 def _half(ros_version: int, message: str, help_: str) -> Half:
-    return Half(ros_version, Diagnostic("half-a-ros", message, help=help_))
+    return Half(ros_version, Diagnostic(codes.HALF_A_ROS, message, help=help_))
 
 
 def _remedy(environment: Environment, package: str) -> str:

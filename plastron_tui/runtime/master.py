@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import Any
 from urllib.parse import urlsplit
 
-from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.import_path import command
 
 from .child import Process, Role
@@ -194,16 +194,15 @@ def _free_port() -> int:
 
 def _remote(uri: str) -> Diagnostic:
     return Diagnostic(
-        "remote-master",
+        codes.REMOTE_MASTER,
         f"ROS_MASTER_URI names a master on another machine, {uri}; it is not used",
         help="give `--network` to let the nodes speak to other machines",
-        severity=Severity.WARNING,
     )
 
 
 def _no_address(uri: str) -> Diagnostic:
     return Diagnostic(
-        "no-master",
+        codes.NO_MASTER,
         f"ROS_MASTER_URI is no address of a master: {uri}",
         help="write it like http://127.0.0.1:11311, or unset it to get a master on this machine",
     )
@@ -211,7 +210,7 @@ def _no_address(uri: str) -> Diagnostic:
 
 def _silent(uri: str) -> Diagnostic:
     return Diagnostic(
-        "no-master",
+        codes.NO_MASTER,
         f"no ROS 1 master answers at {uri}, and none can be started there",
         help="correct ROS_MASTER_URI, or unset it to get a master on this machine",
     )
@@ -219,7 +218,7 @@ def _silent(uri: str) -> Diagnostic:
 
 def _not_started() -> Diagnostic:
     return Diagnostic(
-        "no-master",
+        codes.NO_MASTER,
         "the ROS 1 master that was started does not answer",
         help="try `rosmaster --core` by itself to see why",
     )

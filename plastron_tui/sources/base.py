@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import ClassVar, TypeVar
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import FileSet, SourceUnit
 
 _Method = TypeVar("_Method", bound=Callable[..., object])
@@ -95,7 +95,7 @@ class Language:
         """
         del files, library
         message = f"plastron cannot read {self.title} files yet, such as `{path.name}`"
-        return ReadResult(None, (Diagnostic("unsupported-target", message),))
+        return ReadResult(None, (Diagnostic(codes.UNSUPPORTED_TARGET, message),))
 
     def runs_by_itself(self, name: str, packages: Container[str], *, is_own: bool) -> str | None:
         """Tell what runs a file of a name unasked, None where nothing of the language does.

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from plastron_tui.boundary import find_boundary
-from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.diagnostics import Diagnostic, Severity, codes
 from plastron_tui.output.names import settled
 from plastron_tui.program_file import LARGEST_PROGRAM, read_program
 from plastron_tui.project import outside_program
@@ -131,7 +131,7 @@ def _present(path: Path) -> bytes | None:
 def _gone(path: Path) -> Diagnostic:
     folder = path.absolute().parent
     message = f"cannot write `{path.name}`: the folder `{folder.name}` is not there"
-    return Diagnostic("cannot-write", message, file=path, help="save it under another name")
+    return Diagnostic(codes.CANNOT_WRITE, message, file=path, help="save it under another name")
 
 
 def read_again(disk: OnDisk) -> OnDisk:

@@ -9,7 +9,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.language import statements
 from plastron_tui.program_file import LARGEST_PROGRAM
 from plastron_tui.regular_files import read_regular, reason
@@ -125,6 +125,6 @@ def _make_folder(folder: Path) -> Diagnostic | None:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         return Diagnostic(
-            "cannot-write", f"cannot make the folder `{folder.name}`: {reason(error)}"
+            codes.CANNOT_WRITE, f"cannot make the folder `{folder.name}`: {reason(error)}"
         )
     return None

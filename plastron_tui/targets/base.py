@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import ClassVar
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import Change, FileSet, SourceUnit
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
@@ -84,4 +84,4 @@ class Target:
         return Rendered(None, (self._cannot(f"bring a node of `{source.library}` to"),))
 
     def _cannot(self, what: str) -> Diagnostic:
-        return Diagnostic("unsupported-target", f"plastron cannot {what} `{self.name}` yet")
+        return Diagnostic(codes.UNSUPPORTED_TARGET, f"plastron cannot {what} `{self.name}` yet")

@@ -14,7 +14,7 @@ from pathlib import Path
 from types import UnionType
 from typing import Any, ClassVar, TypeVar, get_args, get_origin, get_type_hints
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import FileSet
 from plastron_tui.sources.base import Language, ReadResult, Rendered
 
@@ -131,7 +131,7 @@ def _asking(method: Callable[..., Any], inner: object, name: str) -> Callable[..
                 return result
         if kinds[0] in (Rendered, ReadResult):
             message = f"the target `{name}` failed: {problem}"
-            return kinds[0](None, (Diagnostic("unsupported-target", message),))
+            return kinds[0](None, (Diagnostic(codes.UNSUPPORTED_TARGET, message),))
         missing = object()
         answer = getattr(method, "if_it_fails", missing)
         return method(self, *args, **options) if answer is missing else answer
@@ -182,7 +182,7 @@ class _Unusable(Target):
     def _cannot(self, what: str) -> Diagnostic:
         del what  # the reason is the same for all
         return Diagnostic(
-            "unsupported-target", f"the target `{self.name}` cannot be used: {self.reason}"
+            codes.UNSUPPORTED_TARGET, f"the target `{self.name}` cannot be used: {self.reason}"
         )
 
 

@@ -5,9 +5,11 @@ from pathlib import Path
 
 import pytest
 
-from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Label, LineIndex, Severity, Span
+from plastron_tui.diagnostics import Code, Diagnostic, Edit, Fix, Label, LineIndex, Severity, Span
 from plastron_tui.diagnostics.render import TextRenderer, as_json
 from plastron_tui.diagnostics.terminal import visible
+
+CODE = Code("code", "A mistake.")
 
 
 def spot(text: str, part: str, start: int = 0) -> Span:
@@ -21,7 +23,7 @@ def render(text: str, found: Diagnostic, *, color: bool = False) -> list[str]:
 
 
 def found(span: Span | None, *labels: Label, help: str | None = None) -> Diagnostic:  # noqa: A002
-    return Diagnostic("code", "wrong", span, labels=labels, help=help)
+    return Diagnostic(CODE, "wrong", span, labels=labels, help=help)
 
 
 @pytest.mark.parametrize(
@@ -118,7 +120,7 @@ def test_color_changes_nothing_but_color() -> None:
 
 
 def test_warning_has_its_own_color_and_name() -> None:
-    warning = Diagnostic("code", "careful", severity=Severity.WARNING)
+    warning = Diagnostic(CODE, "careful", severity=Severity.WARNING)
     assert render("", warning) == ["warning[code]: careful", " --> a.plastron"]
     assert render("", warning, color=True)[0].startswith("\x1b[33;1mwarning")
 
@@ -127,7 +129,7 @@ def test_nothing_of_a_terminal_passes() -> None:
     evil = "".join(map(chr, range(32))) + "\x7f\x9b\u202e\u2066\u200b\ufeff\ud800"
     text = f"one {evil.replace(chr(10), '')}".encode("utf-8", "replace").decode()
     diagnostic = Diagnostic(
-        "code", evil, Span(0, 3), Path(f"/tmp/{evil[1:]}"), evil, labels=(Label(Span(0, 3), evil),)
+        CODE, evil, Span(0, 3), Path(f"/tmp/{evil[1:]}"), evil, labels=(Label(Span(0, 3), evil),)
     )
     lines = LineIndex(text.encode())
     shown = TextRenderer(lambda _: lines).render(diagnostic)
@@ -136,7 +138,7 @@ def test_nothing_of_a_terminal_passes() -> None:
 
 def test_what_is_escaped_is_no_longer_than_a_message() -> None:
     evil = "\x1b" * 2_000
-    shown = TextRenderer(lambda _: None).render(Diagnostic("code", evil, help=evil))
+    shown = TextRenderer(lambda _: None).render(Diagnostic(CODE, evil, help=evil))
     assert max(map(len, shown.split("\n"))) <= 2_100
 
 
@@ -148,7 +150,7 @@ def test_json_has_every_part() -> None:
     text = "one\ntwö three\n"
     edit = Edit(spot(text, "three"), "four")
     diagnostic = Diagnostic(
-        "some-code", "message", spot(text, "three"), help="help", fix=Fix("title", (edit,)),
+        CODE, "message", spot(text, "three"), help="help", fix=Fix("title", (edit,)),
         labels=(Label(spot(text, "one"), "label"),),
     )  # fmt: skip
     lines = LineIndex(text.encode())
@@ -158,7 +160,7 @@ def test_json_has_every_part() -> None:
     assert json.loads(json.dumps(shown)) == [
         {
             "file": "a.plastron",
-            "code": "some-code",
+            "code": "code",
             "severity": "error",
             "message": "message",
             "range": place,
@@ -170,5 +172,5 @@ def test_json_has_every_part() -> None:
 
 
 def test_json_of_a_diagnostic_without_a_place() -> None:
-    (shown,) = as_json([Diagnostic("code", "message")], lambda _: None)
+    (shown,) = as_json([Diagnostic(CODE, "message")], lambda _: None)
     assert (shown["file"], shown["range"], shown["fix"], shown["labels"]) == (None, None, None, [])

@@ -3,15 +3,13 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from emitted import emitted_codes
 
-from plastron_tui.diagnostics import CODES, IO_CODES, Code, Severity
+import plastron_tui
+from plastron_tui.diagnostics import Code, Severity, codes
+from plastron_tui.diagnostics.codes import GROUPS
 from plastron_tui.session import Session
 
-SHOWN = [pytest.param(code, id=name) for name, code in CODES.items() if code.bad]
-
-# A warning mends nothing by itself; every other code is of an error.
-WARNINGS = {"changed-after-generating", "service-provided-twice"}
+SHOWN = [pytest.param(code, id=name) for name, code in codes.CODES.items() if code.bad]
 
 
 def codes_of(program: str, folder: Path) -> list[tuple[str, Severity]]:
@@ -24,8 +22,7 @@ def codes_of(program: str, folder: Path) -> list[tuple[str, Severity]]:
 
 @pytest.mark.parametrize("code", SHOWN)
 def test_the_bad_program_gives_this_code_and_nothing_else(code: Code, tmp_path: Path) -> None:
-    severity = Severity.WARNING if code.name in WARNINGS else Severity.ERROR
-    assert codes_of(code.bad, tmp_path) == [(code.name, severity)]
+    assert codes_of(code.bad, tmp_path) == [(code, code.severity)]
 
 
 @pytest.mark.parametrize("code", SHOWN)
@@ -33,20 +30,18 @@ def test_the_good_program_gives_nothing(code: Code, tmp_path: Path) -> None:
     assert codes_of(code.good, tmp_path) == []
 
 
-def test_every_code_that_the_package_emits_is_listed() -> None:
-    emitted = emitted_codes()
-    unclear = [found for found in emitted if found.code is None]
-    assert not unclear, "write the code out as a string"
-    assert [found for found in emitted if found.code not in CODES] == []
+def test_every_code_is_used() -> None:
+    package = Path(plastron_tui.__file__).parent
+    modules = [file for file in package.rglob("*.py") if "codes" not in file.parts]
+    text = "\n".join(file.read_text() for file in modules)
+    names = {code: code.upper().replace("-", "_") for code in codes.CODES}
+    assert [code for code, name in names.items() if f"codes.{name}" not in text] == []
+    assert all(getattr(codes, name) is codes.CODES[code] for code, name in names.items())
 
 
-def test_every_listed_code_is_emitted() -> None:
-    assert set(CODES) - {found.code for found in emitted_codes()} == set()
-
-
-@pytest.mark.parametrize("code", CODES.values(), ids=CODES)
+@pytest.mark.parametrize("code", codes.CODES.values(), ids=codes.CODES)
 def test_an_entry_is_whole(code: Code) -> None:
-    assert code.name == code.name.lower()
+    assert code == code.lower()
     assert code.summary.endswith(".")
     assert bool(code.bad) == bool(code.good)
     assert code.bad == "" or code.bad.endswith("\n")
@@ -54,12 +49,12 @@ def test_an_entry_is_whole(code: Code) -> None:
 
 def test_every_code_of_a_program_is_shown_by_one() -> None:
     # What no program can show is about files, the machine, or what runs.
-    from plastron_tui.diagnostics.program_codes import PROGRAM_CODES
-    from plastron_tui.diagnostics.value_codes import VALUE_CODES
-
-    assert [code.name for code in (*PROGRAM_CODES, *VALUE_CODES) if not code.bad] == []
+    shown = (
+        code for group in ("sentences", "names", "meaning", "values") for code in GROUPS[group]
+    )
+    assert [code for code in shown if not code.bad] == []
 
 
 def test_a_missing_file_of_a_load_is_an_error_of_the_program() -> None:
-    assert set(CODES) >= IO_CODES
-    assert "file-not-found" not in IO_CODES
+    assert codes.CANNOT_WRITE.is_io
+    assert not codes.FILE_NOT_FOUND.is_io

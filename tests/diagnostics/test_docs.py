@@ -7,7 +7,7 @@ from types import ModuleType
 
 import pytest
 
-from plastron_tui.diagnostics import CODES
+from plastron_tui.diagnostics import codes
 from plastron_tui.language import DECLARATIONS
 from plastron_tui.session import Session
 
@@ -43,8 +43,8 @@ def test_a_page_that_differs_fails_the_check(
 
 def test_every_code_has_an_entry(script: ModuleType) -> None:
     page = script.diagnostics_page()
-    for code in CODES.values():
-        assert page.count(f"### `{code.name}`\n") == 1
+    for code in codes.CODES.values():
+        assert page.count(f"### `{code}`\n") == 1
         assert code.bad in page
         assert code.good in page
 

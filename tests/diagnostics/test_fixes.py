@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from plastron_tui.diagnostics import CODES, Code, Diagnostic
+from plastron_tui.diagnostics import Code, Diagnostic, codes
 from plastron_tui.session import Session
 
 TALKER = "create_node 'talker' as talker\n"
@@ -72,11 +72,11 @@ def check_fix(program: str, folder: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "code", [code for code in CODES.values() if code.bad], ids=lambda code: code.name
+    "code", [code for code in codes.CODES.values() if code.bad], ids=lambda code: code
 )
 def test_a_fix_mends_the_bad_program(code: Code, tmp_path: Path) -> None:
     program = code.bad
-    if code.name in WITHOUT:
+    if code in WITHOUT:
         assert all(found.fix is None for found in session(program, tmp_path).diagnostics)
     elif session(program, tmp_path).diagnostics:
         check_fix(program, tmp_path)

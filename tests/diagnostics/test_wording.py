@@ -3,8 +3,10 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plastron_tui.diagnostics import Diagnostic, Fix, Label, Span, listed, shortened
+from plastron_tui.diagnostics import Code, Diagnostic, Fix, Label, Span, listed, shortened
 from plastron_tui.diagnostics.wording import LONGEST_TEXT
+
+CODE = Code("code", "A mistake.")
 
 _TEXTS = st.builds(
     lambda text, times: text * times, st.text(min_size=1, max_size=40), st.integers(1, 5_000)
@@ -43,8 +45,8 @@ def test_a_long_list_ends_in_how_many_more() -> None:
 def test_no_text_of_a_diagnostic_is_long() -> None:
     text = "x" * 100_000
     span = Span(0, 1)
-    made = Diagnostic("code", text, help=text, fix=Fix(text, ()), labels=(Label(span, text),))
-    replaced = Diagnostic("code", "short")._replace(message=text, help=text)
+    made = Diagnostic(CODE, text, help=text, fix=Fix(text, ()), labels=(Label(span, text),))
+    replaced = Diagnostic(CODE, "short")._replace(message=text, help=text)
     for found in (made, replaced, made.moved(3)):
         assert _size(found.message) == _size(found.help or "") == LONGEST_TEXT
     assert made.fix is not None

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from machine import examples, mostly_long
 from workspaces import LIBRARIES, FakeReader, catalog
 
-from plastron_tui.diagnostics import CODES, Diagnostic
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.diagnostics.render import TextRenderer, as_json
 from plastron_tui.language import Document, format_document, lower
 from plastron_tui.language.keywords import KEYWORDS
@@ -52,7 +52,7 @@ def swallow(text: bytes) -> tuple[Diagnostic, ...]:
     found = interpret(lower(document), SETTING).diagnostics
     renderer = TextRenderer(lambda _: document.lines)
     for diagnostic in found:
-        assert diagnostic.code in CODES
+        assert diagnostic.code in codes.CODES
         assert diagnostic.span is not None
         assert 0 <= diagnostic.span.start <= diagnostic.span.end <= len(text)
         shown = renderer.render(diagnostic).replace("\n", "")

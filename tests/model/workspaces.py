@@ -9,6 +9,7 @@ from pathlib import Path
 from file_sets import one
 
 from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.diagnostics.codes import FILE_NOT_FOUND
 from plastron_tui.language import Document, lower
 from plastron_tui.model.interpreter import Interpretation, interpret
 from plastron_tui.model.setting import Loaded, LoadRequest, Setting
@@ -40,7 +41,7 @@ class FakeReader:
         found = self.files.get(request.source)
         if found is not None:
             return Loaded(found)
-        return Loaded(None, (Diagnostic("file-not-found", f"no file `{request.source}`"),))
+        return Loaded(None, (Diagnostic(FILE_NOT_FOUND, f"no file `{request.source}`"),))
 
 
 def endpoint(

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from plastron_tui.diagnostics import CODES
+from plastron_tui.diagnostics import codes
 from plastron_tui.output.manifest import Manifest, digest
 from plastron_tui.output.plan import FileState, OutputFile, make_plan
 
@@ -168,4 +168,4 @@ def test_every_code_is_declared() -> None:
     assert {
         *("cannot-write", "outside-output", "file-conflict"),
         *("changed-on-disk", "same-file", "bad-manifest"),
-    } <= CODES.keys()
+    } <= codes.CODES.keys()

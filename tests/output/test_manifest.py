@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.output.manifest import NAME, Manifest, digest, load_manifest, manifest_text
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.output.writer import write
@@ -129,7 +129,7 @@ def test_handwork_from_another_file_is_not_remembered_as_ours(tmp_path: Path, pl
 
 def test_conflict_is_not_remembered(tmp_path: Path, plan) -> None:
     (tmp_path / "a.py").write_bytes(b"mine")
-    problem = Diagnostic("file-conflict", "why")
+    problem = Diagnostic(codes.FILE_CONFLICT, "why")
     file = OutputFile("a.py", b"made", base={"node": "1"}, problem=problem)
     assert write(plan(tmp_path, [file])) == ((), (problem,))
     assert not (tmp_path / NAME).exists()

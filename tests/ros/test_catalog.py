@@ -8,7 +8,7 @@ import pytest
 from rosbags.interfaces import Nodetype
 from rosbags.typesys import Stores, get_typestore
 
-from plastron_tui.diagnostics import CODES
+from plastron_tui.diagnostics import codes
 from plastron_tui.ros.catalog import DISTRIBUTIONS, Catalog, default_distribution, moved
 from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.primitives import primitive
@@ -236,4 +236,4 @@ def test_only_the_packages_that_are_needed_are_read() -> None:
 
 
 def test_the_code_of_a_bad_definition_is_listed() -> None:
-    assert "bad-definition" in CODES
+    assert "bad-definition" in codes.CODES

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from plastron_tui.diagnostics import CODES, Severity
+from plastron_tui.diagnostics import Severity, codes
 from plastron_tui.runtime.environment import (
     Environment,
     Found,
@@ -108,7 +108,7 @@ def problem(found: Found, ros_version: int | None = None) -> tuple[str, str, str
     environment, diagnostics = found.choose(ros_version)
     assert environment is None
     (diagnostic,) = diagnostics
-    assert diagnostic.code in CODES
+    assert diagnostic.code in codes.CODES
     assert diagnostic.help is not None
     return diagnostic.code, diagnostic.message, diagnostic.help
 

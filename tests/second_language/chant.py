@@ -19,7 +19,7 @@ from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 
-from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.model.endpoints import Client, Publisher, Service, Subscription
 from plastron_tui.model.source import (
     Add,
@@ -70,7 +70,7 @@ class Chant(Language):
     def read(self, path, files, library=None):
         header = files.get(HEADER)
         if header is None or not _NODE.search(header):
-            found = Diagnostic("no-node", "no node in the header", file=path)
+            found = Diagnostic(codes.NO_NODE, "no node in the header", file=path)
             return ReadResult(None, (found,))
         nodes = tuple(
             SourceNode(
@@ -181,7 +181,7 @@ class ChantTarget(Target):
         blocks = list(_blocks(header))
         block = next((each for each in blocks if change.node in (None, each.name)), None)
         if block is None:
-            return Diagnostic("edit-refused", f"there is no node `{change.node}`")
+            return Diagnostic(codes.EDIT_REFUSED, f"there is no node `{change.node}`")
         if isinstance(change, Add):
             line = _line(change.endpoint)
             files = files.with_text(HEADER, header[: block.end] + line + header[block.end :])
@@ -197,4 +197,4 @@ class ChantTarget(Target):
                     stub = _verse(match[5].decode(), block.name)
                     files = files.with_main(files.main.replace(stub, b""))
                 return files
-        return Diagnostic("edit-refused", f"there is no `{change.name}`", change.span)
+        return Diagnostic(codes.EDIT_REFUSED, f"there is no `{change.name}`", change.span)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
-from plastron_tui.diagnostics import Diagnostic, did_you_mean
+from plastron_tui.diagnostics import Diagnostic, codes, did_you_mean
 from plastron_tui.regular_files import read_regular, reason
 from plastron_tui.ros.definition import MAX_DEFINITION_BYTES, parse_definition
 from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
@@ -210,4 +210,4 @@ class Catalog:
         return did_you_mean(message.name, PRIMITIVES[self.ros_version])
 
     def _report(self, message: str, file: Path, remedy: str | None = None) -> None:
-        self.problems.append(Diagnostic("bad-definition", message, file=file, help=remedy))
+        self.problems.append(Diagnostic(codes.BAD_DEFINITION, message, file=file, help=remedy))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from plastron_tui.diagnostics import codes
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.model.workspace import Client, Publisher, Service, Subscription
 from plastron_tui.ros.catalog import Catalog
@@ -84,7 +85,7 @@ def plan_addition(
     place = find_place(node, kind)
     if place is None:
         message = f"the file has no line behind which it could create `{name}`"
-        raise CannotAddError("edit-refused", message, endpoint.span)
+        raise CannotAddError(codes.EDIT_REFUSED, message, endpoint.span)
     sends = isinstance(endpoint, Publisher) and bool(endpoint.publications)
     if sends or (isinstance(endpoint, Client) and endpoint.requests):
         place = running_place(node, place)
@@ -122,7 +123,7 @@ def _use_present(added: Addition, present: list[Site]) -> None:
             return
     lines = ", ".join(str(site.endpoint.line) for site in present)
     message = f"no variable of the file holds `{added.name}`, created in line {lines}"
-    raise CannotAddError("edit-refused", message, added.endpoint.span)
+    raise CannotAddError(codes.EDIT_REFUSED, message, added.endpoint.span)
 
 
 def _create(added: Addition) -> list[str]:
@@ -248,7 +249,7 @@ def _callback(added: Addition, interface: Interface) -> str:
     if wanted is not None:
         if not literals.is_name(wanted):
             message = f"`{wanted}` cannot be a name in Python"
-            raise CannotAddError("invalid-function", message, endpoint.span)
+            raise CannotAddError(codes.INVALID_FUNCTION, message, endpoint.span)
         if owner is not None and _has_method(added, owner, wanted):
             return f"{added.place.self_name}.{wanted}"
         found = added.place.scope.lookup(wanted)
@@ -256,10 +257,10 @@ def _callback(added: Addition, interface: Interface) -> str:
             return wanted
         if owner is not None and wanted.startswith("__") and wanted.endswith("__"):
             message = f"`{wanted}` has a meaning of its own in Python"
-            raise CannotAddError("invalid-function", message, endpoint.span)
+            raise CannotAddError(codes.INVALID_FUNCTION, message, endpoint.span)
         if owner is not None and wanted in added.dialect.method_names:
             message = f"`{wanted}` is a method that every {added.dialect.library} node has"
-            raise CannotAddError("invalid-function", message, endpoint.span)
+            raise CannotAddError(codes.INVALID_FUNCTION, message, endpoint.span)
     name = wanted or added.free_name(callback_naming(added.analysis, added.kind).name(added.name))
     added.writer.names.add(name)
     added.stand(is_nested=False)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import Change, SourceUnit
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources.base import Rendered
@@ -48,7 +48,7 @@ def edit_python(
     problem = _problem(before, analysis, expected)
     if problem is not None:
         message = f"the change of `{source.path.name}` would {problem}"
-        return Rendered(None, (Diagnostic("edit-refused", message),))
+        return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message),))
     return Rendered(source.files.with_main(analysis.syntax.text))
 
 
@@ -56,7 +56,7 @@ def not_encodable(source: SourceUnit, error: UnicodeEncodeError) -> Diagnostic:
     """Return what is said of a character that the encoding of a file has not."""
     character = error.object[error.start]
     message = f"`{source.path.name}` is in {error.encoding}, which has no `{character}`"
-    return Diagnostic("edit-refused", message, help="save the file in UTF-8 first")
+    return Diagnostic(codes.EDIT_REFUSED, message, help="save the file in UTF-8 first")
 
 
 def _problem(before: Analysis, after: Analysis, expected: Found) -> str | None:

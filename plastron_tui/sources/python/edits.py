@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import Add, Change, Remove, SourceEndpoint
 from plastron_tui.model.workspace import Client, Publisher, Service, Subscription
 from plastron_tui.ros.catalog import Catalog
@@ -187,7 +187,7 @@ class Edits:
         if self._reads > 2 * _MANY and self._work > _MOST_WORK:
             message = "the file is too large for so many changes, each of which reads it anew"
             remedy = "let several nodes have them, or make some of the changes by hand"
-            raise RefusedError(Diagnostic("edit-refused", message, help=remedy))
+            raise RefusedError(Diagnostic(codes.EDIT_REFUSED, message, help=remedy))
 
 
 def _removed(analysis: Analysis, change: Remove, expected: Found) -> bytes:
@@ -196,7 +196,7 @@ def _removed(analysis: Analysis, change: Remove, expected: Found) -> bytes:
     sites = find_sites(part_of(analysis, change.node), change)
     if not sites:
         message = f"the file has no {kind} `{change.name}`"
-        raise RefusedError(Diagnostic("edit-refused", message, change.span))
+        raise RefusedError(Diagnostic(codes.EDIT_REFUSED, message, change.span))
     removal = plan_removal(analysis, sites)
     if removal.lines:
         listed = sorted(removal.lines)
@@ -205,7 +205,7 @@ def _removed(analysis: Analysis, change: Remove, expected: Found) -> bytes:
         plural = "s" if len(removal.lines) > 1 else ""
         raise RefusedError(
             Diagnostic(
-                "endpoint-in-use",
+                codes.ENDPOINT_IN_USE,
                 f"the {kind} `{change.name}` is used in line{plural} {lines}",
                 change.span,
                 help="change these lines in the file first" if plural else

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NoReturn
 
-from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.diagnostics import Code, Diagnostic, Span, codes
 from plastron_tui.model.values import MessageValue, Value
 from plastron_tui.ros.catalog import Catalog, moved
 from plastron_tui.ros.interfaces import FieldType, Interface, InterfaceKind, InterfaceName
@@ -19,7 +19,7 @@ _HEADER = InterfaceName("std_msgs", "Header")
 class CannotAddError(Exception):
     """Why an endpoint cannot be added to a file."""
 
-    def __init__(self, code: str, message: str, span: Span | None, remedy: str | None = None):
+    def __init__(self, code: Code, message: str, span: Span | None, remedy: str | None = None):
         super().__init__(message)
         self.diagnostic = Diagnostic(code, message, span, help=remedy)
 
@@ -44,16 +44,16 @@ class Messages:
     def interface(self, type_: InterfaceName | None, kind: InterfaceKind, name: str) -> Interface:
         """Return an interface of the distribution, under its new name where it has one."""
         if type_ is None:
-            self._refuse("unknown-type", f"the type of `{name}` is not known")
+            self._refuse(codes.UNKNOWN_TYPE, f"the type of `{name}` is not known")
         found = self._catalog.find(type_, kind)
         instead = moved(type_, self._catalog.ros_version) if found is None else None
         if isinstance(instead, InterfaceName):
             found = self._catalog.find(instead, kind)
         if found is None:
-            self._refuse("unknown-type", f"{self._catalog.distribution} has no type `{type_}`")
+            self._refuse(codes.UNKNOWN_TYPE, f"{self._catalog.distribution} has no type `{type_}`")
         reason = self._dialect.unusable(found, self._catalog)
         if reason is not None:
-            self._refuse("unusable-type", reason)
+            self._refuse(codes.UNUSABLE_TYPE, reason)
         return found
 
     def type_class(self, interface: Interface) -> str:
@@ -91,7 +91,7 @@ class Messages:
             if name not in types:
                 where = self._catalog.distribution
                 self._refuse(
-                    "unknown-field", f"`{interface.name}` has no field `{name}` in {where}"
+                    codes.UNKNOWN_FIELD, f"`{interface.name}` has no field `{name}` in {where}"
                 )
             written.append(f"{self._dialect.field(name)}={self._value(types[name], each)}")
         return ", ".join(written)
@@ -106,5 +106,5 @@ class Messages:
             return self._conventions.string(value)
         return self._dialect.scalar(type_, value, self._imports)
 
-    def _refuse(self, code: str, message: str) -> NoReturn:
+    def _refuse(self, code: Code, message: str) -> NoReturn:
         raise CannotAddError(code, message, self._span)

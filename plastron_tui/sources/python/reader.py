@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Code, Diagnostic, codes
 from plastron_tui.model.source import FileSet, SourceUnit
 from plastron_tui.sources.base import ReadResult
 
@@ -32,30 +32,30 @@ def read_python(path: Path, files: FileSet, library: str | None = None) -> ReadR
     """
     text = files.main
     if len(text) > MOST_BYTES:
-        return _refuse(path, "file-too-large", "the file is larger than 4 MB and is not read")
+        return _refuse(path, codes.FILE_TOO_LARGE, "the file is larger than 4 MB and is not read")
     if b"\x00" in text:
-        return _refuse(path, "no-node", "the file is not a text")
+        return _refuse(path, codes.NO_NODE, "the file is not a text")
     candidates = [LIBRARIES[library]] if library in LIBRARIES else _imported(text)
     is_guess = not candidates and _CREATION.search(text) is not None
     if not candidates and not is_guess:
-        return _refuse(path, "no-node", "the file imports neither rospy nor rclpy")
+        return _refuse(path, codes.NO_NODE, "the file imports neither rospy nor rclpy")
     long_run = comment_run(text)
     if long_run is not None:
         problem = f"the comments from line {long_run} on are too many to be read"
-        return _refuse(path, "file-too-large", problem)
+        return _refuse(path, codes.FILE_TOO_LARGE, problem)
     syntax = parse(text)
     if len(syntax.captures("structure").get("class", [])) > MOST_CLASSES:
         problem = f"the file has more than {MOST_CLASSES} classes, and is not read"
-        return _refuse(path, "file-too-large", problem)
+        return _refuse(path, codes.FILE_TOO_LARGE, problem)
     analyses = [analyze(syntax, candidate) for candidate in candidates or [LIBRARIES["rclpy"]]]
     if is_guess and all(site.endpoint.type is None for site in analyses[0].sites):
-        return _refuse(path, "no-node", "the file imports neither rospy nor rclpy")
+        return _refuse(path, codes.NO_NODE, "the file imports neither rospy nor rclpy")
     best = max(analyses, key=lambda analysis: (len(analysis.sites), len(analysis.nodes)))
     source = SourceUnit(path, files, best.library.module, group(best))
     return ReadResult(source)
 
 
-def _refuse(path: Path, code: str, message: str) -> ReadResult:
+def _refuse(path: Path, code: Code, message: str) -> ReadResult:
     return ReadResult(None, (Diagnostic(code, message, file=path),))
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from textual import work
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.regular_files import stamp_of
 
 from ..analyst import Analyst
@@ -276,7 +276,7 @@ class Filing(Keeping):
             return
         sources = (node.source for node in analysis.workspace.nodes.values())
         paths = [source.path for source in sources if source is not None]
-        if any(found.code == "file-not-found" for found in analysis.diagnostics):
+        if any(found.code == codes.FILE_NOT_FOUND for found in analysis.diagnostics):
             paths += [session.folder, session.output]
         stamps = {path: stamp_of(path) for path in paths}
         before, self._stamps = self._stamps, stamps

@@ -14,7 +14,7 @@ from textual.content import Content
 from textual.widgets import Button, Label, OptionList
 from textual.widgets.option_list import Option
 
-from plastron_tui.diagnostics import Diagnostic, has_errors
+from plastron_tui.diagnostics import Diagnostic, codes, has_errors
 from plastron_tui.generating.node_files import name_of
 from plastron_tui.output.diff import file_diff, visible_patch
 from plastron_tui.output.plan import FilePlan, FileState, PlannedFile
@@ -121,7 +121,7 @@ class GenerateDialog(Dialog[bool]):
     def _reasons(self) -> Lines:
         found = self.problems or (
             Diagnostic(
-                "nothing-to-generate",
+                codes.NOTHING_TO_GENERATE,
                 "the program generates no node",
                 help="end it with `generate_node` and the variable of a node",
             ),

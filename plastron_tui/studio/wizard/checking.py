@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from plastron_tui.diagnostics import Diagnostic, Edit, Severity, Span, has_errors
+from plastron_tui.diagnostics import Diagnostic, Edit, Severity, Span, codes, has_errors
 from plastron_tui.language import SlotKind
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.inputs import COMMENTS
@@ -191,7 +191,7 @@ def _findings(
 
 def _elsewhere(diagnostic: Diagnostic) -> str:
     """Say what would be wrong with another statement."""
-    if diagnostic.code == "idle-node":
+    if diagnostic.code == codes.IDLE_NODE:
         return "the node would have nothing left to do, and could not be written to its file"
     return f"another statement would be wrong: {diagnostic.message}"
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from typing import NoReturn
 
-from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.diagnostics import Code, Diagnostic, Span, codes
 from plastron_tui.model.values import MessageValue, Value
 from plastron_tui.model.workspace import Client, Node, Publication, Publisher
 from plastron_tui.ros.catalog import Catalog, moved
@@ -93,13 +93,13 @@ class Planner:
             if name is None:
                 continue
             if not literals.is_name(name):
-                self._refuse("invalid-function", f"`{name}` cannot be a name in Python", span)
+                self._refuse(codes.INVALID_FUNCTION, f"`{name}` cannot be a name in Python", span)
             if name.startswith("__") and name.endswith("__"):
                 message = f"`{name}` has a meaning of its own in Python"
-                self._refuse("invalid-function", message, span, "write a name without `__`")
+                self._refuse(codes.INVALID_FUNCTION, message, span, "write a name without `__`")
             if name in dialect.method_names or name in dialect.attribute_names:
                 message = f"`{name}` is a method that every {dialect.library} node has"
-                self._refuse("invalid-function", message, span, f"write `on_{name}`, say")
+                self._refuse(codes.INVALID_FUNCTION, message, span, f"write `on_{name}`, say")
         return {name for name, _ in given if name is not None}
 
     def _add_publishers(self, plan: NodePlan) -> None:
@@ -157,7 +157,7 @@ class Planner:
                 plan.handlers.append(method)
             elif known.response != response:
                 message = f"`{handler}` cannot answer `{service.name}` and do its other work"
-                self._refuse("invalid-function", message, service.span, "give it another name")
+                self._refuse(codes.INVALID_FUNCTION, message, service.span, "give it another name")
 
     def _add_clients(self, plan: NodePlan) -> None:
         for client in self._node.clients.values():
@@ -186,7 +186,7 @@ class Planner:
                 message = (
                     f"`{interface.name}` has no field `{name}` in {self._catalog.distribution}"
                 )
-                self._refuse("unknown-field", message, span, self._note(interface.name))
+                self._refuse(codes.UNKNOWN_FIELD, message, span, self._note(interface.name))
             argument = self._dialect.field(name)
             written.append(f"{argument}={self._value(types[name], each, span)}")
         return ", ".join(written)
@@ -217,7 +217,7 @@ class Planner:
         """Return the type as the distribution names it."""
         if type_ is None:
             message = f"the type of `{name}` is not known"
-            self._refuse("unknown-type", message, span, "name its type in the source file")
+            self._refuse(codes.UNKNOWN_TYPE, message, span, "name its type in the source file")
         return self._find(type_, kind, span).name
 
     def _find(self, type_: InterfaceName, kind: InterfaceKind, span: Span | None) -> Interface:
@@ -229,10 +229,10 @@ class Planner:
                 found = self._catalog.find(instead, kind)
         if found is None:
             message = f"{self._catalog.distribution} has no type `{type_}`"
-            self._refuse("unknown-type", message, span, self._note(type_))
+            self._refuse(codes.UNKNOWN_TYPE, message, span, self._note(type_))
         reason = self._dialect.unusable(found, self._catalog)
         if reason is not None:
-            self._refuse("unusable-type", reason, span)
+            self._refuse(codes.UNUSABLE_TYPE, reason, span)
         return found
 
     def _note(self, type_: InterfaceName) -> str | None:
@@ -241,7 +241,7 @@ class Planner:
         return f"use `{note}`" if isinstance(note, InterfaceName) else note
 
     def _refuse(
-        self, code: str, message: str, span: Span | None, help_text: str | None = None
+        self, code: Code, message: str, span: Span | None, help_text: str | None = None
     ) -> NoReturn:
         raise _CannotPlanError(Diagnostic(code, message, span or self._node.span, help=help_text))
 

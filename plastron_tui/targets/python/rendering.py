@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import FileSet
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
@@ -67,7 +67,7 @@ def _template_error(library: str, folder: Path | None, error: Exception) -> Diag
     line = getattr(error, "lineno", None)
     place = f"{library}/{name}" + (f", line {line}" if line is not None else "")
     return Diagnostic(
-        "template-error",
+        codes.TEMPLATE_ERROR,
         f"the template {place} cannot be used: {error}",
         file=path_of(name, folder / library) if folder is not None else None,
     )

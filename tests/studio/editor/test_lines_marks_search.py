@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from states import state_of
 
-from plastron_tui.diagnostics import Diagnostic, Severity, Span
+from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes
 from plastron_tui.studio.editor import line_commands
 from plastron_tui.studio.editor.marks import Marks
 from plastron_tui.studio.editor.search import Search
@@ -79,7 +79,7 @@ class TestLineCommands:
 
 class TestMarks:
     def marks(self, state: TextState, *spans: tuple[int, int]) -> Marks:
-        marks = Marks(Diagnostic("syntax-error", "wrong", Span(*span)) for span in spans)
+        marks = Marks(Diagnostic(codes.SYNTAX_ERROR, "wrong", Span(*span)) for span in spans)
         state.listeners.append(marks.edited)
         return marks
 
@@ -106,7 +106,7 @@ class TestMarks:
         assert [mark.start for mark in found if mark is not None] == [6, 0, 6]
 
     def test_what_has_no_place_is_left_out(self) -> None:
-        assert len(Marks([Diagnostic("no-ros", "none", severity=Severity.WARNING)])) == 0
+        assert len(Marks([Diagnostic(codes.NO_ROS, "none", severity=Severity.WARNING)])) == 0
 
 
 class TestSearch:

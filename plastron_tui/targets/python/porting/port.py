@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 
-from plastron_tui.diagnostics import Diagnostic, Severity, Span
+from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.model.source import EndpointKind, SourceUnit
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceKind
@@ -45,7 +45,9 @@ def port_python(source: SourceUnit, catalog: Catalog, library: str) -> Rendered:
     before = analyze(source.files.main, LIBRARIES[source.library])
     if before.syntax.errors:
         message = f"`{source.path.name}` does not parse, and cannot be brought to {library}"
-        return Rendered(None, (Diagnostic("edit-refused", message, help="mend the file first"),))
+        return Rendered(
+            None, (Diagnostic(codes.EDIT_REFUSED, message, help="mend the file first"),)
+        )
     try:
         return _ported(source, Work(before, catalog), library)
     except UnicodeEncodeError as error:
@@ -72,7 +74,7 @@ def _ported(source: SourceUnit, work: Work, library: str) -> Rendered:
     problem = syntax_error(text)
     if problem is not None and syntax_error(source.files.main) is None:
         message = f"`{source.path.name}` cannot be brought to {library}: {problem.reason}"
-        return Rendered(None, (Diagnostic("edit-refused", message),))
+        return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message),))
     if problem is not None:
         found.append(_by_hand(source, f"the file is no Python 3: {problem.reason}", None, None))
     return Rendered(source.files.with_main(text), tuple(found))
@@ -132,12 +134,11 @@ def _listed(
 
 def _by_hand(source: SourceUnit, message: str, span: Span | None, remedy: str | None) -> Diagnostic:
     return Diagnostic(
-        "port-by-hand",
+        codes.PORT_BY_HAND,
         message,
         span,
         file=source.path,
         help=remedy,
-        severity=Severity.WARNING,
     )
 
 

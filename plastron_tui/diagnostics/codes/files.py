@@ -1,0 +1,205 @@
+"""Files, and what is written to them. No program shows these mistakes."""
+
+from __future__ import annotations
+
+from plastron_tui.diagnostics.code import Code
+from plastron_tui.diagnostics.severity import Severity
+
+SEVERAL_NODES = Code(
+    "several-nodes",
+    "A file holds several nodes, and `load` does not say which one is meant: write the name "
+    "that it has in the file, as in `load arms node 'left_arm' as left`. Where the file does "
+    "not say a node's name, the name of its class stands for it.",
+)
+
+TEMPLATE_ERROR = Code(
+    "template-error",
+    "A template in the project's template folder has a mistake, asks for something that a "
+    "node does not have, lies outside of the folder, or takes more time, memory or text "
+    "than a node needs. Correct it, or take it away to use Plastron's own.",
+)
+
+CANNOT_WRITE = Code(
+    "cannot-write",
+    "The operating system refuses to write a file, or something that is no file is in its "
+    "place. Nothing was changed. Free some space, or choose another output folder.",
+    is_io=True,
+)
+
+OUTSIDE_OUTPUT = Code(
+    "outside-output",
+    "A file would be written outside of the output folder: its name, or a symbolic link, "
+    "leads out; or the output folder itself is a link out of the project. Remove the link, "
+    "or name the folder with `-o`.",
+    is_io=True,
+)
+
+FILE_CONFLICT = Code(
+    "file-conflict",
+    "A file in the output folder holds what Plastron did not write. It is left alone; "
+    "`load` it in the program, or overwrite it with `--force`, which keeps a backup.",
+)
+
+CHANGED_ON_DISK = Code(
+    "changed-on-disk",
+    "A file was changed by somebody else between reading and writing it. Run it again.",
+)
+
+INTERRUPTED_WRITE = Code(
+    "interrupted-write",
+    "Plastron was killed, or the machine stopped, while files were replaced. The next run "
+    "made all of them new, or all old again, and says which; or it could not: you may not "
+    "write there, or have changed one of them since. Compare the files that are named with "
+    "what `plastron generate --diff` says.",
+    severity=Severity.WARNING,
+)
+
+LEFTOVER_FILE = Code(
+    "leftover-file",
+    "A temporary file of Plastron's (`.plastron-…`) cannot be removed, which the next run "
+    "tries again; or it held the only copy of a text, which is `.plastron-kept` now. Look "
+    "at it, and remove it.",
+    severity=Severity.WARNING,
+)
+
+NOT_KEPT = Code(
+    "not-kept",
+    "A file was replaced, and something that is no part of its text did not come along: an "
+    "extended attribute, or other names of the file (hard links), which keep the old text.",
+    severity=Severity.WARNING,
+)
+
+SAME_FILE = Code(
+    "same-file",
+    "Two nodes of a program would be written to one file. Give one of them another name.",
+)
+
+BAD_MANIFEST = Code(
+    "bad-manifest",
+    "The output folder's `.plastron.json` cannot be read, so that every file that is in "
+    "the way counts as written by hand. The next `generate` replaces it, with a backup.",
+    severity=Severity.WARNING,
+)
+
+NO_NODE = Code(
+    "no-node",
+    "A file holds no node that Plastron can read: it is no text, or uses neither rospy nor "
+    "rclpy. Name the file of the node itself.",
+)
+
+FILE_TOO_LARGE = Code(
+    "file-too-large",
+    "A file is larger than any node that a person writes, or has more comments in a row "
+    "or more classes, and is not read.",
+)
+
+ENDPOINT_IN_USE = Code(
+    "endpoint-in-use",
+    "An endpoint cannot be taken out of a hand-written file, because code beyond plain "
+    "publishing uses it; the message lists the lines. Change these lines by hand first.",
+)
+
+EDIT_REFUSED = Code(
+    "edit-refused",
+    "A change of a hand-written file is not possible, or would have changed more than was "
+    "asked for; the message says why. Nothing was written. Make the change by hand.",
+)
+
+UNREADABLE_FILE = Code(
+    "unreadable-file",
+    "A file cannot be read as text: it is not there, a folder, too large, not UTF-8, has "
+    "NUL bytes, or the operating system refuses. Save it as UTF-8, or name another file.",
+)
+
+BAD_PROJECT = Code(
+    "bad-project",
+    "The project file `plastron.yaml` has a mistake: it is no YAML, or a key or a value of "
+    "it means nothing. What is wrong counts as not written.",
+)
+
+OUTSIDE_PROJECT = Code(
+    "outside-project",
+    "A `load`, or a path in `plastron.yaml`, leads out of the project, by `..`, an "
+    "absolute path, `~` or a symbolic link; or into what is hidden (`.git`) or "
+    "installed (`site-packages`). Or a link leads there from a program that is to be "
+    "written, or from the definition of a type. Somebody else may have written it. Move "
+    "what is meant into the project, or trust the project once with `plastron trust`; "
+    "an output folder may also be named with `-o`.",
+)
+
+FOREIGN_PROJECT = Code(
+    "foreign-project",
+    "`plastron.yaml`, or the folder that it is in, belongs to another user. It is not read "
+    "until you trust the project with `plastron trust`.",
+)
+
+UNTRUSTED_TEMPLATES = Code(
+    "untrusted-templates",
+    "The project has templates of its own, which decide what is in the nodes. Until you "
+    "trust the project with `plastron trust`, Plastron's own are shown instead, and "
+    "nothing is generated.",
+    severity=Severity.WARNING,
+)
+
+RUNS_BY_ITSELF = Code(
+    "runs-by-itself",
+    "A node file would get a name that Python, pytest, a shell or git runs without being "
+    "asked (`usercustomize.py`, `conftest.py`, `.bashrc`), or that other nodes would "
+    "import in the place of a module of Python's or of ROS (`rospy.py`). Give the file "
+    "another name, or write it over the one that it comes from with `--in-place`.",
+)
+
+UNSAFE_TRUST_STORE = Code(
+    "unsafe-trust-store",
+    "What `plastron trust` remembers among your own files could have been written by "
+    "somebody else, or is broken, and counts for nothing. Remove it, and trust your "
+    "folders again.",
+)
+
+NOTHING_TO_GENERATE = Code(
+    "nothing-to-generate",
+    "A program generates no node. End it with `generate_node` and the variable of a node.",
+)
+
+PORT_BY_HAND = Code(
+    "port-by-hand",
+    "A node goes from one ROS to the other (`generate_node` of a loaded node, `using` "
+    "another client library), and this line means nothing there, or something else. It is "
+    "carried over as it is, under a comment `# port by hand: …`; change it in the new "
+    "file.",
+    severity=Severity.WARNING,
+)
+
+MERGED_BY_HAND = Code(
+    "merged-by-hand",
+    "A generated file was changed by hand. It is kept, and what changed in the "
+    "program since the file was written is changed in it. A warning of its own names each "
+    "place where file and program now differ. `generate --force` writes it anew and "
+    "keeps a backup.",
+    severity=Severity.WARNING,
+)
+
+LEFT_BEHIND = Code(
+    "left-behind",
+    "A node does other things than before, so that its file has another name; the old file "
+    "is still there and can still be started. What was written in it by hand went into the "
+    "new file. Compare the two, and remove the old one.",
+    severity=Severity.WARNING,
+)
+
+HIDDEN_FILE = Code(
+    "hidden-file",
+    "`load NAME` finds a file in the output folder, and another of the same name in the "
+    "program's folder. Nothing tells that Plastron wrote the first (its `.plastron.json` "
+    "is gone, perhaps), so that changes which an earlier run made would be made again. "
+    "Remove the first, or load the other by its path.",
+    severity=Severity.WARNING,
+)
+
+CHANGES_UNDONE = Code(
+    "changes-undone",
+    "A file that other programs had loaded and changed is made anew, without their "
+    "changes, because the program that it came from has changed. Generate the others "
+    "again.",
+    severity=Severity.WARNING,
+)

@@ -1,0 +1,62 @@
+"""ROS as it is installed, and what runs. No program shows these mistakes."""
+
+from __future__ import annotations
+
+from plastron_tui.diagnostics.code import Code
+from plastron_tui.diagnostics.severity import Severity
+
+UNUSABLE_TYPE = Code(
+    "unusable-type",
+    "A type has a field whose name is a keyword of Python. ROS 2 generates a Python module "
+    "for it that Python cannot read, so that no Python node can use the type, nor one that "
+    "it is part of. Give the field another name, or write the node in another language.",
+)
+
+BAD_DEFINITION = Code(
+    "bad-definition",
+    "A `.msg`, `.srv` or `.action` file has a mistake, or cannot be read; its type counts "
+    "as not there. Correct the line, or the file.",
+)
+
+NO_ROS = Code(
+    "no-ros",
+    "No ROS of the wanted version is on this machine. The help line has the command that "
+    "installs one.",
+)
+
+HALF_A_ROS = Code(
+    "half-a-ros",
+    "A ROS is installed in part: a client library without a middleware or a master, or a "
+    "sourced ROS without a client library. The help line says how to add the rest.",
+)
+
+MISSING_ROS_PACKAGE = Code(
+    "missing-ros-package",
+    "The program uses messages or services of a package that the ROS on this machine does "
+    "not have. The help line has the command that installs it.",
+)
+
+NO_MASTER = Code(
+    "no-master",
+    "No ROS 1 master answers at `ROS_MASTER_URI`, or none could be started there. Correct "
+    "the variable, or unset it: `plastron run` then starts a master of its own.",
+)
+
+REMOTE_MASTER = Code(
+    "remote-master",
+    "`ROS_MASTER_URI` names another machine, but nodes speak on this machine only unless "
+    "`--network` is given; a master on this machine is used instead.",
+    severity=Severity.WARNING,
+)
+
+NO_GRAPH = Code(
+    "no-graph",
+    "The running graph could not be read; the message says why.",
+)
+
+UNSUPPORTED_TARGET = Code(
+    "unsupported-target",
+    "Plastron cannot do this for the client library yet: use `rospy` or `rclpy`. Or the "
+    "client library is another distribution's, which cannot be loaded; the message says "
+    "why.",
+)

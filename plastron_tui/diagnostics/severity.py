@@ -1,0 +1,10 @@
+"""How bad a mistake is."""
+
+from enum import Enum
+
+
+class Severity(str, Enum):
+    """How bad it is. A program with an error generates nothing; a warning stops nothing."""
+
+    ERROR = "error"
+    WARNING = "warning"
