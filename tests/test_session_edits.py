@@ -201,4 +201,4 @@ def test_a_renamed_program_is_known_by_the_text_that_it_has_now(tmp_path: Path) 
 def _starts(session: Session) -> bytes:
     source = session.workspace.nodes["talker"].source
     assert source is not None
-    return source.text
+    return source.files.main

@@ -1,19 +1,19 @@
 """Reading and editing Python nodes, whoever wrote them and however."""
 
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
-
-from .reader import read_python
 
 if TYPE_CHECKING:
     from .editor import edit_python
+    from .reader import read_python
 
 __all__ = ["edit_python", "read_python"]
 
+_MODULES = {"edit_python": "editor", "read_python": "reader"}
+
 
 def __getattr__(name: str) -> Any:
-    """Import the editor, which is three times the reader's size, when it is first used."""
-    if name != "edit_python":
+    """Import what reads or edits when it is first used: both need the parser of Python."""
+    if name not in _MODULES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    from .editor import edit_python
-
-    return edit_python
+    return getattr(import_module(f".{_MODULES[name]}", __name__), name)
