@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
-from importlib import import_module
 from pathlib import Path
 
 import click
 
 from plastron_tui.model.graph import graph_of
 from plastron_tui.model.workspace import Workspace
+from plastron_tui.output.graphs import FORMATS, render
 from plastron_tui.session import Options, Session
 
 from .common import (
@@ -27,7 +27,7 @@ from .common import (
 @click.command(epilog="Example: plastron graph --format svg robot.plastron > robot.svg")
 @programs_argument
 @target_option
-@format_option("text", "json", "mermaid", "dot", "svg")
+@format_option(*FORMATS)
 def command(files: tuple[Path, ...], target: str | None, format_: str) -> None:
     """Show the nodes of programs, and the topics and services that join them.
 
@@ -36,8 +36,7 @@ def command(files: tuple[Path, ...], target: str | None, format_: str) -> None:
     report = Report()
     sessions = open_sessions(files, report, Options(target=target))
     if sessions:
-        renderer = import_module(f"plastron_tui.output.graphs.{format_}")
-        print_text(renderer.render(graph_of(joined(sessions))))
+        print_text(render(graph_of(joined(sessions)), format_))
     for session in sessions:
         report.add(session.diagnostics, session.lines, session.path)
     finish(report)

@@ -11,6 +11,8 @@ from pathlib import Path
 import pytest
 from command_line import BROKEN, LISTENER, PLASTRON, TALKER, Run, snapshot
 
+from plastron_tui.output.graphs import FORMATS
+
 UNTIDY = "create_node   'a'  as a // note\n\n\n\nsubscribe  a to 'x' of message_type String\n"
 TIDY = "create_node 'a' as a // note\n\nsubscribe a to 'x' of message_type String\n"
 
@@ -143,7 +145,7 @@ def test_fmt_does_not_judge_what_a_program_means(run: Run, here: Path) -> None:
     assert run("fmt", "a.plastron").returncode == 0
 
 
-@pytest.mark.parametrize("format_", ["text", "json", "mermaid", "dot", "svg"])
+@pytest.mark.parametrize("format_", FORMATS)
 @pytest.mark.parametrize("text", [TALKER + LISTENER, TALKER + LISTENER + "nonsense here\n", ""])
 def test_graph_shows_what_is_right(run: Run, here: Path, format_: str, text: str) -> None:
     write(here, text)

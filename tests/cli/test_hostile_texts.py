@@ -9,6 +9,8 @@ import pytest
 from command_line import PLASTRON, TALKER
 from hostile import NAME, ODD_NAME, PAYLOAD, PROGRAM, obeyed, on_terminal
 
+from plastron_tui.output.graphs import FORMATS
+
 NODE = f"""\
 #!/usr/bin/env python3
 # {PAYLOAD}
@@ -19,7 +21,6 @@ rospy.Publisher("a{PAYLOAD}", String)
 rospy.Publisher("chatter", String)  # {PAYLOAD}
 """
 
-FORMATS = ("text", "dot", "mermaid", "json", "svg")
 COMMANDS: list[tuple[str, ...]] = [
     ("check", f"{NAME}.plastron"),
     ("check", f"{NAME}.plastron", "--format", "json"),

@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
 
+import click
 import pytest
 from click.testing import CliRunner
 from command_line import BROKEN, PLASTRON, TALKER, Run
 
 from plastron_tui.cli.group import cli
+
+PAGE = Path(__file__).parents[2] / "docs" / "commands.md"
 
 COMMANDS = (
     *("check", "completion", "describe", "fmt", "generate", "graph", "inspect", "run", "serve"),
@@ -91,6 +95,17 @@ def test_help_lists_every_command_with_a_line() -> None:
     for command in COMMANDS:
         (line,) = (line for line in result.output.split("\n") if line.startswith(f"  {command} "))
         assert len(line.split()) > 2
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_the_choices_on_the_page_of_commands_are_those_there_are(name: str) -> None:
+    command = cli.get_command(click.Context(cli), name)
+    assert command is not None
+    types = [parameter.type for parameter in command.params]
+    choices = {"|".join(type_.choices) for type_ in types if isinstance(type_, click.Choice)}
+    _, overview, *_ = PAGE.read_text(encoding="utf-8").split("```")
+    (usage,) = re.findall(rf"^plastron {name}\b.*", overview, re.MULTILINE)
+    assert set(re.findall(r"\b[a-z0-9]+(?:\|[a-z0-9]+)+", usage)) <= choices
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
-"""The graph of a program, drawn: text, JSON, Mermaid, Graphviz and SVG.
+"""The graph of a program, drawn in one of several formats.
 
-Each module has one `render(graph)` that returns the whole document, its last newline included.
+A format is a module of this package that is named after it, with a `render(graph)` that returns
+the whole document, its last newline included.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from importlib import import_module
 from plastron_tui.model.graph import Graph
 
 FORMATS = ("text", "json", "mermaid", "dot", "svg")
-"""The formats, by the names of their modules; the first is the default."""
+"""Every format there is; the first is the default."""
 
 
 def render(graph: Graph, format_: str) -> str:
