@@ -7,8 +7,8 @@ from pathlib import Path
 from statistics import median
 
 from plastron_tui.diagnostics import Span
+from plastron_tui.model.kinds import Subscription
 from plastron_tui.model.source import Add, Change, EndpointKind, FileSet, Remove
-from plastron_tui.model.workspace import Subscription
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.targets import find_target, read_source

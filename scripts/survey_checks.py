@@ -18,18 +18,12 @@ from collections.abc import Iterator, Sequence
 from functools import cached_property
 from pathlib import Path
 
+from plastron_tui.model.kinds import Client, Publisher, Subscription, kind_of
 from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceUnit
-from plastron_tui.model.workspace import Client, Publisher, Service, Subscription
 from plastron_tui.sources.python.syntax import parse
 
 Key = tuple[EndpointKind, str, str, str]
 
-_KINDS = {
-    Publisher: EndpointKind.PUBLISHER,
-    Subscription: EndpointKind.SUBSCRIPTION,
-    Service: EndpointKind.SERVICE,
-    Client: EndpointKind.CLIENT,
-}
 # What an added endpoint calls on its node.
 _NODE_METHODS = frozenset(
     {"create_publisher", "create_subscription", "create_service", "create_client"}
@@ -110,8 +104,8 @@ def _check_addition(before: Text, after: Text, change: Add) -> Iterator[str]:
     timers = [key for key in more.elements() if key[0] is EndpointKind.TIMER]
     added = [key for key in more.elements() if key[0] is not EndpointKind.TIMER]
     endpoint = change.endpoint
-    name = endpoint.topic if isinstance(endpoint, (Publisher, Subscription)) else endpoint.name
-    expected = (_KINDS[type(endpoint)], name, str(endpoint.type))
+    name = endpoint.name
+    expected = (kind_of(type(endpoint)), name, str(endpoint.type))
     if [key[:3] for key in added] != [expected]:
         yield f"adds {_listed(more)} instead of {name}"
     # A message is sent, and a request is made, in a timer of its own where the file has no loop.

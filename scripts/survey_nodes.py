@@ -24,10 +24,8 @@ from pathlib import Path
 from survey_checks import Text, check, names_at_fault
 
 from plastron_tui.diagnostics import Diagnostic, Span
-from plastron_tui.model.endpoints import EDITABLE
-from plastron_tui.model.source import Add, Change, EndpointKind, FileSet, Remove, SourceUnit
-from plastron_tui.model.values import MessageValue
-from plastron_tui.model.workspace import (
+from plastron_tui.model.kinds import (
+    EDITABLE,
     Client,
     Message,
     Publication,
@@ -35,6 +33,8 @@ from plastron_tui.model.workspace import (
     Service,
     Subscription,
 )
+from plastron_tui.model.source import Add, Change, EndpointKind, FileSet, Remove, SourceUnit
+from plastron_tui.model.values import MessageValue
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.targets import find_target, read_source
@@ -230,11 +230,7 @@ def _callback(source: SourceUnit) -> str | None:
 
 
 def _name_of(change: Change) -> str:
-    if isinstance(change, Remove):
-        return change.name
-    endpoint = change.endpoint
-    is_topic = isinstance(endpoint, (Publisher, Subscription))
-    return endpoint.topic if is_topic else endpoint.name  # type: ignore[union-attr]
+    return change.name if isinstance(change, Remove) else change.endpoint.name
 
 
 def _removal(change: Add) -> Remove:

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from plastron_tui import loader
+from plastron_tui.model.kinds import Publisher
 from plastron_tui.output import manifest
 from plastron_tui.output.manifest import Reading, load_manifest
 from plastron_tui.output.plan import FileState
@@ -49,7 +50,7 @@ def test_files_that_were_written_are_loaded_when_that_is_told(tmp_path: Path) ->
     assert codes(made) == ["file-not-found"]
     made.files_changed()
     assert codes(made) == []
-    assert list(made.workspace.nodes["talker"].publishers) == ["chatter"]
+    assert list(made.workspace.nodes["talker"].of(Publisher)) == ["chatter"]
 
 
 def test_a_manifest_is_read_once_and_again_where_it_changed(

@@ -14,7 +14,7 @@ from plastron_tui.output.remembered import recall
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources.base import Rendered
 
-from .changes import call_again, changes_of, drop, is_extended, names_in
+from .changes import call_again, changes_of, is_extended, names_in
 from .handwork import files_on_disk
 
 if TYPE_CHECKING:
@@ -149,7 +149,7 @@ def _own_node(node: Node, original: SourceUnit) -> Node:
         if endpoint.span is not None or is_extended(endpoint):
             asked.add((kind, name))
         elif name not in names[kind]:
-            drop(own, kind, name)
+            del own.by_kind[kind][name]
     for each in original.endpoints:
         if (each.kind, each.name) not in asked and each.name is not None:
             call_again(own, each, each.name)

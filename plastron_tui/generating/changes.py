@@ -4,9 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from plastron_tui.model.endpoints import EDITABLE
-from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceEndpoint, SourceUnit
-from plastron_tui.model.workspace import Client, Endpoint, Node, Publisher
+from plastron_tui.model.kinds import (
+    EDITABLE,
+    Client,
+    Endpoint,
+    EndpointKind,
+    Publisher,
+    Service,
+    Subscription,
+)
+from plastron_tui.model.source import Add, Change, Remove, SourceEndpoint, SourceUnit
+from plastron_tui.model.workspace import Node
 
 
 def changes_of(node: Node) -> tuple[Change, ...]:
@@ -56,23 +64,6 @@ def names_in(source: SourceUnit) -> dict[EndpointKind, set[str]]:
 
 def call_again(node: Node, found: SourceEndpoint, name: str) -> None:
     """Let an endpoint of a node call the function that it calls in a file."""
-    subscription, service = node.subscriptions.get(name), node.services.get(name)
-    if found.kind is EndpointKind.SUBSCRIPTION and subscription is not None:
-        node.subscriptions[name] = subscription._replace(callback=found.callback)
-    elif found.kind is EndpointKind.SERVICE and service is not None:
-        node.services[name] = service._replace(handler=found.callback)
-
-
-def drop(node: Node, kind: EndpointKind, name: str) -> None:
-    """Take an endpoint out of a node."""
-    match kind:
-        case EndpointKind.PUBLISHER:
-            del node.publishers[name]
-        case EndpointKind.SUBSCRIPTION:
-            del node.subscriptions[name]
-        case EndpointKind.SERVICE:
-            del node.services[name]
-        case EndpointKind.CLIENT:
-            del node.clients[name]
-        case _:
-            pass
+    endpoint = node.endpoints.get((found.kind, name))
+    if isinstance(endpoint, Subscription | Service):
+        node.put(endpoint._replace(callback=found.callback))

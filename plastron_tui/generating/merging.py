@@ -13,7 +13,15 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
-from plastron_tui.model.endpoints import EDITABLE
+from plastron_tui.model.kinds import (
+    EDITABLE,
+    Client,
+    Endpoint,
+    EndpointKey,
+    Publisher,
+    Service,
+    Subscription,
+)
 from plastron_tui.model.source import (
     Add,
     Change,
@@ -23,15 +31,7 @@ from plastron_tui.model.source import (
     SourceEndpoint,
     SourceUnit,
 )
-from plastron_tui.model.workspace import (
-    Client,
-    Endpoint,
-    EndpointKey,
-    Node,
-    Publisher,
-    Service,
-    Subscription,
-)
+from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets.base import Target
 
@@ -337,7 +337,7 @@ def _has_type(found: SourceEndpoint, endpoint: Endpoint) -> bool:
 
 def _calling(endpoint: Endpoint) -> str | None:
     match endpoint:
-        case Subscription(callback=name) | Service(handler=name):
+        case Subscription(callback=name) | Service(callback=name):
             return name
         case _:
             return None
@@ -345,10 +345,8 @@ def _calling(endpoint: Endpoint) -> str | None:
 
 def _with_callback(endpoint: Endpoint, name: str) -> Endpoint:
     match endpoint:
-        case Subscription():
+        case Subscription() | Service():
             return endpoint._replace(callback=name)
-        case Service():
-            return endpoint._replace(handler=name)
         case _:
             return endpoint
 

@@ -14,8 +14,9 @@ from plastron_tui.diagnostics import Span
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.names import resolved_name
 
+from .kinds import Client, Publication, Publisher, Service, Subscription
 from .values import MessageValue
-from .workspace import Client, Node, Publication, Publisher, Service, Subscription, Workspace
+from .workspace import Node, Workspace
 
 
 class Missing(str, Enum):
@@ -175,13 +176,13 @@ def graph_of(workspace: Workspace) -> Graph:
     for node in workspace.nodes.values():
         shown = _node(node, generated)
         nodes.append(shown)
-        for publisher in node.publishers.values():
-            _ends(topics, node, publisher.topic)[0].append(_publisher(shown, publisher))
-        for listener in node.subscriptions.values():
-            _ends(topics, node, listener.topic)[1].append(_subscriber(shown, listener))
-        for service in node.services.values():
+        for publisher in node.of(Publisher).values():
+            _ends(topics, node, publisher.name)[0].append(_publisher(shown, publisher))
+        for listener in node.of(Subscription).values():
+            _ends(topics, node, listener.name)[1].append(_subscriber(shown, listener))
+        for service in node.of(Service).values():
             _ends(services, node, service.name)[0].append(_provider(shown, service))
-        for client in node.clients.values():
+        for client in node.of(Client).values():
             _ends(services, node, client.name)[1].append(_client(shown, client))
     return Graph(
         tuple(nodes),
@@ -216,15 +217,15 @@ def _sending(publication: Publication) -> Sending:
 
 def _publisher(node: GraphNode, publisher: Publisher) -> TopicPublisher:
     sendings = tuple([_sending(publication) for publication in publisher.publications])
-    return TopicPublisher(node, publisher.topic, publisher.type, sendings, publisher.span)
+    return TopicPublisher(node, publisher.name, publisher.type, sendings, publisher.span)
 
 
 def _subscriber(node: GraphNode, listener: Subscription) -> TopicSubscriber:
-    return TopicSubscriber(node, listener.topic, listener.type, listener.callback, listener.span)
+    return TopicSubscriber(node, listener.name, listener.type, listener.callback, listener.span)
 
 
 def _provider(node: GraphNode, service: Service) -> ServiceProvider:
-    return ServiceProvider(node, service.name, service.type, service.handler, service.span)
+    return ServiceProvider(node, service.name, service.type, service.callback, service.span)
 
 
 def _client(node: GraphNode, client: Client) -> ServiceClient:

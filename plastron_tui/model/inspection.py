@@ -6,25 +6,6 @@ from typing import Any
 
 from .source import EndpointKind, SourceEndpoint, SourceNode, SourceUnit
 
-_NAME_KEYS = {
-    EndpointKind.PUBLISHER: "topic",
-    EndpointKind.SUBSCRIPTION: "topic",
-    EndpointKind.SERVICE: "service",
-    EndpointKind.CLIENT: "service",
-    EndpointKind.ACTION_SERVER: "action",
-    EndpointKind.ACTION_CLIENT: "action",
-    EndpointKind.PARAMETER: "name",
-}
-_WITH_TYPE = frozenset(_NAME_KEYS) - {EndpointKind.PARAMETER}
-_WITH_CALLBACK = frozenset(
-    {
-        EndpointKind.SUBSCRIPTION,
-        EndpointKind.SERVICE,
-        EndpointKind.ACTION_SERVER,
-        EndpointKind.TIMER,
-    }
-)
-
 
 def inspect_json(source: SourceUnit) -> dict[str, Any]:
     """Describe a file as JSON: one entry for each call site, in the order of the file."""
@@ -44,14 +25,15 @@ def _node(node: SourceNode) -> dict[str, Any]:
 
 def _endpoint(endpoint: SourceEndpoint) -> dict[str, Any]:
     found: dict[str, Any] = {}
-    if (key := _NAME_KEYS.get(endpoint.kind)) is not None:
-        found[key] = endpoint.name
+    facts = endpoint.kind.facts
+    if facts.named is not None:
+        found[facts.named] = endpoint.name
     found["expression"] = endpoint.expression
     if endpoint.default is not None:
         found["default"] = endpoint.default
-    if endpoint.kind in _WITH_TYPE:
+    if facts.interface is not None:
         found["type"] = str(endpoint.type) if endpoint.type is not None else None
-    if endpoint.kind in _WITH_CALLBACK:
+    if facts.calls_back:
         found["callback"] = endpoint.callback
     found["line"] = endpoint.line
     return found

@@ -6,9 +6,9 @@ from plastron_tui.diagnostics import Diagnostic, codes, guess, write
 from plastron_tui.diagnostics.wording import listed
 from plastron_tui.language.statements import Load
 
-from .endpoints import EDITABLE
-from .source import EndpointKind, SourceEndpoint, SourceUnit
-from .workspace import Client, Node, Publisher, Service, Subscription
+from .kinds import EDITABLE
+from .source import SourceEndpoint, SourceUnit
+from .workspace import Node
 
 
 def node_in(source: SourceUnit, statement: Load) -> SourceUnit | Diagnostic:
@@ -56,17 +56,10 @@ def loaded_node(source: SourceUnit, statement: Load) -> Node:
 
 def add_found(node: Node, found: SourceEndpoint, name: str) -> None:
     """Add what a file has to a node, unless the node has it already."""
-    match found.kind:
-        case EndpointKind.PUBLISHER:
-            node.publishers.setdefault(name, Publisher(name, found.type))
-        case EndpointKind.SUBSCRIPTION:
-            node.subscriptions.setdefault(name, Subscription(name, found.type, found.callback))
-        case EndpointKind.SERVICE:
-            node.services.setdefault(name, Service(name, found.type, found.callback))
-        case EndpointKind.CLIENT:
-            node.clients.setdefault(name, Client(name, found.type))
-        case _:
-            pass
+    editing = found.kind.facts.editing
+    if editing is not None and name not in node.by_kind[found.kind]:
+        given = {"callback": found.callback} if found.kind.facts.calls_back else {}
+        node.put(editing.endpoint(name, found.type, **given))
 
 
 def has_other_work(node: Node) -> bool:

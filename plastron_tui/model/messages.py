@@ -2,34 +2,53 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from contextlib import suppress
 
-from plastron_tui.diagnostics import Diagnostic, Label, codes, guess, write
+from plastron_tui.diagnostics import Diagnostic, codes, guess
 from plastron_tui.language import statements as st
 from plastron_tui.language.lowering import Program
-from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+from plastron_tui.ros.interfaces import InterfaceKind
 
-from .checks import Checks, Mistake
-from .fitting import Fitter
+from .checks import Checks
+from .consequences import Consequences
+from .kinds import Message
+from .mistake import Mistake
+from .named_types import NamedTypes
 from .setting import Setting
-from .workspace import Message
+from .workspace import Workspace
 
 
-class Messages(Checks):
+class Messages:
     """Makes messages, and looks them up for the nodes that send them."""
 
-    def __init__(self, setting: Setting, fitters: Mapping[int, Fitter]) -> None:
-        """Start with none; the arguments are those of `Checks`."""
-        super().__init__(setting, fitters)
+    def __init__(
+        self,
+        setting: Setting,
+        workspace: Workspace,
+        checks: Checks,
+        types: NamedTypes,
+        consequences: Consequences,
+    ) -> None:
+        """Start with none; the arguments are what a `Run` has."""
+        self._setting = setting
+        self._workspace = workspace
+        self._checks = checks
+        self._types = types
+        self._consequences = consequences
+        self._version = setting.ros_version(None)
         self._program = Program(())
         self._made: dict[str, st.CreateMessage] = {}
         # Those that only the other ROS has, with its generation.
         self._foreign: dict[str, int] = {}
         self._variants: dict[tuple[str, int], Message | None] = {}
 
-    def _create_message(self, statement: st.CreateMessage) -> None:
-        self._check_new_variable(statement, statement.variable)
+    def begin(self, program: Program) -> None:
+        """Go on with another program."""
+        self._program = program
+
+    def create(self, statement: st.CreateMessage) -> None:
+        """Make the message that a statement asks for."""
+        self._checks.new_variable(statement, statement.variable)
         try:
             message = self._message_in(statement, self._version)
         except Mistake:
@@ -41,13 +60,13 @@ class Messages(Checks):
                     break
             else:
                 raise
-        self.workspace.messages[statement.variable] = message
+        self._workspace.messages[statement.variable] = message
         self._made[statement.variable] = statement
 
     def _message_in(self, statement: st.CreateMessage, version: int) -> Message:
         """Make a message of the type that its name means in a generation of ROS."""
-        type_ = self._type(statement, statement.type, InterfaceKind.MESSAGE, version)
-        value = self._fit(statement, type_, version)
+        type_ = self._types.named(statement, statement.type, InterfaceKind.MESSAGE, version)
+        value = self._types.fit(statement, type_, version)
         return Message(statement.variable, value, statement.span)
 
     def _other_versions(self) -> set[int]:
@@ -59,7 +78,7 @@ class Messages(Checks):
         }
         return used - {self._version}
 
-    def _message_for(self, message: Message, version: int) -> Message:
+    def for_version(self, message: Message, version: int) -> Message:
         """Return a message as nodes of a generation of ROS send it."""
         variable = message.variable
         if version == self._foreign.get(variable, self._version):
@@ -73,16 +92,17 @@ class Messages(Checks):
             raise Mistake
         return found
 
-    def _message(self, statement: st.Publish) -> Message:
-        message = self.workspace.messages.get(statement.message)
+    def find(self, statement: st.Publish) -> Message:
+        """Return the message that a statement sends."""
+        message = self._workspace.messages.get(statement.message)
         if message is not None:
             return message
         variable = statement.message
-        if self._is_broken(variable):
+        if self._consequences.declares(variable):
             raise Mistake
         where = statement.span_of("message")
-        remedy, fix = guess(variable, self.workspace.messages, where)
-        if variable in self.workspace.nodes:
+        remedy, fix = guess(variable, self._workspace.messages, where)
+        if variable in self._workspace.nodes:
             remedy, fix = f"`{variable}` is a node", None
         if remedy is None:
             made = f"create_message {variable} of message_type {statement.type} and input"
@@ -92,18 +112,3 @@ class Messages(Checks):
                 codes.UNKNOWN_MESSAGE, f"no message `{variable}`", where, help=remedy, fix=fix
             )
         )
-
-    def _check_sent(self, statement: st.Publish, message: Message, type_: InterfaceName) -> None:
-        """Check that a message is of the type that its topic takes."""
-        if message.value.type != type_:
-            where = statement.span_of("type")
-            raise Mistake(
-                Diagnostic(
-                    codes.MESSAGE_TYPE_MISMATCH,
-                    f"`{message.variable}` is of type `{message.value.type}`, not `{type_}`",
-                    where,
-                    help=f"write of message_type {message.value.type}",
-                    fix=write(str(message.value.type), where),
-                    labels=(Label(message.span, "created here"),),
-                )
-            )

@@ -5,29 +5,18 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 
-from plastron_tui.language.syntax_errors import KEYWORDS
+from plastron_tui.language.declaration import DECLARATIONS, SlotKind
+from plastron_tui.language.keywords import KEYWORDS
+from plastron_tui.language.sentence import sentence
+from plastron_tui.language.statements import CreateMessage
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.names import (
     check_node_name,
-    check_service_name,
-    check_topic_name,
     mended_node_name,
 )
 
 from .numbering import numbered
 from .source import EndpointKind, SourceEndpoint, SourceNode, SourceUnit
-
-_WORDS = {
-    EndpointKind.PUBLISHER: "publishes to",
-    EndpointKind.SUBSCRIPTION: "subscribes to",
-    EndpointKind.SERVICE: "provides the service",
-    EndpointKind.CLIENT: "requests the service",
-    EndpointKind.ACTION_SERVER: "serves the action",
-    EndpointKind.ACTION_CLIENT: "requests the action",
-    EndpointKind.TIMER: "has a timer of",
-    EndpointKind.PARAMETER: "uses the parameter",
-}
-_SERVICES = (EndpointKind.SERVICE, EndpointKind.CLIENT)
 
 
 class Variables:
@@ -90,8 +79,9 @@ def _statement(
 ) -> tuple[str, ...] | None:
     """Return the statements that make an endpoint, None when the language has none for it."""
     name, type_ = endpoint.name, endpoint.type
-    check = check_service_name if endpoint.kind in _SERVICES else check_topic_name
-    if name is None or type_ is None or check(name, ros_version) is not None:
+    if name is None or type_ is None:
+        return None
+    if endpoint.kind.facts.check_name(name, ros_version) is not None:
         return None
     stem = f"{name.strip('/~').replace('/', '_')}_message"
     call = _calling(endpoint)
@@ -114,23 +104,20 @@ def endpoint_statements(
         name: its topic or service.
         type_: its type.
         new_message: makes a variable for a message, where one is needed.
-        calling: the clause that names the callback, with a space before it.
+        calling: the function that is called, "" for one that is made.
     """
-    match kind:
-        case EndpointKind.PUBLISHER:
-            message = new_message()
-            return (
-                f"create_message {message} of message_type {type_} and input none",
-                f"{node} publish {message} to '{name}' of message_type {type_}",
-            )
-        case EndpointKind.SUBSCRIPTION:
-            return (f"subscribe {node} to '{name}' of message_type {type_}{calling}",)
-        case EndpointKind.SERVICE:
-            return (f"{node} provides_service '{name}' of service_type {type_}{calling}",)
-        case EndpointKind.CLIENT:
-            return (f"{node} client_requests '{name}' of service_type {type_} with input none",)
-        case _:
-            return None
+    editing = kind.facts.editing
+    if editing is None:
+        return None
+    texts = {"node": node, editing.name_slot: name, "type": str(type_), "input": "none"}
+    if calling:
+        texts["function"] = calling
+    if any(slot.kind is SlotKind.MESSAGE for slot in editing.making.slots):
+        texts["message"] = new_message()
+        message = {"variable": texts["message"], "type": str(type_), "input": "none"}
+        made = sentence(DECLARATIONS[CreateMessage], message)
+        return (made, sentence(editing.making, texts))
+    return (sentence(editing.making, texts),)
 
 
 def _calling(endpoint: SourceEndpoint) -> str:
@@ -139,11 +126,11 @@ def _calling(endpoint: SourceEndpoint) -> str:
         return ""
     if callback in KEYWORDS:
         return ""
-    return f" calling {callback}"
+    return callback
 
 
 def _comment(endpoint: SourceEndpoint) -> str:
-    what = f"// line {endpoint.line}: {_WORDS[endpoint.kind]} {_shown(endpoint.expression)}"
+    what = f"// line {endpoint.line}: {endpoint.kind.facts.verb} {_shown(endpoint.expression)}"
     if endpoint.type is not None:
         what += f" of type {endpoint.type}"
     elif endpoint.type_expression:

@@ -10,8 +10,8 @@ from typing import NamedTuple, TypeVar
 from plastron_tui.diagnostics import Span
 from plastron_tui.ros.interfaces import InterfaceName
 
-from .endpoints import Client, Publisher, Service, Subscription
-from .endpoints import EndpointKind as EndpointKind
+from .kinds import Client, Publisher, Service, Subscription
+from .kinds import EndpointKind as EndpointKind
 
 P = TypeVar("P", bound=PurePath)
 

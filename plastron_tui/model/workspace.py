@@ -6,52 +6,42 @@ that targets, panels and graphs see one kind of node.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Span
 
-from .endpoints import (
-    DEFAULT_RATE,
-    Client,
+from .kinds import (
+    EDITABLE,
     Endpoint,
     EndpointKey,
     EndpointKind,
+    EndpointType,
     Message,
-    Publication,
-    Publisher,
-    Service,
-    Subscription,
+    kind_of,
 )
 
 if TYPE_CHECKING:
     from .source import SourceUnit
 
-__all__ = [
-    "DEFAULT_RATE",
-    "Client",
-    "Endpoint",
-    "EndpointKey",
-    "EndpointKind",
-    "Generation",
-    "Message",
-    "Node",
-    "Publication",
-    "Publisher",
-    "Service",
-    "Subscription",
-    "Workspace",
-]
+
+def _none() -> dict[EndpointKind, dict[str, Endpoint]]:
+    return {kind: {} for kind in EDITABLE}
 
 
 @dataclass(slots=True)
 class Node:
     """A node, as the program has it so far.
 
-    The four dictionaries are keyed by the graph name as it is written, in the order in which
-    the endpoints came. `source` is the file that a loaded node came from, None for one that
-    was created; `removed` says which statement took a name away last.
+    Attributes:
+        name: its name.
+        variable: the program's variable for it.
+        span: the statement that created or loaded it.
+        library: the client library that it names.
+        source: the file that a loaded node came from, None for one that was created.
+        by_kind: its endpoints, by kind and then by graph name as it is written, in the order in
+            which they came.
+        removed: which statement took a name away last.
     """
 
     name: str
@@ -59,27 +49,30 @@ class Node:
     span: Span
     library: str | None = None
     source: SourceUnit | None = None
-    publishers: dict[str, Publisher] = field(default_factory=dict)
-    subscriptions: dict[str, Subscription] = field(default_factory=dict)
-    services: dict[str, Service] = field(default_factory=dict)
-    clients: dict[str, Client] = field(default_factory=dict)
+    by_kind: dict[EndpointKind, dict[str, Endpoint]] = field(default_factory=_none)
     removed: dict[str, Span] = field(default_factory=dict)
+
+    def of(self, type_: type[EndpointType]) -> dict[str, EndpointType]:
+        """Return the endpoints of one class by name: `node.of(Publisher)`."""
+        return self.by_kind[kind_of(type_)]  # type: ignore[return-value]
+
+    def put(self, endpoint: Endpoint) -> None:
+        """Give the node an endpoint, in place of the one of its kind and name."""
+        self.by_kind[kind_of(type(endpoint))][endpoint.name] = endpoint
 
     @property
     def is_idle(self) -> bool:
         """Whether the node would do nothing."""
-        return not (self.publishers or self.subscriptions or self.services or self.clients)
+        return not any(self.by_kind.values())
 
     @property
     def endpoints(self) -> dict[EndpointKey, Endpoint]:
         """The endpoints of all kinds, by kind and name."""
-        kinds: dict[EndpointKind, Mapping[str, Endpoint]] = {
-            EndpointKind.PUBLISHER: self.publishers,
-            EndpointKind.SUBSCRIPTION: self.subscriptions,
-            EndpointKind.SERVICE: self.services,
-            EndpointKind.CLIENT: self.clients,
+        return {
+            (kind, name): each
+            for kind, found in self.by_kind.items()
+            for name, each in found.items()
         }
-        return {(kind, name): each for kind, found in kinds.items() for name, each in found.items()}
 
     @property
     def packages(self) -> frozenset[str]:
@@ -90,17 +83,9 @@ class Node:
     def snapshot(self) -> Node:
         """Return the node as it is now, untouched by what later statements do to it."""
         # `dataclasses.replace` takes four times as long, and a program may have thousands.
+        by_kind = {kind: dict(found) for kind, found in self.by_kind.items()}
         return Node(
-            self.name,
-            self.variable,
-            self.span,
-            self.library,
-            self.source,
-            dict(self.publishers),
-            dict(self.subscriptions),
-            dict(self.services),
-            dict(self.clients),
-            self.removed,
+            self.name, self.variable, self.span, self.library, self.source, by_kind, self.removed
         )
 
 

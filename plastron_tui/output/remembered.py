@@ -15,20 +15,13 @@ A message is an object of one key, its type; all other values are JSON's own.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple
 
 from plastron_tui.diagnostics import Span
+from plastron_tui.model.kinds import EDITABLE, Endpoint, EndpointKind, Message, Publication
 from plastron_tui.model.values import MessageValue, Value
-from plastron_tui.model.workspace import (
-    Client,
-    Message,
-    Node,
-    Publication,
-    Publisher,
-    Service,
-    Subscription,
-)
+from plastron_tui.model.workspace import Node
 from plastron_tui.ros.interfaces import InterfaceName
 
 from .manifest import Base
@@ -44,24 +37,11 @@ def remember(node: Node, library: str, program: str) -> Base:
         library: the client library that its file is for.
         program: the name of the program's file, "" where it has none.
     """
-    kinds: dict[str, dict[str, Any]] = {
-        "publishers": {
-            each.topic: _endpoint(each.type, sends=[_sending(sent) for sent in each.publications])
-            for each in node.publishers.values()
-        },
-        "subscriptions": {
-            each.topic: _endpoint(each.type, calling=each.callback)
-            for each in node.subscriptions.values()
-        },
-        "services": {
-            each.name: _endpoint(each.type, calling=each.handler) for each in node.services.values()
-        },
-        "clients": {
-            each.name: _endpoint(each.type, requests=[_json(sent) for sent in each.requests])
-            for each in node.clients.values()
-        },
+    used = {
+        kind.value: {name: _remembered(each) for name, each in found.items()}
+        for kind, found in node.by_kind.items()
+        if found
     }
-    used = {kind: endpoints for kind, endpoints in kinds.items() if endpoints}
     label = None if node.source is None else node.source.label
     named = {} if label is None else {"label": label}
     return {"node": node.name, **named, "library": library, "program": program, **used}
@@ -88,24 +68,35 @@ def recall(base: Base, label: str | None = None) -> Node | None:
         return None if other is None else recall(other, label)
     try:
         node = Node(_text(base["node"]), "", _NOWHERE, _text(base["library"]))
-        for name, data in base.get("publishers", {}).items():
-            sends = tuple(_publication(*sent) for sent in data["sends"])
-            node.publishers[name] = Publisher(name, _type(data["type"]), sends)
-        for name, data in base.get("subscriptions", {}).items():
-            node.subscriptions[name] = Subscription(name, _type(data["type"]), _calling(data))
-        for name, data in base.get("services", {}).items():
-            node.services[name] = Service(name, _type(data["type"]), _calling(data))
-        for name, data in base.get("clients", {}).items():
-            requests = tuple(_message(sent) for sent in data["requests"])
-            node.clients[name] = Client(name, _type(data["type"]), requests)
+        for kind in EDITABLE:
+            for name, data in base.get(kind.value, {}).items():
+                node.put(kind.editing.endpoint(name, _type(data["type"]), **_recalled(kind, data)))
     except (KeyError, TypeError, ValueError, AttributeError, RecursionError, OverflowError):
         return None
     return node
 
 
-def _endpoint(type_: InterfaceName | None, **details: Any) -> dict[str, Any]:
-    given = {name: value for name, value in details.items() if value is not None}
-    return {"type": None if type_ is None else str(type_), **given}
+class _Detail(NamedTuple):
+    """How a field of an endpoint is written, and read."""
+
+    key: str
+    write: Callable[[Any], Any]
+    read: Callable[[Any], Any]
+
+
+def _remembered(endpoint: Endpoint) -> dict[str, Any]:
+    given: dict[str, Any] = {"type": None if endpoint.type is None else str(endpoint.type)}
+    for field, detail in _DETAILS.items():
+        value = getattr(endpoint, field, None)
+        if value is not None:
+            given[detail.key] = detail.write(value)
+    return given
+
+
+def _recalled(kind: EndpointKind, data: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the other fields of an endpoint of a kind."""
+    fields = (field for field in kind.editing.endpoint._fields if field in _DETAILS)
+    return {field: _DETAILS[field].read(data.get(_DETAILS[field].key)) for field in fields}
 
 
 def _sending(publication: Publication) -> list[Any]:
@@ -154,12 +145,23 @@ def _type(text: Any) -> InterfaceName | None:
     return InterfaceName(package, name)
 
 
-def _calling(data: Mapping[str, Any]) -> str | None:
-    name = data.get("calling")
-    return None if name is None else _text(name)
-
-
 def _text(value: Any) -> str:
     if not isinstance(value, str):
         raise TypeError
     return value
+
+
+_DETAILS = {
+    "publications": _Detail(
+        "sends",
+        lambda sent: [_sending(each) for each in sent],
+        lambda sent: tuple(_publication(*each) for each in sent),
+    ),
+    "callback": _Detail("calling", str, lambda name: None if name is None else _text(name)),
+    "requests": _Detail(
+        "requests",
+        lambda sent: [_json(each) for each in sent],
+        lambda sent: tuple(_message(each) for each in sent),
+    ),
+}
+"""The fields of endpoints beside name, type and place."""

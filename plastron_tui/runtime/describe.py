@@ -7,14 +7,16 @@ import os
 import socket
 import struct
 import subprocess
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field
+from itertools import chain
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
 from plastron_tui.diagnostics import Diagnostic, Severity, codes
+from plastron_tui.model.kinds import EDITABLE, EndpointKind
 from plastron_tui.ros.interfaces import InterfaceName
 
 from .environment import LOOPBACK, Environment, node_environ
@@ -40,22 +42,22 @@ class DescribedNode:
 
     Attributes:
         name: its full name, such as `/arm/talker`.
-        publishers: topics and their types, None where nobody knows the type.
-        subscriptions: likewise.
-        services: the services that it provides.
-        clients: the services that it calls; ROS 1 does not know them.
+        by_kind: the names of its endpoints and their types, None where nobody knows the type.
+            ROS 1 does not know which services a node calls.
     """
 
     name: str
-    publishers: tuple[Endpoint, ...] = ()
-    subscriptions: tuple[Endpoint, ...] = ()
-    services: tuple[Endpoint, ...] = ()
-    clients: tuple[Endpoint, ...] = ()
+    by_kind: Mapping[EndpointKind, tuple[Endpoint, ...]] = field(default_factory=dict)
 
     @property
     def is_idle(self) -> bool:
         """Whether it has no endpoint beside those that every node has."""
-        return not (self.publishers or self.subscriptions or self.services or self.clients)
+        return not any(self.by_kind.values())
+
+    @property
+    def endpoints(self) -> Iterator[Endpoint]:
+        """Its endpoints of all kinds."""
+        return chain.from_iterable(self.by_kind.values())
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,13 +92,13 @@ def describe_ros1(uri: str) -> Described:
     topic_types: dict[str, InterfaceName | None] = {
         topic: interface_name(type_name) for topic, type_name in types.items()
     }
-    _collect(nodes, "publishers", publishers, topic_types.get)
-    _collect(nodes, "subscriptions", subscriptions, topic_types.get)
+    _collect(nodes, EndpointKind.PUBLISHER, publishers, topic_types.get)
+    _collect(nodes, EndpointKind.SUBSCRIPTION, subscriptions, topic_types.get)
     with ThreadPoolExecutor(_AT_ONCE) as pool:
         names = [name for name, _ in services if not name.endswith(_ROSCPP_SERVICES)]
         found = pool.map(lambda name: _service_type(uri, name), names)
         service_types = dict(zip(names, found, strict=True))
-        _collect(nodes, "services", services, service_types.get)
+        _collect(nodes, EndpointKind.SERVICE, services, service_types.get)
         alive = dict(zip(nodes, pool.map(lambda name: _answers(uri, name), nodes), strict=True))
     gone = [name for name, is_alive in alive.items() if not is_alive]
     kept = [node for name, node in nodes.items() if alive[name]]
@@ -138,7 +140,7 @@ def interface_name(text: str) -> InterfaceName | None:
 
 def _collect(
     nodes: dict[str, DescribedNode],
-    kind: str,
+    kind: EndpointKind,
     state: Iterable[tuple[str, list[str]]],
     type_of: Callable[[str], InterfaceName | None],
 ) -> None:
@@ -146,34 +148,22 @@ def _collect(
     for name, owners in state:
         for owner in owners:
             node = nodes.get(owner, DescribedNode(owner))
-            endpoints = (*getattr(node, kind), (name, type_of(name)))
-            added: Any = {kind: endpoints}
-            nodes[owner] = replace(node, **added)
+            endpoints = (*node.by_kind.get(kind, ()), (name, type_of(name)))
+            nodes[owner] = DescribedNode(owner, {**node.by_kind, kind: endpoints})
 
 
 def _of_report(report: Mapping[str, Any]) -> DescribedNode:
-    def endpoints(kind: str) -> tuple[Endpoint, ...]:
-        return tuple((name, interface_name(types[0])) for name, types in report[kind] if types)
+    def endpoints(kind: EndpointKind) -> tuple[Endpoint, ...]:
+        found = report[kind.value]
+        return tuple((name, interface_name(types[0])) for name, types in found if types)
 
-    return DescribedNode(
-        report["name"],
-        endpoints("publishers"),
-        endpoints("subscriptions"),
-        endpoints("services"),
-        endpoints("clients"),
-    )
+    return DescribedNode(report["name"], {kind: endpoints(kind) for kind in EDITABLE})
 
 
 def _shown(nodes: Iterable[DescribedNode]) -> tuple[DescribedNode, ...]:
     """Return the nodes by name, without what is infrastructure."""
     kept = [
-        replace(
-            node,
-            publishers=_own(node.publishers),
-            subscriptions=_own(node.subscriptions),
-            services=_own(node.services),
-            clients=_own(node.clients),
-        )
+        DescribedNode(node.name, {kind: _own(found) for kind, found in node.by_kind.items()})
         for node in nodes
         if node.name not in _INFRASTRUCTURE_NODES and not _is_hidden(node.name)
     ]

@@ -3,21 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import replace
+from collections.abc import Iterable, Sequence
 from functools import partial
 from itertools import chain
 
 from plastron_tui.diagnostics.terminal import visible
-from plastron_tui.model.endpoints import EndpointKind
+from plastron_tui.model.kinds import EndpointKind
 from plastron_tui.model.numbering import numbered
 from plastron_tui.model.program_text import Variables, endpoint_statements
-from plastron_tui.ros.names import (
-    NameProblem,
-    check_node_name,
-    check_service_name,
-    check_topic_name,
-)
+from plastron_tui.ros.names import check_node_name
 
 from .describe import DescribedNode, Endpoint
 
@@ -60,33 +54,32 @@ def to_program(
 
 
 def _sends(node: DescribedNode) -> bool:
-    return any(type_ is not None for _, type_ in (*node.publishers, *node.clients))
+    return any(
+        type_ is not None
+        for kind, found in node.by_kind.items()
+        if kind.facts.sends
+        for _, type_ in found
+    )
 
 
 def _named(node: DescribedNode, ros_version: int) -> DescribedNode:
     """Return a node without the endpoints whose names no program can say."""
 
-    def kept(
-        endpoints: Iterable[Endpoint], check: Callable[[str, int], NameProblem | None]
-    ) -> tuple[Endpoint, ...]:
+    def kept(kind: EndpointKind, endpoints: Iterable[Endpoint]) -> tuple[Endpoint, ...]:
         return tuple(
             (name, type_ if type_ is not None and _TYPE.fullmatch(str(type_)) else None)
             for name, type_ in endpoints
-            if check(name, ros_version) is None
+            if kind.facts.check_name(name, ros_version) is None
         )
 
-    return replace(
-        node,
-        publishers=kept(node.publishers, check_topic_name),
-        subscriptions=kept(node.subscriptions, check_topic_name),
-        services=kept(node.services, check_service_name),
-        clients=kept(node.clients, check_service_name),
+    return DescribedNode(
+        node.name, {kind: kept(kind, found) for kind, found in node.by_kind.items()}
     )
 
 
 def _odd(node: DescribedNode, kept: DescribedNode) -> list[str]:
-    names = {name for name, _ in _endpoints(kept)}
-    odd = dict.fromkeys(name for name, _ in _endpoints(node) if name not in names)
+    names = {name for name, _ in kept.endpoints}
+    odd = dict.fromkeys(name for name, _ in node.endpoints if name not in names)
     return [f"// {visible(name)}: no program can name it" for name in odd]
 
 
@@ -99,18 +92,13 @@ def _node(
 ) -> str:
     shown = visible(node.name)
     lines = [] if node.name == f"/{name}" else [f"// {shown}"]
-    if not any(type_ is not None for _, type_ in _endpoints(node)):
+    if not any(type_ is not None for _, type_ in node.endpoints):
         lines.append(f"// {shown} has no topic or service that a program can name")
         return "\n".join([*lines[-1:], *_unknown(node), *odd]) + "\n"
     variable = variables.new(name)
     using = f" using {library}" if library else ""
     lines.append(f"create_node '{name}' as {variable}{using}")
-    for kind, endpoints in (
-        (EndpointKind.PUBLISHER, node.publishers),
-        (EndpointKind.SUBSCRIPTION, node.subscriptions),
-        (EndpointKind.SERVICE, node.services),
-        (EndpointKind.CLIENT, node.clients),
-    ):
+    for kind, endpoints in node.by_kind.items():
         for full, type_ in endpoints:
             message = partial(variables.new, f"{variable}_{_last(full)}")
             if type_ is not None:
@@ -119,12 +107,8 @@ def _node(
     return "\n".join(lines) + "\n"
 
 
-def _endpoints(node: DescribedNode) -> tuple[Endpoint, ...]:
-    return (*node.publishers, *node.subscriptions, *node.services, *node.clients)
-
-
 def _unknown(node: DescribedNode) -> list[str]:
-    return [f"// {name}: its type is not known" for name, type_ in _endpoints(node) if not type_]
+    return [f"// {name}: its type is not known" for name, type_ in node.endpoints if not type_]
 
 
 def _names(nodes: Sequence[DescribedNode]) -> list[str]:

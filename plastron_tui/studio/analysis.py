@@ -16,6 +16,7 @@ from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.language import Program
 from plastron_tui.model.graph import Graph, graph_of
 from plastron_tui.model.workspace import Workspace
+from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.names import resolved_name
 from plastron_tui.session import Session
 
@@ -97,10 +98,9 @@ def _counts(workspace: Workspace) -> dict[str, int]:
     topics: set[str] = set()
     services: set[str] = set()
     for node in workspace.nodes.values():
-        for name in (*node.publishers, *node.subscriptions):
-            topics.add(resolved_name(node.name, name))
-        for name in (*node.services, *node.clients):
-            services.add(resolved_name(node.name, name))
+        for kind, found in node.by_kind.items():
+            known = topics if kind.facts.interface is InterfaceKind.MESSAGE else services
+            known.update(resolved_name(node.name, name) for name in found)
     return {
         "nodes": len(workspace.nodes),
         "topics": len(topics),

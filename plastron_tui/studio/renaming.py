@@ -7,8 +7,11 @@ from dataclasses import dataclass
 
 from plastron_tui.diagnostics import Edit
 from plastron_tui.language import DECLARATIONS, Document, Program, SlotKind
+from plastron_tui.language.sentence import sentence
 from plastron_tui.language.statements import CreateNode
-from plastron_tui.model.workspace import Client, Node, Publisher, Subscription, Workspace
+from plastron_tui.model.kinds import EDITABLE, Endpoint, EndpointKind
+from plastron_tui.model.workspace import Node, Workspace
+from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.names import (
     check_node_name,
     check_service_name,
@@ -22,7 +25,10 @@ from .editor.names import wrong_name as wrong_variable
 from .panels.entry import Entry, Subject
 from .placing import placed
 
-_TOPICS = (Subject.TOPIC, Subject.PUBLISHER, Subject.SUBSCRIPTION)
+_TOPICS = (
+    Subject.TOPIC,
+    *(kind for kind in EDITABLE if kind.facts.interface is InterfaceKind.MESSAGE),
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,31 +105,30 @@ def _in_files(
         if node.source is None:
             continue
         lines: list[str] = []
-        for endpoint in node.endpoints.values():
-            name = (
-                endpoint.topic if isinstance(endpoint, Publisher | Subscription) else endpoint.name
-            )
-            is_meant = isinstance(endpoint, Publisher | Subscription) == is_topic
-            if endpoint.span is not None or not is_meant:
+        for (kind, name), endpoint in node.endpoints.items():
+            if endpoint.span is not None or (kind in _TOPICS) != is_topic:
                 continue
             if resolved_name(node.name, name) != full:
                 continue
             # What is sent is in the file's own code, which no statement can carry over.
-            if isinstance(endpoint, Publisher | Client) or endpoint.type is None or "'" in name:
+            if kind.facts.sends or endpoint.type is None or "'" in name:
                 files[node.source.path.name] = None
-            elif isinstance(endpoint, Subscription):
-                lines.append(f"unsubscribe {node.variable} from '{name}'")
-                calling = f" calling {endpoint.callback}" if endpoint.callback else ""
-                lines.append(f"subscribe {node.variable} to '{new}' "
-                             f"of message_type {endpoint.type}{calling}")  # fmt: skip
             else:
-                lines.append(f"{node.variable} stop_service '{name}'")
-                calling = f" calling {endpoint.handler}" if endpoint.handler else ""
-                lines.append(f"{node.variable} provides_service '{new}' "
-                             f"of service_type {endpoint.type}{calling}")  # fmt: skip
+                lines += _under_another_name(node, kind, endpoint, new)
         if lines:
             edits.append(placed(analysis.ground, node.variable, lines).edit)
     return edits, tuple(files)
+
+
+def _under_another_name(
+    node: Node, kind: EndpointKind, endpoint: Endpoint, new: str
+) -> Iterator[str]:
+    """Yield the statements that end what a file has under a name, and make it anew."""
+    editing = kind.editing
+    yield sentence(editing.ending, {"node": node.variable, editing.name_slot: endpoint.name})
+    texts = {"node": node.variable, editing.name_slot: new, "type": str(endpoint.type)}
+    callback = getattr(endpoint, "callback", None) or ""
+    yield sentence(editing.making, {**texts, "function": callback})
 
 
 def _wrong_variable(analysis: Analysis, new: str) -> str | None:

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import ClassVar
 
 from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.model.kinds import Client, Publisher, Service, Subscription
 from plastron_tui.model.source import Change, FileSet, SourceUnit
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
@@ -43,10 +44,10 @@ class Target:
         `_client`, `_server`, or `_node` for a mixture.
         """
         kinds = {
-            "_pub": bool(node.publishers),
-            "_sub1" if len(node.subscriptions) == 1 else "_sub2": bool(node.subscriptions),
-            "_client": bool(node.clients),
-            "_server": bool(node.services),
+            "_pub": bool(node.of(Publisher)),
+            "_sub1" if len(node.of(Subscription)) == 1 else "_sub2": bool(node.of(Subscription)),
+            "_client": bool(node.of(Client)),
+            "_server": bool(node.of(Service)),
         }
         used = [ending for ending, is_used in kinds.items() if is_used]
         return f"{node.name}{used[0] if len(used) == 1 else '_node'}{self.language.suffix}"

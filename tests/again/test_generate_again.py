@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from machine import examples
 
+from plastron_tui.model.kinds import Subscription
 from plastron_tui.output.manifest import NAME, load_manifest
 
 CHANGES = """\
@@ -158,10 +159,10 @@ def test_original_that_is_changed_is_read_again_by_the_session_that_is_there(ben
     bench.put("robot.py")
     bench.generate(program)
     session = bench.session(program)
-    assert list(session.workspace.nodes["n"].subscriptions) == ["command"]
+    assert list(session.workspace.nodes["n"].of(Subscription)) == ["command"]
     bench.edit("robot.py", '"command"', '"order"')
     session.files_changed()
-    assert list(session.workspace.nodes["n"].subscriptions) == ["order"]
+    assert list(session.workspace.nodes["n"].of(Subscription)) == ["order"]
 
 
 def test_files_made_from_each_other_lead_to_the_first(bench: Bench) -> None:

@@ -14,6 +14,7 @@ from workspaces import (
 )
 
 from plastron_tui.diagnostics import Severity
+from plastron_tui.model.kinds import Publisher, Service
 from plastron_tui.model.values import MessageValue
 from plastron_tui.ros.interfaces import InterfaceName
 
@@ -28,7 +29,7 @@ def test_a_message_is_fitted_to_the_ros_of_each_node_that_sends_it(default: str)
         "b publish h to 't' of message_type std_msgs/Header\n"
     )
     nodes = workspace(text, default).nodes
-    stamps = [nodes[key].publishers["t"].publications[0].message.value for key in "ab"]
+    stamps = [nodes[key].of(Publisher)["t"].publications[0].message.value for key in "ab"]
     assert stamps[0].fields == {"stamp": (1, 500_000_000)}
     time = MessageValue(
         InterfaceName("builtin_interfaces", "Time"), {"sec": 1, "nanosec": 500_000_000}
@@ -127,7 +128,7 @@ def test_a_service_of_two_nodes_is_a_warning_and_has_its_effect() -> None:
     (warning,) = found.diagnostics
     assert (warning.code, warning.severity) == ("service-provided-twice", Severity.WARNING)
     assert marked(text, warning) == "'/s'"
-    assert list(found.workspace.nodes["b"].services) == ["/s"]
+    assert list(found.workspace.nodes["b"].of(Service)) == ["/s"]
     assert codes(text.replace("b provides", "n stop_service 's'\nb provides")) == []
 
 

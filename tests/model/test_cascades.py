@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 from workspaces import codes, run
 
+from plastron_tui.model.kinds import Subscription
+
 NODE = "create_node 'talker' as n\n"
 MESSAGE = 'create_message m of message_type String and input "hi"\n'
 LISTEN = "subscribe n to 'a' of message_type String\n"
@@ -125,7 +127,7 @@ def test_the_rest_of_a_program_still_runs() -> None:
     found = run(NODE + "subscribe n to 'b' of message_type Strng\n" + LISTEN + "generate_node n\n")
     assert [each.code for each in found.diagnostics] == ["unknown-type"]
     (generation,) = found.workspace.generations
-    assert list(generation.node.subscriptions) == ["a"]
+    assert list(generation.node.of(Subscription)) == ["a"]
 
 
 def test_every_line_of_a_right_program_may_be_broken() -> None:

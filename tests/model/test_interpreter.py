@@ -11,8 +11,8 @@ from workspaces import (
     workspace,
 )
 
+from plastron_tui.model.kinds import DEFAULT_RATE, Client, Publisher, Service, Subscription
 from plastron_tui.model.values import MessageValue
-from plastron_tui.model.workspace import DEFAULT_RATE
 from plastron_tui.ros.interfaces import InterfaceName
 
 STRING = InterfaceName("std_msgs", "String")
@@ -36,7 +36,7 @@ def test_create_message() -> None:
 
 def test_publish_and_its_rate() -> None:
     text = TALKER + "n publish m to '/fast' of message_type std_msgs/String at 50 hz\n"
-    publishers = workspace(text).nodes["n"].publishers
+    publishers = workspace(text).nodes["n"].of(Publisher)
     assert list(publishers) == ["chatter", "/fast"]
     assert [each.type for each in publishers.values()] == [STRING, STRING]
     rates = [pub.rate for each in publishers.values() for pub in each.publications]
@@ -46,7 +46,7 @@ def test_publish_and_its_rate() -> None:
 
 def test_a_rate_that_is_not_written_is_open() -> None:
     text = TALKER + "n publish m to 'fast' of message_type String at 10 hz\n"
-    publishers = workspace(text).nodes["n"].publishers
+    publishers = workspace(text).nodes["n"].of(Publisher)
     sent = [publishers[topic].publications[0] for topic in ("chatter", "fast")]
     assert [(each.rate, each.is_rate_open) for each in sent] == [(10.0, True), (10.0, False)]
 
@@ -57,7 +57,7 @@ def test_two_messages_to_one_topic_make_one_publisher() -> None:
         + 'create_message m2 of message_type String and input "ho"\n'
         + "n publish m2 to 'chatter' of message_type String at 2 hz\n"
     )
-    (publisher,) = workspace(text).nodes["n"].publishers.values()
+    (publisher,) = workspace(text).nodes["n"].of(Publisher).values()
     sent = [(each.message.variable, each.rate) for each in publisher.publications]
     assert sent == [("m", 10.0), ("m2", 2.0)]
 
@@ -65,7 +65,7 @@ def test_two_messages_to_one_topic_make_one_publisher() -> None:
 def test_stop_publishing_takes_all_messages_away() -> None:
     text = TALKER + "n stop_publishing to 'chatter'\n"
     node = workspace(text).nodes["n"]
-    assert node.publishers == {}
+    assert node.of(Publisher) == {}
     assert text.encode()[node.removed["chatter"].start :].startswith(b"n stop_publishing")
     assert codes(text + "generate_node n\n") == ["idle-node"]
 
@@ -76,12 +76,12 @@ def test_subscribe_and_unsubscribe() -> None:
         + "subscribe n to 'a' of message_type String\n"
         + "subscribe n to 'b' of message_type Int32 calling on_b\n"
     )
-    listeners = workspace(text).nodes["n"].subscriptions
-    assert [(each.topic, each.callback) for each in listeners.values()] == [
+    listeners = workspace(text).nodes["n"].of(Subscription)
+    assert [(each.name, each.callback) for each in listeners.values()] == [
         ("a", None),
         ("b", "on_b"),
     ]
-    left = workspace(text + "unsubscribe n from 'a'\n").nodes["n"].subscriptions
+    left = workspace(text + "unsubscribe n from 'a'\n").nodes["n"].of(Subscription)
     assert list(left) == ["b"]
 
 
@@ -95,24 +95,24 @@ def test_services_and_clients() -> None:
         + "n client_requests 'w' of service_type WaypointClear with input none\n"
     )
     node = workspace(text).nodes["n"]
-    assert [(each.name, each.handler) for each in node.services.values()] == [
+    assert [(each.name, each.callback) for each in node.of(Service).values()] == [
         ("s", None),
         ("t", "do_t"),
     ]
-    add = node.clients["add"]
+    add = node.of(Client)["add"]
     assert add.type == InterfaceName("beginner_tutorials", "AddTwoInts")
     assert [request.fields for request in add.requests] == [{"a": 5, "b": 6}, {"b": 1}]
-    assert [request.fields for request in node.clients["w"].requests] == [{}]
+    assert [request.fields for request in node.of(Client)["w"].requests] == [{}]
     left = workspace(text + "n stop_service 's'\nn stop_request 'add'\n").nodes["n"]
-    assert (list(left.services), list(left.clients)) == (["t"], ["w"])
+    assert (list(left.of(Service)), list(left.of(Client))) == (["t"], ["w"])
 
 
 def test_endpoints_keep_the_order_of_the_program() -> None:
     names = ["z", "a", "m", "b"]
     text = NODE + "".join(f"subscribe n to '{name}' of message_type String\n" for name in names)
-    assert list(workspace(text).nodes["n"].subscriptions) == names
+    assert list(workspace(text).nodes["n"].of(Subscription)) == names
     again = text + "unsubscribe n from 'a'\nsubscribe n to 'a' of message_type String\n"
-    assert list(workspace(again).nodes["n"].subscriptions) == ["z", "m", "b", "a"]
+    assert list(workspace(again).nodes["n"].of(Subscription)) == ["z", "m", "b", "a"]
 
 
 def test_a_generation_is_the_node_as_it_was() -> None:
@@ -125,8 +125,8 @@ def test_a_generation_is_the_node_as_it_was() -> None:
     )
     first, second = workspace(text).generations
     assert (first.library, second.library) == ("rospy", "rclpy")
-    assert (list(first.node.publishers), list(first.node.subscriptions)) == (["chatter"], [])
-    assert (list(second.node.publishers), list(second.node.subscriptions)) == ([], ["a"])
+    assert (list(first.node.of(Publisher)), list(first.node.of(Subscription))) == (["chatter"], [])
+    assert (list(second.node.of(Publisher)), list(second.node.of(Subscription))) == ([], ["a"])
 
 
 @pytest.mark.parametrize(
@@ -156,7 +156,7 @@ def test_the_distribution_of_a_node_decides_what_a_name_means() -> None:
         "b provides_service 'add' of service_type AddTwoInts\n"
     )
     nodes = workspace(text).nodes
-    packages = [nodes[key].services["add"].type for key in "ab"]
+    packages = [nodes[key].of(Service)["add"].type for key in "ab"]
     assert [type_ and type_.package for type_ in packages] == [
         "beginner_tutorials",
         "example_interfaces",

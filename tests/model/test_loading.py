@@ -12,6 +12,7 @@ from workspaces import (
     workspace,
 )
 
+from plastron_tui.model.kinds import Client, Publisher, Service, Subscription
 from plastron_tui.model.source import EndpointKind
 
 LOADED = source(
@@ -29,14 +30,14 @@ def test_load() -> None:
     node = workspace("load driver as d\n", reader=reader).nodes["d"]
     assert (node.name, node.variable, node.library) == ("driver", "d", "rospy")
     assert node.source is LOADED
-    assert list(node.publishers) == ["out"]
-    assert node.publishers["out"].publications == ()
-    assert {key: each.callback for key, each in node.subscriptions.items()} == {
+    assert list(node.of(Publisher)) == ["out"]
+    assert node.of(Publisher)["out"].publications == ()
+    assert {key: each.callback for key, each in node.of(Subscription).items()} == {
         "in": "on_in",
         "untyped": None,
     }
-    assert node.services["ask"].handler == "answer"
-    assert node.clients["call"].requests == ()
+    assert node.of(Service)["ask"].callback == "answer"
+    assert node.of(Client)["call"].requests == ()
 
 
 def test_load_asks_the_reader_for_what_is_written() -> None:

@@ -12,6 +12,8 @@ from workspaces import (
     workspace,
 )
 
+from plastron_tui.model.kinds import Publisher
+
 FUNCTIONS = {
     "subscribe n to 'a' of message_type String calling f\n"
     "n provides_service 's' of service_type Trigger calling f\n": ["function-conflict"],
@@ -101,9 +103,8 @@ def test_a_statement_with_a_mistake_has_no_effect(case: tuple[str, str, str, str
     assert list(after.nodes) == list(before.nodes)
     assert list(after.messages) == list(before.messages)
     assert after.generations == []
-    for kind in ("publishers", "subscriptions", "services", "clients"):
-        assert getattr(after.nodes["n"], kind).keys() == getattr(before.nodes["n"], kind).keys()
-    assert len(after.nodes["n"].publishers["chatter"].publications) == 1
+    assert after.nodes["n"].endpoints.keys() == before.nodes["n"].endpoints.keys()
+    assert len(after.nodes["n"].of(Publisher)["chatter"].publications) == 1
 
 
 def test_a_node_is_not_called_idle_for_a_misspelt_name() -> None:

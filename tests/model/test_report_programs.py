@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 from workspaces import FakeReader, codes, endpoint, run, source, workspace
 
+from plastron_tui.model.kinds import DEFAULT_RATE, Client, Publisher, Service, Subscription
 from plastron_tui.model.source import EndpointKind
-from plastron_tui.model.workspace import DEFAULT_RATE
 
 PROGRAMS = Path(__file__).parents[1] / "programs"
 
@@ -24,7 +24,7 @@ def test_the_publisher_sends_five_messages_to_five_topics() -> None:
     assert (node.name, generation.library) == ("publisher", "rospy")
     sent = {
         topic: (str(publisher.type), publisher.publications[0].message.value.fields)
-        for topic, publisher in node.publishers.items()
+        for topic, publisher in node.of(Publisher).items()
     }
     assert sent == {
         "chatter": ("geometry_msgs/Point", {"x": 5.0, "y": 6.0, "z": 7.0}),
@@ -33,15 +33,15 @@ def test_the_publisher_sends_five_messages_to_five_topics() -> None:
         "chatter3": ("geometry_msgs/Quaternion", {"x": 8.0, "y": 9.0, "z": 10.0, "w": 11.0}),
         "chatter4": ("geometry_msgs/Pose2D", {"x": 1.0, "y": 2.0, "theta": 80.0}),
     }
-    rates = {pub.rate for each in node.publishers.values() for pub in each.publications}
+    rates = {pub.rate for each in node.of(Publisher).values() for pub in each.publications}
     assert rates == {DEFAULT_RATE}
-    assert not (node.subscriptions or node.services or node.clients)
+    assert not (node.of(Subscription) or node.of(Service) or node.of(Client))
 
 
 def test_the_subscriber_listens_to_one_topic() -> None:
     (generation,) = workspace(program("subscriber")).generations
-    (listener,) = generation.node.subscriptions.values()
-    assert (generation.node.name, listener.topic, str(listener.type)) == (
+    (listener,) = generation.node.of(Subscription).values()
+    assert (generation.node.name, listener.name, str(listener.type)) == (
         "subscriber",
         "chatter",
         "std_msgs/String",
@@ -52,7 +52,7 @@ def test_the_client_makes_three_calls() -> None:
     (generation,) = workspace(program("client")).generations
     calls = {
         name: (str(client.type), [request.fields for request in client.requests])
-        for name, client in generation.node.clients.items()
+        for name, client in generation.node.of(Client).items()
     }
     assert calls == {
         "add_two_ints": ("beginner_tutorials/AddTwoInts", [{"a": 5, "b": 6}]),
@@ -63,7 +63,7 @@ def test_the_client_makes_three_calls() -> None:
 
 def test_the_server_provides_three_services() -> None:
     (generation,) = workspace(program("server")).generations
-    services = {name: str(each.type) for name, each in generation.node.services.items()}
+    services = {name: str(each.type) for name, each in generation.node.of(Service).items()}
     assert services == {
         "add_two_ints": "beginner_tutorials/AddTwoInts",
         "waypoint_clear": "mavros_msgs/WaypointClear",
@@ -76,7 +76,7 @@ def test_the_loaded_node_changes_its_topic() -> None:
     reader = FakeReader({"subscriber_sub1": source(chatter, name="subscriber")})
     (generation,) = workspace(program("load"), reader=reader).generations
     assert generation.node.name == "subscriber"
-    assert list(generation.node.subscriptions) == ["topic_added_after_load"]
+    assert list(generation.node.of(Subscription)) == ["topic_added_after_load"]
     assert generation.node.source is reader.files["subscriber_sub1"]
 
 

@@ -77,7 +77,7 @@ def test_a_plan_changes_nothing(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "name",
     [
-        *("", ".", "..", "../x.py", "/etc/x.py", "a/b.py", "a\\b.py", "a\0b.py", "a\nb.py"),
+        *("", ".", "..", "../x.py", "/etc/x.py", "a/../b.py", "a\\b.py", "a\0b.py", "a\nb.py"),
         *("\ud800.py", "\u202egpj.py", ".plastron.json", ".plastron-0.new", "\x1b[2J.py"),
     ],
 )

@@ -16,6 +16,7 @@ import pytest
 from machine import TALKING, find_ros, graph_environ, mostly_long, wait_until
 from supervised import all_gone
 
+from plastron_tui.model.kinds import EndpointKind
 from plastron_tui.runtime.describe import Described, DescribedNode, describe
 from plastron_tui.runtime.environment import Environment
 from plastron_tui.runtime.master import DEFAULT_PORT, call, master_pid
@@ -206,8 +207,12 @@ def test_a_description_run_again_is_the_same_graph(ros: Ros) -> None:
         wait_until(lambda: _heard(ros.said) and _heard(ros.said, "asker"), "all talk", 120)
         before = ros.described(names)
     by_name = {node.name: node for node in before}
-    assert [str(type_) for _, type_ in by_name["/talker"].publishers] == ["std_msgs/String"]
-    assert [str(type_) for _, type_ in by_name["/switcher"].services] == ["std_srvs/SetBool"]
+    assert [str(type_) for _, type_ in by_name["/talker"].by_kind[EndpointKind.PUBLISHER]] == [
+        "std_msgs/String"
+    ]
+    assert [str(type_) for _, type_ in by_name["/switcher"].by_kind[EndpointKind.SERVICE]] == [
+        "std_srvs/SetBool"
+    ]
     program = to_program(before, ros.environment.library)
     with ros.running(ros.generate(program, "again")):
         assert ros.described(names) == before

@@ -2,9 +2,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from plastron_tui.model.kinds import EndpointKind, Publisher, Service, Subscription
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.interfaces import InterfaceName
-from plastron_tui.runtime.describe import DescribedNode
+from plastron_tui.runtime.describe import DescribedNode, Endpoint
 from plastron_tui.runtime.program import to_program
 from plastron_tui.session import Session
 
@@ -12,14 +13,18 @@ STRING = InterfaceName("std_msgs", "String")
 SET_BOOL = InterfaceName("std_srvs", "SetBool")
 
 
+def running(name: str, **endpoints: tuple[Endpoint, ...]) -> DescribedNode:
+    return DescribedNode(name, {EndpointKind(key): found for key, found in endpoints.items()})
+
+
 def test_a_graph_is_a_program() -> None:
     nodes = [
-        DescribedNode(
+        running(
             "/talker",
             publishers=(("/chatter", STRING),),
             services=(("/arm/switch", SET_BOOL),),
         ),
-        DescribedNode(
+        running(
             "/listener", subscriptions=(("/chatter", STRING),), clients=(("/arm/switch", SET_BOOL),)
         ),
     ]
@@ -43,16 +48,16 @@ def test_a_graph_is_a_program() -> None:
 
 def test_namespaces_keywords_and_unknown_types_still_make_a_program() -> None:
     nodes = [
-        DescribedNode("/arm/publish", publishers=(("/arm/to", STRING),)),
-        DescribedNode("/leg/publish", publishers=(("/leg/to", STRING), ("/leg/odd", None))),
-        DescribedNode("/publish_2", subscriptions=(("/leg/to", STRING),)),
-        DescribedNode("/only/odd", subscriptions=(("/leg/odd", None),)),
-        DescribedNode("/idle"),
+        running("/arm/publish", publishers=(("/arm/to", STRING),)),
+        running("/leg/publish", publishers=(("/leg/to", STRING), ("/leg/odd", None))),
+        running("/publish_2", subscriptions=(("/leg/to", STRING),)),
+        running("/only/odd", subscriptions=(("/leg/odd", None),)),
+        running("/idle"),
     ]
     program = to_program(nodes)
     session = Session(program.encode())
     assert session.diagnostics == ()
-    made = {node.name: (*node.publishers, *node.subscriptions) for node in _nodes(session)}
+    made = {node.name: (*node.of(Publisher), *node.of(Subscription)) for node in _nodes(session)}
     assert made == {
         "publish": ("/arm/to",),
         "leg_publish": ("/leg/to",),
@@ -83,19 +88,19 @@ def test_an_empty_graph_is_an_empty_program() -> None:
 def test_names_that_are_none_are_comments_that_do_nothing() -> None:
     bad = "/a'\ngenerate_node x\x1b[2J"
     nodes = [
-        DescribedNode(
+        running(
             "/talker",
             publishers=(("/ok", STRING), (bad, STRING), ("/t", InterfaceName("a", "b\nc"))),
             services=((bad, SET_BOOL),),
         ),
-        DescribedNode(bad, subscriptions=(("/ok", STRING),)),
-        DescribedNode("/quiet", clients=((bad, SET_BOOL),)),
+        running(bad, subscriptions=(("/ok", STRING),)),
+        running("/quiet", clients=((bad, SET_BOOL),)),
     ]
     program = to_program(nodes, "rospy")
     assert program.replace("\n", "").isprintable()
     session = Session(program.encode())
     assert session.diagnostics == ()
-    assert [(node.name, *node.publishers, *node.services) for node in _nodes(session)] == [
+    assert [(node.name, *node.of(Publisher), *node.of(Service)) for node in _nodes(session)] == [
         ("talker", "/ok")
     ]
     shown = "/a'\\ngenerate_node x\\x1b[2J"

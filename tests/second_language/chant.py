@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
-from plastron_tui.model.endpoints import Client, Publisher, Service, Subscription
+from plastron_tui.model.kinds import Client, Publisher, Service, Subscription
 from plastron_tui.model.source import (
     Add,
     EndpointKind,
@@ -128,7 +128,7 @@ def _endpoint(header, match):
 
 def _callback(endpoint):
     match endpoint:
-        case Subscription(topic=name, callback=given) | Service(name=name, handler=given):
+        case Subscription(name=name, callback=given) | Service(name=name, callback=given):
             return given or "on_" + re.sub(r"\W+", "_", name).strip("_")
         case _:
             return None

@@ -17,8 +17,8 @@ import survey_nodes
 from file_sets import one
 
 from plastron_tui.diagnostics import Span
+from plastron_tui.model.kinds import Subscription
 from plastron_tui.model.source import Add, EndpointKind, Remove
-from plastron_tui.model.workspace import Subscription
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.targets import read_source
 

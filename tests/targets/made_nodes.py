@@ -7,16 +7,9 @@ from functools import cache
 from hypothesis import strategies as st
 
 from plastron_tui.diagnostics import Span
+from plastron_tui.model.kinds import Client, Message, Publication, Publisher, Service, Subscription
 from plastron_tui.model.values import MessageValue, Value
-from plastron_tui.model.workspace import (
-    Client,
-    Message,
-    Node,
-    Publication,
-    Publisher,
-    Service,
-    Subscription,
-)
+from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Field, FieldType, InterfaceKind, InterfaceName
 from plastron_tui.ros.primitives import primitive
@@ -114,13 +107,13 @@ def nodes(draw: st.DrawFn, library: str, names: st.SearchStrategy[str] = NAMES) 
             Publication(Message("m", each, SPAN), draw(st.sampled_from([10.0, 0.5, 1 / 3, 100.0])))
             for each in values
         )
-        node.publishers[topic] = Publisher(topic, type_, sent, SPAN)
+        node.of(Publisher)[topic] = Publisher(topic, type_, sent, SPAN)
     for topic in draw(some):
-        node.subscriptions[topic] = Subscription(topic, draw(messages), draw(functions), SPAN)
+        node.of(Subscription)[topic] = Subscription(topic, draw(messages), draw(functions), SPAN)
     for service in draw(some):
-        node.services[service] = Service(service, draw(services), None, SPAN)
+        node.of(Service)[service] = Service(service, draw(services), None, SPAN)
     for service in draw(some):
         type_ = draw(services)
         requests = draw(st.lists(message(library, type_, InterfaceKind.SERVICE), max_size=2))
-        node.clients[service] = Client(service, type_, tuple(requests), SPAN)
+        node.of(Client)[service] = Client(service, type_, tuple(requests), SPAN)
     return node

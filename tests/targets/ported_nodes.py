@@ -8,7 +8,7 @@ from pathlib import Path
 from file_sets import one
 
 from plastron_tui.diagnostics import Diagnostic
-from plastron_tui.model.endpoints import EDITABLE
+from plastron_tui.model.kinds import EDITABLE
 from plastron_tui.model.source import EndpointKind, SourceUnit
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources.python import read_python

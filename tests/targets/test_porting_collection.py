@@ -17,7 +17,7 @@ from ported_nodes import (
 )
 
 from plastron_tui.diagnostics import Diagnostic, Severity
-from plastron_tui.model.endpoints import EDITABLE
+from plastron_tui.model.kinds import EDITABLE
 from plastron_tui.model.source import EndpointKind, SourceUnit
 from plastron_tui.sources.python import read_python
 from plastron_tui.targets import find_target

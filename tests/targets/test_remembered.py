@@ -11,28 +11,31 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from made_nodes import SPAN, nodes
 
-from plastron_tui.model.workspace import Message, Node
+from plastron_tui.model.kinds import Message, Publisher
+from plastron_tui.model.workspace import Node
 from plastron_tui.output.remembered import recall, remember
 
 
 def without_places(node: Node) -> Node:
     """Return a node without what only its program has: spans, and the names of variables."""
 
-    def sent(publication: Any) -> Any:
-        message = Message("", publication.message.value, SPAN)
-        return publication._replace(message=message, span=None)
+    def without(endpoint: Any) -> Any:
+        if isinstance(endpoint, Publisher):
+            sent = (
+                each._replace(message=Message("", each.message.value, SPAN), span=None)
+                for each in endpoint.publications
+            )
+            endpoint = endpoint._replace(publications=tuple(sent))
+        return endpoint._replace(span=None)
 
     return replace(
         node,
         variable="",
         library="rospy",
-        publishers={
-            name: each._replace(span=None, publications=tuple(map(sent, each.publications)))
-            for name, each in node.publishers.items()
+        by_kind={
+            kind: {name: without(each) for name, each in found.items()}
+            for kind, found in node.by_kind.items()
         },
-        subscriptions={name: e._replace(span=None) for name, e in node.subscriptions.items()},
-        services={name: each._replace(span=None) for name, each in node.services.items()},
-        clients={name: each._replace(span=None) for name, each in node.clients.items()},
     )
 
 

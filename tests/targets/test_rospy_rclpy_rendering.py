@@ -15,9 +15,10 @@ from hypothesis import strategies as st
 from machine import examples
 from made_nodes import EVIL, SPAN, catalog, nodes
 
+from plastron_tui.model.kinds import Client, Message, Publication, Publisher, Service, Subscription
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.model.values import MessageValue, Value
-from plastron_tui.model.workspace import Message, Node, Publication, Publisher
+from plastron_tui.model.workspace import Node
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.sources.python.naming import words
 from plastron_tui.targets import find_target
@@ -109,28 +110,28 @@ def strings_of(value: Value) -> list[str]:
 def tame(node: Node) -> Node:
     """Return the node with harmless names and strings that make the same Python names."""
     tame_node = Node(words(node.name), "node", SPAN)
-    for publisher in node.publishers.values():
+    for publisher in node.of(Publisher).values():
         sent = tuple(
             Publication(each.message._replace(value=tamed(each.message.value)), each.rate)
             for each in publisher.publications
         )
-        topic = words(publisher.topic)
-        tame_node.publishers[topic] = publisher._replace(topic=topic, publications=sent)
-    for subscription in node.subscriptions.values():
-        topic = words(subscription.topic)
-        tame_node.subscriptions[topic] = subscription._replace(topic=topic)
-    for service in node.services.values():
-        tame_node.services[words(service.name)] = service._replace(name=words(service.name))
-    for client in node.clients.values():
+        topic = words(publisher.name)
+        tame_node.of(Publisher)[topic] = publisher._replace(name=topic, publications=sent)
+    for subscription in node.of(Subscription).values():
+        topic = words(subscription.name)
+        tame_node.of(Subscription)[topic] = subscription._replace(name=topic)
+    for service in node.of(Service).values():
+        tame_node.of(Service)[words(service.name)] = service._replace(name=words(service.name))
+    for client in node.of(Client).values():
         requests = tuple(tamed(each) for each in client.requests)
         name = words(client.name)
-        tame_node.clients[name] = client._replace(name=name, requests=requests)
+        tame_node.of(Client)[name] = client._replace(name=name, requests=requests)
     return tame_node
 
 
 def is_separable(node: Node) -> bool:
     """Tell whether no two names of a kind make the same Python name."""
-    kinds = (node.publishers, node.subscriptions, node.services, node.clients)
+    kinds = (node.of(Publisher), node.of(Subscription), node.of(Service), node.of(Client))
     return all(len({words(name) for name in kind}) == len(kind) for kind in kinds)
 
 
@@ -143,12 +144,12 @@ def test_no_string_becomes_code(library: str, data: st.DataObject) -> None:
     tree, strings = shape(render(node, library))
     assert tree == shape(render(tame(node), library))[0]
     expected = [node.name]
-    for publisher in node.publishers.values():
-        expected.append(publisher.topic)
+    for publisher in node.of(Publisher).values():
+        expected.append(publisher.name)
         for sent in publisher.publications:
             expected += strings_of(sent.message.value)
-    expected += [*node.subscriptions, *node.services, *node.clients]
-    for client in node.clients.values():
+    expected += [*node.of(Subscription), *node.of(Service), *node.of(Client)]
+    for client in node.of(Client).values():
         for request in client.requests:
             expected += strings_of(request)
     for text in expected:
@@ -162,7 +163,7 @@ def test_a_string_is_exactly_what_was_written(library: str, text: str) -> None:
     type_ = InterfaceName("std_msgs", "String")
     node = Node("talker", "node", SPAN)
     sent = Publication(Message("m", MessageValue(type_, {"data": text}), SPAN), 10.0)
-    node.publishers["chatter"] = Publisher("chatter", type_, (sent,), SPAN)
+    node.of(Publisher)["chatter"] = Publisher("chatter", type_, (sent,), SPAN)
     tree = ast.parse(render(node, library))
     found = [
         each for each in ast.walk(tree) if isinstance(each, ast.keyword) and each.arg == "data"
@@ -182,12 +183,12 @@ def test_what_is_written_reads_as_the_same_node(library: str, data: st.DataObjec
     (read,) = source.nodes
     assert read.name == node.name
     expected = {
-        EndpointKind.PUBLISHER: [(each.topic, each.type) for each in node.publishers.values()],
+        EndpointKind.PUBLISHER: [(each.name, each.type) for each in node.of(Publisher).values()],
         EndpointKind.SUBSCRIPTION: [
-            (each.topic, each.type) for each in node.subscriptions.values()
+            (each.name, each.type) for each in node.of(Subscription).values()
         ],
-        EndpointKind.SERVICE: [(each.name, each.type) for each in node.services.values()],
-        EndpointKind.CLIENT: [(each.name, each.type) for each in node.clients.values()],
+        EndpointKind.SERVICE: [(each.name, each.type) for each in node.of(Service).values()],
+        EndpointKind.CLIENT: [(each.name, each.type) for each in node.of(Client).values()],
     }
     for kind, endpoints in expected.items():
         assert [(each.name, each.type) for each in read.of_kind(kind)] == endpoints
@@ -199,7 +200,7 @@ def test_every_type_of_the_catalog_can_be_written(library: str) -> None:
     for name in catalog(library).names(InterfaceKind.MESSAGE):
         sent = Publication(Message("m", MessageValue(name, {}), SPAN), 10.0)
         topic = f"{name.package}/{name.name}"
-        node.publishers[topic] = Publisher(topic, name, (sent,), SPAN)
+        node.of(Publisher)[topic] = Publisher(topic, name, (sent,), SPAN)
     with tempfile.TemporaryDirectory() as folder:
         write(Path(folder, "file.py"), render(node, library))
         assert ruff(folder, "format", "--diff") == ""

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 
 from plastron_tui.diagnostics import codes
+from plastron_tui.model.kinds import Client, Publisher, Service, Subscription, kind_of
 from plastron_tui.model.source import EndpointKind
-from plastron_tui.model.workspace import Client, Publisher, Service, Subscription
 from plastron_tui.ros.catalog import Catalog
-from plastron_tui.ros.interfaces import Interface, InterfaceKind
+from plastron_tui.ros.interfaces import Interface
 
 from . import literals
 from .addition import Addition, Endpoint
@@ -37,12 +37,6 @@ from .sending import add_calls, add_publishing, keep_running
 from .typeimports import FileImports
 from .writing import Writer
 
-_KINDS: dict[type, EndpointKind] = {
-    Publisher: EndpointKind.PUBLISHER,
-    Subscription: EndpointKind.SUBSCRIPTION,
-    Service: EndpointKind.SERVICE,
-    Client: EndpointKind.CLIENT,
-}
 _METHODS = {
     EndpointKind.PUBLISHER: "create_publisher",
     EndpointKind.SUBSCRIPTION: "create_subscription",
@@ -73,8 +67,7 @@ def plan_addition(
     Raises:
         CannotAddError: the file has no place for it, or its type is not known.
     """
-    kind = _KINDS[type(endpoint)]
-    name = endpoint.topic if isinstance(endpoint, Publisher | Subscription) else endpoint.name
+    kind, name = kind_of(type(endpoint)), endpoint.name
     conventions = conventions_of(analysis)
     imports = FileImports(analysis, conventions)
     messages = Messages(catalog, dialect, imports, conventions, endpoint.span)
@@ -128,11 +121,8 @@ def _use_present(added: Addition, present: list[Site]) -> None:
 
 def _create(added: Addition) -> list[str]:
     """Return the statement that creates the endpoint; its callback is written on the way."""
-    folder = (
-        InterfaceKind.MESSAGE
-        if added.kind in (EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION)
-        else InterfaceKind.SERVICE
-    )
+    folder = added.kind.facts.interface
+    assert folder is not None
     interface = added.messages.interface(added.endpoint.type, folder, added.name)
     class_ = added.messages.type_class(interface)
     callback = _callback(added, interface)
@@ -239,12 +229,9 @@ def _queue(added: Addition, model: Site | None) -> str:
 def _callback(added: Addition, interface: Interface) -> str:
     """Return the source of the callback; one that the file does not have is written."""
     endpoint = added.endpoint
-    if isinstance(endpoint, Subscription):
-        wanted = endpoint.callback
-    elif isinstance(endpoint, Service):
-        wanted = endpoint.handler
-    else:
+    if not isinstance(endpoint, Subscription | Service):
         return ""
+    wanted = endpoint.callback
     owner = added.place.owner
     if wanted is not None:
         if not literals.is_name(wanted):

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from plastron_tui.model.kinds import Client, Publisher, Service, Subscription
 from plastron_tui.model.numbering import numbered
 from plastron_tui.model.source import EndpointKind
-from plastron_tui.model.workspace import Client, Publisher, Service, Subscription
 
 from . import literals, naming
 from .analysis import Analysis

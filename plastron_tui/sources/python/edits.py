@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.model.kinds import Client, Publisher, Service, Subscription
 from plastron_tui.model.source import Add, Change, Remove, SourceEndpoint
-from plastron_tui.model.workspace import Client, Publisher, Service, Subscription
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceName
 
@@ -74,10 +74,8 @@ def _manner(endpoint: Endpoint) -> _Manner:
             messages = len(endpoint.publications)
         case Client():
             messages = len(endpoint.requests)
-        case Subscription():
+        case Subscription() | Service():
             callback = endpoint.callback
-        case Service():
-            callback = endpoint.handler
     return _Manner(type(endpoint), endpoint.type, callback is not None, messages)
 
 

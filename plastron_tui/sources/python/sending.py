@@ -8,8 +8,8 @@ from collections.abc import Sequence
 
 from tree_sitter import Node
 
+from plastron_tui.model.kinds import Client, Publication, Publisher
 from plastron_tui.model.source import EndpointKind
-from plastron_tui.model.workspace import Client, Publication, Publisher
 from plastron_tui.ros.interfaces import InterfaceKind
 
 from . import literals, naming

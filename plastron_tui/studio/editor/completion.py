@@ -13,6 +13,7 @@ from plastron_tui.language import Program, SlotKind
 from plastron_tui.language import statements as st
 from plastron_tui.language.expectations import Expectation
 from plastron_tui.language.keywords import BY_KEYWORD
+from plastron_tui.model.kinds import EDITABLE
 from plastron_tui.ros.interfaces import Field, InterfaceKind
 from plastron_tui.session import Session
 from plastron_tui.targets import LIBRARIES, languages, ros_version
@@ -97,14 +98,10 @@ class Vocabulary:
         topics: dict[str, str] = {}
         services: dict[str, str] = {}
         for node in self._workspace.nodes.values():
-            for publisher in node.publishers.values():
-                topics.setdefault(publisher.topic, str(publisher.type or ""))
-            for subscription in node.subscriptions.values():
-                topics.setdefault(subscription.topic, str(subscription.type or ""))
-            for provided in node.services.values():
-                services.setdefault(provided.name, str(provided.type or ""))
-            for client in node.clients.values():
-                services.setdefault(client.name, str(client.type or ""))
+            for kind, found in node.by_kind.items():
+                known = topics if kind.facts.interface is InterfaceKind.MESSAGE else services
+                for name, endpoint in found.items():
+                    known.setdefault(name, str(endpoint.type or ""))
         return topics, services
 
     @property
@@ -136,13 +133,8 @@ class Vocabulary:
         node = self._workspace.nodes.get(variable)
         if node is None:
             return ()
-        ends: dict[str, Iterable[str]] = {
-            "unsubscribe": node.subscriptions,
-            "stop_publishing": node.publishers,
-            "stop_request": node.clients,
-            "stop_service": node.services,
-        }
-        return ends.get(keyword, ())
+        ended = (kind for kind in EDITABLE if kind.editing.ending.keyword == keyword)
+        return next((node.by_kind[kind] for kind in ended), ())
 
 
 def _agrees(written: str, known: str | None) -> bool:

@@ -8,15 +8,11 @@ from textual.binding import Binding, BindingType
 from textual.message import Message
 from textual.widget import Widget
 
+from plastron_tui.model.kinds import EDITABLE
+
 from .entry import Entry, Subject
 
-_NODE_PARTS = (
-    Subject.NODE,
-    Subject.PUBLISHER,
-    Subject.SUBSCRIPTION,
-    Subject.SERVICE,
-    Subject.CLIENT,
-)
+_NODE_PARTS = (Subject.NODE, *EDITABLE)
 _NAMED = (*_NODE_PARTS, Subject.TOPIC, Subject.SERVICE_NAME, Subject.MESSAGE)
 
 

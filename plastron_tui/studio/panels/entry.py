@@ -8,21 +8,24 @@ from enum import Enum
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Edit, Span
+from plastron_tui.language.sentence import sentence
+from plastron_tui.model.kinds import EndpointKind
 
 
 class Subject(Enum):
-    """What an entry is about, which decides what can be done with it."""
+    """What an entry is about, other than an endpoint: it decides what can be done with it."""
 
     NODE = "node"
-    PUBLISHER = "publisher"
-    SUBSCRIPTION = "subscription"
-    SERVICE = "service"
-    CLIENT = "client"
     TOPIC = "topic"
     SERVICE_NAME = "service name"
     MESSAGE = "message"
     PROBLEM = "problem"
     OTHER = "other"
+
+    @property
+    def word(self) -> str:
+        """What one is called."""
+        return self.value
 
 
 class Entry(NamedTuple):
@@ -37,7 +40,7 @@ class Entry(NamedTuple):
         warning: what is wrong with it, behind all the rest.
         depth: how far it is indented.
         span: the statement that it comes from, None for what was read from a file.
-        subject: what it is about.
+        subject: what it is about; of an endpoint its kind.
         node: the variable of the node that it belongs to.
         name: the topic, service or variable as the program has it; of a problem in another file
             that file and the line.
@@ -53,7 +56,7 @@ class Entry(NamedTuple):
     warning: str = ""
     depth: int = 0
     span: Span | None = None
-    subject: Subject = Subject.OTHER
+    subject: Subject | EndpointKind = Subject.OTHER
     node: str | None = None
     name: str | None = None
     edits: tuple[Edit, ...] = ()
@@ -62,17 +65,11 @@ class Entry(NamedTuple):
     @property
     def statement(self) -> str | None:
         """The statement that ends what the entry shows, None where there is none."""
-        match self.subject:
-            case Subject.PUBLISHER:
-                return f"{self.node} stop_publishing to '{self.name}'"
-            case Subject.SUBSCRIPTION:
-                return f"unsubscribe {self.node} from '{self.name}'"
-            case Subject.SERVICE:
-                return f"{self.node} stop_service '{self.name}'"
-            case Subject.CLIENT:
-                return f"{self.node} stop_request '{self.name}'"
-            case _:
-                return None
+        if not isinstance(self.subject, EndpointKind):
+            return None
+        editing = self.subject.editing
+        texts = {"node": self.node or "", editing.name_slot: self.name or ""}
+        return sentence(editing.ending, texts)
 
     @property
     def elsewhere(self) -> str:

@@ -2,33 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
 from pathlib import Path
 
 from plastron_tui.diagnostics import Diagnostic, LineIndex, Severity, Span
 from plastron_tui.model.graph import Graph, GraphNode, Missing
+from plastron_tui.model.kinds import EDITABLE, EndpointKind, Message
 from plastron_tui.model.values import MessageValue
-from plastron_tui.model.workspace import Endpoint, Message, Node, Workspace
+from plastron_tui.model.workspace import Node, Workspace
 from plastron_tui.ros.interfaces import InterfaceName
 
 from .entry import Entries, Entry, Subject
 
-SIGNS = {
+SIGNS: dict[Subject | EndpointKind, tuple[str, str]] = {
     Subject.NODE: ("●", "primary"),
-    Subject.PUBLISHER: ("↑", "success"),
-    Subject.SUBSCRIPTION: ("↓", "accent"),
-    Subject.SERVICE: ("◆", "warning"),
-    Subject.CLIENT: ("◇", "secondary"),
     Subject.TOPIC: ("≈", "success"),
     Subject.SERVICE_NAME: ("◆", "warning"),
     Subject.MESSAGE: ("✉", "accent"),
+    **{kind: (kind.facts.sign, kind.facts.tone) for kind in EDITABLE},
 }
-
-_ENDPOINTS = tuple(
-    (subject, subject.value, *SIGNS[subject])
-    for subject in (Subject.PUBLISHER, Subject.SUBSCRIPTION, Subject.SERVICE, Subject.CLIENT)
-)
+"""What each subject has before it, and in which tone."""
 
 _MISSING = {
     Missing.PUBLISHER: "nobody publishes",
@@ -69,13 +63,8 @@ def _nodes(workspace: Workspace, libraries: dict[str, str | None]) -> Iterator[E
 
 
 def _endpoints(variable: str, node: Node) -> Iterator[Entry]:
-    groups: tuple[Mapping[str, Endpoint], ...] = (
-        node.publishers,
-        node.subscriptions,
-        node.services,
-        node.clients,
-    )
-    for (subject, word, sign, tone), endpoints in zip(_ENDPOINTS, groups, strict=True):
+    for kind, endpoints in node.by_kind.items():
+        word, (sign, tone) = kind.word, SIGNS[kind]
         for name, endpoint in endpoints.items():
             # In order and not by name: there may be thousands, and all are made at every key.
             yield Entry(
@@ -87,7 +76,7 @@ def _endpoints(variable: str, node: Node) -> Iterator[Entry]:
                 "",
                 1,
                 endpoint.span,
-                subject,
+                kind,
                 variable,
                 name,
             )
@@ -95,14 +84,12 @@ def _endpoints(variable: str, node: Node) -> Iterator[Entry]:
 
 def topic_entries(graph: Graph) -> Entries:
     """Return the topics, each with who speaks and who listens."""
+    speaks, listens = EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION
 
     def all_() -> Iterator[Entry]:
         for topic in graph.topics:
-            ends = [
-                (end.node, Subject.PUBLISHER, end.span, end.written) for end in topic.publishers
-            ] + [
-                (end.node, Subject.SUBSCRIPTION, end.span, end.written) for end in topic.subscribers
-            ]
+            ends = [(end.node, speaks, end.span, end.written) for end in topic.publishers]
+            ends += [(end.node, listens, end.span, end.written) for end in topic.subscribers]
             yield from _meeting(Subject.TOPIC, topic.name, topic.types, topic.missing, ends)
 
     return Entries(all_(), "no topics yet\ntalker publish … to 'chatter' …")
@@ -110,12 +97,12 @@ def topic_entries(graph: Graph) -> Entries:
 
 def service_entries(graph: Graph) -> Entries:
     """Return the services, each with who provides it and who calls it."""
+    provides, calls = EndpointKind.SERVICE, EndpointKind.CLIENT
 
     def all_() -> Iterator[Entry]:
         for service in graph.services:
-            ends = [
-                (end.node, Subject.SERVICE, end.span, end.written) for end in service.providers
-            ] + [(end.node, Subject.CLIENT, end.span, end.written) for end in service.clients]
+            ends = [(end.node, provides, end.span, end.written) for end in service.providers]
+            ends += [(end.node, calls, end.span, end.written) for end in service.clients]
             yield from _meeting(
                 Subject.SERVICE_NAME, service.name, service.types, service.missing, ends
             )
@@ -128,7 +115,7 @@ def _meeting(
     name: str,
     types: Sequence[InterfaceName],
     missing: Missing | None,
-    ends: list[tuple[GraphNode, Subject, Span | None, str]],
+    ends: list[tuple[GraphNode, EndpointKind, Span | None, str]],
 ) -> Iterator[Entry]:
     yield Entry(
         f"{subject.value} {name}",
@@ -143,9 +130,9 @@ def _meeting(
     )
     for node, kind, span, written in ends:
         yield Entry(
-            f"{kind.value} {node.variable} {written}",
+            f"{kind.word} {node.variable} {written}",
             node.name,
-            kind.value,
+            kind.word,
             *SIGNS[kind],
             depth=1,
             span=span,

@@ -16,7 +16,7 @@ from plastron_tui.session import DEFAULT_LIBRARY, Session
 from ..placing import Ground, Placing
 from ..placing import placed as where
 from .aims import generating
-from .form import Form, is_variable, sentence
+from .form import Form, is_variable, laid_out
 from .scene import is_guess, say_library
 from .values import Entry, Path
 
@@ -91,7 +91,7 @@ def check(session: Session, placed: Sequence[Placed], *, generates: bool = False
     is_late = node is not None and (generates or _is_generated(session, node))
     if is_late and declaration is not None and not _generates(placed):
         slot = next(s for s in declaration.slots if s.kind is SlotKind.NODE)
-        late = (Placed(None, sentence(declaration, {slot.name: node or ""})),)
+        late = (Placed(None, laid_out(declaration, {slot.name: node or ""})),)
     place = where(
         Ground(session.document, session.program, session.workspace),
         None if _generates(placed) else node,

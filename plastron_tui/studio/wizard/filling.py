@@ -10,7 +10,7 @@ from plastron_tui.language import Slot, SlotKind
 from .aims import maker_of
 from .ask import Ask, Choice, Trial
 from .checking import Finding, Placed, check
-from .form import NEW, Cell, Cells, Form, sentence
+from .form import NEW, Cell, Cells, Form, laid_out
 from .kinds import KINDS
 from .scene import Scene
 from .values import Entry, Heading, Path, entries_of, input_text, problem_of
@@ -55,7 +55,7 @@ class Filled:
     def text(self) -> str:
         """The statement."""
         texts = {name: cell.text for name, cell in self.cells.items()}
-        return sentence(self.form.declaration, texts)
+        return laid_out(self.form.declaration, texts)
 
     @property
     def written(self) -> list[Placed]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from plastron_tui.language import Clause, Declaration, Document, Slot, SlotKind, format_document
-from plastron_tui.language.declaration import Element
+from plastron_tui.language.sentence import sentence
 
 from .values import Path
 
@@ -94,28 +94,12 @@ class Cell:
 Cells = dict[str, Cell]
 
 
-def sentence(declaration: Declaration, texts: dict[str, str]) -> str:
+def laid_out(declaration: Declaration, texts: dict[str, str]) -> str:
     """Return a statement, laid out as the formatter does it; `texts` has what is in its slots.
 
-    A clause is left out when nothing is in its slots. What does not parse is not laid out.
+    What does not parse is not laid out.
     """
-    words: list[str] = []
-
-    def put(element: Element) -> None:
-        match element:
-            case Slot(name=name, kind=kind):
-                words.append(_quoted(kind, texts.get(name, "")))
-            case Clause(elements=parts):
-                slots = [part.name for part in parts if isinstance(part, Slot)]
-                if all(texts.get(name) for name in slots):
-                    for part in parts:
-                        put(part)
-            case word:
-                words.append(word)
-
-    for element in declaration.elements:
-        put(element)
-    line = " ".join(words)
+    line = sentence(declaration, texts)
     document = Document(line.encode("utf-8", "surrogatepass"))
     root = document.tree.root_node
     if root.has_error or root.child_count != 1:
@@ -123,19 +107,6 @@ def sentence(declaration: Declaration, texts: dict[str, str]) -> str:
     return format_document(document).decode().rstrip("\n")
 
 
-def _quoted(kind: SlotKind, text: str) -> str:
-    if kind.is_quoted or (kind is SlotKind.FILE and not is_module(text)):
-        return f"'{text}'"
-    return text
-
-
 def is_variable(text: str) -> bool:
     """Tell whether a text has the form of a variable."""
     return text.isascii() and text.isidentifier() and text[0].isalpha()
-
-
-def is_module(text: str) -> bool:
-    """Tell whether a file is named without quotes: by a bare name."""
-    from plastron_tui.language.keywords import KEYWORDS
-
-    return text.isidentifier() and text.isascii() and text not in KEYWORDS

@@ -7,6 +7,7 @@ from pathlib import PurePath
 
 from plastron_tui.language import SlotKind
 from plastron_tui.language.keywords import KEYWORDS
+from plastron_tui.model.kinds import HIGHEST_RATE, LOWEST_RATE, Publisher
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.names import (
     NameProblem,
@@ -21,7 +22,7 @@ from .ask import Ask, Choice
 from .form import NEW, is_variable
 from .kind import Kind
 from .libraries import LibraryKind
-from .node_files import FileKind
+from .node_files import FileKind, NodeOfFileKind
 from .scene import Meeting, free_name
 from .type_kinds import TypeKind, name_for_type
 
@@ -29,8 +30,6 @@ MOST_TRIALS = 12
 """So many choices are tried out before they are offered; the rest is checked when it is taken."""
 
 
-_LOWEST_RATE, _HIGHEST_RATE = 1e-9, 1e6
-"""The rates that the language has, in hertz; a longer period fits no clock of ROS 2."""
 _NODE_NAMES = ("talker", "listener", "watcher", "helper")
 
 
@@ -62,7 +61,8 @@ class NewVariableKind(Kind):
 
     def suggest(self, ask: Ask) -> str:
         """Return what fits the rest of the form and of the program."""
-        name = ask.text(SlotKind.NODE_NAME) or PurePath(ask.text(SlotKind.FILE)).stem
+        name = ask.text(SlotKind.NODE_NAME) or ask.text(SlotKind.NODE_OF_FILE)
+        name = name or PurePath(ask.text(SlotKind.FILE)).stem
         if not name and ask.form.parent is not None:
             topic = ask.parent_text(SlotKind.TOPIC).strip("~/").rpartition("/")[2]
             name = f"{topic}_message" if topic else ""
@@ -167,7 +167,7 @@ class MessageKind(Kind):
         sent = {
             publication.message.variable
             for node in workspace.nodes.values()
-            for publisher in node.publishers.values()
+            for publisher in node.of(Publisher).values()
             for publication in publisher.publications
         }
         for variable in [name for name in reversed(workspace.messages) if name not in sent][:3]:
@@ -310,9 +310,9 @@ class RateKind(Kind):
             rate = float(text) if text.isascii() and "_" not in text else 0.0
         except ValueError:
             return "it is a number of times a second, such as 10 or 0.5"
-        if rate <= 0 or rate > _HIGHEST_RATE:
+        if rate <= 0 or rate > HIGHEST_RATE:
             return "it is more than 0, and at most a million, times a second"
-        if rate < _LOWEST_RATE:
+        if rate < LOWEST_RATE:
             return "so seldom that it would never be: it is once in thirty years at least"
         return None
 
@@ -348,5 +348,6 @@ KINDS: Mapping[SlotKind, Kind] = {
     SlotKind.FUNCTION: FunctionKind(),
     SlotKind.LIBRARY: LibraryKind(),
     SlotKind.FILE: FileKind(),
+    SlotKind.NODE_OF_FILE: NodeOfFileKind(),
 }
 """What each kind of slot offers."""

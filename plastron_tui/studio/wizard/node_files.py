@@ -1,4 +1,4 @@
-"""A file that holds a node."""
+"""A file that holds nodes, and which of them is meant."""
 
 from __future__ import annotations
 
@@ -8,11 +8,15 @@ from contextlib import suppress
 from itertools import islice
 from pathlib import Path
 
+from plastron_tui.language import SlotKind
+from plastron_tui.language.sentence import is_module
+from plastron_tui.model.setting import LoadRequest
 from plastron_tui.model.source import LARGEST_FILE
 from plastron_tui.regular_files import read_regular
 from plastron_tui.targets import languages
 
 from .ask import Ask, Choice
+from .form import Cell
 from .kind import Kind
 
 MOST_FILES = 60
@@ -39,7 +43,7 @@ class FileKind(Kind):
         loaded = {
             node.source.path
             for node in ask.scene.workspace.nodes.values()
-            if node.source is not None
+            if node.source is not None and node.source.label is None
         }
         around = ask.scene.surroundings
         if around.files is None:
@@ -66,6 +70,46 @@ class FileKind(Kind):
         if "'" in text:
             return "a path in a program has no single quote"
         return None
+
+
+class NodeOfFileKind(Kind):
+    """The name of a node of a file that holds several."""
+
+    def fixed(self, ask: Ask) -> Cell | None:
+        """Leave it out for a file of one node."""
+        return Cell("", "the file holds one node") if len(_nodes(ask)) < 2 else None
+
+    def suggest(self, ask: Ask) -> str:
+        """Return the first node that is not loaded yet."""
+        open_ = (choice.text for choice in self.choices(ask, "") if not choice.closed)
+        return next(open_, "")
+
+    def choices(self, ask: Ask, query: str) -> list[Choice]:
+        """Return the nodes of the file."""
+        nodes = ask.scene.workspace.nodes.values()
+        loaded = {(each.source.path, each.source.label) for each in nodes if each.source}
+        return [
+            Choice(label, closed="it is loaded already" if (path, label) in loaded else "")
+            for path, label in _nodes(ask)
+        ]
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text names no node of the file."""
+        if any(label == text for _, label in _nodes(ask)):
+            return None
+        return f"the file has no node `{text}`: choose one of the list"
+
+
+def _nodes(ask: Ask) -> list[tuple[Path, str]]:
+    """Return the file that the form names, with what each of its nodes is called."""
+    file = ask.text(SlotKind.FILE)
+    generated = tuple(ask.scene.workspace.generations)
+    source = ask.scene.session.setting.read(
+        LoadRequest(file, not is_module(file), generated)
+    ).source
+    if source is None:
+        return []
+    return [(source.path, label) for label in dict.fromkeys(each.label for each in source.nodes)]
 
 
 def _text(path: Path, folder: Path) -> str:

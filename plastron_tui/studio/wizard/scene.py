@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from plastron_tui.language.keywords import KEYWORDS
 from plastron_tui.model.types import TypeResolver
-from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.names import resolved_name
@@ -135,13 +134,14 @@ class Scene:
         found: dict[tuple[InterfaceKind, int], dict[str, Meeting]] = {}
 
         for variable, node in self.workspace.nodes.items():
-            for end in _ends(node):
-                full = resolved_name(node.name, end.name)
-                known = found.setdefault((end.kind, self.version_of(variable)), {})
-                is_full = end.name.startswith("~") or "{" in end.name
-                meeting = known.setdefault(full, Meeting(full if is_full else end.name))
-                meeting.type = meeting.type or end.type
-                (meeting.senders if end.is_sender else meeting.takers).append(variable)
+            for (kind, name), endpoint in node.endpoints.items():
+                assert kind.facts.interface is not None
+                full = resolved_name(node.name, name)
+                known = found.setdefault((kind.facts.interface, self.version_of(variable)), {})
+                is_full = name.startswith("~") or "{" in name
+                meeting = known.setdefault(full, Meeting(full if is_full else name))
+                meeting.type = meeting.type or endpoint.type
+                (meeting.senders if kind.facts.sends else meeting.takers).append(variable)
         return found
 
     def meetings(self, kind: InterfaceKind, version: int) -> dict[str, Meeting]:
@@ -166,28 +166,7 @@ class Scene:
         node = self.workspace.nodes.get(variable)
         if node is None:
             return []
-        ends = (node.publishers, node.subscriptions, node.services, node.clients)
-        return list(dict.fromkeys(name for end in ends for name in end))
-
-
-class _End(NamedTuple):
-    """What a node has of a topic or a service."""
-
-    kind: InterfaceKind
-    is_sender: bool
-    name: str
-    type: InterfaceName | None
-
-
-def _ends(node: Node) -> Iterator[_End]:
-    for publisher in node.publishers.values():
-        yield _End(InterfaceKind.MESSAGE, True, publisher.topic, publisher.type)
-    for listener in node.subscriptions.values():
-        yield _End(InterfaceKind.MESSAGE, False, listener.topic, listener.type)
-    for client in node.clients.values():
-        yield _End(InterfaceKind.SERVICE, True, client.name, client.type)
-    for service in node.services.values():
-        yield _End(InterfaceKind.SERVICE, False, service.name, service.type)
+        return list(dict.fromkeys(name for _, name in node.endpoints))
 
 
 def is_guess(session: Session) -> bool:

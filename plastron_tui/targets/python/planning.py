@@ -6,8 +6,9 @@ from collections import defaultdict
 from typing import NoReturn
 
 from plastron_tui.diagnostics import Code, Diagnostic, Span, codes
+from plastron_tui.model.kinds import Client, Publication, Publisher, Service, Subscription
 from plastron_tui.model.values import MessageValue, Value
-from plastron_tui.model.workspace import Client, Node, Publication, Publisher
+from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog, moved
 from plastron_tui.ros.interfaces import FieldType, Interface, InterfaceKind, InterfaceName
 from plastron_tui.sources.python import literals, naming
@@ -87,8 +88,8 @@ class Planner:
     def _given_names(self) -> set[str]:
         """Return the callbacks and handlers that the program names, if all can be methods."""
         node, dialect = self._node, self._dialect
-        given = [(each.callback, each.span) for each in node.subscriptions.values()]
-        given += [(each.handler, each.span) for each in node.services.values()]
+        given = [(each.callback, each.span) for each in node.of(Subscription).values()]
+        given += [(each.callback, each.span) for each in node.of(Service).values()]
         for name, span in given:
             if name is None:
                 continue
@@ -103,11 +104,11 @@ class Planner:
         return {name for name, _ in given if name is not None}
 
     def _add_publishers(self, plan: NodePlan) -> None:
-        for publisher in self._node.publishers.values():
-            name = naming.words(publisher.topic)
+        for publisher in self._node.of(Publisher).values():
+            name = naming.words(publisher.name)
             attribute = self._attributes.new(f"{name}_publisher")
-            type_ = self._message_class(publisher.type, publisher.topic, publisher.span)
-            topic = literals.string(publisher.topic)
+            type_ = self._message_class(publisher.type, publisher.name, publisher.span)
+            topic = literals.string(publisher.name)
             plan.publishers.append(PublisherPlan(attribute, topic, type_))
             by_rate: dict[float, list[Publication]] = defaultdict(list)
             for publication in publisher.publications:
@@ -115,7 +116,7 @@ class Planner:
             for rate, publications in by_rate.items():
                 method = self._attributes.new(f"publish_{name}")
                 sends = tuple(self._send(publisher, each) for each in publications)
-                label = naming.label(publisher.topic, "its topic")
+                label = naming.label(publisher.name, "its topic")
                 plan.timers.append(TimerPlan(attribute, method, _period(rate), label, sends))
 
     def _send(self, publisher: Publisher, publication: Publication) -> SendPlan:
@@ -129,22 +130,22 @@ class Planner:
         return SendPlan(self._message(value, publisher.span), has_header and not has_time)
 
     def _add_subscriptions(self, plan: NodePlan) -> None:
-        for subscription in self._node.subscriptions.values():
-            type_ = self._message_class(subscription.type, subscription.topic, subscription.span)
+        for subscription in self._node.of(Subscription).values():
+            type_ = self._message_class(subscription.type, subscription.name, subscription.span)
             callback = subscription.callback
             if callback is None:
-                callback = self._attributes.new(f"on_{naming.words(subscription.topic)}")
-            topic = literals.string(subscription.topic)
+                callback = self._attributes.new(f"on_{naming.words(subscription.name)}")
+            topic = literals.string(subscription.name)
             plan.subscriptions.append(SubscriptionPlan(topic, type_, callback))
             if callback not in self._methods:
-                method = MethodPlan(callback, naming.label(subscription.topic, callback))
+                method = MethodPlan(callback, naming.label(subscription.name, callback))
                 self._methods[callback] = method
                 plan.callbacks.append(method)
 
     def _add_services(self, plan: NodePlan) -> None:
-        for service in self._node.services.values():
+        for service in self._node.of(Service).values():
             type_ = self._service_type(service.type, service.name, service.span)
-            handler = service.handler
+            handler = service.callback
             if handler is None:
                 handler = self._attributes.new(f"handle_{naming.words(service.name)}")
             name = literals.string(service.name)
@@ -160,7 +161,7 @@ class Planner:
                 self._refuse(codes.INVALID_FUNCTION, message, service.span, "give it another name")
 
     def _add_clients(self, plan: NodePlan) -> None:
-        for client in self._node.clients.values():
+        for client in self._node.of(Client).values():
             type_ = self._service_type(client.type, client.name, client.span)
             attribute = self._attributes.new(f"{naming.words(client.name)}_client")
             name = literals.string(client.name)
@@ -260,10 +261,10 @@ def _period(rate: float) -> str:
 def _summary(node: Node) -> str:
     """Return what a node does, as a sentence."""
     parts = [
-        ("publishes messages", node.publishers),
-        ("listens to messages", node.subscriptions),
-        ("provides services", node.services),
-        ("calls services", node.clients),
+        ("publishes messages", node.of(Publisher)),
+        ("listens to messages", node.of(Subscription)),
+        ("provides services", node.of(Service)),
+        ("calls services", node.of(Client)),
     ]
     does = [text for text, has in parts if has] or ["does nothing yet"]
     text = does[0] if len(does) == 1 else f"{', '.join(does[:-1])} and {does[-1]}"

@@ -10,18 +10,10 @@ from file_sets import one
 from hypothesis import strategies as st
 
 from plastron_tui.diagnostics import Span
+from plastron_tui.model.kinds import Client, Message, Publication, Publisher, Service, Subscription
 from plastron_tui.model.source import SourceUnit
 from plastron_tui.model.values import MessageValue
-from plastron_tui.model.workspace import (
-    Client,
-    Message,
-    Node,
-    Publication,
-    Publisher,
-    Service,
-    Subscription,
-    Workspace,
-)
+from plastron_tui.model.workspace import Node, Workspace
 from plastron_tui.ros.interfaces import InterfaceName
 
 STRING = InterfaceName("std_msgs", "String")
@@ -61,19 +53,19 @@ class Maker:
             for name, rate in sent
         )
         span = publications[0].span if publications else None
-        node.publishers[topic] = Publisher(topic, type_, publications, span)
+        node.of(Publisher)[topic] = Publisher(topic, type_, publications, span)
 
     def subscribe(
         self, node: Node, topic: str, callback: str | None = None, type_: InterfaceName = STRING
     ) -> None:
-        node.subscriptions[topic] = Subscription(topic, type_, callback, self.span())
+        node.of(Subscription)[topic] = Subscription(topic, type_, callback, self.span())
 
     def provide(self, node: Node, name: str, handler: str | None = None) -> None:
-        node.services[name] = Service(name, TRIGGER, handler, self.span())
+        node.of(Service)[name] = Service(name, TRIGGER, handler, self.span())
 
     def call(self, node: Node, name: str, *fields: dict[str, object]) -> None:
         requests = tuple(MessageValue(TRIGGER, each) for each in fields)  # type: ignore[arg-type]
-        node.clients[name] = Client(name, TRIGGER, requests, self.span())
+        node.of(Client)[name] = Client(name, TRIGGER, requests, self.span())
 
 
 def tour() -> Workspace:

@@ -6,6 +6,7 @@ from hypothesis import given
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.graph import Missing, graph_of
+from plastron_tui.model.kinds import Client, Publisher, Service, Subscription
 from plastron_tui.model.workspace import Generation, Workspace
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.names import resolved_name
@@ -110,10 +111,10 @@ def test_every_endpoint_is_there_once_with_its_span(workspace: Workspace) -> Non
         (node.variable, kind, name, endpoint.span)
         for node in workspace.nodes.values()
         for kind, endpoints in (
-            ("TopicPublisher", node.publishers),
-            ("TopicSubscriber", node.subscriptions),
-            ("ServiceProvider", node.services),
-            ("ServiceClient", node.clients),
+            ("TopicPublisher", node.of(Publisher)),
+            ("TopicSubscriber", node.of(Subscription)),
+            ("ServiceProvider", node.of(Service)),
+            ("ServiceClient", node.of(Client)),
         )
         for name, endpoint in endpoints.items()
     ]

@@ -7,16 +7,9 @@ from pathlib import Path
 from file_sets import one
 
 from plastron_tui.diagnostics import Span
+from plastron_tui.model.kinds import Client, Message, Publication, Publisher, Service, Subscription
 from plastron_tui.model.source import Add, EndpointKind
 from plastron_tui.model.values import MessageValue
-from plastron_tui.model.workspace import (
-    Client,
-    Message,
-    Publication,
-    Publisher,
-    Service,
-    Subscription,
-)
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.sources.python import edit_python, read_python

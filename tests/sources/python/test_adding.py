@@ -16,10 +16,8 @@ from edits import (
     subscribe,
 )
 
+from plastron_tui.model.kinds import Client
 from plastron_tui.model.source import Add, Remove
-from plastron_tui.model.workspace import (
-    Client,
-)
 
 CLASS = (
     "import rospy\nfrom std_msgs.msg import String\n\n\nclass A(object):\n"

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from edits import AT, CLI, SUB, edited, publish, subscribe
 
+from plastron_tui.model.kinds import Client
 from plastron_tui.model.source import Add, Remove
-from plastron_tui.model.workspace import Client
 from plastron_tui.ros.interfaces import InterfaceName
 
 BODY = """

@@ -7,12 +7,8 @@ from collections import Counter
 from edits import (
     AT,
     CATALOGS,
-    CLI,
     DIALECTS,
     NODES,
-    PUB,
-    SRV,
-    SUB,
     provide,
     publish,
     request,
@@ -23,13 +19,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from machine import examples
 
+from plastron_tui.model.kinds import EDITABLE, kind_of
 from plastron_tui.model.source import EndpointKind, Remove
-from plastron_tui.model.workspace import (
-    Client,
-    Publisher,
-    Service,
-    Subscription,
-)
 from plastron_tui.sources.python import edit_python, read_python
 
 
@@ -52,7 +43,6 @@ CHANGES = st.sampled_from(
         request("new_e", "std_srvs/SetBool", data=True),
     ]
 )
-KIND_OF = {Publisher: PUB, Subscription: SUB, Service: SRV, Client: CLI}
 
 
 def names(source) -> Counter:
@@ -74,7 +64,7 @@ def test_any_sequence_gives_the_endpoints_that_it_asks_for(path, additions, rand
     expected = names(source)
     library = source.library
     for addition in additions:
-        choice = [key for key in expected if key[0] in KIND_OF.values()]
+        choice = [key for key in expected if key[0] in EDITABLE]
         change = addition
         if choice and random.random() < 0.5:
             kind, name = random.choice(choice)
@@ -87,8 +77,7 @@ def test_any_sequence_gives_the_endpoints_that_it_asks_for(path, additions, rand
             expected[change.kind, change.name] = 0
         else:
             endpoint = change.endpoint
-            name = endpoint.topic if hasattr(endpoint, "topic") else endpoint.name
-            expected[KIND_OF[type(endpoint)], name] += 1
+            expected[kind_of(type(endpoint)), endpoint.name] += 1
         result = read_python(path, rendered.files, library)
         assert result.source is not None
         source = result.source

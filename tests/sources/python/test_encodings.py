@@ -9,9 +9,9 @@ import pytest
 from file_sets import one
 
 from plastron_tui.diagnostics import Span
+from plastron_tui.model.kinds import Message, Publication, Publisher
 from plastron_tui.model.source import Add
 from plastron_tui.model.values import MessageValue
-from plastron_tui.model.workspace import Message, Publication, Publisher
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.sources.python import edit_python, read_python

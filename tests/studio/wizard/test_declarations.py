@@ -11,6 +11,7 @@ from wizard_courses import (
     CHANGE,
     MORE,
     NODE_FILE,
+    SEND,
     TWO_NODES,
     applied,
     choose,
@@ -22,7 +23,7 @@ from wizard_driver import way_to
 
 from plastron_tui.language import DECLARATIONS, Declaration, SlotKind, Statement
 from plastron_tui.language.declaration import slot, statement
-from plastron_tui.model.interpreter import Interpreter
+from plastron_tui.model.interpreter import HANDLERS
 from plastron_tui.session import Session
 from plastron_tui.studio.wizard.aims import Aim, aim_of, declarations_of
 from plastron_tui.studio.wizard.course import PageKind
@@ -103,11 +104,42 @@ def test_a_file_that_is_loaded_can_be_changed_in_every_way(
     assert not problems and changed.files[0].name == "robot.py"
 
 
+TWO_IN_A_FILE = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Left(Node):
+    def __init__(self):
+        super().__init__("left")
+        self.create_subscription(String, "in", print, 10)
+
+
+class Right(Node):
+    def __init__(self):
+        super().__init__("right")
+        self.create_subscription(String, "in", print, 10)
+"""
+
+
+def test_of_a_file_of_two_nodes_one_after_the_other_is_suggested(tmp_path: Path) -> None:
+    (tmp_path / "arms.py").write_text(TWO_IN_A_FILE)
+    text = ""
+    for name in ("left", "right"):
+        it = course(text, tmp_path)
+        choose(it, CHANGE, SEND)
+        look = to_menu_or_review(it)
+        assert look.problems == () and look.outcome is not None
+        assert f"load 'arms.py' node '{name}' as {name}" in look.outcome.lines
+        text = look.outcome.session.document.text.decode()
+
+
 @contextmanager
 def added(type_: type[Statement]) -> Iterator[None]:
     """Let a statement be in the language, one of which nothing follows."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(Interpreter, f"_{type_.__name__.lower()}", lambda *_: None, raising=False)
+        patch.setitem(HANDLERS, type_, lambda *_: None)
         yield
     del DECLARATIONS[type_]
 

@@ -13,6 +13,7 @@ from wizard_courses import NODE_FILE, TWO_NODES
 from wizard_driver import WizardDriver, way_to, wizard, wizard_from_welcome
 
 from plastron_tui.language import DECLARATIONS, Declaration
+from plastron_tui.model.kinds import Publisher, Subscription
 from plastron_tui.session import Session
 from plastron_tui.studio.wizard.aims import Aim, aim_of
 from plastron_tui.studio.wizard.course import PageKind
@@ -178,4 +179,4 @@ async def test_from_nothing_to_two_nodes_that_talk_in_few_keys(here: Path) -> No
         session = Session((here / "two.plastron").read_bytes(), environ={})
         assert session.diagnostics == ()
         (node, other) = session.workspace.nodes.values()
-        assert set(node.publishers) == set(other.subscriptions) == {"chatter"}
+        assert set(node.of(Publisher)) == set(other.of(Subscription)) == {"chatter"}

@@ -1,0 +1,67 @@
+"""What follows from an earlier mistake, and is none of its own."""
+
+from __future__ import annotations
+
+from itertools import product
+
+from plastron_tui.language.broken import Broken
+from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
+
+from .workspace import Node
+
+
+class Consequences:
+    """What statements with a mistake, and lines that are no statements, were to make."""
+
+    def __init__(self) -> None:
+        """Start with no mistake."""
+        self.begin(Broken())
+
+    def begin(self, lines: Broken) -> None:
+        """Forget the mistakes, and start with what the broken lines of a program say of it."""
+        self._lines = lines
+        self._lost = lines.lost
+        self._declared = set(lines.declared)
+        self._endpoints: set[tuple[str, str]] = set()
+        self._nodes: set[str] = set()
+
+    def add(self, statement: Statement) -> None:
+        """Remember what a statement without effect was to make: it is broken, not missing."""
+        declaration = DECLARATIONS[type(statement)]
+        filled = [(slot.kind, getattr(statement, slot.name)) for slot in declaration.slots]
+        self._declared.update(text for kind, text in filled if kind.makes is not None)
+        names = [text for kind, text in filled if kind in (SlotKind.TOPIC, SlotKind.SERVICE)]
+        if names and declaration.undoes is None:
+            nodes = [text for kind, text in filled if kind is SlotKind.NODE]
+            self._endpoints.update(product(nodes, names))
+            self._nodes.update(nodes)
+
+    def add_nodes(self, variables: set[str]) -> None:
+        """Note that nodes lack something that a statement meant for them."""
+        self._nodes |= variables
+
+    def declares(self, variable: str) -> bool:
+        """Tell whether a variable that is not there was to be declared by a broken statement."""
+        if variable not in self._declared and self._lost > 0:
+            self._lost -= 1
+            self._declared.add(variable)
+        return variable in self._declared
+
+    def mentions(self, name: str) -> bool:
+        """Tell whether a broken line has a word or a quoted name."""
+        return name in self._lines.words
+
+    def explains(self, node: Node, name: str) -> bool:
+        """Tell whether what a node has under a name may be so because of an earlier mistake."""
+        variable, lines = node.variable, self._lines
+        return (
+            (variable, name) in self._endpoints
+            or variable in lines.unfinished
+            or "" in lines.unfinished
+            or (variable in lines.words and name in lines.words)
+        )
+
+    def is_unfinished(self, node: Node) -> bool:
+        """Tell whether a mistake kept a node from having what it was to have."""
+        variable, lines = node.variable, self._lines
+        return variable in self._nodes or variable in lines.words or "" in lines.unfinished

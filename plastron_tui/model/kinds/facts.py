@@ -1,0 +1,81 @@
+"""What is declared of a kind of endpoint, once, for all that handle endpoints."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from plastron_tui.diagnostics import Code
+from plastron_tui.language.declaration import DECLARATIONS, Declaration, SlotKind, Statement
+from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.names import NameProblem, check_topic_name
+
+if TYPE_CHECKING:
+    from plastron_tui.model.run import Run
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Facts:
+    """What holds for every endpoint of a kind.
+
+    Attributes:
+        verb: what a node does with one, before its name: `publishes to`.
+        named: what its name is the name of: `topic`, `service`, `action`, `name`; None where
+            the kind has no names.
+        interface: the kind of interface that types it, None for what has no type.
+        sends: whether the node begins: it publishes, or it calls.
+        check_name: says what is wrong with a name of the kind, for a generation of ROS.
+        calls_back: whether it has a function of the node called.
+        sign: the character that stands for one in a list.
+        tone: the name of the sign's colour (`studio.tcss`).
+        editing: how statements make one and end one, None where none do.
+    """
+
+    verb: str
+    named: str | None
+    interface: InterfaceKind | None
+    check_name: Callable[[str, int], NameProblem | None] = check_topic_name
+    sends: bool = False
+    calls_back: bool = False
+    sign: str = "·"
+    tone: str = "dim"
+    editing: Editing | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Editing:
+    """How statements make endpoints of a kind, and end them.
+
+    Attributes:
+        endpoint: the class of the endpoints; its first two fields are `name` and `type`.
+        made_by: the statement that makes one.
+        make: interprets that statement.
+        ended_by: the statement that ends one.
+        not_there: the code of ending one that is not there.
+        infinitive: what the node does not do then, before the name: `publish to`.
+    """
+
+    endpoint: type[Any]
+    made_by: type[Statement]
+    make: Callable[[Run, Any], None]
+    ended_by: type[Statement]
+    not_there: Code
+    infinitive: str
+
+    @property
+    def name_slot(self) -> str:
+        """The slot of both statements that has the endpoint's name."""
+        kinds = (SlotKind.TOPIC, SlotKind.SERVICE)
+        slots = DECLARATIONS[self.ended_by].slots
+        return next(slot.name for slot in slots if slot.kind in kinds)
+
+    @property
+    def making(self) -> Declaration:
+        """The declaration of the statement that makes one."""
+        return DECLARATIONS[self.made_by]
+
+    @property
+    def ending(self) -> Declaration:
+        """The declaration of the statement that ends one."""
+        return DECLARATIONS[self.ended_by]

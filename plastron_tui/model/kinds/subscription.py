@@ -1,0 +1,39 @@
+"""Subscriptions: topics that a node listens to."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from plastron_tui.diagnostics import Span, codes
+from plastron_tui.language.statements import Subscribe
+from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+
+if TYPE_CHECKING:
+    from ..run import Run
+
+
+class Subscription(NamedTuple):
+    """A topic that a node listens to; without a `callback` the target names one."""
+
+    name: str
+    type: InterfaceName | None
+    callback: str | None = None
+    span: Span | None = None
+
+
+def subscribe(run: Run, statement: Subscribe) -> None:
+    """Let a node listen to a topic."""
+    from .service import Service
+
+    checks = run.checks
+    node = checks.node(statement)
+    version = checks.version_of(node)
+    topic = statement.topic
+    checks.name(statement, "topic", topic, version)
+    type_ = run.types.named(statement, statement.type, InterfaceKind.MESSAGE, version).name
+    if topic in node.of(Subscription):
+        what = f"`{node.variable}` subscribes to"
+        raise checks.exists_already(statement, "topic", node, codes.ALREADY_SUBSCRIBED, what)
+    if statement.function is not None:
+        checks.function(statement, node, node.of(Service).values())
+    run.add(statement, node, Subscription(topic, type_, statement.function, statement.span))

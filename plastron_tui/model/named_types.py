@@ -1,0 +1,108 @@
+"""The interface types that a program names, and values that fit them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from plastron_tui.diagnostics import Diagnostic, Fix, write
+from plastron_tui.language import statements as st
+from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
+from plastron_tui.ros.interfaces import Interface, InterfaceKind
+
+from .fitting import Fitter
+from .libraries import default_library
+from .mistake import Mistake
+from .setting import Setting
+from .types import TypeProblem, TypeResolver
+from .values import MessageValue
+from .workspace import Workspace
+
+_INTERFACES = {
+    SlotKind.MESSAGE_TYPE: InterfaceKind.MESSAGE,
+    SlotKind.SERVICE_TYPE: InterfaceKind.SERVICE,
+}
+
+
+class NamedTypes:
+    """Looks up the types that statements name, and fits values to them."""
+
+    def __init__(
+        self, setting: Setting, workspace: Workspace, fitters: Mapping[int, Fitter]
+    ) -> None:
+        """Start with nothing.
+
+        Args:
+            setting: what programs are interpreted in.
+            workspace: what the program has built so far.
+            fitters: those of an earlier interpretation, by their generation of ROS.
+        """
+        self._setting = setting
+        self._workspace = workspace
+        self._version = setting.ros_version(None)
+        self._resolvers: dict[int, TypeResolver] = {}
+        self.fitters: dict[int, Fitter] = {}
+        self._earlier_fitters = fitters
+
+    def named(
+        self, statement: Statement, text: str, kind: InterfaceKind, version: int
+    ) -> Interface:
+        """Return the type that a statement names, in a generation of ROS."""
+        found = self._resolver(version).resolve(text, kind)
+        if not isinstance(found, TypeProblem):
+            return found
+        where = statement.span_of("type")
+        remedy: str | None = self._elsewhere(text, kind, version)
+        fix: Fix | None = None
+        if remedy is None:
+            remedy = found.help
+            fix = None if found.right is None else write(found.right, where)
+        raise Mistake(Diagnostic(found.code, found.message, where, help=remedy, fix=fix))
+
+    def unknown(self, statement: Any) -> Diagnostic | None:
+        """Return what is wrong with a type, whatever the broken node or message beside it is."""
+        slots = DECLARATIONS[type(statement)].slots
+        kind = next((_INTERFACES[slot.kind] for slot in slots if slot.kind in _INTERFACES), None)
+        if kind is None:
+            return None
+        node = self._workspace.nodes.get(getattr(statement, "node", ""))
+        version = self._version if node is None else self._setting.ros_version(node.library)
+        # A node that is not there may be for the other ROS.
+        others = {1, 2} - {version} if node is None else ()
+        try:
+            self.named(statement, statement.type, kind, version)
+        except Mistake as mistake:
+            found = (self._resolver(other).resolve(statement.type, kind) for other in others)
+            if all(isinstance(each, TypeProblem) for each in found):
+                return mistake.diagnostic
+        return None
+
+    def _elsewhere(self, text: str, kind: InterfaceKind, version: int) -> str | None:
+        """Say how to get the other ROS, which has a type, where nobody chose this one."""
+        if self._setting.is_chosen or version != self._version:
+            return None
+        other = 3 - version
+        library = default_library(self._setting.libraries, other)
+        if isinstance(self._resolver(other).resolve(text, kind), TypeProblem):
+            return None
+        return (
+            f"ROS {other} has it, and ROS {version} is only the default: use `--target {library}`, "
+            f"or write `target: {library}` in plastron.yaml"
+        )
+
+    def _resolver(self, version: int) -> TypeResolver:
+        resolver = self._resolvers.get(version)
+        if resolver is None:
+            catalog = self._setting.catalog(version)
+            resolver = self._resolvers[version] = TypeResolver(catalog)
+            self.fitters[version] = Fitter(catalog, self._earlier_fitters.get(version))
+        return resolver
+
+    def fit(
+        self, statement: st.CreateMessage | st.ClientRequests, type_: Interface, version: int
+    ) -> MessageValue:
+        """Return the values of a statement as a message of a type."""
+        value = self.fitters[version].fit(type_, statement)
+        if isinstance(value, Diagnostic):
+            raise Mistake(value)
+        return value

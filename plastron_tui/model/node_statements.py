@@ -1,0 +1,81 @@
+"""The statements that make nodes, load them, and write them to files."""
+
+from __future__ import annotations
+
+from plastron_tui.diagnostics import Diagnostic, Label, codes, write
+from plastron_tui.language import statements as st
+
+from .mistake import Mistake
+from .run import Run
+from .setting import LoadRequest
+from .workspace import Generation, Node
+
+
+def create_node(run: Run, statement: st.CreateNode) -> None:
+    """Make a node."""
+    run.checks.new_variable(statement, statement.variable)
+    library = run.checks.library(statement)
+    run.checks.name(statement, "name", statement.name, run.setting.ros_version(library))
+    earlier = run.node_names.get(statement.name)
+    if earlier is not None:
+        raise Mistake(
+            Diagnostic(
+                codes.NODE_EXISTS,
+                f"a node `{statement.name}` exists already",
+                statement.span_of("name"),
+                help="ROS stops the first of two nodes of one name; choose another",
+                labels=(Label(earlier, "first created here"),),
+            )
+        )
+    run.node_names[statement.name] = statement.span
+    run.workspace.nodes[statement.variable] = Node(
+        statement.name, statement.variable, statement.span, library
+    )
+
+
+def load(run: Run, statement: st.Load) -> None:
+    """Read a node from a file."""
+    from .loading import loaded_node, node_in  # most programs load nothing
+
+    run.checks.new_variable(statement, statement.variable)
+    generated = tuple(run.workspace.generations)
+    loaded = run.setting.read(LoadRequest(statement.source, statement.is_path, generated))
+    where = statement.span_of("source")
+    for found in loaded.diagnostics:
+        fix = None if loaded.right is None else write(loaded.right, where)
+        placed = found if found.file is not None else found._replace(span=where, fix=fix)
+        run.report(statement, placed)
+    if loaded.source is None:
+        raise Mistake
+    source = node_in(loaded.source, statement)
+    if isinstance(source, Diagnostic):
+        raise Mistake(source)
+    node = loaded_node(source, statement)
+    run.agreements.adopt(node, run.checks.version_of(node), statement)
+    run.workspace.nodes[statement.variable] = node
+
+
+def generate_node(run: Run, statement: st.GenerateNode) -> None:
+    """Note that a node is to be written as it is now."""
+    node = run.checks.node(statement)
+    library = run.checks.library(statement) or node.library or run.setting.library
+    if node.is_idle and not _has_other_work(node):
+        if run.consequences.is_unfinished(node):
+            raise Mistake
+        raise Mistake(
+            Diagnostic(
+                codes.IDLE_NODE,
+                f"`{node.variable}` does nothing yet",
+                statement.span_of("node"),
+                help="let it publish, subscribe, provide a service or request one first",
+                labels=(Label(node.span, "created here"),),
+            )
+        )
+    run.workspace.generations.append(Generation(node.snapshot(), library, statement.span))
+
+
+def _has_other_work(node: Node) -> bool:
+    """Tell whether a loaded node does something that the workspace does not show."""
+    from .loading import has_other_work
+
+    return has_other_work(node)

@@ -1,0 +1,85 @@
+"""What the statements of a program work on while it is interpreted."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.language.declaration import Statement
+from plastron_tui.language.lowering import Program
+
+from .agreements import Agreements
+from .checks import Checks
+from .consequences import Consequences
+from .fitting import Fitter
+from .kinds import Endpoint, EndpointKind
+from .messages import Messages
+from .mistake import Mistake
+from .named_types import NamedTypes
+from .setting import Setting
+from .workspace import Node, Workspace
+
+
+class Run:
+    """A workspace in the making, and what knows about its parts.
+
+    Attributes:
+        setting: what the program is interpreted in.
+        workspace: what it has built so far.
+        consequences: what merely follows from an earlier mistake.
+        checks: variables, names, functions.
+        types: the interface types that statements name, and values of them.
+        messages: the messages, for nodes of each ROS.
+        agreements: who uses which type for a topic or a service.
+        node_names: the names of the nodes that were created, and where.
+        found: what is wrong, each with the offset of its statement.
+    """
+
+    def __init__(self, setting: Setting, fitters: Mapping[int, Fitter]) -> None:
+        """Start with an empty workspace.
+
+        Args:
+            setting: what programs are interpreted in.
+            fitters: those of an earlier interpretation, by their generation of ROS.
+        """
+        self.setting = setting
+        self.workspace = Workspace()
+        self.consequences = Consequences()
+        self.checks = Checks(setting, self.workspace, self.consequences)
+        self.types = NamedTypes(setting, self.workspace, fitters)
+        self.messages = Messages(
+            setting, self.workspace, self.checks, self.types, self.consequences
+        )
+        self.agreements = Agreements()
+        self.node_names: dict[str, Span] = {}
+        self.found: list[tuple[int, Diagnostic]] = []
+
+    def begin(self, program: Program) -> None:
+        """Go on with another program in the same workspace."""
+        self.consequences.begin(program.broken)
+        self.messages.begin(program)
+        self.found = []
+
+    def report(self, statement: Statement, diagnostic: Diagnostic) -> None:
+        """Note what is wrong with a statement, or beside it."""
+        self.found.append((statement.span.start, diagnostic))
+
+    def add(self, statement: Statement, node: Node, endpoint: Endpoint) -> None:
+        """Give a node an endpoint, if its type agrees with that of all who use the name."""
+        version = self.checks.version_of(node)
+        conflict = self.agreements.join(node, version, endpoint, statement)
+        if conflict is not None:
+            # Where the other use was to be taken away, it may be there because of a mistake.
+            raise Mistake(None if self.consequences.mentions(endpoint.name) else conflict)
+        node.put(endpoint)
+
+    def take(self, statement: Statement, kind: EndpointKind) -> None:
+        """Take an endpoint away from the node of a statement."""
+        node = self.checks.node(statement)
+        name = self.checks.take(statement, node, kind)
+        self.agreements.leave(node, self.checks.version_of(node), kind, name)
+
+    def elsewhere(self, node: Node, endpoint: Endpoint) -> Statement | None:
+        """Return the statement by which another node has an endpoint of a kind and name."""
+        version = self.checks.version_of(node)
+        return self.agreements.other(node, version, endpoint, self.workspace.nodes)
