@@ -6,26 +6,16 @@ and each entry with the span of the statement that it comes from.
 
 from __future__ import annotations
 
-from enum import Enum
+from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from plastron_tui.diagnostics import Span
-from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.names import resolved_name
 
-from .kinds import Client, Publication, Publisher, Service, Subscription
-from .values import MessageValue
+from .kinds import EDITABLE, Endpoint, EndpointKind, Publisher
 from .workspace import Node, Workspace
-
-
-class Missing(str, Enum):
-    """The side of a topic or service that no node of the program takes."""
-
-    PUBLISHER = "publisher"
-    SUBSCRIBER = "subscriber"
-    PROVIDER = "provider"
-    CLIENT = "client"
 
 
 class GraphNode(NamedTuple):
@@ -62,64 +52,53 @@ class Sending(NamedTuple):
     span: Span | None
 
 
-class TopicPublisher(NamedTuple):
-    """A node that publishes a topic; `sendings` is empty for one that was read from a file.
-
-    `written` is the topic's name as the program or the file has it; `span` is None for what
-    was read from a file.
-    """
+class End(NamedTuple):
+    """A node's endpoint at a topic or service."""
 
     node: GraphNode
-    written: str
-    type: InterfaceName | None
-    sendings: tuple[Sending, ...]
-    span: Span | None
+    kind: EndpointKind
+    endpoint: Endpoint
+
+    @property
+    def written(self) -> str:
+        """The name as the program or the file has it."""
+        return self.endpoint.name
+
+    @property
+    def type(self) -> InterfaceName | None:
+        """The type, None where a file does not say it."""
+        return self.endpoint.type
+
+    @property
+    def span(self) -> Span | None:
+        """The statement that made it, None for what was read from a file."""
+        return self.endpoint.span
+
+    @property
+    def sendings(self) -> tuple[Sending, ...]:
+        """The messages that a publisher sends; none of one that was read from a file."""
+        if not isinstance(self.endpoint, Publisher):
+            return ()
+        sent = self.endpoint.publications
+        return tuple([Sending(each.message.variable, each.rate, each.span) for each in sent])
 
 
-class TopicSubscriber(NamedTuple):
-    """A node that listens to a topic; `callback` is None where the target names it."""
-
-    node: GraphNode
-    written: str
-    type: InterfaceName | None
-    callback: str | None
-    span: Span | None
-
-
-class ServiceProvider(NamedTuple):
-    """A node that provides a service; `handler` is None where the target names it."""
-
-    node: GraphNode
-    written: str
-    type: InterfaceName | None
-    handler: str | None
-    span: Span | None
-
-
-class ServiceClient(NamedTuple):
-    """A node that calls a service, with the request of each call, in order."""
-
-    node: GraphNode
-    written: str
-    type: InterfaceName | None
-    requests: tuple[MessageValue, ...]
-    span: Span | None
-
-
-_End = TopicPublisher | TopicSubscriber | ServiceProvider | ServiceClient
-
-
-class GraphTopic(NamedTuple):
-    """A topic by its full name, with all who publish it and all who listen.
+class Hub(NamedTuple):
+    """A topic, or a service, by its full name, with all who meet there.
 
     `types` are the types in use, each once: one, unless files that were loaded disagree; none
-    where no file says it.
+    where no file says it. The ends are in the order of their kinds, then in that of the program.
     """
 
+    interface: InterfaceKind
     name: str
     types: tuple[InterfaceName, ...]
-    publishers: tuple[TopicPublisher, ...]
-    subscribers: tuple[TopicSubscriber, ...]
+    ends: tuple[End, ...]
+
+    @property
+    def noun(self) -> str:
+        """What it is: a `topic`, or a `service`."""
+        return NOUNS[self.interface]
 
     @property
     def type(self) -> InterfaceName | None:
@@ -127,77 +106,93 @@ class GraphTopic(NamedTuple):
         return self.types[0] if self.types else None
 
     @property
-    def missing(self) -> Missing | None:
-        """The side that nobody takes, None when both are there."""
-        if not self.publishers:
-            return Missing.PUBLISHER
-        return None if self.subscribers else Missing.SUBSCRIBER
+    def missing(self) -> EndpointKind | None:
+        """The kind of ends that nobody has, None when all are there."""
+        kinds = {end.kind for end in self.ends}
+        return next((kind for kind in KINDS_AT[self.interface] if kind not in kinds), None)
 
-
-class GraphService(NamedTuple):
-    """A service by its full name, with all who provide it and all who call it."""
-
-    name: str
-    types: tuple[InterfaceName, ...]
-    providers: tuple[ServiceProvider, ...]
-    clients: tuple[ServiceClient, ...]
+    def of(self, kind: EndpointKind) -> Iterator[End]:
+        """Yield the ends of one kind."""
+        return (end for end in self.ends if end.kind is kind)
 
     @property
-    def type(self) -> InterfaceName | None:
-        """The first type that is known."""
-        return self.types[0] if self.types else None
+    def tails(self) -> list[End]:
+        """Those that begin: messages and requests come from them."""
+        return [end for end in self.ends if end.kind.facts.sends]
 
     @property
-    def missing(self) -> Missing | None:
-        """The side that nobody takes, None when both are there."""
-        if not self.providers:
-            return Missing.PROVIDER
-        return None if self.clients else Missing.CLIENT
+    def heads(self) -> list[End]:
+        """Those that messages and requests go to."""
+        return [end for end in self.ends if not end.kind.facts.sends]
+
+
+def _kinds_at() -> dict[InterfaceKind, tuple[EndpointKind, ...]]:
+    found: dict[InterfaceKind, tuple[EndpointKind, ...]] = {}
+    for kind in EDITABLE:
+        if kind.facts.interface is not None:
+            found[kind.facts.interface] = (*found.get(kind.facts.interface, ()), kind)
+    return found
+
+
+KINDS_AT = _kinds_at()
+"""The kinds of endpoints that meet where an interface is used."""
+
+NOUNS = {at: kinds[0].facts.named or "" for at, kinds in KINDS_AT.items()}
+"""What endpoints of a kind of interface meet at: a `topic`, a `service`."""
 
 
 class Graph(NamedTuple):
-    """The nodes, topics and services of a program, each in the order of the program."""
+    """The nodes of a program, and where they meet, each in the order of the program."""
 
     nodes: tuple[GraphNode, ...]
-    topics: tuple[GraphTopic, ...]
-    services: tuple[GraphService, ...]
+    at: Mapping[InterfaceKind, tuple[Hub, ...]]
 
+    @property
+    def hubs(self) -> tuple[Hub, ...]:
+        """All topics, then all services."""
+        return tuple([hub for hubs in self.at.values() for hub in hubs])
 
-_Ends = dict[str, tuple[list[Any], list[Any]]]
-"""By its full name, those that speak in a topic or service, and those that are spoken to."""
+    @property
+    def topics(self) -> tuple[Hub, ...]:
+        """The topics."""
+        return self.at[InterfaceKind.MESSAGE]
+
+    @property
+    def services(self) -> tuple[Hub, ...]:
+        """The services."""
+        return self.at[InterfaceKind.SERVICE]
 
 
 def graph_of(workspace: Workspace) -> Graph:
     """Return the graph of a workspace as it is at the end of the program."""
-    topics: _Ends = {}
-    services: _Ends = {}
+    found: dict[InterfaceKind, dict[str, dict[EndpointKind, list[End]]]] = {
+        interface: {} for interface in KINDS_AT
+    }
     generated = {made.node.variable: made.library for made in workspace.generations}
     nodes = []
     for node in workspace.nodes.values():
         shown = _node(node, generated)
         nodes.append(shown)
-        for publisher in node.of(Publisher).values():
-            _ends(topics, node, publisher.name)[0].append(_publisher(shown, publisher))
-        for listener in node.of(Subscription).values():
-            _ends(topics, node, listener.name)[1].append(_subscriber(shown, listener))
-        for service in node.of(Service).values():
-            _ends(services, node, service.name)[0].append(_provider(shown, service))
-        for client in node.of(Client).values():
-            _ends(services, node, client.name)[1].append(_client(shown, client))
+        for (kind, written), endpoint in node.endpoints.items():
+            assert kind.facts.interface is not None
+            hubs, name = found[kind.facts.interface], resolved_name(node.name, written)
+            ends = hubs.get(name)
+            if ends is None:
+                ends = hubs[name] = {each: [] for each in KINDS_AT[kind.facts.interface]}
+            ends[kind].append(End(shown, kind, endpoint))
     return Graph(
         tuple(nodes),
-        tuple([_topic(name, *map(tuple, ends)) for name, ends in topics.items()]),
-        tuple([_service(name, *map(tuple, ends)) for name, ends in services.items()]),
+        {
+            interface: tuple([_hub(interface, name, ends) for name, ends in hubs.items()])
+            for interface, hubs in found.items()
+        },
     )
 
 
-def _ends(all_: _Ends, node: Node, written: str) -> tuple[list[Any], list[Any]]:
-    """Return the ends of a topic or service, by its name as a node has it."""
-    name = resolved_name(node.name, written)
-    ends = all_.get(name)
-    if ends is None:
-        ends = all_[name] = ([], [])
-    return ends
+def _hub(interface: InterfaceKind, name: str, by_kind: dict[EndpointKind, list[End]]) -> Hub:
+    ends = tuple([end for found in by_kind.values() for end in found])
+    types = dict.fromkeys(end.type for end in ends if end.type is not None)
+    return Hub(interface, name, tuple(types), ends)
 
 
 def _node(node: Node, generated: dict[str, str]) -> GraphNode:
@@ -209,42 +204,3 @@ def _node(node: Node, generated: dict[str, str]) -> GraphNode:
         node.variable in generated,
         node.span,
     )
-
-
-def _sending(publication: Publication) -> Sending:
-    return Sending(publication.message.variable, publication.rate, publication.span)
-
-
-def _publisher(node: GraphNode, publisher: Publisher) -> TopicPublisher:
-    sendings = tuple([_sending(publication) for publication in publisher.publications])
-    return TopicPublisher(node, publisher.name, publisher.type, sendings, publisher.span)
-
-
-def _subscriber(node: GraphNode, listener: Subscription) -> TopicSubscriber:
-    return TopicSubscriber(node, listener.name, listener.type, listener.callback, listener.span)
-
-
-def _provider(node: GraphNode, service: Service) -> ServiceProvider:
-    return ServiceProvider(node, service.name, service.type, service.callback, service.span)
-
-
-def _client(node: GraphNode, client: Client) -> ServiceClient:
-    return ServiceClient(node, client.name, client.type, client.requests, client.span)
-
-
-def _topic(
-    name: str, publishers: tuple[TopicPublisher, ...], subscribers: tuple[TopicSubscriber, ...]
-) -> GraphTopic:
-    return GraphTopic(name, _types(publishers, subscribers), publishers, subscribers)
-
-
-def _service(
-    name: str, providers: tuple[ServiceProvider, ...], clients: tuple[ServiceClient, ...]
-) -> GraphService:
-    return GraphService(name, _types(providers, clients), providers, clients)
-
-
-def _types(*sides: tuple[_End, ...]) -> tuple[InterfaceName, ...]:
-    types = {end.type: None for side in sides for end in side}
-    types.pop(None, None)
-    return tuple(types)  # type: ignore[arg-type]

@@ -125,8 +125,8 @@ def add_entries(analysis: Analysis, panel: str) -> None:
         case "messages":
             used: dict[str, list[str]] = {}
             for topic in analysis.graph.topics:
-                for publisher in topic.publishers:
-                    for sending in publisher.sendings:
+                for end in topic.tails:
+                    for sending in end.sendings:
                         used.setdefault(sending.message, []).append(topic.name)
             made = outline.message_entries(analysis.workspace.messages, used)
         case "problems":

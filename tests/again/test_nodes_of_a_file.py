@@ -95,10 +95,7 @@ def test_a_name_that_the_file_does_not_have(bench: Bench, name: str, help_: str)
 
 def test_each_node_has_what_is_its_own(bench: Bench) -> None:
     graph = graph_of(bench.session(LEFT + RIGHT).workspace)
-    users = {
-        topic.name: {end.node.variable for end in (*topic.publishers, *topic.subscribers)}
-        for topic in graph.topics
-    }
+    users = {topic.name: {end.node.variable for end in topic.ends} for topic in graph.topics}
     assert users == {
         "/left/command": {"left"},
         "/right/command": {"right"},

@@ -69,6 +69,8 @@ class EndpointKind(str, Enum):
         "publishers",
         Facts(
             verb="publishes to",
+            role="publisher",
+            does="publishes",
             named="topic",
             interface=InterfaceKind.MESSAGE,
             sends=True,
@@ -88,6 +90,8 @@ class EndpointKind(str, Enum):
         "subscriptions",
         Facts(
             verb="subscribes to",
+            role="subscriber",
+            does="listens",
             named="topic",
             interface=InterfaceKind.MESSAGE,
             calls_back=True,
@@ -107,6 +111,8 @@ class EndpointKind(str, Enum):
         "services",
         Facts(
             verb="provides the service",
+            role="provider",
+            does="provides",
             named="service",
             check_name=check_service_name,
             interface=InterfaceKind.SERVICE,
@@ -127,6 +133,8 @@ class EndpointKind(str, Enum):
         "clients",
         Facts(
             verb="requests the service",
+            role="client",
+            does="calls",
             named="service",
             check_name=check_service_name,
             interface=InterfaceKind.SERVICE,
@@ -147,6 +155,8 @@ class EndpointKind(str, Enum):
         "action_servers",
         Facts(
             verb="serves the action",
+            role="action server",
+            does="serves",
             named="action",
             interface=InterfaceKind.ACTION,
             calls_back=True,
@@ -156,6 +166,8 @@ class EndpointKind(str, Enum):
         "action_clients",
         Facts(
             verb="requests the action",
+            role="action client",
+            does="calls",
             named="action",
             interface=InterfaceKind.ACTION,
             sends=True,

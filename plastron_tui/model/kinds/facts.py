@@ -21,6 +21,8 @@ class Facts:
 
     Attributes:
         verb: what a node does with one, before its name: `publishes to`.
+        role: what a node is called that has one: `publisher`.
+        does: what it does, alone: `publishes`.
         named: what its name is the name of: `topic`, `service`, `action`, `name`; None where
             the kind has no names.
         interface: the kind of interface that types it, None for what has no type.
@@ -33,6 +35,8 @@ class Facts:
     """
 
     verb: str
+    role: str = ""
+    does: str = ""
     named: str | None
     interface: InterfaceKind | None
     check_name: Callable[[str, int], NameProblem | None] = check_topic_name

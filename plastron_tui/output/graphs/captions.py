@@ -5,30 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from plastron_tui.diagnostics.terminal import visible
-from plastron_tui.model.graph import (
-    GraphNode,
-    GraphService,
-    GraphTopic,
-    Missing,
-    Sending,
-    ServiceClient,
-    ServiceProvider,
-    TopicPublisher,
-    TopicSubscriber,
-)
+from plastron_tui.model.graph import End, GraphNode, Hub, Sending
+from plastron_tui.model.kinds import Client, EndpointKind, Publisher
 from plastron_tui.ros.interfaces import InterfaceName
 
-_MISSING = {
-    Missing.PUBLISHER: "nobody publishes",
-    Missing.SUBSCRIBER: "nobody listens",
-    Missing.PROVIDER: "nobody provides",
-    Missing.CLIENT: "nobody calls",
-}
 
-
-def missing_text(missing: Missing | None) -> str:
+def missing_text(missing: EndpointKind | None) -> str:
     """Return `nobody listens` or the like, "" where nothing is missing."""
-    return "" if missing is None else _MISSING[missing]
+    return "" if missing is None else f"nobody {missing.facts.does}"
 
 
 def type_text(types: tuple[InterfaceName, ...]) -> str:
@@ -48,11 +32,11 @@ def node_text(node: GraphNode) -> str:
     return " · ".join([*parts, visible(origin)])
 
 
-def topic_text(topic: GraphTopic) -> str:
-    """Return the caption of a topic: its type, and how often it is published where that is one."""
-    rates = {sending.rate for publisher in topic.publishers for sending in publisher.sendings}
+def hub_text(hub: Hub) -> str:
+    """Return the caption of a topic or service: its type, and how often it is published if once."""
+    rates = {sending.rate for end in hub.tails for sending in end.sendings}
     rate = f" · {hertz(rates.pop())}" if len(rates) == 1 else ""
-    return f"{type_text(topic.types)}{rate}"
+    return f"{type_text(hub.types)}{rate}"
 
 
 def hertz(rate: float) -> str:
@@ -65,29 +49,16 @@ def sendings_text(sendings: Iterable[Sending]) -> str:
     return ", ".join(f"{sending.message} at {hertz(sending.rate)}" for sending in sendings)
 
 
-def ends_of(
-    place: GraphTopic | GraphService,
-) -> list[tuple[GraphNode, str, str]]:
+def ends_of(hub: Hub) -> list[tuple[GraphNode, str, str]]:
     """Return who meets at a topic or service: the node, what it does, and the details."""
-    ends: list[_End]
-    if isinstance(place, GraphTopic):
-        ends = [*place.publishers, *place.subscribers]
-    else:
-        ends = [*place.providers, *place.clients]
-    return [(end.node, *_part(end)) for end in ends]
+    return [(end.node, end.kind.facts.does, _details(end)) for end in hub.ends]
 
 
-_End = TopicPublisher | TopicSubscriber | ServiceProvider | ServiceClient
-
-
-def _part(end: _End) -> tuple[str, str]:
-    match end:
-        case TopicPublisher():
-            return "publishes", sendings_text(end.sendings)
-        case TopicSubscriber():
-            return "listens", end.callback or ""
-        case ServiceProvider():
-            return "provides", end.handler or ""
-        case ServiceClient():
-            count = len(end.requests)
-            return "calls", "" if count < 2 else f"{count} times"
+def _details(end: End) -> str:
+    match end.endpoint:
+        case Publisher():
+            return sendings_text(end.sendings)
+        case Client(requests=requests):
+            return "" if len(requests) < 2 else f"{len(requests)} times"
+        case calling:
+            return calling.callback or ""

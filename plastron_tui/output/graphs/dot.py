@@ -5,21 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from plastron_tui.diagnostics.terminal import visible
-from plastron_tui.model.graph import Graph, Missing
+from plastron_tui.model.graph import Graph
+from plastron_tui.model.kinds import EndpointKind
+from plastron_tui.ros.interfaces import InterfaceKind
 
-from .captions import missing_text, node_text, topic_text, type_text
-from .identifiers import Role, edges_of
+from .captions import hub_text, missing_text, node_text
+from .identifiers import edges_of, identified
 
 _NODE = 'shape=box, style="rounded,filled", fillcolor="#dbe7fb", color="#3b6fc4"'
-_TOPIC = 'shape=ellipse, style=filled, fillcolor="#d9f0e3", color="#2c8a5a"'
-_SERVICE = 'shape=hexagon, style=filled, fillcolor="#fbe6cf", color="#b8691b"'
-_MISSING = 'style="filled,dashed", color="#c0392b"'
-_EDGES = {
-    Role.PUBLISHES: "",
-    Role.LISTENS: "",
-    Role.CALLS: ' [style=dashed, label="calls"]',
-    Role.PROVIDES: " [style=dashed]",
+_HUBS = {
+    InterfaceKind.MESSAGE: 'shape=ellipse, style=filled, fillcolor="#d9f0e3", color="#2c8a5a"',
+    InterfaceKind.SERVICE: 'shape=hexagon, style=filled, fillcolor="#fbe6cf", color="#b8691b"',
 }
+_MISSING = 'style="filled,dashed", color="#c0392b"'
 
 
 def render(graph: Graph) -> str:
@@ -48,18 +46,20 @@ def _lines(graph: Graph) -> Iterator[str]:
     yield '  edge [fontname="Helvetica,Arial,sans-serif", fontsize=9, color="#5b6675"];'
     for number, node in enumerate(graph.nodes):
         yield f"  n{number} [label={quoted(node.name, node_text(node))}, {_NODE}];"
-    for number, topic in enumerate(graph.topics):
-        label = quoted(topic.name, topic_text(topic), missing_text(topic.missing))
-        yield f"  t{number} [label={label}, {_with_mark(_TOPIC, topic.missing)}];"
-    for number, service in enumerate(graph.services):
-        label = quoted(service.name, type_text(service.types), missing_text(service.missing))
-        yield f"  s{number} [label={label}, {_with_mark(_SERVICE, service.missing)}];"
+    for identifier, hub in identified(graph):
+        label = quoted(hub.name, hub_text(hub), missing_text(hub.missing))
+        # A later attribute of the same name wins.
+        marked = "" if hub.missing is None else f", {_MISSING}"
+        yield f"  {identifier} [label={label}, {_HUBS[hub.interface]}{marked}];"
     for edge in edges_of(graph):
         start, end = edge.ends
-        yield f"  {start} -> {end}{_EDGES[edge.role]};"
+        yield f"  {start} -> {end}{_style(edge.kind)};"
     yield "}"
 
 
-def _with_mark(style: str, missing: Missing | None) -> str:
-    # A later attribute of the same name wins.
-    return style if missing is None else f"{style}, {_MISSING}"
+def _style(kind: EndpointKind) -> str:
+    """Return the style of an edge: of messages it is drawn through, of calls dashed."""
+    if kind.facts.interface is InterfaceKind.MESSAGE:
+        return ""
+    label = f', label="{kind.facts.does}"' if kind.facts.sends else ""
+    return f" [style=dashed{label}]"

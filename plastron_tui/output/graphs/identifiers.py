@@ -3,27 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from enum import Enum
 from typing import NamedTuple
 
-from plastron_tui.model.graph import Graph
-
-
-class Role(Enum):
-    """What a node does at a topic or service."""
-
-    PUBLISHES = "publishes"
-    LISTENS = "listens"
-    PROVIDES = "provides"
-    CALLS = "calls"
+from plastron_tui.model.graph import Graph, Hub
+from plastron_tui.model.kinds import EndpointKind
 
 
 class Edge(NamedTuple):
     """A node's part in a topic or service, as indices into the graph's tuples."""
 
     node: int
-    role: Role
-    place: int
+    kind: EndpointKind
+    hub: int
 
     @property
     def node_id(self) -> str:
@@ -31,17 +22,27 @@ class Edge(NamedTuple):
         return f"n{self.node}"
 
     @property
-    def place_id(self) -> str:
+    def hub_id(self) -> str:
         """The identifier of the topic or service."""
-        is_topic = self.role is Role.PUBLISHES or self.role is Role.LISTENS
-        return f"{'t' if is_topic else 's'}{self.place}"
+        return f"{(self.kind.facts.named or '')[:1]}{self.hub}"
+
+    def hub_in(self, graph: Graph) -> Hub:
+        """Return the topic or service."""
+        assert self.kind.facts.interface is not None
+        return graph.at[self.kind.facts.interface][self.hub]
 
     @property
     def ends(self) -> tuple[str, str]:
         """From whom to whom: messages and requests flow this way."""
-        if self.role is Role.PUBLISHES or self.role is Role.CALLS:
-            return self.node_id, self.place_id
-        return self.place_id, self.node_id
+        ends = (self.node_id, self.hub_id)
+        return ends if self.kind.facts.sends else ends[::-1]
+
+
+def identified(graph: Graph) -> Iterator[tuple[str, Hub]]:
+    """Yield each topic and service with its identifier: `t0`, `s0`."""
+    for hubs in graph.at.values():
+        for number, hub in enumerate(hubs):
+            yield f"{hub.noun[0]}{number}", hub
 
 
 def edges_of(graph: Graph) -> Iterator[Edge]:
@@ -55,13 +56,7 @@ def edges_of(graph: Graph) -> Iterator[Edge]:
 
 
 def _all_edges(graph: Graph, numbers: dict[str, int]) -> Iterator[Edge]:
-    for place, topic in enumerate(graph.topics):
-        for publisher in topic.publishers:
-            yield Edge(numbers[publisher.node.variable], Role.PUBLISHES, place)
-        for listener in topic.subscribers:
-            yield Edge(numbers[listener.node.variable], Role.LISTENS, place)
-    for place, service in enumerate(graph.services):
-        for client in service.clients:
-            yield Edge(numbers[client.node.variable], Role.CALLS, place)
-        for provider in service.providers:
-            yield Edge(numbers[provider.node.variable], Role.PROVIDES, place)
+    for hubs in graph.at.values():
+        for number, hub in enumerate(hubs):
+            for end in (*hub.tails, *hub.heads):
+                yield Edge(numbers[end.node.variable], end.kind, number)

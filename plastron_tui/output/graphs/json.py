@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from plastron_tui.diagnostics import Span
-from plastron_tui.model.graph import Graph, GraphNode, GraphService, GraphTopic
+from plastron_tui.model.graph import KINDS_AT, NOUNS, End, Graph, GraphNode, Hub
+from plastron_tui.model.kinds import Client, Publisher, Service, Subscription
 from plastron_tui.model.values import MessageValue, Value
 from plastron_tui.ros.interfaces import InterfaceName
 
@@ -36,8 +37,7 @@ def render(graph: Graph) -> str:
     """
     document = {
         "nodes": [_node(node) for node in graph.nodes],
-        "topics": [_topic(topic) for topic in graph.topics],
-        "services": [_service(service) for service in graph.services],
+        **{f"{NOUNS[at]}s": [_hub(hub) for hub in hubs] for at, hubs in graph.at.items()},
     }
     return json.dumps(document, indent=2) + "\n"
 
@@ -53,62 +53,45 @@ def _node(node: GraphNode) -> dict[str, Any]:
     }
 
 
-def _topic(topic: GraphTopic) -> dict[str, Any]:
+def _hub(hub: Hub) -> dict[str, Any]:
     return {
-        **_place(topic),
-        "publishers": [
-            {
-                **_end(end.node, end.written, end.type, end.span),
+        "name": hub.name,
+        "type": _type(hub.type),
+        "types": [str(type_) for type_ in hub.types],
+        "missing": None if hub.missing is None else hub.missing.facts.role,
+        **{
+            f"{kind.facts.role}s": [_end(end) for end in hub.of(kind)]
+            for kind in KINDS_AT[hub.interface]
+        },
+    }
+
+
+def _end(end: End) -> dict[str, Any]:
+    return {
+        "node": end.node.name,
+        "variable": end.node.variable,
+        "written": end.written,
+        "type": _type(end.type),
+        "span": _span(end.span),
+        **_details(end),
+    }
+
+
+def _details(end: End) -> dict[str, Any]:
+    match end.endpoint:
+        case Publisher():
+            return {
                 "messages": [
                     {"message": sent.message, "rate": sent.rate, "span": _span(sent.span)}
                     for sent in end.sendings
-                ],
+                ]
             }
-            for end in topic.publishers
-        ],
-        "subscribers": [
-            {**_end(end.node, end.written, end.type, end.span), "callback": end.callback}
-            for end in topic.subscribers
-        ],
-    }
-
-
-def _service(service: GraphService) -> dict[str, Any]:
-    return {
-        **_place(service),
-        "providers": [
-            {**_end(end.node, end.written, end.type, end.span), "handler": end.handler}
-            for end in service.providers
-        ],
-        "clients": [
-            {
-                **_end(end.node, end.written, end.type, end.span),
-                "requests": [_value(request) for request in end.requests],
-            }
-            for end in service.clients
-        ],
-    }
-
-
-def _place(place: GraphTopic | GraphService) -> dict[str, Any]:
-    return {
-        "name": place.name,
-        "type": _type(place.type),
-        "types": [str(type_) for type_ in place.types],
-        "missing": None if place.missing is None else place.missing.value,
-    }
-
-
-def _end(
-    node: GraphNode, written: str, type_: InterfaceName | None, span: Span | None
-) -> dict[str, Any]:
-    return {
-        "node": node.name,
-        "variable": node.variable,
-        "written": written,
-        "type": _type(type_),
-        "span": _span(span),
-    }
+        case Subscription(callback=callback):
+            return {"callback": callback}
+        case Service(callback=callback):
+            return {"handler": callback}
+        case Client(requests=requests):
+            return {"requests": [_value(request) for request in requests]}
 
 
 def _type(type_: InterfaceName | None) -> str | None:

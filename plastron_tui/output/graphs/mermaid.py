@@ -6,17 +6,14 @@ from collections.abc import Iterator
 
 from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.model.graph import Graph
+from plastron_tui.model.kinds import EndpointKind
+from plastron_tui.ros.interfaces import InterfaceKind
 
-from .captions import missing_text, node_text, topic_text, type_text
-from .identifiers import Role, edges_of
+from .captions import hub_text, missing_text, node_text
+from .identifiers import edges_of, identified
 
 _PLAIN = frozenset(" /_-.,()")
-_ARROWS = {
-    Role.PUBLISHES: "-->",
-    Role.LISTENS: "-->",
-    Role.CALLS: "-. calls .->",
-    Role.PROVIDES: "-.->",
-}
+_SHAPES = {InterfaceKind.MESSAGE: ("([", "])"), InterfaceKind.SERVICE: ("{{", "}}")}
 
 
 def render(graph: Graph) -> str:
@@ -41,18 +38,21 @@ def _lines(graph: Graph) -> Iterator[str]:
     yield "flowchart LR"
     for number, node in enumerate(graph.nodes):
         yield f"  n{number}[{quoted(node.name, node_text(node))}]:::node"
-    for number, topic in enumerate(graph.topics):
-        style = "missing" if topic.missing else "topic"
-        label = quoted(topic.name, topic_text(topic), missing_text(topic.missing))
-        yield f"  t{number}([{label}]):::{style}"
-    for number, service in enumerate(graph.services):
-        style = "missing" if service.missing else "service"
-        label = quoted(service.name, type_text(service.types), missing_text(service.missing))
-        yield f"  s{number}{{{{{label}}}}}:::{style}"
+    for identifier, hub in identified(graph):
+        left, right = _SHAPES[hub.interface]
+        label = quoted(hub.name, hub_text(hub), missing_text(hub.missing))
+        yield f"  {identifier}{left}{label}{right}:::{'missing' if hub.missing else hub.noun}"
     for edge in edges_of(graph):
         start, end = edge.ends
-        yield f"  {start} {_ARROWS[edge.role]} {end}"
+        yield f"  {start} {_arrow(edge.kind)} {end}"
     yield "  classDef node fill:#dbe7fb,stroke:#3b6fc4,color:#12233f"
     yield "  classDef topic fill:#d9f0e3,stroke:#2c8a5a,color:#0f2c1e"
     yield "  classDef service fill:#fbe6cf,stroke:#b8691b,color:#3b2208"
     yield "  classDef missing fill:#fff,stroke:#c0392b,color:#5c1710,stroke-dasharray:5 4"
+
+
+def _arrow(kind: EndpointKind) -> str:
+    """Return the arrow of an edge: of messages it is drawn through, of calls dashed."""
+    if kind.facts.interface is InterfaceKind.MESSAGE:
+        return "-->"
+    return f"-. {kind.facts.does} .->" if kind.facts.sends else "-.->"

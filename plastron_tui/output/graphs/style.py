@@ -56,7 +56,7 @@ def _entries(graph: Graph) -> list[tuple[str, str]]:
         entries.append(("topic", "topic"))
     if graph.services:
         entries += [("service", "service"), ("calls", "request and response")]
-    if any(it.missing for it in graph.topics) or any(it.missing for it in graph.services):
+    if any(hub.missing for hub in graph.hubs):
         entries.append(("missing", "nobody at the other end"))
     return entries or [("", "nothing here yet")]
 

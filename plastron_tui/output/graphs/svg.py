@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from xml.sax.saxutils import escape
 
 from plastron_tui.diagnostics.terminal import visible
-from plastron_tui.model.graph import Graph, GraphService, GraphTopic
+from plastron_tui.model.graph import NOUNS, Graph, Hub
 
 from .boxes import CUT, Box, Point, Shape, inset
-from .captions import ends_of, missing_text, node_text, topic_text, type_text
-from .identifiers import Edge, edges_of
+from .captions import ends_of, hub_text, missing_text, node_text, type_text
+from .identifiers import Edge, edges_of, identified
 from .layers import Link
 from .layout import Layout, layout
 from .style import ARROW, LEGEND_HEIGHT, MARGIN, STYLE, legend, legend_width, number
@@ -89,26 +89,21 @@ def _document(
 
 
 def _title(graph: Graph) -> str:
-    counts = (
-        (len(graph.nodes), "node"),
-        (len(graph.topics), "topic"),
-        (len(graph.services), "service"),
-    )
+    counts = [(len(graph.nodes), "node")]
+    counts += [(len(hubs), NOUNS[at]) for at, hubs in graph.at.items()]
     parts = [f"{count} {word}{'' if count == 1 else 's'}" for count, word in counts]
-    return f"A ROS graph of {', '.join(parts[:2])} and {parts[2]}"
+    return f"A ROS graph of {', '.join(parts[:-1])} and {parts[-1]}"
 
 
 def _description(graph: Graph) -> str:
-    topics = [_sentence(topic) for topic in graph.topics]
-    services = [_sentence(service) for service in graph.services]
-    return "; ".join(topics + services) or _title(graph)
+    return "; ".join(map(_sentence, graph.hubs)) or _title(graph)
 
 
-def _sentence(place: GraphTopic | GraphService) -> str:
-    parts = [f"{node.name} {verb}" for node, verb, _ in ends_of(place)]
-    if place.missing is not None:
-        parts.append(missing_text(place.missing))
-    return f"{place.name} ({type_text(place.types)}): {', '.join(parts)}"
+def _sentence(hub: Hub) -> str:
+    parts = [f"{node.name} {verb}" for node, verb, _ in ends_of(hub)]
+    if hub.missing is not None:
+        parts.append(missing_text(hub.missing))
+    return f"{hub.name} ({type_text(hub.types)}): {', '.join(parts)}"
 
 
 def _labels(graph: Graph) -> Iterator[_Label]:
@@ -116,12 +111,9 @@ def _labels(graph: Graph) -> Iterator[_Label]:
         title = f"node {node.name} ({node_text(node)})"
         texts = (node.name, node_text(node), "")
         yield _label(f"n{at}", Shape.NODE, texts, title)
-    for at, topic in enumerate(graph.topics):
-        texts = (topic.name, topic_text(topic), missing_text(topic.missing))
-        yield _label(f"t{at}", Shape.TOPIC, texts, f"topic {_sentence(topic)}")
-    for at, service in enumerate(graph.services):
-        texts = (service.name, type_text(service.types), missing_text(service.missing))
-        yield _label(f"s{at}", Shape.SERVICE, texts, f"service {_sentence(service)}")
+    for identifier, hub in identified(graph):
+        texts = (hub.name, hub_text(hub), missing_text(hub.missing))
+        yield _label(identifier, Shape(hub.noun), texts, f"{hub.noun} {_sentence(hub)}")
 
 
 def _label(identifier: str, shape: Shape, texts: tuple[str, str, str], title: str) -> _Label:
@@ -192,8 +184,7 @@ def _outline(box: Box) -> str:
 
 
 def _edge(graph: Graph, edge: Edge, lines: tuple[tuple[Point, ...], ...]) -> Iterator[str]:
-    places = graph.topics if edge.place_id.startswith("t") else graph.services
-    title = f"{graph.nodes[edge.node].name} {edge.role.value} {places[edge.place].name}"
+    title = f"{graph.nodes[edge.node].name} {edge.kind.facts.does} {edge.hub_in(graph).name}"
     kinds = ("message",) if len(lines) == 1 else ("request", "response")
     start, end = edge.ends
     yield f'<g class="edge" data-from="{start}" data-to="{end}">'

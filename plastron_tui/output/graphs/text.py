@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Iterable, Iterator
 
 from plastron_tui.diagnostics.terminal import visible, width
-from plastron_tui.model.graph import Graph, GraphService, GraphTopic
+from plastron_tui.model.graph import NOUNS, Graph, Hub
 
 from .captions import ends_of, missing_text, node_text, type_text
 
@@ -21,8 +21,7 @@ def render(graph: Graph) -> str:
     """
     sections = [
         _section("nodes", _columns((visible(node.name), node_text(node)) for node in graph.nodes)),
-        _section("topics", _places(graph.topics)),
-        _section("services", _places(graph.services)),
+        *(_section(f"{NOUNS[at]}s", _hubs(hubs)) for at, hubs in graph.at.items()),
     ]
     return "\n".join(section for section in sections if section) or "nothing here yet\n"
 
@@ -32,12 +31,12 @@ def _section(title: str, lines: Iterable[str]) -> str:
     return f"{title}\n{body}" if body else ""
 
 
-def _places(places: Iterable[GraphTopic | GraphService]) -> Iterator[str]:
-    for place in places:
-        head = f"{visible(place.name)}  {type_text(place.types)}"
-        missing = missing_text(place.missing)
+def _hubs(hubs: Iterable[Hub]) -> Iterator[str]:
+    for hub in hubs:
+        head = f"{visible(hub.name)}  {type_text(hub.types)}"
+        missing = missing_text(hub.missing)
         yield f"{head}  ({missing})" if missing else head
-        rows = [(visible(node.name), verb, detail) for node, verb, detail in ends_of(place)]
+        rows = [(visible(node.name), verb, detail) for node, verb, detail in ends_of(hub)]
         yield from (f"  {line}" for line in _columns(rows))
 
 

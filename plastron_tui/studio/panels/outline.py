@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
 from pathlib import Path
 
-from plastron_tui.diagnostics import Diagnostic, LineIndex, Severity, Span
-from plastron_tui.model.graph import Graph, GraphNode, Missing
+from plastron_tui.diagnostics import Diagnostic, LineIndex, Severity
+from plastron_tui.model.graph import Graph, Hub
 from plastron_tui.model.kinds import EDITABLE, EndpointKind, Message
 from plastron_tui.model.values import MessageValue
 from plastron_tui.model.workspace import Node, Workspace
@@ -23,13 +23,6 @@ SIGNS: dict[Subject | EndpointKind, tuple[str, str]] = {
     **{kind: (kind.facts.sign, kind.facts.tone) for kind in EDITABLE},
 }
 """What each subject has before it, and in which tone."""
-
-_MISSING = {
-    Missing.PUBLISHER: "nobody publishes",
-    Missing.SUBSCRIBER: "nobody listens",
-    Missing.PROVIDER: "nobody provides",
-    Missing.CLIENT: "nobody calls",
-}
 
 
 def node_entries(workspace: Workspace, libraries: dict[str, str | None]) -> Entries:
@@ -84,61 +77,39 @@ def _endpoints(variable: str, node: Node) -> Iterator[Entry]:
 
 def topic_entries(graph: Graph) -> Entries:
     """Return the topics, each with who speaks and who listens."""
-    speaks, listens = EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION
-
-    def all_() -> Iterator[Entry]:
-        for topic in graph.topics:
-            ends = [(end.node, speaks, end.span, end.written) for end in topic.publishers]
-            ends += [(end.node, listens, end.span, end.written) for end in topic.subscribers]
-            yield from _meeting(Subject.TOPIC, topic.name, topic.types, topic.missing, ends)
-
-    return Entries(all_(), "no topics yet\ntalker publish … to 'chatter' …")
+    found = (entry for hub in graph.topics for entry in _hub(hub, Subject.TOPIC))
+    return Entries(found, "no topics yet\ntalker publish … to 'chatter' …")
 
 
 def service_entries(graph: Graph) -> Entries:
     """Return the services, each with who provides it and who calls it."""
-    provides, calls = EndpointKind.SERVICE, EndpointKind.CLIENT
-
-    def all_() -> Iterator[Entry]:
-        for service in graph.services:
-            ends = [(end.node, provides, end.span, end.written) for end in service.providers]
-            ends += [(end.node, calls, end.span, end.written) for end in service.clients]
-            yield from _meeting(
-                Subject.SERVICE_NAME, service.name, service.types, service.missing, ends
-            )
-
-    return Entries(all_(), "no services yet\nadder provides_service 'add' …")
+    found = (entry for hub in graph.services for entry in _hub(hub, Subject.SERVICE_NAME))
+    return Entries(found, "no services yet\nadder provides_service 'add' …")
 
 
-def _meeting(
-    subject: Subject,
-    name: str,
-    types: Sequence[InterfaceName],
-    missing: Missing | None,
-    ends: list[tuple[GraphNode, EndpointKind, Span | None, str]],
-) -> Iterator[Entry]:
+def _hub(hub: Hub, subject: Subject) -> Iterator[Entry]:
     yield Entry(
-        f"{subject.value} {name}",
-        name,
-        " or ".join(map(_type, types)),
+        f"{subject.value} {hub.name}",
+        hub.name,
+        " or ".join(map(_type, hub.types)),
         *SIGNS[subject],
-        warning="" if missing is None else _MISSING[missing],
-        span=next((span for _, _, span, _ in ends if span is not None), None),
+        warning="" if hub.missing is None else f"nobody {hub.missing.facts.does}",
+        span=next((end.span for end in hub.ends if end.span is not None), None),
         subject=subject,
-        name=name,
+        name=hub.name,
         is_branch=True,
     )
-    for node, kind, span, written in ends:
+    for end in hub.ends:
         yield Entry(
-            f"{kind.word} {node.variable} {written}",
-            node.name,
-            kind.word,
-            *SIGNS[kind],
+            f"{end.kind.word} {end.node.variable} {end.written}",
+            end.node.name,
+            end.kind.word,
+            *SIGNS[end.kind],
             depth=1,
-            span=span,
-            subject=kind,
-            node=node.variable,
-            name=written,
+            span=end.span,
+            subject=end.kind,
+            node=end.node.variable,
+            name=end.written,
         )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -16,7 +16,7 @@ from .entry import Entry, Subject
 from .tones import Line, Lines, Piece
 
 if TYPE_CHECKING:
-    from plastron_tui.model.graph import Graph, GraphService, GraphTopic
+    from plastron_tui.model.graph import Graph, Hub
     from plastron_tui.output.graphs.layers import Columns, Link
 
 MOST_BOXES = 400
@@ -216,33 +216,21 @@ class _Boxes:
                 )
             )  # fmt: skip
         for topic in graph.topics:
-            tails = [(numbers[end.node.variable], end.span) for end in topic.publishers]
-            heads = [(numbers[end.node.variable], end.span) for end in topic.subscribers]
-            sent = [each.span for end in topic.publishers for each in end.sendings]
-            self._add_hub(topic, Subject.TOPIC, "success", tails, heads, sent)
+            self._add_hub(topic, Subject.TOPIC, "success", numbers)
         for service in graph.services:
-            tails = [(numbers[end.node.variable], end.span) for end in service.clients]
-            heads = [(numbers[end.node.variable], end.span) for end in service.providers]
-            self._add_hub(service, Subject.SERVICE_NAME, "warning", tails, heads)
+            self._add_hub(service, Subject.SERVICE_NAME, "warning", numbers)
 
-    def _add_hub(
-        self,
-        hub: GraphTopic | GraphService,
-        subject: Subject,
-        tone: str,
-        tails: Sequence[tuple[int, Span | None]],
-        heads: Sequence[tuple[int, Span | None]],
-        more: Iterable[Span | None] = (),
-    ) -> None:
+    def _add_hub(self, hub: Hub, subject: Subject, tone: str, numbers: dict[str, int]) -> None:
         at = len(self.labels)
-        warning = "" if hub.missing is None else f"no {hub.missing.value}"
+        warning = "" if hub.missing is None else f"no {hub.missing.facts.role}"
         kind = hub.type.name if hub.type is not None else "type unknown"
         self.labels.append(Label(hub.name, kind, tone, is_hub=True, warning=warning))
         from plastron_tui.output.graphs.layers import Link
 
-        self.links.update({Link(tail, at): None for tail, _ in tails})
-        self.links.update({Link(at, head): None for head, _ in heads})
-        spans = {span for _, span in (*tails, *heads)} | set(more)
+        self.links.update({Link(numbers[end.node.variable], at): None for end in hub.tails})
+        self.links.update({Link(at, numbers[end.node.variable]): None for end in hub.heads})
+        spans = {end.span for end in hub.ends}
+        spans.update(sent.span for end in hub.tails for sent in end.sendings)
         written = sorted(span for span in spans if span is not None)
         self.statements += [(span, at) for span in written]
         self.entries.append(

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from difflib import SequenceMatcher
 
-from plastron_tui.model.graph import Graph, GraphService, GraphTopic, graph_of
+from plastron_tui.model.graph import Graph, Hub, graph_of
+from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.session import Session
 
 from ..analysis import analyse
@@ -70,22 +71,18 @@ def drawing_of(before: Session, after: Session, width: int, height: int) -> Line
 
 def _names(graph: Graph) -> Iterator[str]:
     yield from (node.name for node in graph.nodes)
-    yield from (topic.name for topic in graph.topics)
-    yield from (service.name for service in graph.services)
+    yield from (hub.name for hub in graph.hubs)
 
 
-def _ends(hub: GraphTopic | GraphService) -> tuple[list[str], list[str]]:
+def _ends(hub: Hub) -> tuple[list[str], list[str]]:
     """Return the nodes on both sides of a topic or a service, in the direction of the arrow."""
-    if isinstance(hub, GraphTopic):
-        return [e.node.name for e in hub.publishers], [e.node.name for e in hub.subscribers]
-    return [e.node.name for e in hub.clients], [e.node.name for e in hub.providers]
+    return [end.node.name for end in hub.tails], [end.node.name for end in hub.heads]
 
 
 def _parts(graph: Graph) -> Iterator[tuple[str, ...]]:
     """Yield everything that a list of the graph shows, each by what tells it from the rest."""
     yield from (("node", node.name) for node in graph.nodes)
-    hubs: list[GraphTopic | GraphService] = [*graph.topics, *graph.services]
-    for hub in hubs:
+    for hub in graph.hubs:
         yield ("hub", hub.name)
         tails, heads = _ends(hub)
         yield from ((hub.name, "from", name) for name in tails)
@@ -98,11 +95,10 @@ def _marked(graph: Graph, known: set[tuple[str, ...]]) -> Iterator[Line]:
     def piece(text: str, key: tuple[str, ...], tone: str = "") -> Piece:
         return Piece(text, tone if key in known else "added")
 
-    hubs: list[GraphTopic | GraphService] = [*graph.topics, *graph.services]
-    for hub in hubs:
+    for hub in graph.hubs:
         tails, heads = _ends(hub)
         met.update(tails, heads)
-        is_topic = isinstance(hub, GraphTopic)
+        is_topic = hub.interface is InterfaceKind.MESSAGE
         line = [*_listed(hub.name, "from", tails, piece), Piece(" → ", "dim")]
         line.append(piece(hub.name, ("hub", hub.name), "success" if is_topic else "warning"))
         line += [Piece(" → ", "dim"), *_listed(hub.name, "to", heads, piece)]

@@ -5,8 +5,8 @@ from graph_workspaces import STRING, Maker, tour, workspaces
 from hypothesis import given
 
 from plastron_tui.diagnostics import Span
-from plastron_tui.model.graph import Missing, graph_of
-from plastron_tui.model.kinds import Client, Publisher, Service, Subscription
+from plastron_tui.model.graph import graph_of
+from plastron_tui.model.kinds import EndpointKind, Subscription
 from plastron_tui.model.workspace import Generation, Workspace
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.names import resolved_name
@@ -35,13 +35,13 @@ def test_ends_meet_under_the_full_name() -> None:
     graph = graph_of(tour())
     image = graph.topics[0]
     assert (image.name, image.type, image.missing) == ("/image", STRING, None)
-    assert [(end.node.name, end.written) for end in image.publishers] == [("camera", "image")]
-    assert [(end.node.name, end.written, end.callback) for end in image.subscribers] == [
-        ("planner", "/image", "on_image")
-    ]
+    assert [(end.node.name, end.written) for end in image.tails] == [("camera", "image")]
+    (end,) = image.of(EndpointKind.SUBSCRIPTION)
+    assert (end.node.name, end.written) == ("planner", "/image")
+    assert isinstance(end.endpoint, Subscription) and end.endpoint.callback == "on_image"
     debug = graph.topics[1]
     assert debug.name == "/camera/debug"
-    assert [(sent.message, sent.rate) for sent in debug.publishers[0].sendings] == [
+    assert [(sent.message, sent.rate) for sent in debug.tails[0].sendings] == [
         ("frame", 1.0),
         ("note", 0.5),
     ]
@@ -49,15 +49,15 @@ def test_ends_meet_under_the_full_name() -> None:
 
 def test_what_is_missing() -> None:
     graph = graph_of(tour())
-    assert {place.name: place.missing for place in (*graph.topics, *graph.services)} == {
+    assert {place.name: place.missing for place in graph.hubs} == {
         "/image": None,
-        "/camera/debug": Missing.SUBSCRIBER,
-        "/light": Missing.PUBLISHER,
+        "/camera/debug": EndpointKind.SUBSCRIPTION,
+        "/light": EndpointKind.PUBLISHER,
         "/cmd_vel": None,
         "/odom": None,
         "/enable": None,
-        "/save_map": Missing.PROVIDER,
-        "/calibrate": Missing.CLIENT,
+        "/save_map": EndpointKind.SERVICE,
+        "/calibrate": EndpointKind.CLIENT,
     }
 
 
@@ -82,7 +82,7 @@ def test_two_nodes_of_one_name_stay_two() -> None:
     make.publish(make.node("same", "first"), "a", ("m", 1.0))
     make.publish(make.loaded("same", "second", "same.py"), "a")
     (topic,) = graph_of(make.workspace).topics
-    assert [end.node.variable for end in topic.publishers] == ["first", "second"]
+    assert [end.node.variable for end in topic.tails] == ["first", "second"]
 
 
 def test_types_that_disagree_are_all_there() -> None:
@@ -99,24 +99,14 @@ def test_types_that_disagree_are_all_there() -> None:
 def test_every_endpoint_is_there_once_with_its_span(workspace: Workspace) -> None:
     graph = graph_of(workspace)
     found = [
-        (end.node.variable, type(end).__name__, end.written, end.span)
-        for topic in graph.topics
-        for end in (*topic.publishers, *topic.subscribers)
-    ] + [
-        (end.node.variable, type(end).__name__, end.written, end.span)
-        for service in graph.services
-        for end in (*service.providers, *service.clients)
+        (end.node.variable, end.kind, end.written, end.span)
+        for hub in graph.hubs
+        for end in (*hub.tails, *hub.heads)
     ]
     wanted = [
         (node.variable, kind, name, endpoint.span)
         for node in workspace.nodes.values()
-        for kind, endpoints in (
-            ("TopicPublisher", node.of(Publisher)),
-            ("TopicSubscriber", node.of(Subscription)),
-            ("ServiceProvider", node.of(Service)),
-            ("ServiceClient", node.of(Client)),
-        )
-        for name, endpoint in endpoints.items()
+        for (kind, name), endpoint in node.endpoints.items()
     ]
     assert sorted(found, key=repr) == sorted(wanted, key=repr)
     assert [node.variable for node in graph.nodes] == list(workspace.nodes)
