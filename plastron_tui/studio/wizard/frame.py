@@ -12,8 +12,6 @@ from textual.widget import Widget
 from textual.widgets import Button, Label
 
 from ..key_order import Paged
-from ..panels.text_view import TextView
-from ..panels.tones import Lines
 from ..screens.dialog import Dialog
 from . import words
 from .ask import Choice
@@ -22,13 +20,11 @@ from .form import Form
 from .form_page import FormPage, Key
 from .menu_page import Item, MenuPage, ReviewPage
 from .offers import Offer
-from .showing import arrows_of, changed_rows, code_of, drawing_of
+from .result_view import ResultView
 from .statement_view import StatementView
 
 NARROW = 76
 """With fewer columns the code and the graph have a page of their own."""
-WIDE = 116
-"""From so many columns on, the graph is a picture."""
 MENUS = (PageKind.START, PageKind.PURPOSE, PageKind.RECIPES)
 """The pages on which an entry is chosen."""
 LOW = 22
@@ -65,7 +61,6 @@ class Frame(Paged, Dialog[str]):
         self._is_stale = False
         self._offers: list[Offer] = []
         self._items: list[Item] = []
-        self._code: Lines = ()
         self._shown: tuple[bool, Page] | None = None
 
     def changed(self) -> None:
@@ -78,11 +73,7 @@ class Frame(Paged, Dialog[str]):
             yield Label("", id="wizard-step", markup=False)
         with Horizontal(id="wizard-body"):
             yield Vertical(id="wizard-page")
-            with Vertical(id="wizard-side"):
-                yield Label("Who sends what to whom", classes="wizard-caption", markup=False)
-                yield TextView(id="wizard-graph")
-                yield Label("", id="wizard-file", classes="wizard-caption", markup=False)
-                yield TextView(id="wizard-code")
+            yield ResultView(id="wizard-side")
         yield StatementView(id="wizard-statements")
         with Horizontal(id="wizard-buttons"):
             back = Button("Back", id="wizard-back", compact=True)
@@ -174,40 +165,6 @@ class Frame(Paged, Dialog[str]):
     def _text_of(self, form: Form, look: Look) -> str:
         filled = look.of(form)
         return "" if filled is None else filled.text
-
-    async def _show_result(self, look: Look) -> None:
-        """Show the code and the graph; it takes longer than the rest, and comes after it."""
-        outcome = look.outcome
-        # As long as something is wrong, what was right before it stays in view.
-        if outcome is None or (look.problems and self._code):
-            return
-        is_wide = self.app.size.width >= WIDE
-        session = self.course.session
-        side = self.query_one("#wizard-side").size
-        room = side.width - 3, side.height // 3
-
-        def find() -> tuple[str, Lines, Lines]:
-            name, lines = code_of(outcome.session, look.node)
-            if is_wide:
-                return name, lines, drawing_of(session, outcome.session, *room)
-            return name, lines, arrows_of(session, outcome.session)
-
-        async with self._lock:
-            name, lines, graph = await asyncio.to_thread(find)
-        if look is not self.look or not self.is_attached:
-            return
-        self.query_one("#wizard-graph", TextView).show(graph)
-        self.query_one("#wizard-file", Label).update(name or "The file of the node")
-        code = self.query_one("#wizard-code", TextView)
-        rows = changed_rows(self._code, lines) if self._code else range(0)
-        code.show(lines)
-        if rows:
-            middle = rows.start + min(len(rows), code.size.height) // 2
-            top = max(0, middle - code.size.height // 2)
-            self.call_after_refresh(code.scroll_to, y=top, animate=False)
-        elif not self._code:
-            self.call_after_refresh(code.scroll_home, animate=False)
-        self._code = lines
 
     def on_resize(self, event: events.Resize) -> None:
         """Make the best of another size."""

@@ -29,6 +29,7 @@ from .frame import MENUS, Frame, View
 from .libraries import installed
 from .menu_page import Generates, Picked
 from .offers import RECIPES, Offer, recipe_offers
+from .result_view import ResultView
 from .rows import Confirmed
 from .values import Path
 
@@ -130,7 +131,9 @@ class Wizard(Frame):
             # What is not drawn yet has no place, and Tab would not find it.
             self.call_after_refresh(self._drawn)
         if not self._is_stale:
-            await self._show_result(view.look)
+            await self.query_one(ResultView).show(
+                view.look, self.course.session, self._lock, lambda: view.look is self.look
+            )
 
     def _drawn(self) -> None:
         self._looks -= 1
@@ -246,7 +249,7 @@ class Wizard(Frame):
             self.course = Course(self.course.session, around)
             self.is_done = False
 
-        self._code = ()
+        self.query_one(ResultView).forget()
         self._turn(do)
 
     # Going on.

@@ -1,0 +1,80 @@
+"""The code and the graph that the wizard's statements make, beside its pages."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+
+from textual.app import ComposeResult
+from textual.containers import Vertical
+from textual.widgets import Label
+
+from plastron_tui.session import Session
+
+from ..panels.text_view import TextView
+from ..panels.tones import Lines
+from .course import Look
+from .showing import arrows_of, changed_rows, code_of, drawing_of
+
+WIDE = 116
+"""From so many columns of the screen on, the graph is a picture."""
+
+
+class ResultView(Vertical):
+    """Shows what comes of the statements; what changed scrolls into view."""
+
+    _code: Lines = ()
+
+    def compose(self) -> ComposeResult:
+        """Make the graph, and the code below it."""
+        yield Label("Who sends what to whom", classes="wizard-caption", markup=False)
+        yield TextView(id="wizard-graph")
+        yield Label("", id="wizard-file", classes="wizard-caption", markup=False)
+        yield TextView(id="wizard-code")
+
+    def forget(self) -> None:
+        """Take whatever comes next for new."""
+        self._code = ()
+
+    async def show(
+        self, look: Look, session: Session, lock: asyncio.Lock, is_due: Callable[[], bool]
+    ) -> None:
+        """Find the code and the graph in a thread, and show them.
+
+        Args:
+            look: what follows from what was entered.
+            session: the program without it.
+            lock: who holds it is the only one to look at the wizard's state.
+            is_due: tells, once they are found, whether they are to be shown still.
+        """
+        outcome = look.outcome
+        # As long as something is wrong, what was right before it stays in view.
+        if outcome is None or (look.problems and self._code):
+            return
+        is_wide = self.app.size.width >= WIDE
+        room = self.size.width - 3, self.size.height // 3
+
+        def find() -> tuple[str, Lines, Lines]:
+            name, lines = code_of(outcome.session, look.node)
+            if is_wide:
+                return name, lines, drawing_of(session, outcome.session, *room)
+            return name, lines, arrows_of(session, outcome.session)
+
+        async with lock:
+            name, lines, graph = await asyncio.to_thread(find)
+        if is_due() and self.is_attached:
+            self.query_one("#wizard-graph", TextView).show(graph)
+            self.query_one("#wizard-file", Label).update(name or "The file of the node")
+            self._show_code(lines)
+
+    def _show_code(self, lines: Lines) -> None:
+        code = self.query_one("#wizard-code", TextView)
+        rows = changed_rows(self._code, lines) if self._code else range(0)
+        code.show(lines)
+        if rows:
+            middle = rows.start + min(len(rows), code.size.height) // 2
+            top = max(0, middle - code.size.height // 2)
+            self.call_after_refresh(code.scroll_to, y=top, animate=False)
+        elif not self._code:
+            self.call_after_refresh(code.scroll_home, animate=False)
+        self._code = lines
