@@ -16,12 +16,6 @@ from plastron_tui.diagnostics import Diagnostic, codes
 if TYPE_CHECKING:
     from plastron_tui.sources.base import Language
 
-_TOOLS = frozenset(
-    {
-        "conanfile.py", "conf.py", "dodo.py", "fabfile.py", "hatch_build.py", "manage.py",
-        "noxfile.py", "sconstruct", "setup.py", "tasks.py", "toxfile.py", "wscript",
-    }
-)  # fmt: skip
 _GIT_HOOKS = frozenset(
     {
         "applypatch-msg", "commit-msg", "fsmonitor-watchman", "p4-changelist",
@@ -64,8 +58,6 @@ def _runner(name: str) -> str | None:
     """Tell what runs a file of a name in whatever language, None where nothing does."""
     if name.startswith("."):
         return "shells and other programs read hidden files by themselves"
-    if name in _TOOLS:
-        return "tools run a file of this name"
     if name in _GIT_HOOKS:
         return "git runs a file of this name"
     return None

@@ -152,5 +152,5 @@ def files_of(path: Path, text: bytes, read: Callable[[Path], bytes | None]) -> F
 
 
 def _reading(path: Path) -> Language:
-    """Return what reads a file; one whose suffix tells nothing, such as a script, is Python's."""
-    return language_of(path) or find_language("python")
+    """Return what reads a file; one whose suffix tells nothing counts as a script."""
+    return language_of(path) or next(each for each in own_languages() if each.is_script)

@@ -19,6 +19,13 @@ _AT_START = frozenset({"sitecustomize.py", "usercustomize.py"})
 _PACKAGES = frozenset({"__init__.py", "__main__.py"})
 _PYTEST = re.compile(r"conftest\.py|test_.*\.py|.*_test\.py")
 
+_TOOLS = frozenset(
+    {
+        "conanfile.py", "conf.py", "dodo.py", "fabfile.py", "hatch_build.py", "manage.py",
+        "noxfile.py", "sconstruct", "setup.py", "tasks.py", "toxfile.py", "wscript",
+    }
+)  # fmt: skip
+
 _MODULES = (sys.stdlib_module_names - {"antigravity", "test", "this", "turtle"}) | {
     "actionlib", "ament_index_python", "catkin", "catkin_pkg", "cryptodome", "cv_bridge",
     "defusedxml", "distro", "em", "genmsg", "genpy", "gnupg", "image_geometry", "lark", "launch",
@@ -56,7 +63,9 @@ class Python(Language):
         return read_python(path, files, library)
 
     def runs_by_itself(self, name: str, packages: Container[str], *, is_own: bool) -> str | None:
-        """Tell what of Python or pytest runs a file of a name, or imports it unasked."""
+        """Tell what of Python or its tools runs a file of a name, or imports it unasked."""
+        if name in _TOOLS:
+            return "tools run a file of this name"
         if name in _AT_START or name.endswith(".pth"):
             return "Python runs it whenever it starts"
         if name in _PACKAGES:
