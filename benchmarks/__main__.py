@@ -5,7 +5,10 @@ from importlib import import_module
 
 from plastron_tui import collector
 
-_PARTS = ("language", "process", "output", "source", "editor", "studio", "collector", "memory")
+_PARTS = (
+    *("language", "process", "output", "source", "editor", "studio"),
+    *("collector", "threads", "memory"),
+)
 
 
 def main() -> int:

@@ -6,22 +6,15 @@ the process to the first output in which the text can be read.
 
 from __future__ import annotations
 
-import fcntl
-import os
-import pty
-import select
-import signal
-import struct
 import sys
-import termios
 from collections.abc import Iterator
 from pathlib import Path
 from statistics import median
 from tempfile import TemporaryDirectory
-from time import perf_counter
 
 from .programs import program
 from .row import Row
+from .terminal import Terminal
 
 _HELLO = """\
 from textual.app import App
@@ -35,52 +28,15 @@ class Hello(App[None]):
 
 Hello().run()
 """
-_ROWS, _COLUMNS = 40, 120
 _RUNS = 15
-_LONGEST = 20.0
 _BIG = 10_000
-
-
-class _Terminal:
-    """A process in a terminal of its own."""
-
-    def __init__(self, command: list[str], home: Path) -> None:
-        environ = {**os.environ, "TERM": "xterm-256color", "COLORTERM": "truecolor"}
-        environ |= {"XDG_CONFIG_HOME": str(home), "XDG_STATE_HOME": str(home)}
-        # Installed packages are compiled once; so is a checkout, where the environment allows it.
-        environ.pop("PYTHONDONTWRITEBYTECODE", None)
-        self.start = perf_counter()
-        self.pid, self.file = pty.fork()
-        if self.pid == 0:
-            os.execvpe(command[0], command, environ)
-        size = struct.pack("HHHH", _ROWS, _COLUMNS, 0, 0)
-        fcntl.ioctl(self.file, termios.TIOCSWINSZ, size)
-        self.output = b""
-
-    def wait_for(self, text: bytes) -> float:
-        """Wait until a text was printed, and return how many seconds after the start it was."""
-        while text not in self.output:
-            ready, _, _ = select.select([self.file], [], [], _LONGEST)
-            if not ready:
-                raise TimeoutError(text)
-            self.output += os.read(self.file, 1 << 16)
-        return perf_counter() - self.start
-
-    def type(self, text: bytes) -> None:
-        self.output = b""
-        os.write(self.file, text)
-
-    def close(self) -> None:
-        os.kill(self.pid, signal.SIGKILL)
-        os.waitpid(self.pid, 0)
-        os.close(self.file)
 
 
 def _seconds(
     command: list[str], home: Path, text: bytes, typed: bytes = b""
 ) -> tuple[float, float]:
     """Return when a text was readable, and when what was then typed was."""
-    terminal = _Terminal(command, home)
+    terminal = Terminal(command, home)
     try:
         readable = terminal.wait_for(text)
         if not typed:

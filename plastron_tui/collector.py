@@ -2,8 +2,8 @@
 
 Reference counts free nearly all that Plastron makes; the collector finds what refers to itself,
 which Textual and tracebacks leave behind. Python's own rhythm lets it walk all that is alive again
-and again: a sixth of the time of `plastron check`, half of that of a program of 100,000 statements,
-and stops of more than a tenth of a second while one types (`python -m benchmarks collector`).
+and again: a sixth of the time of `plastron check`, a quarter of that of a program of 100,000
+statements, and stops of nearly 200 ms while one types (`python -m benchmarks collector`).
 
 Only a process of Plastron's own is tuned, by the entry points. What uses Plastron as a library
 keeps the collector as it was.

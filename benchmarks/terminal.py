@@ -1,0 +1,60 @@
+"""A process in a terminal of its own, that answers nothing."""
+
+from __future__ import annotations
+
+import fcntl
+import os
+import pty
+import select
+import signal
+import struct
+import termios
+from pathlib import Path
+from time import perf_counter
+
+_ROWS, _COLUMNS = 40, 120
+_LONGEST = 20.0
+"""Seconds to wait for any output at most."""
+
+
+class Terminal:
+    """A process in a terminal of its own."""
+
+    def __init__(self, command: list[str], home: Path) -> None:
+        environ = {**os.environ, "TERM": "xterm-256color", "COLORTERM": "truecolor"}
+        environ |= {"XDG_CONFIG_HOME": str(home), "XDG_STATE_HOME": str(home)}
+        # Installed packages are compiled once; so is a checkout, where the environment allows it.
+        environ.pop("PYTHONDONTWRITEBYTECODE", None)
+        self.start = perf_counter()
+        self.pid, self.file = pty.fork()
+        if self.pid == 0:
+            os.execvpe(command[0], command, environ)
+        size = struct.pack("HHHH", _ROWS, _COLUMNS, 0, 0)
+        fcntl.ioctl(self.file, termios.TIOCSWINSZ, size)
+        self.output = b""
+
+    def wait_for(self, text: bytes) -> float:
+        """Wait until a text was printed, and return how many seconds after the start it was."""
+        while text not in self.output:
+            ready, _, _ = select.select([self.file], [], [], _LONGEST)
+            if not ready:
+                raise TimeoutError(text)
+            self.output += os.read(self.file, 1 << 16)
+        return perf_counter() - self.start
+
+    def rest(self, seconds: float) -> None:
+        """Take what is printed for a while."""
+        end = perf_counter() + seconds
+        while (left := end - perf_counter()) > 0:
+            if select.select([self.file], [], [], left)[0]:
+                os.read(self.file, 1 << 16)
+
+    def type(self, text: bytes) -> None:
+        """Let keys come; what was printed until then is forgotten."""
+        self.output = b""
+        os.write(self.file, text)
+
+    def close(self) -> None:
+        os.kill(self.pid, signal.SIGKILL)
+        os.waitpid(self.pid, 0)
+        os.close(self.file)
