@@ -10,7 +10,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable
 from dataclasses import dataclass
-from enum import Enum
+from enum import Enum, auto
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from tree_sitter import Node
@@ -26,33 +26,47 @@ else:
         return lambda decorated: decorated
 
 
+class Form(Enum):
+    """How what fills a slot is written."""
+
+    VARIABLE = auto()
+    WORD = auto()
+    QUOTED = auto()
+    TYPE = auto()
+    FILE = auto()
+    NUMBER = auto()
+    VALUES = auto()
+
+
 class SlotKind(Enum):
-    """What fills a slot: how it is written in a usage line, and in words."""
+    """What fills a slot.
 
-    NODE_NAME = "'NODE_NAME'", "a node name in single quotes"
-    NODE_OF_FILE = "'NODE_NAME'", "the name of a node of the file, in single quotes"
-    NEW_NODE = "VARIABLE", "a variable for the node"
-    NEW_MESSAGE = "MESSAGE", "a variable for the message"
-    NODE = "VARIABLE", "the variable of a node"
-    MESSAGE = "MESSAGE", "the variable of a message"
-    TOPIC = "'TOPIC_NAME'", "a topic name in single quotes"
-    SERVICE = "'SERVICE_NAME'", "a service name in single quotes"
-    MESSAGE_TYPE = "MESSAGE_TYPE", "a message type"
-    SERVICE_TYPE = "SERVICE_TYPE", "a service type"
-    INPUT = "VALUES | none", "values, or `none`"
-    RATE = "NUMBER", "a number"
-    FUNCTION = "FUNCTION", "the name of a function"
-    LIBRARY = "CLIENT_LIBRARY", "a client library"
-    FILE = "FILE_NAME | 'RELATIVE/PATH.py'", "a file name, or a path in single quotes"
+    Attributes:
+        placeholder: how it is written in a usage line.
+        words: what it is called in a message.
+        form: how it is written in a program.
+    """
 
-    def __init__(self, placeholder: str, words: str) -> None:
+    NODE_NAME = "'NODE_NAME'", "a node name in single quotes", Form.QUOTED
+    NODE_OF_FILE = "'NODE_NAME'", "the name of a node of the file, in single quotes", Form.QUOTED
+    NEW_NODE = "VARIABLE", "a variable for the node", Form.VARIABLE
+    NEW_MESSAGE = "MESSAGE", "a variable for the message", Form.VARIABLE
+    NODE = "VARIABLE", "the variable of a node", Form.VARIABLE
+    MESSAGE = "MESSAGE", "the variable of a message", Form.VARIABLE
+    TOPIC = "'TOPIC_NAME'", "a topic name in single quotes", Form.QUOTED
+    SERVICE = "'SERVICE_NAME'", "a service name in single quotes", Form.QUOTED
+    MESSAGE_TYPE = "MESSAGE_TYPE", "a message type", Form.TYPE
+    SERVICE_TYPE = "SERVICE_TYPE", "a service type", Form.TYPE
+    INPUT = "VALUES | none", "values, or `none`", Form.VALUES
+    RATE = "NUMBER", "a number", Form.NUMBER
+    FUNCTION = "FUNCTION", "the name of a function", Form.WORD
+    LIBRARY = "CLIENT_LIBRARY", "a client library", Form.WORD
+    FILE = "FILE_NAME | 'RELATIVE/PATH.py'", "a file name, or a path in single quotes", Form.FILE
+
+    def __init__(self, placeholder: str, words: str, form: Form) -> None:
         self.placeholder = placeholder
         self.words = words
-
-    @property
-    def is_variable(self) -> bool:
-        """Whether a variable fills the slot."""
-        return self in (SlotKind.NEW_NODE, SlotKind.NEW_MESSAGE, SlotKind.NODE, SlotKind.MESSAGE)
+        self.form = form
 
     @property
     def makes(self) -> SlotKind | None:
@@ -60,14 +74,14 @@ class SlotKind(Enum):
         return {SlotKind.NEW_NODE: SlotKind.NODE, SlotKind.NEW_MESSAGE: SlotKind.MESSAGE}.get(self)
 
     @property
+    def is_variable(self) -> bool:
+        """Whether a variable fills the slot."""
+        return self.form is Form.VARIABLE
+
+    @property
     def is_quoted(self) -> bool:
         """Whether single quotes are around what fills the slot."""
-        return self in (
-            SlotKind.NODE_NAME,
-            SlotKind.NODE_OF_FILE,
-            SlotKind.TOPIC,
-            SlotKind.SERVICE,
-        )
+        return self.form is Form.QUOTED
 
 
 @dataclass(frozen=True, slots=True)

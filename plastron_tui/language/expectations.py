@@ -9,16 +9,19 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from tree_sitter import Node
+
 from plastron_tui.diagnostics import Span
 
-from .declaration import Clause, Declaration, Element, Slot, SlotKind
+from .declaration import Declaration, Element, Form, Slot
 from .document import Document
 from .keywords import BY_KEYWORD, FIRST_WORDS, VERBS
+from .open_values import OpenValues
+from .sentence_match import SentenceMatch, intended, match_sentence
 from .tokens import COMMENT_KINDS, UNCLOSED_STRING, UNKNOWN, Token, tokens_of
 
+_COMMENTS = COMMENT_KINDS | {"unclosed_comment"}
 _JOINTS = frozenset({"/", "."})
-_OPENING = frozenset({"(", "["})
-_CLOSING = frozenset({")", "]"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,6 +81,8 @@ NODE_OF_STATEMENT = next(
 )
 """The slot that a line begins with when no keyword does."""
 
+_NO_MATCH = SentenceMatch((), 0, None, ())
+
 
 def expected_at(document: Document, offset: int) -> Expectation:
     """Return what may stand at an offset of a program.
@@ -88,28 +93,25 @@ def expected_at(document: Document, offset: int) -> Expectation:
     offset = min(max(offset, 0), len(text))
     excerpt = document.excerpt(offset, offset)
     here = offset - excerpt.start
+    root = excerpt.tree.root_node
     nothing = Expectation(Span(offset, offset))
-    if _is_in_comment(
-        excerpt.tree.root_node.descendant_for_byte_range(max(0, here - 1), here), here
-    ):
+    if _is_in_comment(root.descendant_for_byte_range(max(0, here - 1), here), here):
         return nothing
-    tokens = _line_of(tokens_of(excerpt.text, excerpt.tree.root_node.children), excerpt.text, here)
-    before = [token for token in tokens if token.end <= here and not _touches(token, here)]
+    tokens = _line_of(tokens_of(excerpt.text, root.children), excerpt.text, here)
     word = next((token for token in tokens if _touches(token, here)), None)
-    span = Span(offset, offset)
+    before = [token for token in tokens if token.end <= here and token is not word]
+    span = nothing.span
     prefix = ""
     if word is not None:
         span = Span(word.start + excerpt.start, word.end + excerpt.start)
         prefix = excerpt.text[word.start : here].decode("utf-8", "replace")
-    found = _Sentence(tokens, before).expected(Expectation(span, prefix), word)
-    return found or nothing
+    return _expected(span, prefix, intended(tokens), before, word) or nothing
 
 
-def _is_in_comment(node: object, here: int) -> bool:
-    kind, start, end = (getattr(node, name, 0) for name in ("type", "start_byte", "end_byte"))
-    if kind not in COMMENT_KINDS and kind != "unclosed_comment":
+def _is_in_comment(node: Node | None, here: int) -> bool:
+    if node is None or node.type not in _COMMENTS:
         return False
-    return start < here and (here < end or kind != "block_comment")
+    return node.start_byte < here and (here < node.end_byte or node.type != "block_comment")
 
 
 def _touches(token: Token, here: int) -> bool:
@@ -135,186 +137,72 @@ def _line_of(tokens: Iterable[Token], text: bytes, here: int) -> list[Token]:
     for token in found:
         if token.row not in rows:
             continue
-        last = joined[-1] if joined else None
-        if last is not None and last.end == token.start and _belong_together(last, token):
-            both = last.text + token.text
-            joined[-1] = Token(last.kind, both, last.start, token.end, last.row)
-        else:
-            joined.append(token)
+        if joined and joined[-1].end == token.start and _belong_together(joined[-1], token):
+            last = joined.pop()
+            token = last._replace(text=last.text + token.text, end=token.end)
+        joined.append(token)
     return joined
 
 
 def _belong_together(last: Token, token: Token) -> bool:
-    is_word = last.text[-1].isalnum() or last.text[-1] == "_"
     if last.text[0] in "'\"" or last.text[0].isdigit():
         return False
     if token.text in _JOINTS:
-        return is_word
-    return (
-        last.text[-1] in _JOINTS
-        and len(last.text) > 1
-        and (token.text[0].isalpha() or token.text[0] == "_")
+        return last.text[-1].isalnum() or last.text[-1] == "_"
+    starts_word = token.text[0].isalpha() or token.text[0] == "_"
+    return last.text[-1] in _JOINTS and len(last.text) > 1 and starts_word
+
+
+def _expected(
+    span: Span,
+    prefix: str,
+    declaration: Declaration | None,
+    before: Sequence[Token],
+    word: Token | None,
+) -> Expectation | None:
+    """Return what may stand at a place after tokens of its line, None after a mistake."""
+    match = _NO_MATCH if declaration is None else match_sentence(declaration, before)
+    slot = match.wanted if isinstance(match.wanted, Slot) else None
+    keywords = tuple(str(clause.elements[0]) for clause in match.optional)
+    values = None
+    if not before:
+        slot, keywords = NODE_OF_STATEMENT, FIRST_WORDS
+    elif len(before) == 1 and before[0].text not in BY_KEYWORD:
+        keywords = VERBS
+    elif slot is not None and slot.kind.form is Form.VALUES:
+        values = _place_in_values(before[match.end :], word)
+        keywords = ("none",) if len(before) == match.end and not values.is_text else ()
+    elif len(before) > match.end:
+        return None
+    elif isinstance(match.wanted, str):
+        keywords = (*keywords, match.wanted)
+    return Expectation(
+        span,
+        prefix,
+        keywords,
+        slot,
+        declaration,
+        match.wanted or next(iter(match.optional), None),
+        {
+            slot.name: "".join([token.text for token in before[first:end]])
+            for slot, first, end in match.slots
+            if end > first
+        },
+        values,
+        starts_line=not before,
     )
 
 
-class _Sentence:
-    """The tokens of a line before a place, held against the sentence of its statement."""
-
-    def __init__(self, tokens: Sequence[Token], before: Sequence[Token]) -> None:
-        self._tokens = tokens
-        self._before = before
-        self._at = 0
-        self._filled: dict[str, str] = {}
-
-    def expected(self, place: Expectation, word: Token | None) -> Expectation | None:
-        declaration = self._declaration()
-        count = len(self._before)
-        if count == 0:
-            element = declaration.elements[0] if declaration else None
-            return self._with(
-                place,
-                declaration,
-                keywords=FIRST_WORDS,
-                slot=NODE_OF_STATEMENT,
-                element=element,
-                starts_line=True,
-            )
-        first = self._before[0].text
-        if count == 1 and first not in FIRST_WORDS:
-            if first in VERBS:
-                return None
-            element = declaration.elements[1] if declaration else None
-            return self._with(place, declaration, keywords=VERBS, element=element)
-        if declaration is None:
-            return None
-        return self._align(declaration, place, word)
-
-    def _declaration(self) -> Declaration | None:
-        texts = [token.text for token in self._tokens[:2]]
-        if texts and texts[0] in FIRST_WORDS:
-            return BY_KEYWORD[texts[0]]
-        if len(texts) == 2 and texts[1] in VERBS:
-            return BY_KEYWORD[texts[1]]
-        return None
-
-    def _with(
-        self,
-        place: Expectation,
-        declaration: Declaration | None,
-        *,
-        keywords: tuple[str, ...] = (),
-        slot: Slot | None = None,
-        element: Element | None = None,
-        values: ValuePlace | None = None,
-        starts_line: bool = False,
-    ) -> Expectation:
-        return Expectation(
-            place.span,
-            place.prefix,
-            keywords,
-            slot,
-            declaration,
-            element,
-            self._filled,
-            values,
-            starts_line,
-        )
-
-    def _align(
-        self, declaration: Declaration, place: Expectation, word: Token | None
-    ) -> Expectation | None:
-        keywords: list[str] = []
-        element: Element | None = None
-        for part in declaration.elements:
-            if isinstance(part, Clause):
-                if self._at < len(self._before):
-                    if self._before[self._at].text != part.elements[0]:
-                        continue
-                    for inner in part.elements:
-                        if self._at >= len(self._before):
-                            return self._open(declaration, place, inner, [], word)
-                        if not self._take(inner):
-                            return None
-                    continue
-                keywords.append(str(part.elements[0]))
-                element = element or part
-                continue
-            if self._at >= len(self._before) or _is_input(part):
-                return self._open(declaration, place, part, keywords, word)
-            if not self._take(part):
-                return None
-        if self._at < len(self._before):
-            return None
-        return self._with(place, declaration, keywords=tuple(keywords), element=element)
-
-    def _take(self, part: str | Slot) -> bool:
-        token = self._before[self._at]
-        self._at += 1
-        if isinstance(part, str):
-            return token.text == part
-        self._filled[part.name] = token.text
-        return True
-
-    def _open(
-        self,
-        declaration: Declaration,
-        place: Expectation,
-        part: str | Slot,
-        keywords: list[str],
-        word: Token | None,
-    ) -> Expectation:
-        """Expect a part of the sentence that is not there yet, or at which the place is."""
-        if isinstance(part, str):
-            return self._with(place, declaration, keywords=(*keywords, part), element=part)
-        if part.kind is not SlotKind.INPUT:
-            return self._with(place, declaration, keywords=tuple(keywords), slot=part, element=part)
-        written = self._before[self._at :]
-        values = _place_in_values(written, word)
-        words = ("none",) if not written and not values.is_text else ()
-        return self._with(
-            place, declaration, keywords=words, slot=part, element=part, values=values
-        )
-
-
-def _is_input(part: Element) -> bool:
-    return isinstance(part, Slot) and part.kind is SlotKind.INPUT
-
-
-@dataclass(slots=True)
-class _Around:
-    """Values that are open at a place: a list's, a nested message's, or all of an input's."""
-
-    key: str | int | None = None
-    is_list: bool = False
-    index: int = 0
-    name: str | None = None
-    used: set[str] = field(default_factory=set)
-
-
 def _place_in_values(tokens: Sequence[Token], word: Token | None) -> ValuePlace:
-    open_values = [_Around()]
-    last_word = ""
+    values = OpenValues()
     for token in tokens:
-        around = open_values[-1]
-        if token.text in _OPENING and token.kind == token.text:
-            key = around.index if around.name is None else around.name
-            open_values.append(_Around(key, token.text == "["))
-        elif token.text in _CLOSING and token.kind == token.text:
-            if len(open_values) > 1:
-                open_values.pop()
-        elif token.text == "," and token.kind == ",":
-            around.index += 1
-            around.name = None
-        elif token.text == "=" and token.kind == "=":
-            around.name = last_word
-            around.used.add(last_word)
-        last_word = token.text
-    around = open_values[-1]
+        values.take(token)
+    *_, level = values.levels
     return ValuePlace(
-        tuple(inner.key for inner in open_values[1:] if inner.key is not None),
-        around.index,
-        around.name,
-        frozenset(around.used),
-        around.is_list,
-        word is not None and word.text.startswith('"'),
+        tuple(level.key for level in values.levels if level.key is not None),
+        level.index,
+        level.name,
+        frozenset(level.used),
+        level.is_list,
+        is_text=word is not None and word.text.startswith('"'),
     )

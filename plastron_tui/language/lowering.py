@@ -14,7 +14,7 @@ from plastron_tui.diagnostics import Diagnostic, Span, codes
 
 from . import statements as _statements  # noqa: F401 - declares the statements
 from .broken import Broken
-from .declaration import DECLARATIONS, Declaration, SlotKind, Statement
+from .declaration import DECLARATIONS, Declaration, Form, Statement
 from .document import Document
 from .grammar import field_id, kind_id
 from .inputs import COMMENTS, DEEPEST_NESTING, TooDeep, lower_input, lower_number
@@ -44,10 +44,11 @@ class _Lowered(Enum):
 # Looking a member up in its class costs as much as lowering a word.
 _TEXT, _QUOTED, _INPUT = _Lowered.TEXT, _Lowered.QUOTED, _Lowered.INPUT
 
-_BY_SLOT_KIND = {
-    SlotKind.RATE: _Lowered.NUMBER,
-    SlotKind.INPUT: _Lowered.INPUT,
-    SlotKind.FILE: _Lowered.FILE,
+_BY_FORM = {
+    Form.QUOTED: _Lowered.QUOTED,
+    Form.NUMBER: _Lowered.NUMBER,
+    Form.VALUES: _Lowered.INPUT,
+    Form.FILE: _Lowered.FILE,
 }
 
 _NO_LINE_END = re.compile(rb"(?:[^\S\n]|\xef\xbb\xbf|/\*(?:[^*]|\*(?!/))*\*/)*")
@@ -58,10 +59,7 @@ _Plan = tuple[Callable[..., Statement], tuple[tuple[int, _Lowered], ...]]
 
 def _plan(declaration: Declaration) -> _Plan:
     return declaration.type, tuple(
-        (
-            field_id(slot.name),
-            _Lowered.QUOTED if slot.kind.is_quoted else _BY_SLOT_KIND.get(slot.kind, _Lowered.TEXT),
-        )
+        (field_id(slot.name), _BY_FORM.get(slot.kind.form, _Lowered.TEXT))
         for slot in declaration.slots
     )
 

@@ -8,16 +8,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from itertools import pairwise
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes
+from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes, write
 
-from .declaration import Declaration, Slot, SlotKind
+from .declaration import Declaration, Form, SlotKind
 from .keywords import BY_KEYWORD, FIRST_WORDS, KEYWORDS, VERBS
-from .tokens import QUOTED_KINDS, UNKNOWN, WORD_KINDS, Token
+from .tokens import QUOTED_KINDS, UNKNOWN, WORD_KINDS, Token, is_glued, text_at
 
-_TYPES = (SlotKind.MESSAGE_TYPE, SlotKind.SERVICE_TYPE)
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _TYPE = re.compile(r"[A-Za-z]\w*(/(msg/|srv/)?[A-Za-z]\w*)?", re.ASCII)
 
@@ -57,15 +55,6 @@ class Place(NamedTuple):
         """The slot that the token was to fill."""
         return self.slots.get(self.at)
 
-    def text(self, index: int) -> str:
-        """Return the text of a token of the line, or nothing beyond its end."""
-        return self.tokens[index].text if 0 <= index < len(self.tokens) else ""
-
-    def is_glued(self, index: int) -> bool:
-        """Tell whether a token follows the one before it without a space."""
-        tokens = self.tokens
-        return 0 < index < len(tokens) and tokens[index].start == tokens[index - 1].end
-
     def is_name(self, index: int) -> bool:
         """Tell whether a token can be a variable."""
         if not 0 <= index < len(self.tokens):
@@ -76,9 +65,9 @@ class Place(NamedTuple):
     def run(self, marks: str) -> tuple[int, int]:
         """Return the half-open range of tokens, joined by marks, that look like one word."""
         first, last = self.at, self.at + 1
-        while self.is_glued(first) and self._joins(first - 1, marks):
+        while is_glued(self.tokens, first) and self._joins(first - 1, marks):
             first -= 1
-        while self.is_glued(last) and self._joins(last, marks):
+        while is_glued(self.tokens, last) and self._joins(last, marks):
             last += 1
         return first, last
 
@@ -98,9 +87,9 @@ def recognised(place: Place, found: Diagnostic) -> Diagnostic:
 
 def _mended(found: Diagnostic, message: str, span: Span, text: str) -> Diagnostic:
     """Say what to write in the place of a span."""
-    edit = Fix(f"write `{text}`" if text else "take it away", (Edit(span, text),))
-    shown = f"write `{text}`" if text else "take it away"
-    return found._replace(code=codes.SYNTAX_ERROR, message=message, span=span, help=shown, fix=edit)
+    fix = write(text, span)
+    code = codes.SYNTAX_ERROR
+    return found._replace(code=code, message=message, span=span, help=fix.title, fix=fix)
 
 
 def _comment(place: Place, found: Diagnostic) -> Diagnostic | None:
@@ -118,7 +107,7 @@ def _quotes(place: Place, found: Diagnostic) -> Diagnostic | None:
         return None
     closing, straight = _QUOTES[token.text[0]]
     wanted = place.wanted
-    if wanted is not None and (wanted.is_quoted or wanted is SlotKind.FILE):
+    if wanted is not None and wanted.form in (Form.QUOTED, Form.FILE):
         straight = "'"
     start = token.start + len(token.text[0].encode())
     line = place.source[start : place.tokens[-1].end].decode("utf-8", "replace")
@@ -146,7 +135,8 @@ def _unclosed(place: Place, found: Diagnostic) -> Diagnostic | None:
     line = place.source[start:].partition(b"\n")[0].decode("utf-8", "replace").rstrip()
     length = len(line)
     if quote == "'":
-        word = re.match(r"[^\s']+" if place.wanted is SlotKind.FILE else r"[\w/~{}]+", line)
+        is_file = place.wanted is not None and place.wanted.form is Form.FILE
+        word = re.match(r"[^\s']+" if is_file else r"[\w/~{}]+", line)
         if word is None:
             return None
         length = word.end()
@@ -167,7 +157,8 @@ def _mark(place: Place, found: Diagnostic) -> Diagnostic | None:
     if token.text == "%" and place.at and before.kind == "number":
         span = Span(before.start, token.end)
         return _mended(found, "a number has no unit", span, before.text)
-    if token.text == "(" and place.text(place.at + 1) == ")" and place.is_glued(place.at):
+    is_call = token.text == "(" and text_at(place.tokens, place.at + 1) == ")"
+    if is_call and is_glued(place.tokens, place.at):
         span = Span(token.start, place.tokens[place.at + 1].end)
         return _mended(found, "a function is given by its name alone", span, "")
     if token.text == "\N{NO-BREAK SPACE}":
@@ -208,7 +199,8 @@ def _number_first(place: Place, found: Diagnostic) -> Diagnostic | None:
 def _type_of_python(place: Place, found: Diagnostic) -> Diagnostic | None:
     """Recognise `geometry_msgs.msg.Twist`, and the same with `::`."""
     first, last = place.run(".:/")
-    if place.slots.get(first) not in _TYPES:
+    wanted = place.slots.get(first)
+    if wanted is None or wanted.form is not Form.TYPE:
         return None
     word = "".join(token.text for token in place.tokens[first:last])
     parts = [part for part in re.split(r"[.:/]+", word) if part not in ("msg", "srv")]
@@ -224,16 +216,16 @@ def _quoted(place: Place, found: Diagnostic) -> Diagnostic | None:
     if wanted is None or (token.kind not in QUOTED_KINDS and token.kind != "string"):
         return None
     text = token.text[1:-1]
-    if wanted is SlotKind.FILE:
+    if wanted.form is Form.FILE:
         right = f"'{text}'"
         return found._replace(
             message="a path is in single quotes",
             help=f"write {right}",
             fix=Fix("put it in single quotes", (Edit(token.span, right),)),
         )
-    if wanted.is_quoted or wanted is SlotKind.INPUT:
+    if wanted.form in (Form.QUOTED, Form.VALUES):
         return None
-    pattern = _TYPE if wanted in _TYPES else _WORD
+    pattern = _TYPE if wanted.form is Form.TYPE else _WORD
     if pattern.fullmatch(text) and text not in KEYWORDS:
         return _mended(found, f"{wanted.words} has no quotes", token.span, text)
     if wanted is SlotKind.MESSAGE:
@@ -244,69 +236,23 @@ def _quoted(place: Place, found: Diagnostic) -> Diagnostic | None:
 def _swapped(place: Place, found: Diagnostic) -> Diagnostic | None:
     """Recognise a keyword that comes second where it comes first, or first where second."""
     tokens = place.tokens
-    first, second = place.text(0), place.text(1)
+    first, second = text_at(tokens, 0), text_at(tokens, 1)
     if place.at != 0 or not place.is_name(1 if first in VERBS else 0):
         return None
-    is_late = second in FIRST_WORDS and _takes_node(BY_KEYWORD[second]) and not place.is_name(2)
-    if not is_late and (first not in VERBS or not _has_node(place, BY_KEYWORD[first])):
+    is_late = second in FIRST_WORDS and _takes(second, 0, SlotKind.NODE) and not place.is_name(2)
+    is_early = first in VERBS and (place.is_name(2) or not _takes(first, 1, SlotKind.MESSAGE))
+    if not is_late and not is_early:
         return None
     keyword = second if is_late else first
-    message = (
-        f"`{keyword}` comes first, before the variable of the node"
-        if is_late
-        else f"`{keyword}` comes second, after the variable of the node"
-    )
+    where = "first, before" if is_late else "second, after"
+    message = f"`{keyword}` comes {where} the variable of the node"
     span = Span(tokens[0].start, tokens[1].end)
     return _mended(found, message, span, f"{second} {first}")
 
 
-def _takes_node(declaration: Declaration) -> bool:
-    """Tell whether the variable of a node follows the keyword."""
-    match declaration.elements[1]:
-        case Slot(kind=SlotKind.NODE):
-            return True
-        case _:
-            return False
-
-
-def _has_node(place: Place, declaration: Declaration) -> bool:
-    """Tell whether a variable of a node follows a keyword that it was to stand before."""
-    match declaration.elements[2]:
-        case Slot(kind=SlotKind.MESSAGE):
-            return place.is_name(2)
-        case _:
-            return True
-
-
-def _left_out(place: Place, found: Diagnostic) -> Diagnostic | None:
-    """Recognise a sentence that lacks its variable: `subscribe to 'chatter'`."""
-    declaration = place.declaration
-    if declaration is None:
-        return None
-    if place.at == 0 and declaration.keyword == place.token.text and place.token.text in VERBS:
-        words = SlotKind.NODE.words
-    else:
-        wanted = place.wanted
-        following = None if wanted is None else _word_after(declaration, wanted)
-        # `of of` is a keyword that somebody wants for a variable.
-        if wanted is None or following != place.token.text or place.text(place.at + 1) == following:
-            return None
-        words = wanted.words
-    return found._replace(
-        code=codes.SYNTAX_ERROR,
-        message=f"expected {words} before `{place.token.text}`",
-        help=f"the sentence is: {declaration.usage}",
-        fix=None,
-    )
-
-
-def _word_after(declaration: Declaration, wanted: SlotKind) -> str | None:
-    """Return the word that follows the slot of a variable in a sentence."""
-    elements = declaration.elements
-    for element, following in pairwise(elements):
-        if isinstance(element, Slot) and element.kind is wanted and isinstance(following, str):
-            return following if wanted.is_variable else None
-    return None
+def _takes(keyword: str, index: int, kind: SlotKind) -> bool:
+    """Tell whether a statement has a slot of a kind at a place among its slots."""
+    return BY_KEYWORD[keyword].slots[index].kind is kind
 
 
 def _period(place: Place, found: Diagnostic) -> Diagnostic | None:
@@ -335,6 +281,5 @@ _SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
     _type_of_python,
     _quoted,
     _swapped,
-    _left_out,
     _period,
 )

@@ -10,10 +10,11 @@ from tree_sitter import Node
 from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes
 from plastron_tui.diagnostics.suggest import nearest
 
-from .alignment import Alignment, unexpected
 from .broken import Broken
-from .declaration import Declaration, SlotKind
+from .declaration import Declaration, Slot, SlotKind
 from .keywords import BY_KEYWORD, FIRST_WORDS, KEYWORDS, VERBS
+from .sentence_errors import SentenceErrors, unexpected
+from .sentence_match import intended, match_sentence
 from .slips import Place, recognised
 from .tokens import MOST_WORDS, QUOTED_KINDS, UNKNOWN, WORD_KINDS, Token, tokens_of
 
@@ -36,7 +37,7 @@ def explain(source: bytes, broken: Sequence[Node]) -> tuple[tuple[Diagnostic, ..
         words |= names
         if not any(token.kind in QUOTED_KINDS for token in tokens):
             unfinished |= names - KEYWORDS or {""}
-        declaration = _intended(tokens)
+        declaration = intended(tokens)
         is_explained = len(diagnostics) < MOST_BROKEN_LINES
         if _may_declare(declaration or (_guessed(tokens) if is_explained else None)):
             declared |= names
@@ -68,9 +69,11 @@ def _explain_line(
     if declaration is None:
         found = _unknown_statement(tokens)
     else:
-        alignment = Alignment(declaration, tokens)
-        found = alignment.first_mistake()
-        slots = alignment.slots
+        match = match_sentence(declaration, tokens)
+        found = SentenceErrors(declaration, tokens).first(match)
+        slots = {filled.first: filled.slot.kind for filled in match.slots}
+        if isinstance(match.wanted, Slot):
+            slots[match.end] = match.wanted.kind
     start = None if found.span is None else found.span.start
     at = next((index for index, token in enumerate(tokens) if token.start == start), None)
     if at is None:
@@ -78,23 +81,11 @@ def _explain_line(
     return recognised(Place(source, tokens, at, slots, declaration), found)
 
 
-def _intended(tokens: Sequence[Token]) -> Declaration | None:
-    """Return the statement whose keyword stands where it belongs, or at least at the start."""
-    first = tokens[0].text
-    second = tokens[1].text if len(tokens) > 1 else ""
-    if first in FIRST_WORDS:
-        return BY_KEYWORD[first]
-    if second in VERBS:
-        return BY_KEYWORD[second]
-    return BY_KEYWORD.get(first)
-
-
 def _may_declare(declaration: Declaration | None) -> bool:
     """Tell whether a statement was to declare a variable; of an unknown one, it may."""
     if declaration is None:
         return True
-    new = (SlotKind.NEW_NODE, SlotKind.NEW_MESSAGE)
-    return any(slot.kind in new for slot in declaration.slots)
+    return any(slot.kind.makes is not None for slot in declaration.slots)
 
 
 def _has_variable(declaration: Declaration, tokens: Sequence[Token]) -> bool:

@@ -61,6 +61,16 @@ class Token(NamedTuple):
         return Span(self.start, self.end)
 
 
+def text_at(tokens: Sequence[Token], index: int) -> str:
+    """Return the text of a token, or nothing beyond their end."""
+    return tokens[index].text if 0 <= index < len(tokens) else ""
+
+
+def is_glued(tokens: Sequence[Token], index: int) -> bool:
+    """Tell whether a token follows the one before it without a space."""
+    return 0 < index < len(tokens) and tokens[index].start == tokens[index - 1].end
+
+
 def leaves(node: Node) -> Iterator[tuple[Node, bool]]:
     """Yield the nodes that a reader sees as words, and whether an ERROR is around each."""
     # A cursor, because the children of one node may be millions.

@@ -36,6 +36,11 @@ def at_bar(text: str) -> Expectation:
         ("/* a\nb */ subscribe |", "node", ""),
         ("subscribe /* who */ |", "node", ""),
         ("unsubscribe é |", None, ""),
+        ("create_node talker as |", "variable", ""),
+        ("load my-driver.py as |", "variable", ""),
+        ("subscribe to |", "topic", ""),
+        ("publish |", "message", ""),
+        ("subscribe to to |", "topic", ""),
     ],
 )
 def test_slot(text: str, slot: str | None, prefix: str) -> None:
@@ -58,6 +63,8 @@ def test_slot(text: str, slot: str | None, prefix: str) -> None:
         ("n publish m to 't' of message_type String at 5 |", ("hz",)),
         ("create_message m of message_type Point and input |", ("none",)),
         ("create_message m of message_type Point and input 1, |", ()),
+        ("create_message m of message_type Point and input none |", ()),
+        ("create_message of |", ("message_type",)),
         ('create_message m of message_type String and input "no|', ()),
         ("subscribe n foo |", ()),
         ("generate_node n using rospy |", ()),
@@ -107,6 +114,18 @@ def test_the_statement_is_known_by_its_keyword_wherever_the_place_is() -> None:
         declaration = at_bar(text).declaration
         assert declaration is not None
         assert declaration.keyword == "publish"
+
+
+def test_the_statement_is_known_by_its_keyword_where_its_node_is_left_out() -> None:
+    expected = at_bar("|publish m to 'chatter'")
+    assert expected.declaration is not None
+    assert expected.declaration.keyword == "publish"
+    assert expected.element is expected.slot
+
+
+def test_after_none_there_are_no_values() -> None:
+    expected = at_bar("create_message m of message_type Point and input none |")
+    assert (expected.slot, expected.values) == (None, None)
 
 
 def test_every_place_of_every_prefix_of_a_program_has_an_answer() -> None:

@@ -1,0 +1,248 @@
+"""What is wrong with a line that was to be a certain statement."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes, escapes, write
+from plastron_tui.diagnostics.suggest import nearest
+
+from .declaration import Declaration, Form, Slot, SlotKind
+from .keywords import KEYWORDS
+from .open_values import NAME_MARKS, OpenValues
+from .sentence_match import SentenceMatch, SlotMatch
+from .tokens import QUOTED_KINDS, UNCLOSED_STRING, UNKNOWN, WORD_KINDS, Token, text_at
+
+_CLOSED_BY = {"(": ")", "[": "]"}
+_VALUE_KINDS = frozenset({"number", "string", "(", "["})
+_KINDS = {
+    Form.QUOTED: QUOTED_KINDS,
+    Form.FILE: QUOTED_KINDS | WORD_KINDS,
+    Form.NUMBER: frozenset({"number"}),
+}
+"""The tokens that begin what is written in a form that is no word."""
+
+_MOST_TYPE_PARTS = 3
+_BOOLEANS = {
+    **dict.fromkeys(("true", "on", "yes"), "True"),
+    **dict.fromkeys(("false", "off", "no"), "False"),
+}
+
+
+def unexpected(token: Token) -> Diagnostic:
+    """Explain a token that stands where no token of its kind can stand."""
+    first = token.text[0]
+    start = token.start
+    if token.kind == UNCLOSED_STRING or (token.kind == UNKNOWN and first in "'\""):
+        return Diagnostic(
+            codes.UNCLOSED_QUOTE,
+            f"the quote is not closed on this line: {first}",
+            Span(start, start + 1),
+            help=f"close it with {first}",
+        )
+    if token.kind == UNKNOWN and token.text.startswith("/*"):
+        return Diagnostic(
+            codes.UNCLOSED_COMMENT,
+            "the comment is not closed",
+            Span(start, start + 2),
+            help="close it with `*/`",
+        )
+    return Diagnostic(codes.SYNTAX_ERROR, f"unexpected `{_shown(token.text)}`", token.span)
+
+
+def _shown(text: str) -> str:
+    shown = text if len(text) <= 40 else text[:37] + "..."
+    return shown if shown.isprintable() else ascii(shown)[1:-1]
+
+
+class SentenceErrors:
+    """Explains the first token of a line that does not fit the sentence of a statement."""
+
+    def __init__(self, declaration: Declaration, tokens: Sequence[Token]) -> None:
+        self._declaration = declaration
+        self._tokens = tokens
+
+    def first(self, match: SentenceMatch) -> Diagnostic:
+        """Return what is wrong, as the match of the tokens tells."""
+        for filled in match.slots:
+            mistake = self._in_slot(filled)
+            if mistake is not None:
+                return mistake
+        token = self._tokens[match.end] if match.end < len(self._tokens) else None
+        match match.wanted:
+            case Slot(kind=kind) if token is None:
+                return self._expected(kind.words)
+            case Slot():
+                mistake = self._in_values(self._tokens[match.end :])
+                if mistake is not None:
+                    return mistake
+                token = None
+            case str() as word:
+                return self._not_the_word(word, token)
+        if token is None:
+            return Diagnostic(
+                codes.SYNTAX_ERROR,
+                "a statement stands on a line of its own",
+                Span(self._tokens[0].start, self._tokens[-1].end),
+            )
+        if token.kind in (UNKNOWN, UNCLOSED_STRING):
+            return unexpected(token)
+        return self._error(f"unexpected `{_shown(token.text)}`", token.span)
+
+    def _not_the_word(self, word: str, token: Token | None) -> Diagnostic:
+        if token is not None and token.kind in WORD_KINDS and nearest(token.text, [word]):
+            return self._expected(f"`{word}`", token)._replace(
+                help=f"did you mean `{word}`?", fix=write(word, token.span)
+            )
+        return self._expected(f"`{word}`", token)
+
+    def _in_slot(self, filled: SlotMatch) -> Diagnostic | None:
+        kind = filled.slot.kind
+        token = self._tokens[filled.first]
+        if filled.first == filled.end:
+            return self._error(f"expected {kind.words} before `{token.text}`", token.span)
+        if not _fits(token, kind.form):
+            return self._wrong_form(token, kind)
+        match kind.form:
+            case Form.TYPE:
+                return self._in_type(filled)
+            case Form.FILE if filled.end > filled.first + 1:
+                parts = self._tokens[filled.first : filled.end]
+                return _unquoted(
+                    "a bare file name is one word; a path, or a name with its ending, is quoted",
+                    Span(token.start, parts[-1].end),
+                    "".join(part.text for part in parts),
+                )
+        return None
+
+    def _wrong_form(self, token: Token, kind: SlotKind) -> Diagnostic:
+        if kind.is_variable and token.text in KEYWORDS:
+            return Diagnostic(
+                codes.KEYWORD_AS_VARIABLE,
+                f"`{token.text}` is a keyword and cannot be a variable",
+                token.span,
+                help="choose another name",
+            )
+        if kind.is_quoted and (_fits(token, Form.WORD) or token.kind == "string"):
+            return _unquoted(f"expected {kind.words}", token.span, token.text.strip('"'))
+        return self._expected(kind.words, token)
+
+    def _in_type(self, filled: SlotMatch) -> Diagnostic | None:
+        """Look at `package/Name` and `package/msg/Name`."""
+        parts = self._tokens[filled.first : filled.end : 2]
+        if len(parts) > _MOST_TYPE_PARTS:
+            return self._error("a type has at most three parts", parts[_MOST_TYPE_PARTS].span)
+        last = self._tokens[filled.end - 1]
+        if last.text == "/":
+            return self._error(f"expected {filled.slot.kind.words} after the `/`", last.span)
+        if text_at(self._tokens, filled.end) == "/":
+            return self._error("a type has no space in it", self._tokens[filled.end].span)
+        return None
+
+    def _in_values(self, tokens: Sequence[Token]) -> Diagnostic | None:
+        """Look at values, which go on to the end of the line."""
+        values = OpenValues()
+        for token, following in pairwise((*tokens, None)):
+            assert token is not None
+            mistake = self._in_value(values, token, following)
+            if mistake is not None:
+                return mistake
+            values.take(token)
+        opening = values.levels[-1].opening
+        if values.wants_value and (opening is None or tokens[-1].text == "="):
+            return self._error("expected a value after this", tokens[-1].span)
+        if opening is not None:
+            return self._error(f"`{opening.kind}` is not closed", opening.span)
+        return None
+
+    def _in_value(
+        self, values: OpenValues, token: Token, following: Token | None
+    ) -> Diagnostic | None:
+        """Look at a token of values, those before it being right."""
+        last, level = values.last, values.levels[-1]
+        text, kind = token.text, token.kind
+        is_named = following is not None and following.text in NAME_MARKS
+        if last is not None and last.kind in WORD_KINDS and text in NAME_MARKS:
+            is_name = text == "=" or (following is not None and following.kind in WORD_KINDS)
+            return None if is_name else self._error("expected a field after `.`", token.span)
+        if last is not None and last.text == ".":
+            what = f"expected `=` after `{_shown(text)}`"
+            return None if is_named else self._error(what, token.span)
+        if kind in (UNKNOWN, UNCLOSED_STRING):
+            return _broken_text(token, following)
+        if kind in _CLOSED_BY.values() and last is not None and last.kind not in (",", "="):
+            if level.opening is None:
+                return self._error(f"`{kind}` closes nothing", token.span)
+            opened = level.opening
+            is_pair = _CLOSED_BY[opened.kind] == kind
+            return None if is_pair else self._error(f"`{opened.kind}` is not closed", opened.span)
+        if not values.wants_value:
+            what = f"unexpected `{_shown(text)}` in the values"
+            return None if kind == "," else self._error(what, token.span)
+        if kind in WORD_KINDS and is_named:
+            if last is not None and last.text == "=":
+                return self._error(f"expected a value, not `{text}`", token.span)
+            what = "the elements of a list have no names"
+            return self._error(what, token.span) if level.is_list else None
+        is_value = kind in _VALUE_KINDS or text in ("True", "False")
+        return None if is_value else self._no_value(token)
+
+    def _no_value(self, token: Token) -> Diagnostic:
+        """Explain a word or a mark in the place of a value."""
+        text = token.text
+        if text == "none":
+            return self._error("`none` stands alone, and for no values at all", token.span)
+        if token.kind not in QUOTED_KINDS and token.kind not in WORD_KINDS:
+            return self._error(f"expected a value, not `{_shown(text)}`", token.span)
+        right = _BOOLEANS.get(text.lower())
+        if right is None:
+            right = f'"{text[1:-1] if token.kind in QUOTED_KINDS else text}"'
+            help_ = f"a number is written in digits, text in double quotes: {_shown(right)}"
+        elif text in ("true", "false"):
+            help_ = f"did you mean `{right}`?"
+        else:
+            help_ = f'write `{right}`; or, for a text, "{text}"'
+        fix = Fix(f"write {_shown(right)}", (Edit(token.span, right),))
+        what = f"`{_shown(text)}` is no value"
+        return Diagnostic(codes.SYNTAX_ERROR, what, token.span, help=help_, fix=fix)
+
+    def _expected(self, what: str, token: Token | None = None) -> Diagnostic:
+        if token is None:
+            end = self._tokens[-1].end
+            return self._error(f"expected {what} here", Span(end, end))
+        if token.kind in (UNKNOWN, UNCLOSED_STRING) and token.text[0] in "'\"":
+            return unexpected(token)
+        return self._error(f"expected {what}, not `{_shown(token.text)}`", token.span)
+
+    def _error(self, message: str, span: Span) -> Diagnostic:
+        usage = self._declaration.usage
+        return Diagnostic(codes.SYNTAX_ERROR, message, span, help=f"the sentence is: {usage}")
+
+
+def _fits(token: Token, form: Form) -> bool:
+    """Tell whether a token is, or begins, what is written in such a form."""
+    if form is Form.VALUES:
+        return True
+    return token.kind in _KINDS.get(form, WORD_KINDS) and token.text not in KEYWORDS
+
+
+def _unquoted(message: str, span: Span, text: str) -> Diagnostic:
+    """Explain a text that is to be in single quotes."""
+    fix = Fix("put it in single quotes", (Edit(span, f"'{text}'"),))
+    return Diagnostic(codes.SYNTAX_ERROR, message, span, help=f"write '{_shown(text)}'", fix=fix)
+
+
+def _broken_text(token: Token, following: Token | None) -> Diagnostic:
+    """Explain a string that does not end, or that an escape broke off."""
+    if token.kind != UNCLOSED_STRING or following is None or following.text[0] != "\\":
+        return unexpected(token)
+    escape = following.text[:2]
+    span = Span(following.start, following.start + len(escape.encode()))
+    return Diagnostic(
+        codes.UNKNOWN_ESCAPE,
+        f"`{_shown(escape)}` is no escape",
+        span,
+        help=f"the escapes are {escapes.listed()}; a backslash is written \\\\",
+        fix=write(f"\\{escape}", span),
+    )
