@@ -27,7 +27,7 @@ else:
 
 
 class Form(Enum):
-    """How what fills a slot is written."""
+    """How what fills a slot is written: what is matched, lowered and explained alike."""
 
     VARIABLE = auto()
     WORD = auto()
@@ -39,7 +39,7 @@ class Form(Enum):
 
 
 class SlotKind(Enum):
-    """What fills a slot.
+    """What fills a slot; a new kind is an entry here, with the form that it is written in.
 
     Attributes:
         placeholder: how it is written in a usage line.
@@ -49,8 +49,8 @@ class SlotKind(Enum):
 
     NODE_NAME = "'NODE_NAME'", "a node name in single quotes", Form.QUOTED
     NODE_OF_FILE = "'NODE_NAME'", "the name of a node of the file, in single quotes", Form.QUOTED
-    NEW_NODE = "VARIABLE", "a variable for the node", Form.VARIABLE
-    NEW_MESSAGE = "MESSAGE", "a variable for the message", Form.VARIABLE
+    NEW_NODE = "VARIABLE", "a variable for the node", Form.VARIABLE, "NODE"
+    NEW_MESSAGE = "MESSAGE", "a variable for the message", Form.VARIABLE, "MESSAGE"
     NODE = "VARIABLE", "the variable of a node", Form.VARIABLE
     MESSAGE = "MESSAGE", "the variable of a message", Form.VARIABLE
     TOPIC = "'TOPIC_NAME'", "a topic name in single quotes", Form.QUOTED
@@ -63,15 +63,16 @@ class SlotKind(Enum):
     LIBRARY = "CLIENT_LIBRARY", "a client library", Form.WORD
     FILE = "FILE_NAME | 'RELATIVE/PATH.py'", "a file name, or a path in single quotes", Form.FILE
 
-    def __init__(self, placeholder: str, words: str, form: Form) -> None:
+    def __init__(self, placeholder: str, words: str, form: Form, makes: str = "") -> None:
         self.placeholder = placeholder
         self.words = words
         self.form = form
+        self._makes = makes
 
     @property
     def makes(self) -> SlotKind | None:
         """The kind of slot that may name, further down, what this one gives a name to."""
-        return {SlotKind.NEW_NODE: SlotKind.NODE, SlotKind.NEW_MESSAGE: SlotKind.MESSAGE}.get(self)
+        return SlotKind[self._makes] if self._makes else None
 
     @property
     def is_variable(self) -> bool:
