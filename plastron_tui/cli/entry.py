@@ -15,7 +15,14 @@ from pathlib import Path
 
 from plastron_tui import collector
 
-from .streams import discard, flush_streams, guard_terminals, open_closed_streams, status_after
+from .streams import (
+    discard,
+    flush_streams,
+    guard_terminals,
+    has_terminal,
+    open_closed_streams,
+    status_after,
+)
 
 INTERRUPTED = 130
 
@@ -79,8 +86,3 @@ def _open_studio(arguments: Sequence[str]) -> int:
     from plastron_tui.studio.app import run as run_studio
 
     return run_studio(Path(arguments[0]) if arguments else None)
-
-
-def has_terminal() -> bool:
-    """Tell whether a person sits at both ends."""
-    return all(stream is not None and stream.isatty() for stream in (sys.stdin, sys.stdout))

@@ -11,8 +11,7 @@ import click
 
 from plastron_tui import __version__
 
-from .entry import has_terminal
-from .streams import discard
+from .streams import discard, has_terminal
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem

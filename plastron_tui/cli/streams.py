@@ -25,6 +25,11 @@ def open_closed_streams() -> None:
             setattr(sys, name, Path(os.devnull).open(mode))  # noqa: SIM115
 
 
+def has_terminal() -> bool:
+    """Tell whether a person sits at both ends."""
+    return all(stream is not None and stream.isatty() for stream in (sys.stdin, sys.stdout))
+
+
 def guard_terminals() -> None:
     """Let nothing pass to a terminal that it would obey, whoever writes it."""
     streams = {name: getattr(sys, name) for name in ("stdout", "stderr")}

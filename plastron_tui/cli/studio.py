@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 import click
@@ -10,6 +9,7 @@ import click
 from plastron_tui.session import Options
 
 from .common import output_option, shown_path, target_option
+from .streams import has_terminal
 
 
 @click.command(
@@ -33,7 +33,7 @@ def open_studio(file: Path | None, options: Options, first: str | None = None) -
         first: what is done first, as the name of an action of the main screen.
     """
     context = click.get_current_context()
-    if not (sys.stdin.isatty() and sys.stdout.isatty()):
+    if not has_terminal():
         name = "FILE" if file is None else shown_path(file)
         click.echo(
             f"error: the studio needs a terminal; without one: plastron check {name}", err=True
