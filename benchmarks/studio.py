@@ -28,7 +28,7 @@ from plastron_tui import collector
 from plastron_tui.diagnostics import Span
 from plastron_tui.language.grammar import new_parser
 from plastron_tui.studio.app import StudioApp
-from plastron_tui.studio.screens.main import MainScreen
+from plastron_tui.studio.main.screen import MainScreen
 
 from .editor import key_name
 from .programs import program
@@ -76,10 +76,7 @@ class _Studio:
         analysis = main.open.analysis
         if analysis is None or analysis.text != main.open.text:
             return False
-        wanted = main.wanted()
-        return all(
-            main.lists[name].entries is analysis.entries[name] for name in wanted.panels
-        ) and (wanted.preview is None or wanted.preview in analysis.previews)
+        return all(request in analysis.made for request in main.feed.wanted())
 
     async def settled(self) -> None:
         """Wait until all is current."""
@@ -146,7 +143,7 @@ async def measure(file: Path, ready: Callable[[], object] = lambda: None) -> _Ti
             after.append(perf_counter() - last)
             processor.append(process_time() - used)
             await pilot.pause(0.5)
-    main.analyst.join(5)
+    main.feed.analyst.join(5)
     return _Times(keys, watch.pauses, after, processor)
 
 

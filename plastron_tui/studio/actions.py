@@ -10,6 +10,10 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from textual.binding import Binding
+from textual.widget import Widget
+
+from .panels.dock import Dock
+from .panels.registry import PANELS
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,22 +76,11 @@ ACTIONS: tuple[Action, ...] = (
            "Give the panel more room."),
     Action("narrower", "Make the panel smaller", "screen.resize(-4)", "alt+minus",
            "Give the panel less room."),
-    Action("nodes", "Nodes", "screen.show('nodes')", "alt+1",
-           "The nodes, each with what it speaks and hears.", "Panels"),
-    Action("topics", "Topics", "screen.show('topics')", "alt+2",
-           "The topics, each with who publishes and who listens.", "Panels"),
-    Action("services", "Services", "screen.show('services')", "alt+3",
-           "The services, each with who provides it and who calls.", "Panels"),
-    Action("messages", "Messages", "screen.show('messages')", "alt+4",
-           "The messages, each with its values.", "Panels"),
-    Action("preview", "Preview", "screen.show('preview')", "alt+5",
-           "The file that the node at the cursor becomes.", "Panels"),
-    Action("graph", "Graph", "screen.show('graph')", "alt+6",
-           "Nodes, topics and services as boxes and arrows.", "Panels"),
-    Action("problems", "Problems", "screen.show('problems')", "alt+7",
-           "All that is wrong, with what mends it.", "Panels"),
-    Action("output", "Output", "screen.show('output')", "alt+8",
-           "What the nodes that run print.", "Panels"),
+    *(
+        Action(panel.name, panel.title, f"screen.show('{panel.name}')", panel.keys, panel.summary,
+               "Panels")
+        for panel in PANELS
+    ),
     Action("fix", "Mend the problem at the cursor", "screen.fix", "alt+enter",
            "Apply the remedy of the mistake on this line.", "Edit"),
     Action("new", "New program", "screen.new", "ctrl+n,alt+n", "Start an empty program.", "File"),
@@ -140,11 +133,6 @@ ACTIONS: tuple[Action, ...] = (
 
 BY_ID = {action.id: action for action in ACTIONS}
 
-_PANEL_IDS = (
-    "panel.up", "panel.down", "panel.page_up", "panel.page_down", "panel.first", "panel.last",
-    "panel.fold", "panel.choose", "panel.end", "panel.rename", "panel.generate", "panel.fix",
-)  # fmt: skip
-
 
 def bindings() -> list[Binding]:
     """Return the bindings of the main screen."""
@@ -154,7 +142,11 @@ def bindings() -> list[Binding]:
 def ids() -> Iterator[str]:
     """Yield the names under which the configuration file can bind keys."""
     yield from (action.id for action in ACTIONS)
-    yield from _PANEL_IDS
+    widgets: tuple[type[Widget], ...] = (Dock, *(panel.widget for panel in PANELS))
+    for widget in widgets:
+        for base in widget.__mro__:
+            bound = base.__dict__.get("BINDINGS", ())
+            yield from (each.id for each in bound if isinstance(each, Binding) and each.id)
 
 
 def grouped() -> Iterable[tuple[str, list[Action]]]:

@@ -14,7 +14,7 @@ import sys
 import threading
 from collections.abc import Callable
 from time import perf_counter
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from textual.message import Message
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from plastron_tui.session import Session
 
     from .analysis import Analysis
-    from .panels.picture import Size
+    from .panels.panel import Request
 
 _SWITCH_INTERVAL = 0.001
 """Seconds after which this thread, when it is busy, lets another go on; Python's own are 0.005.
@@ -36,20 +36,6 @@ terminal's output, and each waits for this one: it is shown in four fifths of th
 
 _REST = 3.0
 """Seconds without a question after which nobody types, and the collector may work."""
-
-
-class Wanted(NamedTuple):
-    """What is in sight, and so has to be known.
-
-    Attributes:
-        panels: the panels with entries.
-        preview: the variable of the node whose files are shown.
-        graph: where the graph is shown, None where it is not.
-    """
-
-    panels: tuple[str, ...] = ()
-    preview: str | None = None
-    graph: Size | None = None
 
 
 class Stale(Exception):  # noqa: N818 - no error: the text has changed meanwhile
@@ -84,7 +70,7 @@ class Analyst:
         self._post = post
         self._condition = threading.Condition()
         self._session: Session | None = None
-        self._wanted: Wanted | None = None
+        self._wanted: tuple[Request, ...] | None = None
         self._is_stopped = False
         self._is_answering = False
         self._last: Analysis | None = None
@@ -107,8 +93,8 @@ class Analyst:
         """Wait for the thread to end, so long at most."""
         self._thread.join(seconds)
 
-    def ask(self, wanted: Wanted, session: Session | None = None) -> None:
-        """Ask what a snapshot means; None asks for more about the last one."""
+    def ask(self, wanted: tuple[Request, ...], session: Session | None = None) -> None:
+        """Ask what a snapshot means, for the panels in sight; None for more about the last one."""
         with self._condition:
             if session is not None:
                 self._session = session
@@ -148,9 +134,10 @@ class Analyst:
         if self._is_stopped or self._session is not None:
             raise Stale
 
-    def _answer(self, session: Session | None, wanted: Wanted) -> None:
+    def _answer(self, session: Session | None, wanted: tuple[Request, ...]) -> None:
         # Imported here, and so in the thread, when there is something to see.
-        from .analysis import add_drawing, add_entries, add_preview, analyse
+        from .analysis import analyse
+        from .panels.registry import BY_NAME, counts, make
 
         start = perf_counter()
         if session is not None:
@@ -158,17 +145,18 @@ class Analyst:
                 session.learn_from(self._last.session)
             # What else was asked for is asked again, if this gets stale.
             self._last = analyse(session, self._check)
+            self._last.counts = counts(self._last)
         analysis = self._last
         if analysis is None:
             return
-        for panel in wanted.panels:
-            add_entries(analysis, panel)
-            self._check()
+        slow = [request for request in wanted if BY_NAME[request.panel].is_slow]
+        for request in wanted:
+            if request not in slow:
+                make(analysis, request)
+                self._check()
         self._post(Analysed(analysis, perf_counter() - start))
-        if wanted.graph is not None:
-            add_drawing(analysis, wanted.graph)
-        if wanted.preview is not None:
-            add_preview(analysis, wanted.preview)
-        if wanted.graph is not None or wanted.preview is not None:
+        for request in slow:
+            make(analysis, request)
+        if slow:
             self._check()
             self._post(Analysed(analysis, perf_counter() - start))

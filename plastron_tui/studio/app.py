@@ -14,9 +14,9 @@ from pathlib import Path
 from types import FrameType
 from typing import ClassVar
 
-from textual import work
+from textual import on, work
 from textual.app import App, SystemCommand
-from textual.binding import Binding, BindingType
+from textual.binding import BindingType
 from textual.filter import LineFilter
 from textual.notifications import SeverityLevel
 from textual.screen import Screen
@@ -27,12 +27,13 @@ from plastron_tui.private_files import sweep
 from plastron_tui.session import Options
 from plastron_tui.user_folders import state_folder
 
-from . import config as settings
 from .actions import ACTIONS, ids
+from .analyst import AnalysisFailed
+from .config import Profile, config_file, load_config, load_remembered, save_remembered
 from .files import open_file
 from .key_order import InOrder
+from .main.screen import MainScreen
 from .only_text import ONLY_TEXT
-from .screens.main import MainScreen
 from .shown_places import not_saved
 from .state import opened
 from .terminal_keys import teach
@@ -67,12 +68,9 @@ class StudioApp(InOrder, inherit_bindings=False):
             first: the action of the main screen that is done first, instead of the welcome.
         """
         super().__init__()
-        self.state_folder = state_folder() / "journal"
-        self._memory = state_folder()
-        self.remembered = settings.load_remembered(self._memory)
-        self.config, self._messages = settings.load_config(
-            settings.config_file(), ids(), self.available_themes
-        )
+        folder = state_folder()
+        config, self._messages = load_config(config_file(), ids(), self.available_themes)
+        self.profile = Profile(config, load_remembered(folder), folder)
         self.set_reactive(App.theme, self._first_theme())
         self._path = path
         self._options = options or Options()
@@ -90,7 +88,7 @@ class StudioApp(InOrder, inherit_bindings=False):
             self._messages += found.said
             if found.problem is not None:
                 self._messages += (found.problem.message,)
-        return MainScreen(opened(disk, self.state_folder, self._options))
+        return MainScreen(opened(disk, self.profile.journals, self._options), self.profile)
 
     @property
     def main(self) -> MainScreen:
@@ -103,24 +101,23 @@ class StudioApp(InOrder, inherit_bindings=False):
         """Take the theme and the keys; offer what was not saved; say what is wrong."""
         first = self.theme
         self.theme_changed_signal.subscribe(self, lambda theme: self._themed(theme.name, first))
-        if self.config.keys:
-            self.set_keymap(self.config.keys)
-        sweep(self._memory)
+        if self.profile.config.keys:
+            self.set_keymap(self.profile.config.keys)
+        sweep(self.profile.folder)
         for message in self._messages:
             self.notify(message, severity="warning", timeout=10, markup=False)
         if not self.is_headless:
             for number in (signal.SIGTERM, signal.SIGHUP):
                 signal.signal(number, partial(self._told_to_end, asyncio.get_running_loop()))
         path, folder = self.main.open.path, self.main.open.session.folder
-        kept = self.main.not_saved()
+        kept = self.main.recovery.not_saved()
         own = [each for each in kept if each.belongs_to(path, folder)]
         others = [each for each in kept if each not in own]
         if path is not None:
-            self.opened(path)
+            self.profile.remembered.opened(path)
         # The welcome lists them; it is not in front where something else was asked for.
         if others and (path is not None or self._first is not None):
-            keys = next(action.keys for action in ACTIONS if action.id == "welcome")
-            page = f"the welcome page ({self.key_of('welcome', keys)})"
+            page = f"the welcome page ({self.main.key_of('welcome')})"
             text = f"{not_saved(others)}\n{page} has what was typed"
             self.notify(text, timeout=10, markup=False)
         # What is done first may depend on the ROS that is here, so that it waits for that.
@@ -146,18 +143,14 @@ class StudioApp(InOrder, inherit_bindings=False):
             self.call_from_thread(self.call_later, self.run_call, then)
 
     def _first_theme(self) -> str:
-        wanted = self.config.theme or self.remembered.theme
+        wanted = self.profile.config.theme or self.profile.remembered.theme
         if wanted in self.available_themes:
             return wanted
         return _SMALL if has_few_colours(os.environ) else DEFAULT_THEME
 
     def _themed(self, name: str, first: str) -> None:
-        if name != first or self.remembered.theme is not None:
-            self.remembered.theme = name
-
-    def opened(self, path: Path) -> None:
-        """Remember a program that was opened or saved."""
-        self.remembered.opened(path)
+        if name != first or self.profile.remembered.theme is not None:
+            self.profile.remembered.theme = name
 
     def get_system_commands(self, screen: Screen[object]) -> Iterable[SystemCommand]:
         """List every action of the studio, with its key."""
@@ -166,14 +159,9 @@ class StudioApp(InOrder, inherit_bindings=False):
         for action in ACTIONS:
             if action.id == "menu":
                 continue
-            key = self.key_of(action.id, action.keys)
+            key = self.main.key_of(action.id)
             title = f"{action.title}  ({key})" if key else action.title
             yield SystemCommand(title, action.help, partial(self.run_call, action.call))
-
-    def key_of(self, action: str, keys: str) -> str:
-        """Return the key of an action, as a person writes it."""
-        key = self.config.keys.get(action, keys).split(",")[0]
-        return self.get_key_display(Binding(key, "")) if key else ""
 
     async def run_call(self, call: str) -> None:
         """Do an action by its call."""
@@ -197,11 +185,16 @@ class StudioApp(InOrder, inherit_bindings=False):
             visible_text(message), title=title, severity=severity, timeout=timeout, markup=markup
         )
 
+    @on(AnalysisFailed)
+    def analysis_failed(self, message: AnalysisFailed) -> None:
+        """Show what went wrong in the worker; the text is safe in the editor."""
+        self.show_error(message.error)
+
     def show_error(self, error: BaseException) -> None:
         """Show an error of Plastron's own, with the place of the journal and a report; once."""
         from .screens.failure import Failure, report_of
 
-        self.main.keep_now()
+        self.main.recovery.keep_now()
         report = report_of(error)
         if report not in self._failures:
             self._failures.add(report)
@@ -214,13 +207,13 @@ class StudioApp(InOrder, inherit_bindings=False):
             return True
         from .screens.failure import last_words
 
-        self.last_words = last_words(error, self._keep_all(), self._memory)
+        self.last_words = last_words(error, self._keep_all(), self.profile.folder)
         return False
 
     def _keep_all(self) -> Path | None:
         """Keep what is not saved; return where, None when all is saved or nothing is open."""
         with suppress(Exception):
-            self.main.keep_now()
+            self.main.recovery.keep_now()
             if self.main.open.is_changed:
                 return self.main.open.journal.file
         return None
@@ -252,7 +245,7 @@ class StudioApp(InOrder, inherit_bindings=False):
 
     def on_unmount(self) -> None:
         """Remember what lasts."""
-        settings.save_remembered(self._memory, self.remembered)
+        save_remembered(self.profile.folder, self.profile.remembered)
 
 
 def run(path: Path | None, options: Options | None = None, first: str | None = None) -> int:
@@ -260,7 +253,7 @@ def run(path: Path | None, options: Options | None = None, first: str | None = N
     teach()
     app = StudioApp(path, options, first)
     app.looks_for_ros = True
-    app.run(mouse=app.config.mouse)
+    app.run(mouse=app.profile.config.mouse)
     if app.last_words:
         print(app.last_words, file=sys.stderr)
     return app.return_code or 0

@@ -156,6 +156,26 @@ class Remembered:
         self.recent = [name, *others][:_MOST_RECENT]
 
 
+@dataclass(frozen=True, slots=True)
+class Profile:
+    """What belongs to the user, and lasts longer than a program.
+
+    Attributes:
+        config: what the configuration file says.
+        remembered: what is remembered.
+        folder: where that is kept.
+    """
+
+    config: Config
+    remembered: Remembered
+    folder: Path
+
+    @property
+    def journals(self) -> Path:
+        """The folder of what was typed and not saved."""
+        return self.folder / "journal"
+
+
 _STATE_FILE = "studio.json"
 
 

@@ -223,7 +223,7 @@ PREVIEW = """\
 from pathlib import Path
 from plastron_tui.session import Options, Session
 from plastron_tui.studio.analysis import analyse
-from plastron_tui.studio.preview import previews_of
+from plastron_tui.studio.panels.preview import previews_of
 text = Path("a.plastron").read_bytes()
 session = Session(text, Path("a.plastron"), Options(target="roschant"))
 for preview in previews_of(analyse(session, lambda: None), "talker"):

@@ -13,7 +13,7 @@ from textual.widgets import Label
 
 from plastron_tui.studio.app import StudioApp
 from plastron_tui.studio.journal import Journal
-from plastron_tui.studio.screens.main import MainScreen
+from plastron_tui.studio.main.screen import MainScreen
 from plastron_tui.user_folders import state_folder
 
 PROGRAM = """\
@@ -89,22 +89,16 @@ class Driver:
         """What is not yet known, or not shown, of what the text means; empty where nothing is."""
         main = self.main
         analysis = main.open.analysis
-        if main._pause is not None:
+        if main.feed.is_pausing:
             return "a pause in typing"
-        if not main.analyst.is_idle:
+        if not main.feed.analyst.is_idle:
             return "an answer"
         if analysis is None or analysis.text != main.open.text:
             return "an analysis of this text"
         if analysis.session.library != main.open.session.library:
             return "an analysis for this library"
-        wanted = main.wanted()
-        if not set(wanted.panels) <= analysis.entries.keys():
-            return f"the panels {wanted.panels}"
-        if wanted.preview is not None and wanted.preview not in analysis.previews:
-            return f"the preview of {wanted.preview}"
-        if wanted.graph is None or (analysis.drawing is not None and main.graph.is_fitted):
-            return ""
-        return "the graph"
+        missing = [request for request in main.feed.wanted() if request not in analysis.made]
+        return str(missing) if missing else ""
 
     async def until(self, condition: Callable[[], bool]) -> None:
         await until(self.pilot, condition)
@@ -132,7 +126,7 @@ class Driver:
 
     def shown(self, name: str) -> list[str]:
         """Return the lines of a panel of entries, as one reads them."""
-        panel = self.main.lists[name]
+        panel = self.main.panels[name]
         return [
             " ".join(part for part in (entry.sign, entry.text, entry.detail, entry.warning) if part)
             for entry in panel._shown
@@ -160,4 +154,4 @@ async def studio(
         if not welcome:
             await driver.back()
         yield driver
-    main.analyst.join(5)
+    main.feed.analyst.join(5)

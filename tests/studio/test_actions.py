@@ -10,7 +10,7 @@ from textual.widgets import Button, Label
 from plastron_tui.studio.actions import ACTIONS, BY_ID
 from plastron_tui.studio.config import config_file
 from plastron_tui.studio.editor import ProgramEditor
-from plastron_tui.studio.screens.main import MainScreen
+from plastron_tui.studio.main.screen import MainScreen
 
 
 def test_every_action_is_one_of_the_screen_the_app_or_the_editor() -> None:
@@ -54,13 +54,17 @@ async def test_every_action_is_in_the_palette(program: Path) -> None:
 async def test_keys_are_remapped_and_a_bad_configuration_is_said(program: Path, home: Path) -> None:
     config_file().parent.mkdir(parents=True)
     config_file().write_text(
-        "theme: nord\nkeys:\n  generate: f11\n  generat: f12\nwidth: 3\nmouse: perhaps\n"
+        "theme: nord\nkeys:\n  generate: f11\n  generat: f12\n  graph.size: z\n"
+        "width: 3\nmouse: perhaps\n"
     )
     async with studio(program) as driver:
         assert driver.app.theme == "nord"
         for said in ("no action `generat`; did you mean `generate`?", "no setting `width`",
                      "`mouse` has a value that it cannot have"):  # fmt: skip
             assert said in driver.notes()
+        assert "graph.size" not in driver.notes()
+        await driver.press("alt+6", "z")
+        assert "size: " in driver.notes()
         await driver.pilot.press("f11")
         await driver.dialog("GenerateDialog")
 
@@ -81,12 +85,12 @@ async def test_the_theme_and_the_layout_are_remembered(program: Path) -> None:
         await driver.press("alt+plus")
         await driver.pilot.press("ctrl+q")
         await driver.until(lambda: driver.app._exit)
-        width = driver.main.sizes["outline"]
+        width = driver.main.dock_layout.sizes["outline"]
     async with studio(program) as driver:
         assert driver.app.theme == "gruvbox"
-        assert driver.main.outline.active == "topics"
-        assert driver.main.sizes["outline"] == width
-        assert driver.main.outline.size.width == width
+        assert driver.main.dock_layout.outline.active == "topics"
+        assert driver.main.dock_layout.sizes["outline"] == width
+        assert driver.main.dock_layout.outline.size.width == width
 
 
 @pytest.mark.parametrize(
@@ -105,29 +109,30 @@ async def test_the_panels_follow_the_size_of_the_window(
 ) -> None:
     async with studio(program, (120, 40)) as driver:
         await driver.pilot.resize_terminal(*size)
-        await driver.until(lambda: {dock.id for dock in driver.main.docks if dock.display} == docks)
+        all_docks = driver.main.dock_layout.docks
+        await driver.until(lambda: {dock.id for dock in all_docks if dock.display} == docks)
         assert driver.main.editor.view.size.height >= 1
         await driver.type("// x\n")
         for name in ("graph", "problems", "preview", "nodes"):
             driver.main.action_show(name)
             await driver.settle()
-            assert driver.main.is_in_sight(name)
+            assert driver.main.dock_layout.is_in_sight(name)
 
 
 async def test_panels_are_hidden_enlarged_and_left(program: Path) -> None:
     async with studio(program) as driver:
         main = driver.main
         await driver.press("f9")
-        assert not any(dock.display for dock in main.docks)
+        assert not any(dock.display for dock in main.dock_layout.docks)
         await driver.press("f9")
-        assert main.outline.display
+        assert main.dock_layout.outline.display
         driver.main.action_show("graph")
         await driver.press("ctrl+t")
-        assert main.result.size.width == 120
+        assert main.dock_layout.result.size.width == 120
         assert not main.editor.display
         await driver.press("escape")
         assert main.editor.view.has_focus
-        assert main.result.size.height < 30
+        assert main.dock_layout.result.size.height < 30
 
 
 @pytest.mark.parametrize("size", [*SIZES, (200, 60)])
@@ -140,7 +145,7 @@ async def test_f7_goes_through_all_panels(program: Path, size: tuple[int, int]) 
             assert focused is not None
             if focused is driver.main.editor.view:
                 break
-            seen.add(driver.main._focused_dock().id)
+            seen.add(driver.main.dock_layout.focused_dock.id)
         assert seen == {"outline", "result", "bottom"}
 
 
@@ -172,7 +177,7 @@ async def test_the_tour_goes_around(tmp_path: Path) -> None:
         assert len(titles) == len(set(titles)) == 6
         await driver.back()
         assert "listener" in driver.text
-        assert driver.app.remembered.toured
+        assert driver.app.profile.remembered.toured
 
 
 @pytest.mark.parametrize("size", [(80, 24), (120, 40), (200, 50)])
@@ -185,7 +190,7 @@ async def test_the_tour_does_not_hide_what_it_is_about(
         for panel in [None, "nodes", "preview", "graph", "problems", None]:
             await driver.settle()
             if panel is not None:
-                about = driver.main.dock_of(panel).region
+                about = driver.main.dock_layout.dock_of(panel).region
                 await driver.until(
                     lambda about=about: not about.overlaps(dialog.query_one("#tour").region)
                 )
@@ -274,7 +279,7 @@ async def test_generate_with_a_mistake_shows_the_problems(program: Path) -> None
     program.write_text(PROGRAM + "generate_node nobody\n")
     async with studio(program) as driver:
         await driver.press("f6")
-        await driver.until(lambda: driver.main.lists["problems"].has_focus)
+        await driver.until(lambda: driver.main.panels["problems"].has_focus)
         assert "1 mistake has to be mended first" in driver.notes()
 
 
@@ -288,10 +293,10 @@ async def test_the_preview_of_a_changed_file_is_its_diff(program: Path) -> None:
         driver.main.editor.go_to(at)
         driver.main.editor.type_text("well, ")
         await driver.settle()
-        await driver.until(lambda: "+" in driver.main.preview.text)
-        assert '"well, hello"' in driver.main.preview.text
-        driver.main.preview.action_toggle_diff()
-        assert driver.main.preview.text.startswith("#!/usr/bin/env python3")
+        await driver.until(lambda: "+" in driver.main.panels["preview"].text)
+        assert '"well, hello"' in driver.main.panels["preview"].text
+        driver.main.panels["preview"].action_toggle_diff()
+        assert driver.main.panels["preview"].text.startswith("#!/usr/bin/env python3")
 
 
 async def test_run_shows_what_the_nodes_print_and_stops(
@@ -313,9 +318,9 @@ async def test_run_shows_what_the_nodes_print_and_stops(
     monkeypatch.setattr(sys, "executable", str(wrapper))
     async with studio(program) as driver:
         await driver.pilot.press("f5")
-        await driver.until(lambda: "talker | hello" in driver.main.output.text)
-        assert driver.main.is_in_sight("output")
+        await driver.until(lambda: "talker | hello" in driver.main.panels["output"].text)
+        assert driver.main.dock_layout.is_in_sight("output")
         assert "running" in driver.main.query_one("#title").text
         await driver.app.run_call(BY_ID["stop"].call)
-        await driver.until(lambda: not driver.main.runs_nodes)
-        assert "bye" in driver.main.output.text
+        await driver.until(lambda: not driver.main.runner.is_running)
+        assert "bye" in driver.main.panels["output"].text

@@ -13,8 +13,10 @@ from textual.message import Message
 from plastron_tui import collector
 from plastron_tui.session import Session
 from plastron_tui.studio import analyst as module
-from plastron_tui.studio.analyst import Analysed, Analyst, Wanted
+from plastron_tui.studio.analyst import Analysed, Analyst
+from plastron_tui.studio.panels.panel import Request
 
+NODES, PROBLEMS = Request("nodes", True), Request("problems", True)
 PROGRAM = b"create_node 'talker' as talker\ngenerate_node talker\n"
 
 
@@ -30,10 +32,10 @@ def test_an_answer_after_an_edit_is_that_of_the_new_text_alone() -> None:
     analyst = Analyst(found.append)
     analyst.start()
     session = Session(PROGRAM, environ={})
-    analyst.ask(Wanted(("nodes", "problems")), session.snapshot())
+    analyst.ask((NODES, PROBLEMS), session.snapshot())
     until(lambda: len(found) == 1)
     session.edit(0, 0, b"create_node 'other' as other\n")
-    analyst.ask(Wanted(("nodes", "problems")), session.snapshot())
+    analyst.ask((NODES, PROBLEMS), session.snapshot())
     until(lambda: len(found) == 2)
     analyst.stop()
     analyst.join(5)
@@ -44,7 +46,7 @@ def test_an_answer_after_an_edit_is_that_of_the_new_text_alone() -> None:
     assert last.analysis.workspace == alone.workspace
     assert last.analysis.node_at(0) == "other"
     assert last.analysis.node_at(session.document.text.index(b"generate_node")) == "talker"
-    assert [entry.text for entry in last.analysis.entries["nodes"].all] == ["other", "talker"]
+    assert [entry.text for entry in last.analysis.made[NODES].all] == ["other", "talker"]
 
 
 def test_what_is_no_longer_shown_is_let_go() -> None:
@@ -52,13 +54,13 @@ def test_what_is_no_longer_shown_is_let_go() -> None:
     analyst = Analyst(found.append)
     analyst.start()
     session = Session(PROGRAM, environ={})
-    analyst.ask(Wanted(), session.snapshot())
+    analyst.ask((), session.snapshot())
     until(lambda: len(found) == 1)
     first = found[0]
     assert isinstance(first, Analysed)
     seen = weakref.ref(first.analysis)
     session.edit(0, 0, b"\n")
-    analyst.ask(Wanted(), session.snapshot())
+    analyst.ask((), session.snapshot())
     until(lambda: len(found) == 2)
     found.clear()
     del first
@@ -113,7 +115,7 @@ def test_garbage_is_let_go_when_nobody_asks_for_a_while(monkeypatch: pytest.Monk
     session = Session(PROGRAM, environ={})
     for count in range(1, 9):
         session.edit(0, 0, b"\n")
-        analyst.ask(Wanted(("nodes",)), session.snapshot())
+        analyst.ask((NODES,), session.snapshot())
         until(lambda count=count: len(made) == count)
     until(lambda: all(each() is None for each in made))
     analyst.stop()

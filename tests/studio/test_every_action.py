@@ -11,7 +11,8 @@ from studio_driver import PROGRAM, SIZES, Driver, studio
 from textual.app import App
 
 from plastron_tui.studio.actions import ACTIONS, BY_ID
-from plastron_tui.studio.screens.main import MainScreen
+from plastron_tui.studio.main.run_actions import RunActions
+from plastron_tui.studio.panels.registry import PANELS
 
 Check = Callable[[Driver], bool]
 
@@ -41,7 +42,7 @@ def panel(name: str) -> Case:
         inside = focused is not None and any(
             widget.id == name for widget in focused.ancestors_with_self
         )
-        return driver.main.is_in_sight(name) and inside
+        return driver.main.dock_layout.is_in_sight(name) and inside
 
     return Case(is_shown)
 
@@ -74,7 +75,7 @@ def _row(driver: Driver) -> int:
 
 
 def _grown(driver: Driver) -> int:
-    before, now = driver.before, driver.main.outline.size  # type: ignore[attr-defined]
+    before, now = driver.before, driver.main.dock_layout.outline.size  # type: ignore[attr-defined]
     return (now.width + now.height) - (before.width + before.height)
 
 
@@ -88,15 +89,13 @@ CASES: dict[str, Case] = {
     "stop": Case(lambda driver: "nothing runs" in driver.notes()),
     "generate": Case(opens="GenerateDialog"),
     "wizard": Case(lambda driver: driver.app.screen is not driver.main),
-    "next_panel": Case(lambda driver: driver.main._focused_dock() is not None),
-    "panels": Case(lambda driver: not any(dock.display for dock in driver.main.docks)),
+    "next_panel": Case(lambda driver: driver.main.dock_layout.focused_dock is not None),
+    "panels": Case(lambda driver: not any(dock.display for dock in driver.main.dock_layout.docks)),
     "menu": Case(opens="CommandPalette"),
     "zoom": Case(lambda driver: not driver.main.editor.display, before=("alt+1",)),
     "wider": Case(lambda driver: _grown(driver) > 0, before=("alt+1",)),
     "narrower": Case(lambda driver: _grown(driver) < 0, before=("alt+1",)),
-    **{name: panel(name) for name in (
-        "nodes", "topics", "services", "messages", "preview", "graph", "problems", "output",
-    )},
+    **{each.name: panel(each.name) for each in PANELS},
     "fix": text(PROGRAM, program=WRONG, cursor="generate_node talkr"),
     "new": Case(lambda driver: driver.main.open.path is None and not driver.text),
     "open": Case(opens="ChooseFile"),
@@ -155,13 +154,13 @@ def test_every_action_has_a_key() -> None:
 def _nothing_starts(monkeypatch: pytest.MonkeyPatch) -> None:
     """Note what would start nodes, or stop the tests."""
 
-    def start(screen: MainScreen, path: Path) -> None:
-        screen.app.started = [path.name]  # type: ignore[attr-defined]
+    def start(runner: RunActions, path: Path) -> None:
+        runner._screen.app.started = [path.name]  # type: ignore[attr-defined]
 
     def suspend(app: App[None]) -> None:
         app.suspended = getattr(app, "suspended", 0) + 1  # type: ignore[attr-defined]
 
-    monkeypatch.setattr(MainScreen, "_start", start)
+    monkeypatch.setattr(RunActions, "_start", start)
     monkeypatch.setattr(App, "action_suspend_process", suspend)
 
 
@@ -169,7 +168,7 @@ async def prepared(driver: Driver, case: Case) -> None:
     if case.cursor:
         driver.main.editor.go_to(driver.text.index(case.cursor))
     await driver.press(*case.before)
-    driver.before = driver.main.outline.size  # type: ignore[attr-defined]
+    driver.before = driver.main.dock_layout.outline.size  # type: ignore[attr-defined]
 
 
 @pytest.mark.parametrize("size", SIZES)

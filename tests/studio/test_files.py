@@ -8,7 +8,7 @@ import pytest
 from studio_driver import PROGRAM, SIZES, leave_behind, studio
 
 from plastron_tui.studio.journal import kept_texts
-from plastron_tui.studio.screens.main import MainScreen
+from plastron_tui.studio.main.screen import MainScreen
 from plastron_tui.user_folders import state_folder
 
 
@@ -99,7 +99,7 @@ async def test_a_program_is_opened(program: Path) -> None:
         await driver.back()
         assert driver.main.open.path == other
         assert driver.shown("nodes") == ["● arm rospy does nothing"]
-        assert driver.app.remembered.recent[0] == str(other)
+        assert driver.app.profile.remembered.recent[0] == str(other)
 
 
 @pytest.mark.parametrize(

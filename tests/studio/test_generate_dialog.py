@@ -68,7 +68,7 @@ async def test_the_preview_of_a_loaded_node_is_what_differs_from_its_file(loaded
         for _ in range(2):
             driver.main.action_show("preview")
             await driver.settle()
-            assert "-rospy.Subscriber('alarm', String, heard)" in driver.main.preview.text
+            assert "-rospy.Subscriber('alarm', String, heard)" in driver.main.panels["preview"].text
             dialog = await ask(driver)
             if dialog.query_one("#write", Button).display:
                 await driver.pilot.press("enter")

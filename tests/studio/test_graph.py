@@ -103,7 +103,7 @@ async def graph(driver: Driver) -> None:
 
 
 def lit(driver: Driver) -> str:
-    current = driver.main.graph.current
+    current = driver.main.panels["graph"].current
     assert current is not None
     return current.text
 
@@ -124,7 +124,7 @@ async def test_a_box_is_gone_to_with_keys_and_leads_to_its_statement(
         assert editor.cursor_offset == PROGRAM.index("talker publish")
         await driver.press("right")
         assert lit(driver) == "listener"
-        assert driver.main.graph.has_focus
+        assert driver.main.panels["graph"].has_focus
         await driver.press("right", "left", "left", "end", "enter")
         assert editor.cursor_offset == PROGRAM.index("create_node 'listener'")
         assert editor.view.has_focus
@@ -133,7 +133,7 @@ async def test_a_box_is_gone_to_with_keys_and_leads_to_its_statement(
 @pytest.mark.parametrize("size", SIZES)
 async def test_the_box_follows_the_cursor(program: Path, size: tuple[int, int]) -> None:
     async with studio(program, size) as driver:
-        driver.main.bring("graph")
+        driver.main.dock_layout.bring("graph")
         await driver.settle()
         for at, box in (
             ("subscribe", "/chatter"),
@@ -149,7 +149,7 @@ async def test_the_box_follows_the_cursor(program: Path, size: tuple[int, int]) 
 async def test_a_box_is_clicked(program: Path, size: tuple[int, int]) -> None:
     async with studio(program, size) as driver:
         await graph(driver)
-        panel = driver.main.graph
+        panel = driver.main.panels["graph"]
         row = next(at for at, line in enumerate(text(panel._fitted)) if "listener" in line)
         column = text(panel._fitted)[row].index("listener")
         await driver.pilot.click(panel, offset=Offset(column, row))
@@ -182,9 +182,9 @@ async def test_the_picture_follows_the_size_of_the_window(tmp_path: Path) -> Non
         for width, height in ((250, 60), (120, 40), (80, 24), (60, 20)):
             await driver.pilot.resize_terminal(width, height)
             await driver.settle()
-            room = driver.main.graph.room
-            assert driver.main.graph.lines == driver.main.graph.picture.fitted(room).lines
-            shown.append(driver.main.graph._fitted.detail)
+            panel = driver.main.panels["graph"]
+            assert panel.lines == panel.picture.fitted(panel.room).lines
+            shown.append(panel._fitted.detail)
         assert shown == sorted(shown)
         assert shown[0] < shown[-1]
 
@@ -194,7 +194,7 @@ async def test_what_does_not_fit_scrolls_to_the_box_at_the_cursor(tmp_path: Path
     file.write_text(chain(12))
     async with studio(file, (80, 24)) as driver:
         await graph(driver)
-        panel = driver.main.graph
+        panel = driver.main.panels["graph"]
         assert panel.max_scroll_x > 0
         await driver.press("end")
         assert panel.scroll_offset.x >= panel.max_scroll_x - 1
@@ -210,7 +210,7 @@ async def test_the_size_can_be_chosen(program: Path) -> None:
         seen = []
         for _ in range(len(DETAILS)):
             await driver.press("s")
-            seen.append(driver.main.graph._fitted.detail)
+            seen.append(driver.main.panels["graph"]._fitted.detail)
         assert seen == list(range(len(DETAILS)))
         await driver.press("s")
-        assert driver.main.graph._fitted.detail == 0
+        assert driver.main.panels["graph"]._fitted.detail == 0

@@ -32,7 +32,7 @@ async def test_no_screen_shows_what_a_terminal_obeys(tmp_path: Path) -> None:
     path.write_text(PROGRAM)
     seen = {}
     async with studio(path) as driver:
-        driver.app.remembered.opened(path)
+        driver.app.profile.remembered.opened(path)
         seen["main"] = screen_text(driver)
         driver.app.notify(f"said {PAYLOAD}", markup=False)
         await driver.until(lambda: bool(driver.app._notifications))

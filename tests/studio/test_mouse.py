@@ -34,10 +34,10 @@ async def drag(driver: Driver, widget: object, x: int, y: int) -> None:
 @pytest.mark.parametrize("title", ["Topics", "Messages", "Services"])
 async def test_a_tab_is_clicked(program: Path, size: tuple[int, int], title: str) -> None:
     async with studio(program, size) as driver:
-        strip = driver.main.outline.strip
+        strip = driver.main.dock_layout.outline.strip
         await click(driver, strip, line(driver, strip).index(title) + 1)
-        assert driver.main.is_in_sight(title.lower())
-        assert driver.main.lists[title.lower()].has_focus
+        assert driver.main.dock_layout.is_in_sight(title.lower())
+        assert driver.main.panels[title.lower()].has_focus
 
 
 @pytest.mark.parametrize("size", SIZES)
@@ -45,7 +45,7 @@ async def test_an_entry_is_clicked_and_its_sign_folds_it(
     program: Path, size: tuple[int, int]
 ) -> None:
     async with studio(program, size) as driver:
-        nodes = driver.main.lists["nodes"]
+        nodes = driver.main.panels["nodes"]
         await click(driver, nodes, 8, 3)
         assert driver.main.editor.cursor_offset == PROGRAM.index("subscribe")
         await click(driver, nodes, 1, 0)
@@ -67,17 +67,17 @@ async def test_the_edges_of_the_docks_are_dragged(program: Path) -> None:
         main = driver.main
         left, right = main.query_one("#outline-edge", Edge), main.query_one("#result-edge", Edge)
         await drag(driver, left, 50, 10)
-        assert main.outline.size.width == 50
+        assert main.dock_layout.outline.size.width == 50
         await drag(driver, right, 120, 10)
-        assert main.result.size.width == 79
-        await drag(driver, main.bottom.query_one(TabStrip), 90, 30)
-        assert abs(main.bottom.region.y - 30) <= 1
+        assert main.dock_layout.result.size.width == 79
+        await drag(driver, main.dock_layout.bottom.query_one(TabStrip), 90, 30)
+        assert abs(main.dock_layout.bottom.region.y - 30) <= 1
 
 
 async def test_the_wheel_scrolls_a_panel_that_has_no_focus(program: Path) -> None:
     program.write_text("".join(f"create_node 'n{at}' as n{at}\n" for at in range(60)))
     async with studio(program) as driver:
-        nodes = driver.main.lists["nodes"]
+        nodes = driver.main.panels["nodes"]
         assert nodes.scroll_offset.y == 0
         await driver.pilot._post_mouse_events([events.MouseScrollDown], nodes, offset=(5, 5))
         await driver.settle()

@@ -16,7 +16,7 @@ from studio_driver import PROGRAM, SIZES, fail, leave_behind, studio
 
 from plastron_tui.studio.config import load_remembered
 from plastron_tui.studio.journal import Journal, kept_texts
-from plastron_tui.studio.screens.main import MainScreen
+from plastron_tui.studio.main.screen import MainScreen
 from plastron_tui.user_folders import state_folder
 
 

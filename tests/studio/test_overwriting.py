@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 from studio_driver import PROGRAM, Driver, studio
 
+from plastron_tui.studio.main.screen import MainScreen
 from plastron_tui.studio.recipes import Recipe
-from plastron_tui.studio.screens.main import MainScreen
 
 
 @pytest.fixture(autouse=True)
@@ -56,7 +56,7 @@ async def test_so_is_a_file_that_a_recipe_is_to_replace(program: Path, tmp_path:
     mine = program.with_name("r.plastron")
     mine.write_text("// one\n")
     async with studio(program) as driver:
-        driver.app.run_worker(driver.main.take_recipe(recipe))
+        driver.app.run_worker(driver.main.files.take_recipe(recipe))
         await driver.dialog("ChooseFile")
         await driver.pilot.press("enter")
         await agree(driver, "// one", mine, "// two")

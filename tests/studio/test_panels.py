@@ -5,7 +5,10 @@ from pathlib import Path
 import pytest
 from studio_driver import PROGRAM, SIZES, studio
 
-PANELS = {
+from plastron_tui.studio.panels.panel import Panel
+from plastron_tui.studio.panels.registry import PANELS
+
+ENTRIES = {
     "nodes": ["● talker rospy", "↑ chatter std_msgs/String", "● listener rospy",
               "↓ chatter std_msgs/String"],
     "topics": ["≈ /chatter std_msgs/String", "↑ talker publisher", "↓ listener subscription"],
@@ -16,15 +19,15 @@ PANELS = {
 
 
 @pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("name", PANELS)
+@pytest.mark.parametrize("name", ENTRIES)
 async def test_a_panel_shows_what_the_text_means(
     program: Path, size: tuple[int, int], name: str
 ) -> None:
     async with studio(program, size) as driver:
         driver.main.action_show(name)
         await driver.settle()
-        assert driver.main.lists[name].has_focus
-        assert driver.shown(name) == PANELS[name]
+        assert driver.main.panels[name].has_focus
+        assert driver.shown(name) == ENTRIES[name]
 
 
 @pytest.mark.parametrize("size", SIZES)
@@ -34,11 +37,11 @@ async def test_the_preview_shows_the_file_of_the_node_at_the_cursor(
     async with studio(program, size) as driver:
         driver.main.action_show("preview")
         await driver.settle()
-        assert "rospy.Publisher(" in driver.main.preview.text
+        assert "rospy.Publisher(" in driver.main.panels["preview"].text
         driver.main.editor.go_to(PROGRAM.index("subscribe"))
         await driver.settle()
-        await driver.until(lambda: "rospy.Subscriber(" in driver.main.preview.text)
-        assert driver.main.preview.current.name == "listener_sub1.py"
+        await driver.until(lambda: "rospy.Subscriber(" in driver.main.panels["preview"].text)
+        assert driver.main.panels["preview"].current.name == "listener_sub1.py"
 
 
 @pytest.mark.parametrize("size", SIZES)
@@ -46,7 +49,7 @@ async def test_the_graph_is_drawn(program: Path, size: tuple[int, int]) -> None:
     async with studio(program, size) as driver:
         driver.main.action_show("graph")
         await driver.settle()
-        rows = driver.main.graph.text.split("\n")
+        rows = driver.main.panels["graph"].text.split("\n")
         assert rows[1] == " │ talker │────▶│ /chatter │────▶│ listener │"
 
 
@@ -61,7 +64,7 @@ async def test_an_entry_leads_to_its_statement_and_the_entry_follows_the_cursor(
         assert driver.main.editor.view.has_focus
         driver.main.editor.go_to(0)
         await driver.settle()
-        assert driver.main.lists["nodes"]._here == "node talker"
+        assert driver.main.panels["nodes"]._here == "node talker"
 
 
 @pytest.mark.parametrize(
@@ -158,16 +161,15 @@ async def test_the_preview_scrolls(program: Path, size: tuple[int, int]) -> None
 
 
 @pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize(
-    "name", [*PANELS, "preview", "graph", "output"]
-)  # fmt: skip
-async def test_help_is_about_the_panel(program: Path, size: tuple[int, int], name: str) -> None:
+@pytest.mark.parametrize("panel", PANELS, ids=lambda panel: panel.name)
+async def test_help_is_about_the_panel(program: Path, size: tuple[int, int], panel: Panel) -> None:
     async with studio(program, size) as driver:
-        driver.main.action_show(name)
+        driver.main.action_show(panel.name)
         await driver.settle()
         await driver.pilot.press("f1")
         dialog = await driver.dialog("Help")
-        assert str(dialog.query_one("#dialog-title").content) == name.capitalize()
+        assert str(dialog.query_one("#dialog-title").content) == panel.title
+        assert str(dialog.query_one("#dialog-text").content) == panel.about
         assert "Back to the editor" in dialog.query_one("TextView").text
 
 
@@ -176,7 +178,7 @@ async def test_a_narrow_panel_keeps_the_sign_of_a_fix(program: Path) -> None:
     async with studio(program, (40, 20)) as driver:
         driver.main.action_show("problems")
         await driver.settle()
-        panel = driver.main.lists["problems"]
+        panel = driver.main.panels["problems"]
         row = panel.render_line(0).text
         assert len(row) == 40
         assert row.rstrip().endswith("… ⚑")

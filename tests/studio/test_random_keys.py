@@ -19,11 +19,13 @@ from tree_sitter import Node
 
 from plastron_tui.language import Document
 from plastron_tui.session import Session
-from plastron_tui.studio.analysis import Analysis, add_drawing, add_entries, add_preview, analyse
+from plastron_tui.studio.analysis import Analysis, analyse
 from plastron_tui.studio.editor.marks import Marks
 from plastron_tui.studio.panels.bars import Bar
 from plastron_tui.studio.panels.dock import TabStrip
+from plastron_tui.studio.panels.entry_list import EntryList
 from plastron_tui.studio.panels.key_bar import KeyBar
+from plastron_tui.studio.panels.registry import make
 
 Step = tuple[str, str]
 """What is done, and with what: `key` a key, `type` keys all at once, `paste`, `find`, `size`,
@@ -162,13 +164,8 @@ def opened_anew(driver: Driver) -> Analysis:
     """Return what the text means to a session that begins with it."""
     open_ = driver.main.open
     analysis = analyse(Session(open_.text, open_.path, open_.session.options), lambda: None)
-    wanted = driver.main.wanted()
-    for panel in wanted.panels:
-        add_entries(analysis, panel)
-    if wanted.graph:
-        add_drawing(analysis)
-    if wanted.preview is not None:
-        add_preview(analysis, wanted.preview)
+    for request in driver.main.feed.wanted():
+        make(analysis, request)
     return analysis
 
 
@@ -182,18 +179,22 @@ def check(driver: Driver) -> None:
     assert list(shape(tree.root_node)) == list(shape(fresh_tree.root_node))
     assert editor.statement_help is not None
 
-    fresh, known, wanted = opened_anew(driver), main.open.analysis, main.wanted()
+    fresh, known = opened_anew(driver), main.open.analysis
     assert known is not None
     assert known.diagnostics == fresh.diagnostics
     marks = Marks([found for found in fresh.diagnostics if found.file in (None, main.open.path)])
     assert editor.marks.between(0, len(text)) == marks.between(0, len(text))
-    for name in wanted.panels:
-        assert main.lists[name].entries.all == fresh.entries[name].all
-        assert main.lists[name].entries.empty == fresh.entries[name].empty
-    if main.is_in_sight("preview"):
-        assert main.preview.previews == fresh.previews.get(wanted.preview or "", ())
-    if wanted.graph:
-        assert main.graph.picture == fresh.drawing
+    asked = dict(main.feed.wanted())
+    for name, panel in main.panels.items():
+        made = fresh.made.get((name, asked.get(name)))
+        match name:
+            case "preview" if main.dock_layout.is_in_sight(name):
+                assert panel.previews == (made or ())
+            case "graph" if name in asked:
+                assert panel.picture == made
+            case _ if isinstance(panel, EntryList) and name in asked:
+                assert panel.entries.all == made.all
+                assert panel.entries.empty == made.empty
 
 
 def drawn(driver: Driver) -> dict[str, list[list[Segment]]]:

@@ -86,8 +86,8 @@ def nothing_is_left(tmp_path: Path) -> Iterator[None]:
 
 async def wait_shown(driver: Driver, *texts: str) -> list[str]:
     """Wait until the output panel shows texts, and return its lines."""
-    await driver.until(lambda: all(text in driver.main.output.text for text in texts))
-    lines: list[str] = driver.main.output.text.splitlines()
+    await driver.until(lambda: all(text in driver.main.panels["output"].text for text in texts))
+    lines: list[str] = driver.main.panels["output"].text.splitlines()
     return lines
 
 
@@ -98,7 +98,7 @@ async def test_the_messages_arrive_and_stop_ends_all(talking: Path, tmp_path: Pa
         lines = await wait_shown(driver, "listener |", HEARD)
         assert lines[0] == "plastron run talk.plastron"
         assert any(line.startswith("listener | ") and HEARD in line for line in lines)
-        assert driver.main.focused is driver.main.output
+        assert driver.main.focused is driver.main.panels["output"]
         assert "running" in driver.main.query_one("#title").text
         assert len(nodes_of(tmp_path)) == 2
         await driver.press("f5")
@@ -160,7 +160,7 @@ async def test_a_run_that_fails_is_said(talking: Path, monkeypatch: pytest.Monke
         await driver.press("f5")
         lines = await wait_shown(driver, "ended with status 1")
         assert any("error" in line for line in lines), lines
-        assert not driver.main.runs_nodes
+        assert not driver.main.runner.is_running
 
 
 async def test_a_program_with_mistakes_is_not_run(talking: Path) -> None:
@@ -168,7 +168,7 @@ async def test_a_program_with_mistakes_is_not_run(talking: Path) -> None:
     async with studio(talking) as driver:
         await driver.press("f5")
         assert "to be mended first" in driver.notes()
-        assert not driver.main.runs_nodes
+        assert not driver.main.runner.is_running
 
 
 @needs_ros2
@@ -194,8 +194,8 @@ async def test_what_prints_without_end_leaves_the_studio_responsive(
         for key in ("alt+2", "alt+1"):
             await driver.pilot.press(key)
             name = {"alt+1": "nodes", "alt+2": "topics"}[key]
-            await driver.until(lambda: driver.main.lists[name].has_focus)  # noqa: B023
-        assert len(driver.main.output.lines) <= 5000
+            await driver.until(lambda: driver.main.panels[name].has_focus)  # noqa: B023
+        assert len(driver.main.panels["output"].lines) <= 5000
 
 
 @needs_ros2

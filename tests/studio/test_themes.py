@@ -49,7 +49,8 @@ async def test_every_theme_can_be_read_and_the_editor_follows(program: Path) -> 
         for name in driver.app.available_themes:
             driver.app.theme = name
             await driver.settle()
-            for widget in (main.lists["nodes"], main.lists["problems"], main.preview._view,
+            panels = main.panels
+            for widget in (panels["nodes"], panels["problems"], panels["preview"]._view,
                            main.query_one("#title"), main.query_one("#status")):  # fmt: skip
                 for text, style in read(widget):
                     found = contrast(style)
@@ -105,14 +106,14 @@ async def test_hidden_panels_and_the_panel_in_front_are_remembered(program: Path
         await driver.pilot.press("ctrl+q")
         await driver.until(lambda: driver.app._exit)
     async with studio(program, (80, 24)) as driver:
-        assert driver.main.is_in_sight("graph")
+        assert driver.main.dock_layout.is_in_sight("graph")
         await driver.press("f9")
         await driver.pilot.press("ctrl+q")
         await driver.until(lambda: driver.app._exit)
     async with studio(program, (80, 24)) as driver:
-        assert not any(dock.display for dock in driver.main.docks)
+        assert not any(dock.display for dock in driver.main.dock_layout.docks)
         await driver.press("f9")
-        assert driver.main.is_in_sight("graph")
+        assert driver.main.dock_layout.is_in_sight("graph")
 
 
 @pytest.mark.parametrize(

@@ -28,13 +28,13 @@ async def test_templates_are_used_after_the_user_trusts_them(foreign: Path) -> N
         await driver.settle()
         await driver.until(lambda: "not used until you trust it" in driver.notes())
         assert "If you trust it: alt+u" in driver.notes()
-        assert "rospy.init_node" in driver.main.preview.text
+        assert "rospy.init_node" in driver.main.panels["preview"].text
         await driver.pilot.press("alt+u")
         dialog = await driver.dialog("Question")
         assert str(foreign.parent) in str(dialog.query_one("#dialog-text").render())
         await driver.pilot.press("t")
         await driver.back()
-        await driver.until(lambda: "# foreign" in driver.main.preview.text)
+        await driver.until(lambda: "# foreign" in driver.main.panels["preview"].text)
         assert TrustStore().folders() == [foreign.parent]
 
 
@@ -74,7 +74,7 @@ async def test_what_only_waits_for_trust_is_no_mistake_of_the_program(
     async with studio(program) as driver:
         await driver.settle()
         await driver.press(key)
-        await driver.until(lambda: driver.main.lists["problems"].has_focus)
+        await driver.until(lambda: driver.main.panels["problems"].has_focus)
         assert "only once you trust this project: alt+u" in driver.notes()
         assert "mended" not in driver.notes()
         await driver.press("enter")

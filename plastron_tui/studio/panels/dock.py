@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import ClassVar
 
 from rich.cells import cell_len
@@ -16,6 +16,7 @@ from textual.message import Message
 from textual.strip import Strip
 from textual.widget import Widget
 
+from .panel import Panel
 from .tones import Toned
 
 _PLAIN = Style.null()
@@ -47,15 +48,15 @@ class TabStrip(Toned):
 
     def __init__(self) -> None:
         super().__init__()
-        self.tabs: tuple[tuple[str, str], ...] = ()
-        self.counts: dict[str, str] = {}
+        self.tabs: tuple[Panel, ...] = ()
+        self.counts: Mapping[str, int] = {}
         self.active = ""
         self._places: list[tuple[int, int, str]] = []
         self._is_dragged = False
         self._pressed_at = 0
 
-    def show(self, tabs: Iterable[tuple[str, str]], active: str, counts: dict[str, str]) -> None:
-        """Show tabs, by name and title, with what is counted in each."""
+    def show(self, tabs: Iterable[Panel], active: str, counts: Mapping[str, int]) -> None:
+        """Show the tabs of panels, with how much is in each."""
         new = (tuple(tabs), active, dict(counts))
         if new != (self.tabs, self.active, self.counts):
             self.tabs, self.active, self.counts = new
@@ -66,30 +67,31 @@ class TabStrip(Toned):
         base, width = self.rich_style, self.size.width
         tabs = self._fitting(width)
         sizes = [cell_len(text) + cell_len(count) for _, text, count in tabs]
-        at = next((at for at, (name, _, _) in enumerate(tabs) if name == self.active), 0)
+        at = next((at for at, (panel, _, _) in enumerate(tabs) if panel.name == self.active), 0)
         first = 0
         while first < at and sum(sizes[first : at + 1]) > width:
             first += 1
         segments, x = [], 0
         self._places = []
-        for (name, text, count), size in list(zip(tabs, sizes, strict=True))[first:]:
-            style = base + (self.tone("active", "tab-strip") if name == self.active else _PLAIN)
-            kind = "alarm" if name == "problems" else "count"
+        for (panel, text, count), size in list(zip(tabs, sizes, strict=True))[first:]:
+            is_active = panel.name == self.active
+            style = base + (self.tone("active", "tab-strip") if is_active else _PLAIN)
+            kind = "alarm" if panel.is_alarm else "count"
             segments.append(Segment(text, style))
             segments.append(Segment(count, style + self.tone(kind, "tab-strip")))
-            self._places.append((x, x + size, name))
+            self._places.append((x, x + size, panel.name))
             x += size
         return Strip(segments).adjust_cell_length(width, base)
 
-    def _fitting(self, width: int) -> list[tuple[str, str, str]]:
-        """Return name, text and count of the tabs: with all counts and some room if that fits."""
+    def _fitting(self, width: int) -> list[tuple[Panel, str, str]]:
+        """Return the tabs, their text and count: with all counts and some room if that fits."""
         for room, has_counts in ((" ", True), ("", True), ("", False)):
             tabs = []
-            for name, title in self.tabs:
-                is_counted = has_counts or name in (self.active, "problems")
-                count = self.counts.get(name, "") if is_counted else ""
-                text = f" {title} " if count else f" {title}{room}"
-                tabs.append((name, text, f"{count} " if count else ""))
+            for panel in self.tabs:
+                is_counted = has_counts or panel.is_alarm or panel.name == self.active
+                count = self.counts.get(panel.name, 0) if is_counted else 0
+                text = f" {panel.title} " if count else f" {panel.title}{room}"
+                tabs.append((panel, text, f"{count} " if count else ""))
             if sum(cell_len(text) + cell_len(count) for _, text, count in tabs) <= width:
                 break
         return tabs
@@ -168,18 +170,19 @@ class Dock(Vertical):
     class Left(Message):
         """The editor shall have the focus again."""
 
-    def __init__(self, name: str, panels: Iterable[tuple[str, str, Widget]]) -> None:
+    def __init__(self, side: str, widgets: Mapping[Panel, Widget]) -> None:
         """Make a dock.
 
         Args:
-            name: the dock's id.
-            panels: name, title and widget of each panel; the widget's id is the panel's name.
+            side: the dock that it is, as panels name it; its id too.
+            widgets: the widget of each panel that is in it.
         """
-        super().__init__(id=name)
-        self._panels = tuple(panels)
-        self.titles = tuple((panel, title) for panel, title, _ in self._panels)
+        super().__init__(id=side)
+        self.side = side
+        self._widgets = {panel.name: widget for panel, widget in widgets.items()}
+        self.panels = tuple(widgets)
         self.strip = TabStrip()
-        self.active = self.titles[0][0]
+        self.active = self.panels[0].name
         self.is_filled = False
 
     def compose(self) -> ComposeResult:
@@ -195,10 +198,14 @@ class Dock(Vertical):
             if self.is_mounted:
                 self.mount(self.strip, self.panel)
 
+    def holds(self, name: str) -> bool:
+        """Tell whether a panel is in it."""
+        return name in self._widgets
+
     def show(self, name: str) -> None:
         """Bring a panel in sight."""
         self.active = name
-        for other, _, widget in self._panels:
+        for other, widget in self._widgets.items():
             widget.display = other == name
         if self.is_mounted and self.is_filled and not self.panel.is_attached:
             self.mount(self.panel)
@@ -206,7 +213,7 @@ class Dock(Vertical):
     @property
     def panel(self) -> Widget:
         """The widget in sight."""
-        return next(widget for name, _, widget in self._panels if name == self.active)
+        return self._widgets[self.active]
 
     def on_descendant_focus(self) -> None:
         """Show in the strip that keys go to the panel below it."""
@@ -222,7 +229,7 @@ class Dock(Vertical):
 
     def action_turn(self, by: int) -> None:
         """Go to the next tab, or the one before."""
-        names = [name for name, _ in self.strip.tabs]
+        names = [panel.name for panel in self.strip.tabs]
         at = names.index(self.active) if self.active in names else 0
         self.post_message(self.Turned(self, names[(at + by) % len(names)]))
 

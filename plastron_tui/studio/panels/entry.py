@@ -5,11 +5,15 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterable
 from enum import Enum
-from typing import NamedTuple
+from functools import lru_cache
+from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Edit, Span
 from plastron_tui.language.sentence import sentence
-from plastron_tui.model.kinds import EndpointKind
+from plastron_tui.model.kinds import EDITABLE, EndpointKind
+
+if TYPE_CHECKING:
+    from plastron_tui.ros.interfaces import InterfaceName
 
 
 class Subject(Enum):
@@ -26,6 +30,16 @@ class Subject(Enum):
     def word(self) -> str:
         """What one is called."""
         return self.value
+
+
+SIGNS: dict[Subject | EndpointKind, tuple[str, str]] = {
+    Subject.NODE: ("●", "primary"),
+    Subject.TOPIC: ("≈", "success"),
+    Subject.SERVICE_NAME: ("◆", "warning"),
+    Subject.MESSAGE: ("✉", "accent"),
+    **{kind: (kind.facts.sign, kind.facts.tone) for kind in EDITABLE},
+}
+"""The character before the name, and its tone."""
 
 
 class Entry(NamedTuple):
@@ -103,3 +117,9 @@ class Entries:
         entry = self.all[self._numbers[place]]
         assert entry.span is not None
         return entry if offset <= entry.span.end else None
+
+
+@lru_cache(4096)
+def type_text(type_: InterfaceName | None) -> str:
+    """Return a type as an entry says it."""
+    return "type unknown" if type_ is None else str(type_)

@@ -49,10 +49,11 @@ class EntryList(Pointing, Toned, ScrollView, can_focus=True):
         """The entry that the cursor is on."""
         return self._shown[self.index] if 0 <= self.index < len(self._shown) else None
 
-    def show(self, entries: Entries) -> None:
-        """Show other entries; the cursor stays on the entry of the same key."""
+    def show(self, entries: Entries | None) -> None:
+        """Show other entries, None for no; the cursor stays on the entry of the same key."""
         if entries is self.entries:
             return
+        entries = entries or Entries()
         current = self.current
         self.entries = entries
         self._lay_out()

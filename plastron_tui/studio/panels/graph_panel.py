@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from rich.segment import Segment
 from rich.style import Style
@@ -17,8 +17,12 @@ from textual.strip import Strip
 from .acting import Acting
 from .drawing import DETAILS, Place
 from .entry import Entry
-from .picture import Fitted, Picture, Size
+from .panel import Panel
+from .picture import Fitted, Picture, Size, picture_of
 from .tones import COMPONENTS, Lines, Toned
+
+if TYPE_CHECKING:
+    from ..analysis import Analysis
 
 _EMPTY = Fitted((), 0, {}, 0)
 _SMALL = 40
@@ -90,8 +94,13 @@ class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
         """What the box is about that the cursor is on."""
         return None if self._cursor is None else self.picture.entries[self._cursor]
 
-    def show(self, picture: Picture) -> None:
-        """Show another picture; the cursor stays on its box."""
+    def request(self, analysis: Analysis | None, offset: int) -> Size:
+        """Ask for the picture in the size that it is shown in."""
+        return self.room
+
+    def show(self, picture: Picture | None) -> None:
+        """Show another picture, None for no; the cursor stays on its box."""
+        picture = picture or Picture()
         if picture is not self.picture:
             self._cursor = self._cursor_in(picture)
             self._here = None
@@ -244,3 +253,26 @@ def _distance(here: Place, there: Place, right: int, down: int) -> float | None:
     if right:
         return abs(across) + 2 * abs(along) if across * right > here.width / 2 else None
     return abs(along) + abs(across) if along * down > 0 else None
+
+
+def _picture(analysis: Analysis, size: Size) -> Picture:
+    """Lay the graph out, once, and draw it so that it fits, once for each size."""
+    picture = analysis.once("picture", lambda: picture_of(analysis.graph))
+    picture.fitted(size)
+    return picture
+
+
+GRAPH = Panel(
+    name="graph",
+    title="Graph",
+    dock="result",
+    keys="alt+6",
+    summary="Nodes, topics and services as boxes and arrows.",
+    about=(
+        "Nodes are boxes with corners, topics and services have round ones. The arrows go from who "
+        "speaks to who listens. Arrow keys scroll, Ctrl-T enlarges."
+    ),
+    widget=GraphPanel,
+    make=_picture,
+    is_slow=True,
+)

@@ -9,13 +9,15 @@ from textual.binding import Binding, BindingType
 from textual.containers import Vertical
 from textual.widgets import Static
 
+from .panel import Panel
 from .text_view import TextView
 from .tones import Line, Piece
 
 if TYPE_CHECKING:
     from typing_extensions import Self
 
-    from ..preview import Preview
+    from ..analysis import Analysis
+    from .preview import Preview
 
 _STATES = {
     "create": ("will be created", "success"),
@@ -41,6 +43,7 @@ class PreviewPanel(Vertical):
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
         super().__init__(id=id)
         self.previews: tuple[Preview, ...] = ()
+        self._node: str | None = None
         self._at = 0
         self._shows_diff = True
         self._head = Static("", id="preview-head", markup=True)
@@ -66,10 +69,22 @@ class PreviewPanel(Vertical):
         self._view.focus(scroll_visible)
         return self
 
+    def request(self, analysis: Analysis | None, offset: int) -> str | None:
+        """Ask for the files of the node at the cursor, or else of the last one, or the first."""
+        if analysis is None:
+            return None
+        nodes = analysis.workspace.nodes
+        last = self._node if self._node in nodes else next(iter(nodes), None)
+        self._node = analysis.node_at(offset) or last
+        return self._node
+
     def show(self, previews: tuple[Preview, ...] | None) -> None:
         """Show the files of a node; None for no node."""
         self.previews = previews or ()
         self._draw()
+
+    def follow(self, offset: int) -> None:
+        """Do nothing: its files are those of the node at the cursor."""
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
         """Offer the diff where there is one."""
@@ -118,3 +133,25 @@ class PreviewPanel(Vertical):
 def _problem(message: str, remedy: str | None) -> Line:
     text = f" {message}" + (f" — {remedy}" if remedy else "")
     return (Piece(text, "error"),)
+
+
+def _previews(analysis: Analysis, node: str) -> tuple[Preview, ...]:
+    from .preview import previews_of
+
+    return previews_of(analysis, node)
+
+
+PREVIEW = Panel(
+    name="preview",
+    title="Preview",
+    dock="result",
+    keys="alt+5",
+    summary="The file that the node at the cursor becomes.",
+    about=(
+        "The file that the node at the cursor becomes. For a file that is there already: what "
+        "changes in it; D shows the whole file."
+    ),
+    widget=PreviewPanel,
+    make=_previews,
+    is_slow=True,
+)

@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from .acting import Acting
 from .entry_list import EntryList
+
+if TYPE_CHECKING:
+    from ..analysis import Analysis
 
 
 class ProgramPanel(EntryList, Acting):
     """Entries of a program, with what can be done about them."""
+
+    def request(self, analysis: Analysis | None, offset: int) -> bool:
+        """Ask for all entries, wherever the cursor is."""
+        return True
 
     def watch_index(self, old: int, new: int) -> None:
         """Offer other actions with another entry."""

@@ -1,1 +1,1 @@
-"""The screens of the studio: the main one, and those that ask and tell."""
+"""The screens in front of the main one: those that ask and tell."""

@@ -21,9 +21,9 @@ from plastron_tui.output.plan import FilePlan, FileState, PlannedFile
 from plastron_tui.output.writer import WriteResult, write_current
 from plastron_tui.session import Session
 
+from ..panels.source_lines import coloured, diff_lines, difference
 from ..panels.text_view import TextView
 from ..panels.tones import Lines, Piece
-from ..preview import coloured, diff_lines, difference
 from .dialog import Dialog
 
 _TONES = {

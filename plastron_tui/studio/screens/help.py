@@ -13,6 +13,7 @@ from textual.widgets import Label
 from plastron_tui.language import DECLARATIONS
 
 from ..actions import grouped
+from ..panels.registry import PANELS
 from ..panels.text_view import TextView
 from ..panels.tones import Line, Lines, Piece
 from .dialog import Dialog
@@ -21,20 +22,7 @@ ABOUT = {
     "editor": ("The editor", "One statement a line. While you type, a list offers what can stand "
                "there: Tab takes it, Esc closes it. A mistake is underlined, with its message "
                "beside it."),
-    "nodes": ("Nodes", "Each node with its publishers ↑, subscriptions ↓, services ◆ and "
-              "clients ◇. Enter goes to the statement; Delete writes the one that ends it."),
-    "topics": ("Topics", "Each topic with who publishes ↑ and who listens ↓. A ⚠ says which side "
-               "is missing."),
-    "services": ("Services", "Each service with who provides it ◆ and who calls it ◇. A ⚠ says "
-                 "which side is missing."),
-    "messages": ("Messages", "Each message with the values of its fields."),
-    "problems": ("Problems", "Everything that is wrong. Enter goes there; F applies the remedy "
-                 "where there is a ⚑."),
-    "preview": ("Preview", "The file that the node at the cursor becomes. For a file that is "
-                "there already: what changes in it; D shows the whole file."),
-    "graph": ("Graph", "Nodes are boxes with corners, topics and services have round ones. The "
-              "arrows go from who speaks to who listens. Arrow keys scroll, Ctrl-T enlarges."),
-    "output": ("Output", "What the nodes print that F5 started."),
+    **{panel.name: (panel.title, panel.about) for panel in PANELS},
 }  # fmt: skip
 """What each part is for, by its id."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import ClassVar, NamedTuple
 
 from textual.app import ComposeResult
@@ -74,8 +75,18 @@ class Tour(Dialog[None]):
         Binding("escape", "close", "Enough"),
     ]
 
-    def __init__(self) -> None:
+    def __init__(
+        self, bring: Callable[[str], object], region_of: Callable[[str | None], Region]
+    ) -> None:
+        """Begin a tour.
+
+        Args:
+            bring: brings a panel in sight.
+            region_of: returns where a panel is, for None where the text is.
+        """
         super().__init__()
+        self._bring = bring
+        self._region_of = region_of
         self.at = 0
 
     def compose(self) -> ComposeResult:
@@ -99,11 +110,7 @@ class Tour(Dialog[None]):
             + ("   ← back" if self.at else "") + ("" if last else "   Esc leaves")
         )  # fmt: skip
         if step.panel is not None:
-            from .main import MainScreen
-
-            main = self.app.screen_stack[0]
-            assert isinstance(main, MainScreen)
-            main.bring(step.panel)
+            self._bring(step.panel)
         # Its size and the panel's are known when both are laid out.
         self.call_after_refresh(self.call_after_refresh, self._place)
 
@@ -113,11 +120,7 @@ class Tour(Dialog[None]):
 
     def _place(self) -> None:
         """Go to the corner where the card hides least of what the step is about."""
-        from .main import MainScreen
-
-        panel, main = STEPS[self.at].panel, self.app.screen_stack[0]
-        assert isinstance(main, MainScreen)
-        about = main.dock_of(panel).region if panel is not None else main.editor.region
+        about = self._region_of(STEPS[self.at].panel)
         card = self.query_one("#tour").outer_size
         width, height = self.size
 

@@ -10,8 +10,8 @@ from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.session import Session
 
 from ..analysis import analyse
+from ..panels.preview import previews_of
 from ..panels.tones import Line, Lines, Piece
-from ..preview import previews_of
 
 
 def code_of(session: Session, node: str | None) -> tuple[str, Lines]:

@@ -46,7 +46,7 @@ async def test_run_from_the_wizard_shows_the_message_arriving(
         await driver.dialog("ChooseFile")
         await it.type("two")
         await driver.pilot.press("enter")
-        output = driver.main.output
+        output = driver.main.panels["output"]
         await driver.until(lambda: f"listener | [INFO] {HEARD}" in output.text)
         assert output.has_focus
         await driver.app.run_call("screen.stop")

@@ -99,7 +99,7 @@ async def test_a_burst_does_what_single_keys_do(here: Path, way: str, focus: str
         async with studio(path, SMALL) as driver:
             if focus == "nodes":
                 await driver.press("alt+1")
-                assert driver.main.lists["nodes"].has_focus
+                assert driver.main.panels["nodes"].has_focus
             it = WizardDriver(driver)
             await send(it, ["ctrl+u", *WAYS[way]])
             states.append(await state(it))

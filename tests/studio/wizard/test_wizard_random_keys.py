@@ -12,7 +12,7 @@ from wizard_courses import NODE_FILE
 from wizard_driver import WizardDriver
 
 from plastron_tui.session import Session
-from plastron_tui.studio.screens.main import MainScreen
+from plastron_tui.studio.main.screen import MainScreen
 
 KEYS = (
     *["enter"] * 6, *["down"] * 3, *["tab"] * 3, "up", "shift+tab", "f2", "alt+left", "f3", "space",

@@ -1,0 +1,1 @@
+"""The main screen: what it is composed of."""

@@ -1,0 +1,48 @@
+"""The program in the editor."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ..editor import ProgramEditor
+from ..state import Open
+
+if TYPE_CHECKING:
+    from ..analysis import Analysis
+
+
+class ActiveProgram:
+    """The program in the editor; another one takes its place when that is opened.
+
+    Attributes:
+        open: the program.
+        editor: the editor, which goes from program to program.
+    """
+
+    def __init__(self, open_: Open) -> None:
+        self.open = open_
+        self.editor = ProgramEditor(open_.session, id="editor")
+
+    @property
+    def text(self) -> bytes:
+        """The program's text."""
+        return self.open.text
+
+    @property
+    def path(self) -> Path | None:
+        """The program's file."""
+        return self.open.path
+
+    @property
+    def analysis(self) -> Analysis | None:
+        """What the text means, None as long as that is not known."""
+        analysis = self.open.analysis
+        return analysis if analysis is not None and analysis.text == self.open.text else None
+
+    def replace(self, open_: Open, cursor: int = 0) -> None:
+        """Put another program in its place."""
+        self.open = open_
+        self.editor.set_session(open_.session)
+        if cursor:
+            self.editor.go_to(cursor)

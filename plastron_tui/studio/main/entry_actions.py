@@ -1,0 +1,123 @@
+"""What is done about an entry of a panel: it becomes text in the editor."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from textual.screen import Screen
+
+from plastron_tui.diagnostics import Span
+
+from ..panels.acting import Asked
+from ..panels.entry import Entry
+from ..placing import is_generated_last, placed
+from .active_program import ActiveProgram
+from .workers import start_exclusive
+
+if TYPE_CHECKING:
+    from ..analysis import Analysis
+
+
+class EntryActions:
+    """Ends, renames and generates what an entry is about, and mends mistakes."""
+
+    def __init__(self, screen: Screen[None], program: ActiveProgram) -> None:
+        self._screen = screen
+        self._program = program
+
+    def do(self, asked: Asked) -> None:
+        """Do what was asked about an entry."""
+        entry, editor = asked.entry, self._program.editor
+        match asked.what:
+            case "end" if entry.statement is not None:
+                self._write(entry.statement, entry.node, entry.span)
+            case "generate" if entry.node is not None:
+                self._generate(entry.node)
+            case "fix" if entry.edits:
+                editor.apply(entry.edits)
+                editor.focus()
+            case "rename":
+                start_exclusive(self._screen, "rename", self._rename, entry)
+
+    def _current(self) -> Analysis | None:
+        """Return what the text means; say so when that is not known yet."""
+        analysis = self._program.analysis
+        if analysis is None:
+            self._say("the panels are not up to date yet; press it again")
+        return analysis
+
+    def _say(self, text: str, seconds: float = 2) -> None:
+        self._screen.notify(text, timeout=seconds, markup=False)
+
+    def _write(self, statement: str, node: str | None, after: Span | None = None) -> None:
+        """Write a statement where it takes effect, and go there."""
+        analysis = self._current()
+        if analysis is None:
+            return
+        edit = placed(analysis.ground, node, [statement], after=after).edit
+        self._program.editor.apply([edit])
+        self._go_to(edit.span.start + edit.text.startswith("\n"))
+
+    def _go_to(self, offset: int) -> None:
+        self._program.editor.go_to(offset)
+        self._program.editor.focus()
+
+    def _generate(self, node: str) -> None:
+        """Write the statement that generates a node; go to the one that does so already."""
+        analysis = self._current()
+        if analysis is None:
+            return
+        there = is_generated_last(analysis.program, analysis.workspace, node)
+        if there is None:
+            self._write(f"generate_node {node}", None)
+            return
+        self._say(f"{node} is generated here; F6 writes the files", 4)
+        self._go_to(there.start)
+
+    async def _rename(self, entry: Entry) -> None:
+        from ..renaming import old_name, renamed, wrong_name
+        from ..screens.question import Prompt
+
+        analysis = self._current()
+        if analysis is None:
+            return
+        open_ = self._program.open
+        old = old_name(entry, analysis.workspace)
+        new = await self._screen.app.push_screen_wait(Prompt(f"Rename {old} to", old))
+        if not new or new == old or open_ is not self._program.open or analysis.text != open_.text:
+            return
+        problem = wrong_name(analysis, entry, new)
+        if problem is not None:
+            self._screen.notify(problem, severity="warning", markup=False)
+            return
+        found = renamed(analysis, entry, new)
+        said = []
+        if found.edits:
+            self._program.editor.apply(found.edits)
+            count = len(found.edits)
+            said.append(f"renamed in {count} place{'' if count == 1 else 's'}")
+        said += [f"{file} has the name in its own code: change it there" for file in found.files]
+        text = "\n".join(said) or f"{old} is not written in this program"
+        if found.files or not found.edits:
+            self._screen.notify(text, severity="warning", timeout=6, markup=False)
+        else:
+            self._say(text)
+
+    def fix(self) -> None:
+        """Apply the remedy of the mistake on the cursor's line."""
+        analysis = self._program.analysis
+        if analysis is None:
+            return
+        offset, text = self._program.editor.cursor_offset, self._program.text
+        start = text.rfind(b"\n", 0, offset) + 1
+        end = text.find(b"\n", offset)
+        end = len(text) if end < 0 else end
+        for found in analysis.diagnostics:
+            span = found.span
+            if found.fix is None or found.file is not None or span is None:
+                continue
+            if start <= span.start <= end:
+                self._program.editor.apply(found.fix.edits)
+                self._say(found.fix.title)
+                return
+        self._say("nothing on this line has a remedy that can be applied", 3)

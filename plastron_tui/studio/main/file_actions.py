@@ -1,0 +1,294 @@
+"""Opening, saving and leaving."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from textual.screen import Screen
+
+from plastron_tui.diagnostics import Diagnostic
+
+from ..config import Profile
+from ..files import OnDisk, Opened, Saved, open_file, read_again, save_file, with_suffix
+from ..journal import Kept
+from ..panels.source_lines import difference
+from ..state import Open, opened
+from .active_program import ActiveProgram
+from .recovery import Recovery
+from .workers import start_exclusive
+
+if TYPE_CHECKING:
+    from ..recipes import Recipe
+
+
+class FileActions:
+    """Opens, saves and leaves programs, and asks what has to be asked."""
+
+    def __init__(
+        self,
+        screen: Screen[None],
+        program: ActiveProgram,
+        profile: Profile,
+        recovery: Recovery,
+        on_open: Callable[[], object],
+        on_change: Callable[[], object],
+    ) -> None:
+        """Prepare to open and save.
+
+        Args:
+            screen: shows dialogs and messages.
+            program: what is saved, and what another program takes the place of.
+            profile: remembers what was open.
+            recovery: offers what was typed in a file and not saved.
+            on_open: called when another program is there.
+            on_change: called when the program is saved.
+        """
+        self._screen = screen
+        self._program = program
+        self._profile = profile
+        self._recovery = recovery
+        self._on_open = on_open
+        self._on_change = on_change
+
+    # Opening.
+
+    def take(self, open_: Open, cursor: int = 0) -> None:
+        """Show another program."""
+        self._program.replace(open_, cursor)
+        if open_.path is not None:
+            self._profile.remembered.opened(open_.path)
+        self._on_open()
+        if open_.is_changed:
+            self._recovery.keep_soon()
+        self._program.editor.focus()
+
+    def take_file(self, path: Path, *, kept: Kept | None = None) -> bool:
+        """Open a file, or say why that cannot be; the text that is open is then left alone."""
+        found = self.read(path)
+        if found.problem is not None:
+            self._say_problem(found.problem)
+            return False
+        if kept is not None:
+            self.take(self._opened(found.disk, kept.text), kept.cursor)
+            return True
+        self.take(self._opened(found.disk))
+        for other in self._recovery.not_saved():
+            if other.belongs_to(path, path.parent):
+                start_exclusive(self._screen, "kept", self.offer, other)
+                break
+        return True
+
+    def read(self, path: Path) -> Opened:
+        """Read a file; say what was found of a write that was interrupted."""
+        found = open_file(path)
+        for text in found.said:
+            self._screen.notify(text, severity="warning", timeout=10, markup=False)
+        return found
+
+    def _opened(
+        self, disk: OnDisk | None, text: bytes | None = None, begun: Path | None = None
+    ) -> Open:
+        options = self._program.open.session.options
+        return opened(disk, self._profile.journals, options, text, begun)
+
+    async def new(self) -> None:
+        """Start an empty program."""
+        if await self.may_leave():
+            self.take(self._opened(None))
+
+    async def choose(self) -> None:
+        """Open a program that is asked for."""
+        from ..screens.choose_file import ChooseFile
+
+        if not await self.may_leave():
+            return
+        start = self._program.open.session.folder
+        path = await self._screen.app.push_screen_wait(ChooseFile("Open", start, must_be=True))
+        if path is not None:
+            self.take_file(path)
+
+    async def open_path(self, path: Path) -> None:
+        """Open a file that was chosen elsewhere."""
+        if await self.may_leave():
+            self.take_file(path)
+
+    async def offer(self, kept: Kept) -> None:
+        """Offer a text that was not saved before the studio ended, and open it."""
+        if not await self._recovery.is_wanted(kept):
+            return
+        if self._program.open.is_changed and not await self.may_leave():
+            return
+        if kept.path is None:
+            begun = kept.folder
+            if begun is not None and not begun.is_dir():
+                begun = None
+                message = "the folder in which it was begun is gone"
+                self._screen.notify(message, severity="warning")
+            self.take(self._opened(None, kept.text, begun), kept.cursor)
+        elif not self.take_file(kept.path, kept=kept):
+            return
+        self._recovery.adopt(kept)
+
+    async def welcome(self) -> None:
+        """Show recent programs, examples and the tour."""
+        from ..screens.welcome import Welcome
+
+        kept = self._recovery.not_saved()
+        welcome = Welcome(self._profile.remembered.recent, kept)
+        match await self._screen.app.push_screen_wait(welcome):
+            case ("kept", str(number)):
+                await self.offer(kept[int(number)])
+            case ("open", str(path)):
+                await self.open_path(Path(path))
+            case ("recipe", str(path)):
+                await self.start_from(path)
+            case ("action", str(call)):
+                await self._screen.run_action(call)
+            case _:
+                self._program.editor.focus()
+
+    # Recipes.
+
+    async def start_from(self, path: str) -> None:
+        """Open the recipe of a path in the place of the program at hand."""
+        from ..recipes import recipes
+
+        for recipe in recipes():
+            if recipe.path == Path(path) and await self.may_leave():
+                await self.take_recipe(recipe)
+
+    async def take_recipe(self, recipe: Recipe) -> bool:
+        """Open a recipe as a new program; one that brings files along gets its place first.
+
+        The file that is open, where it has nothing in it yet, was named for what comes now. Tell
+        whether it was opened.
+        """
+        open_ = self._program.open
+        named = open_.disk if not open_.saved else None
+        if not recipe.files:
+            self.take(self._opened(named, recipe.text))
+            return True
+        names = ", ".join(map(str, recipe.files))
+        name = recipe.path.name if named is None else named.path.name
+        path = await self._ask_path(f"Save as, with {names} beside it", name)
+        if path is None:
+            return False
+        present = read_again(OnDisk(path, None, None))
+        if present.text not in (None, recipe.text):
+            assert present.text is not None
+            if not await self._may_overwrite(path, present.text, recipe.text):
+                return False
+        from ..recipes import place_files
+
+        placed = place_files(recipe, path.absolute().parent)
+        problem = placed.problem
+        if problem is None:
+            saved = await self._save_asking(path, recipe.text, present)
+            if saved is None:
+                return False
+            problem = saved.refusal
+        if problem is not None:
+            self._say_problem(problem)
+            return False
+        for file in placed.kept:
+            message = f"{file} was there already, and stays as it is"
+            self._screen.notify(message, markup=False)
+        return self.take_file(path)
+
+    # Saving.
+
+    async def save(self, *, other: bool = False) -> bool:
+        """Save, and ask what has to be asked; tell whether it was done."""
+        path = self._program.path
+        if path is None or other:
+            path = await self._ask_path()
+            if path is None:
+                return False
+        open_ = self._program.open
+        saved = await self._save_asking(path, open_.text, open_.disk)
+        return saved is not None and self._saved(path, saved)
+
+    async def _save_asking(self, path: Path, text: bytes, known: OnDisk | None) -> Saved | None:
+        """Save, and ask about each other text that is found there; None where it is to stay."""
+        saved = save_file(path, text, known)
+        while saved.found is not None:
+            if not await self._may_overwrite(path, saved.found, text):
+                return None
+            # What was shown is known; somebody may have written another text meanwhile.
+            saved = save_file(path, text, OnDisk(path, saved.found, None))
+        return saved
+
+    async def _ask_path(self, title: str = "Save as", name: str = "") -> Path | None:
+        from ..screens.choose_file import ChooseFile
+
+        path = self._program.path
+        start = self._program.open.session.folder
+        name = name or (self._suggested() if path is None else path.name)
+        dialog = ChooseFile(title, start, name=name, must_be=False)
+        chosen = await self._screen.app.push_screen_wait(dialog)
+        return None if chosen is None else with_suffix(chosen)
+
+    def _suggested(self) -> str:
+        analysis = self._program.open.analysis
+        nodes = () if analysis is None else tuple(analysis.workspace.nodes.values())
+        return f"{nodes[0].name}.plastron" if nodes else "program.plastron"
+
+    async def _may_overwrite(self, path: Path, found: bytes, text: bytes) -> bool:
+        from ..screens.question import Question
+
+        answer = await self._screen.app.push_screen_wait(
+            Question(
+                f"{path.name} holds something else on the disk",
+                [("cancel", "Cancel"), ("overwrite", "Overwrite it")],
+                text="This is what saving would change there:",
+                lines=difference(found, text),
+            )
+        )
+        return answer == "overwrite"
+
+    def _saved(self, path: Path, saved: Saved) -> bool:
+        if saved.problem is not None:
+            self._say_problem(saved.problem)
+        if saved.disk is None:
+            return False
+        open_ = self._program.open
+        open_.journal.drop()
+        if open_.path == path:
+            open_.disk = saved.disk
+            open_.told = None
+            self._profile.remembered.opened(path)
+        else:
+            self.take(self._opened(saved.disk), self._program.editor.cursor_offset)
+        self._on_change()
+        self._screen.notify(f"saved {path.name}", timeout=2, markup=False)
+        return True
+
+    def _say_problem(self, problem: Diagnostic) -> None:
+        help_ = f"\n{problem.help}" if problem.help else ""
+        self._screen.notify(problem.message + help_, severity="error", timeout=10, markup=False)
+
+    # Leaving.
+
+    async def may_leave(self) -> bool:
+        """Ask about what is not saved; tell whether the program may be closed."""
+        open_ = self._program.open
+        if not open_.is_changed:
+            open_.journal.drop()
+            return True
+        from ..screens.question import Question
+
+        answer = await self._screen.app.push_screen_wait(
+            Question(
+                f"Save {open_.name}?",
+                [("save", "Save"), ("drop", "Don't save"), ("cancel", "Cancel")],
+                text="There are changes that are not saved.",
+            )
+        )
+        if answer == "save":
+            return await self.save()
+        if answer == "drop":
+            self._program.open.journal.drop()
+            return True
+        return False

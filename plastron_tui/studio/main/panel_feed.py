@@ -1,0 +1,128 @@
+"""How the panels come to what they show: a worker finds out what the text means."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from textual.screen import Screen
+from textual.timer import Timer
+from textual.widget import Widget
+
+from ..analyst import Analyst
+from ..panels.panel import Panel, ProgramView, Request
+from .active_program import ActiveProgram
+from .dock_layout import DockLayout
+
+if TYPE_CHECKING:
+    from ..analysis import Analysis
+
+_PAUSE = 0.01
+"""Seconds without a key after which the worker starts."""
+
+_FIRST_PAUSE = 0.05
+"""The same at the start: the worker has much to import, and the first key goes before it."""
+
+
+class PanelFeed:
+    """Asks what the text means, and shows it in the panels that are in sight."""
+
+    def __init__(
+        self,
+        screen: Screen[None],
+        program: ActiveProgram,
+        layout: DockLayout,
+        widgets: Mapping[Panel, Widget],
+    ) -> None:
+        """Prepare the worker.
+
+        Args:
+            screen: gets the worker's messages.
+            program: what it is asked about.
+            layout: knows which panels are in sight.
+            widgets: the widget of each panel.
+        """
+        self.analyst = Analyst(screen.post_message)
+        self._screen = screen
+        self._program = program
+        self._layout = layout
+        self._views = {
+            panel: view for panel, view in widgets.items() if isinstance(view, ProgramView)
+        }
+        self._pause: Timer | None = None
+        self._asked: tuple[Request, ...] | None = None
+
+    def start(self) -> None:
+        """Ask for the first time, now that there is something to see."""
+        self._pause = self._screen.set_timer(_FIRST_PAUSE, self.ask_anew)
+
+    @property
+    def is_pausing(self) -> bool:
+        """Whether the text has changed and nobody was asked about it yet."""
+        return self._pause is not None
+
+    def ask_soon(self) -> None:
+        """Ask, as soon as no key comes, what the text means."""
+        if self._pause is None:
+            self._pause = self._screen.set_timer(_PAUSE, self.ask_anew)
+        else:
+            self._pause.reset()
+
+    def ask_anew(self) -> None:
+        """Ask what the text means now."""
+        self._pause = None
+        self._asked = self.wanted()
+        self.analyst.ask(self._asked, self._program.open.session.snapshot())
+
+    def ask_more(self) -> None:
+        """Ask for what came in sight, if it is not known."""
+        wanted = self.wanted()
+        if self._pause is None and self._asked not in (None, wanted):
+            self._asked = wanted
+            self.analyst.ask(wanted)
+
+    def wanted(self) -> tuple[Request, ...]:
+        """Return what the panels in sight have to be given, and those that raise an alarm."""
+        analysis, offset = self._program.open.analysis, self._program.editor.cursor_offset
+        requests = (
+            Request(panel.name, view.request(analysis, offset))
+            for panel, view in self._views.items()
+            if panel.is_alarm or self._layout.is_in_sight(panel.name)
+        )
+        return tuple(request for request in requests if request.what is not None)
+
+    def take(self, analysis: Analysis) -> bool:
+        """Show what the text means; tell whether that is new. It may be about an older text."""
+        open_ = self._program.open
+        if analysis.text != open_.text:
+            return False
+        is_new = analysis is not open_.analysis
+        open_.analysis = analysis
+        if is_new:
+            meaning = (analysis.program, analysis.workspace)
+            self._program.editor.set_diagnostics(analysis.diagnostics, meaning)
+            self._layout.show_counts(analysis.counts)
+        self.refresh()
+        return is_new
+
+    def refresh(self) -> None:
+        """Show what is known in the panels in sight, and ask for the rest."""
+        self.ask_more()
+        analysis = self._program.analysis
+        if analysis is None:
+            return
+        offset = self._program.editor.cursor_offset
+        for panel, view in self._views.items():
+            is_in_sight = self._layout.is_in_sight(panel.name)
+            if is_in_sight or panel.is_alarm:
+                request = Request(panel.name, view.request(analysis, offset))
+                if request.what is None or request in analysis.made:
+                    view.show(analysis.made.get(request))
+            if is_in_sight:
+                view.follow(offset)
+
+    def clear(self) -> None:
+        """Show nothing, because another program is there."""
+        for view in self._views.values():
+            view.show(None)
+        self._layout.show_counts({})

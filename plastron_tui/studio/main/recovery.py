@@ -1,0 +1,132 @@
+"""The journal: what was typed is kept while it is not saved, and offered after a crash."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+
+from textual.screen import Screen
+from textual.timer import Timer
+
+from plastron_tui.regular_files import reason
+
+from ..files import open_file
+from ..journal import Journal, Kept, kept_texts
+from ..panels.source_lines import difference
+from ..shown_places import shown_name, shown_place
+from .active_program import ActiveProgram
+
+_KEEP = 0.5
+"""Seconds after which what was typed is in the journal, at most."""
+
+
+class Recovery:
+    """Keeps what is typed, and offers what a studio that has ended did not save."""
+
+    def __init__(self, screen: Screen[None], program: ActiveProgram, journals: Path) -> None:
+        """Prepare to keep the text of a program; `journals` is the folder of all journals."""
+        self._screen = screen
+        self._program = program
+        self._journals = journals
+        self._timer: Timer | None = None
+        self._is_writing = False
+        self._has_failed = False
+
+    # Keeping.
+
+    def keep_soon(self) -> None:
+        """Keep the text within half a second."""
+        if self._timer is None:
+            self._timer = self._screen.set_timer(_KEEP, self._keep)
+
+    def keep_now(self) -> None:
+        """Keep the text at once: something has gone wrong."""
+        open_ = self._program.open
+        if open_.is_changed:
+            open_.journal.write(open_.text, self._program.editor.cursor_offset)
+
+    def stop(self) -> None:
+        """Let go of what was to be kept soon: it is saved, or not wanted."""
+        if self._timer is not None:
+            self._timer.stop()
+            self._timer = None
+
+    def _keep(self) -> None:
+        self._timer = None
+        open_ = self._program.open
+        if not open_.is_changed:
+            open_.journal.drop()
+            return
+        if self._is_writing:
+            # The disk is slower than who types: one text at a time, and then the latest.
+            self.keep_soon()
+            return
+        self._is_writing = True
+        journal, cursor = open_.journal, self._program.editor.cursor_offset
+        self._screen.run_worker(
+            partial(self._write, journal, open_.text, cursor, journal.turn()),
+            group="journal",
+            exit_on_error=False,
+            thread=True,
+        )
+
+    def _write(self, journal: Journal, text: bytes, cursor: int, turn: int) -> None:
+        """Write the journal, in a thread."""
+        error = journal.write(text, cursor, turn)
+        self._is_writing = False
+        if error is not None:
+            self._screen.app.call_from_thread(self._refused, error)
+
+    def _refused(self, error: OSError) -> None:
+        if not self._has_failed:
+            self._has_failed = True
+            message = f"what you type is not kept: {reason(error)}; save often"
+            self._screen.notify(message, severity="warning", markup=False)
+
+    # Offering.
+
+    def not_saved(self) -> list[Kept]:
+        """Return what studios that have ended did not save, the newest first."""
+        own = self._program.open.journal.file
+        return [each for each in kept_texts(self._journals) if each.file != own]
+
+    async def is_wanted(self, kept: Kept) -> bool:
+        """Ask whether a text that was not saved is to be opened; forget it where it is not."""
+        from datetime import datetime
+
+        from ..screens.question import Question
+
+        found = None if kept.path is None else open_file(kept.path).disk
+        before = b"" if found is None or found.text is None else found.text
+        if before == kept.text:
+            kept.drop()
+            return False
+        when = datetime.fromtimestamp(kept.when).strftime("%H:%M on %d %B")
+        name = "A new program" if kept.path is None else shown_name(kept)
+        answer = await self._screen.app.push_screen_wait(
+            Question(
+                f"{name} was not saved",
+                [("restore", "Restore"), ("later", "Later"), ("drop", "Forget it")],
+                text=_sentence(kept, when),
+                lines=difference(before, kept.text),
+            )
+        )
+        if answer == "drop":
+            kept.drop()
+        return answer == "restore"
+
+    def adopt(self, kept: Kept) -> None:
+        """Keep a text that was opened again, and forget its old journal as soon as that is so."""
+        if kept.file != self._program.open.journal.file:
+            self._screen.call_after_refresh(self._adopt, kept)
+
+    def _adopt(self, kept: Kept) -> None:
+        open_ = self._program.open
+        if open_.journal.write(open_.text, kept.cursor) is None:
+            kept.drop()
+
+
+def _sentence(kept: Kept, when: str) -> str:
+    place = shown_place(kept)
+    start = f"{place[0].upper()}{place[1:]}: the" if place else "The"
+    return f"{start} studio ended at {when} with these changes:"

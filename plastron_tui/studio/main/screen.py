@@ -1,0 +1,389 @@
+"""The main screen: the editor, and around it what its text means."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, ClassVar
+
+from textual import on, work
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.geometry import Region
+from textual.screen import Screen
+
+from ..actions import ACTIONS, BY_ID, bindings
+from ..analyst import Analysed, AnalysisFailed
+from ..config import Profile
+from ..editor import ProgramEditor
+from ..editor.statement_help import help_of
+from ..journal import Kept
+from ..panels.acting import Asked, Chosen, Lit
+from ..panels.dock import Dock
+from ..panels.graph_panel import GraphPanel
+from ..panels.key_bar import KeyBar
+from ..panels.output import OutputPanel
+from ..panels.registry import PANELS
+from ..state import Open
+from .active_program import ActiveProgram
+from .disk_watch import DiskWatch
+from .dock_layout import DockLayout
+from .entry_actions import EntryActions
+from .file_actions import FileActions
+from .panel_feed import PanelFeed
+from .program_bars import StatusBar, TitleBar
+from .recovery import Recovery
+from .run_actions import Printed, RunActions
+from .trust_prompt import TrustPrompt
+from .wizard_host import WizardHost
+
+_LOOK_AT_DISK = 2
+"""Seconds after which the files are looked at again."""
+
+_LEAST_ROWS = 8
+"""With fewer rows the line with the keys gives way to the text."""
+
+
+class MainScreen(Screen[None]):
+    """Shows one program: takes keys and messages, and hands them to the part that they are for.
+
+    Attributes:
+        panels: the widget of each panel, by the panel's name.
+    """
+
+    BINDINGS: ClassVar[list[BindingType]] = [*bindings()]
+    AUTO_FOCUS = "EditorView"
+
+    def __init__(self, open_: Open, profile: Profile) -> None:
+        super().__init__()
+        self.profile = profile
+        self.program = ActiveProgram(open_)
+        self._title, self._status = TitleBar(id="title"), StatusBar(id="status")
+        widgets = {panel: panel.widget(id=panel.name) for panel in PANELS}
+        self.panels = {panel.name: widget for panel, widget in widgets.items()}
+        self.dock_layout = DockLayout(
+            widgets, self.editor, profile.remembered, lambda: self.feed.refresh()
+        )
+        self.feed = PanelFeed(self, self.program, self.dock_layout, widgets)
+        self.recovery = Recovery(self, self.program, profile.journals)
+        self.files = FileActions(
+            self, self.program, profile, self.recovery, self._show_anew, self.show_title
+        )
+        self._disk = DiskWatch(
+            self, self.program, self.files, self.recovery, self.feed.ask_anew, self.show_title
+        )
+        self._trust = TrustPrompt(self, self.program, self.key_of)
+        output = self.panels["output"]
+        assert isinstance(output, OutputPanel)
+        self.runner = RunActions(
+            self, self.program, self.files, self.dock_layout, output, self._trust, self.show_title
+        )
+        self._entries = EntryActions(self, self.program)
+        self._wizard = WizardHost(self, self.program)
+
+    @property
+    def open(self) -> Open:
+        """The program that is open."""
+        return self.program.open
+
+    @property
+    def editor(self) -> ProgramEditor:
+        """The editor."""
+        return self.program.editor
+
+    def compose(self) -> ComposeResult:
+        """Make the parts."""
+        yield self._title
+        yield self.dock_layout
+        yield self._status
+        yield KeyBar()
+
+    def on_mount(self) -> None:
+        """Start the worker, and look at the files from time to time."""
+        self.feed.analyst.start()
+        self.on_resize()
+        self.editor.view.soft_wrap = self.profile.config.wrap
+        self.editor.view.line_numbers = self.profile.config.numbers
+        self.show_title()
+        self.show_status()
+        self.call_after_refresh(self._settle)
+        self.set_interval(_LOOK_AT_DISK, self.look_at_disk)
+
+    def _settle(self) -> None:
+        """Begin to work, now that there is something to see."""
+        self.feed.start()
+        self.editor.statement_help = help_of(self.editor.expected)
+        self.show_status()
+
+    def on_unmount(self) -> None:
+        """Stop the worker and what runs."""
+        self.feed.analyst.stop()
+        self.runner.close()
+
+    def on_resize(self) -> None:
+        """Lay the panels out for another size."""
+        self.query_one(KeyBar).display = self.app.size.height >= _LEAST_ROWS
+        self.dock_layout.lay_out()
+
+    def look_at_disk(self) -> None:
+        """Find out what others have written."""
+        self._disk.look()
+
+    def fall_back_to(self, library: str) -> None:
+        """Take the client library that can run here, where nobody chose one."""
+        session = self.open.session
+        before = session.library
+        session.fall_back_to(library)
+        if session.library != before:
+            self.show_title()
+            self.feed.ask_anew()
+
+    # The text, and what it means.
+
+    @on(ProgramEditor.Changed)
+    def text_changed(self) -> None:
+        """Find out what the text means; keep it in the journal."""
+        self.feed.ask_soon()
+        self.recovery.keep_soon()
+        self.show_title()
+
+    @on(ProgramEditor.CursorMoved)
+    def cursor_moved(self) -> None:
+        """Let the panels follow."""
+        self.show_status()
+        self.feed.refresh()
+
+    @on(Analysed)
+    def analysed(self, message: Analysed) -> None:
+        """Show what the text means, if it is still that text."""
+        if self.feed.take(message.analysis):
+            self.show_title()
+            self._trust.tell_what_waits(message.analysis)
+
+    @on(AnalysisFailed)
+    def analysis_failed(self) -> None:
+        """Note that the text cannot be known; the app shows the error."""
+        self.open.failed = self.open.text
+
+    def _show_anew(self) -> None:
+        """Show nothing of the program before: another one is there."""
+        self.feed.clear()
+        self.show_title()
+        self.feed.ask_anew()
+
+    # What panels say.
+
+    @on(Chosen)
+    def entry_chosen(self, message: Chosen) -> None:
+        """Go to the statement of an entry."""
+        span = message.entry.span
+        if span is None:
+            self.notify(message.entry.elsewhere, markup=False)
+            return
+        self.editor.go_to(span.start)
+        self.editor.focus()
+
+    @on(Lit)
+    def entry_lit(self, message: Lit) -> None:
+        """Bring the statement of an entry in sight; the panel keeps the focus."""
+        if message.entry.span is not None:
+            self.editor.go_to(message.entry.span.start)
+
+    @on(Asked)
+    def entry_asked(self, message: Asked) -> None:
+        """Do what was asked about an entry."""
+        self._entries.do(message)
+
+    @on(GraphPanel.Resized)
+    def graph_resized(self) -> None:
+        """Have the graph drawn so that it fits."""
+        self.feed.ask_more()
+
+    @on(Printed)
+    def printed(self) -> None:
+        """Show what nodes print."""
+        self.runner.show_soon()
+
+    # The lines above and below.
+
+    def show_title(self) -> None:
+        """Show the program's name, whether it is saved, and what is the case with it."""
+        self._title.show_program(self.open, self.key_of("run") if self.runner.is_running else None)
+
+    def show_status(self) -> None:
+        """Show the sentence of the statement at the cursor, and where the cursor is."""
+        editor = self.editor
+        self._status.show_statement(editor.statement_help, self.open.text, editor.cursor_offset)
+
+    def key_of(self, action: str) -> str:
+        """Return the key of an action, as a person writes it; "" where it has none."""
+        keys = self.profile.config.keys.get(action, BY_ID[action].keys)
+        key = keys.split(",")[0]
+        return self.app.get_key_display(Binding(key, "")) if key else ""
+
+    # Actions: panels.
+
+    def action_show(self, name: str) -> None:
+        """Bring a panel in sight and give it the focus."""
+        self.dock_layout.bring(name, focus=True)
+
+    def action_next_panel(self) -> None:
+        """Give the next panel the focus; after the last one the editor."""
+        self.dock_layout.next_panel()
+
+    def action_panels(self) -> None:
+        """Hide all panels, or show them again."""
+        self.dock_layout.toggle()
+
+    def action_zoom(self) -> None:
+        """Let the panel with the focus have the window, or its place again."""
+        self.dock_layout.zoom()
+
+    def action_resize(self, by: int) -> None:
+        """Give the panel with the focus more room or less."""
+        self.dock_layout.enlarge(by)
+
+    # Actions: the text.
+
+    def action_edit(self, call: str) -> None:
+        """Do something that the editor can do."""
+        name, _, rest = call.partition("(")
+        arguments = [int(rest.rstrip(")"))] if rest else []
+        self.editor.focus()
+        method: Callable[..., Any] = getattr(self.editor, f"action_{name}")
+        method(*arguments)
+
+    def action_fix(self) -> None:
+        """Apply the remedy of the mistake on the cursor's line."""
+        self._entries.fix()
+
+    def action_wizard(self) -> None:
+        """Build statements from menus and forms."""
+        self._wizard.open()
+
+    # Actions: files. Each asks what it has to, one at a time.
+
+    @work(exclusive=True, group="file")
+    async def action_new(self) -> None:
+        """Start an empty program."""
+        await self.files.new()
+
+    @work(exclusive=True, group="file")
+    async def action_open(self) -> None:
+        """Open a program."""
+        await self.files.choose()
+
+    @work(exclusive=True, group="file")
+    async def open_path(self, path: Path) -> None:
+        """Open a file that was chosen elsewhere."""
+        await self.files.open_path(path)
+
+    @work(exclusive=True, group="file")
+    async def action_save(self) -> None:
+        """Write the program to its file."""
+        await self.files.save()
+
+    @work(exclusive=True, group="file")
+    async def action_save_as(self) -> None:
+        """Write the program to another file."""
+        await self.files.save(other=True)
+
+    @work(exclusive=True, group="file")
+    async def action_welcome(self) -> None:
+        """Show recent programs, examples and the tour."""
+        await self.files.welcome()
+
+    @work(exclusive=True, group="recipe")
+    async def action_start_from(self, path: str) -> None:
+        """Open the recipe of a path in the place of the program at hand."""
+        await self.files.start_from(path)
+
+    @work(exclusive=True, group="kept", description="kept")
+    async def offer_kept(self, kept: Kept, after: str | None = None) -> None:
+        """Offer a text that was not saved before the studio ended; then do an action."""
+        await self.files.offer(kept)
+        if after is not None:
+            await self.run_action(after)
+
+    @work(exclusive=True, group="file")
+    async def action_quit(self) -> None:
+        """Leave the studio."""
+        if await self.files.may_leave():
+            self.recovery.stop()
+            self.dock_layout.remember()
+            self.app.exit()
+
+    # Actions: nodes.
+
+    @work(exclusive=True, group="generate")
+    async def action_generate(self) -> None:
+        """Show what would be written, then write it."""
+        if await self.runner.generate():
+            self.feed.ask_anew()
+
+    @work(exclusive=True, group="run")
+    async def action_run(self) -> None:
+        """Save, then start the nodes; stop them where they run."""
+        await self.runner.run()
+
+    def action_stop(self) -> None:
+        """Stop what runs."""
+        self.runner.stop()
+
+    @work(exclusive=True, group="trust")
+    async def action_trust(self) -> None:
+        """Ask whether the project is trusted, and do then what waited for it."""
+        if await self._trust.ask():
+            self.feed.ask_anew()
+
+    # Actions: help and settings.
+
+    def action_help(self) -> None:
+        """Show help for what has the focus."""
+        from ..screens.help import Help, action_lines
+
+        around = [] if self.focused is None else self.focused.ancestors_with_self
+        part = next((each.id for each in around if each.id in self.panels), None)
+        keys = {action.id: self.key_of(action.id) for action in ACTIONS}
+        self.app.push_screen(Help(part or "editor", self._keys_here(), action_lines(keys.items())))
+
+    def _keys_here(self) -> list[tuple[str, str]]:
+        """Return the keys of the panel with the focus."""
+        rows: dict[str, list[str]] = {}
+        for active in self.active_bindings.values():
+            binding = active.binding
+            if any(isinstance(each, Dock) for each in active.node.ancestors_with_self):
+                key = self.app.get_key_display(binding)
+                rows.setdefault(binding.tooltip or binding.description, []).append(key)
+        return [(" ".join(keys), what) for what, keys in rows.items()]
+
+    def action_keys(self) -> None:
+        """Show the keys of what has the focus, at the side."""
+        if self.query("HelpPanel"):
+            self.app.action_hide_help_panel()
+        else:
+            self.app.action_show_help_panel()
+
+    @work(exclusive=True, group="tour")
+    async def action_tour(self) -> None:
+        """Take the tour, with a recipe when there is no text."""
+        from ..recipes import recipes
+        from ..screens.tour import Tour
+
+        if not self.open.text.strip():
+            for recipe in recipes()[:1]:
+                await self.files.take_recipe(recipe)
+        await self.app.push_screen_wait(Tour(self.dock_layout.bring, self._region_of))
+        self.profile.remembered.toured = True
+        self.editor.focus()
+
+    def _region_of(self, panel: str | None) -> Region:
+        """Return where a panel is, or the editor."""
+        return (self.editor if panel is None else self.dock_layout.dock_of(panel)).region
+
+    @work(exclusive=True, group="file")
+    async def action_config(self) -> None:
+        """Open the configuration file in $EDITOR, and take what it says at the next start."""
+        from .edit_config import edit_config
+
+        edit_config(self)

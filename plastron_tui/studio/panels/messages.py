@@ -1,0 +1,77 @@
+"""The messages, each with its values."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from .entry import SIGNS, Entries, Entry, Subject, type_text
+from .panel import Panel
+from .program_panel import ProgramPanel
+
+if TYPE_CHECKING:
+    from plastron_tui.model.values import MessageValue
+
+    from ..analysis import Analysis
+
+
+def _entries(analysis: Analysis, _: object) -> Entries:
+    return Entries(
+        _messages(analysis),
+        "no messages yet\ncreate_message hello of message_type String …",
+    )
+
+
+def _messages(analysis: Analysis) -> Iterator[Entry]:
+    sent = {
+        sending.message
+        for topic in analysis.graph.topics
+        for end in topic.tails
+        for sending in end.sendings
+    }
+    for variable, message in analysis.workspace.messages.items():
+        fields = list(_fields(message.value))
+        yield Entry(
+            f"message {variable}",
+            variable,
+            type_text(message.value.type),
+            *SIGNS[Subject.MESSAGE],
+            warning="" if variable in sent else "not sent",
+            span=message.span,
+            subject=Subject.MESSAGE,
+            name=variable,
+            is_branch=bool(fields),
+        )
+        for name, value in fields:
+            key = f"field {variable} {name}"
+            yield Entry(key, f"{name} = {value}", depth=1, name=variable)
+
+
+def _fields(value: MessageValue, before: str = "") -> Iterator[tuple[str, str]]:
+    """Yield the fields that have a value, nested ones by their dotted names."""
+    from plastron_tui.model.values import MessageValue
+
+    for name, inner in value.fields.items():
+        if isinstance(inner, MessageValue):
+            yield from _fields(inner, f"{before}{name}.")
+        else:
+            yield before + name, _shown(inner)
+
+
+def _shown(value: object) -> str:
+    if isinstance(value, tuple):
+        return "[" + ", ".join(map(_shown, value)) + "]"
+    return f'"{value}"' if isinstance(value, str) else str(value)
+
+
+MESSAGES = Panel(
+    name="messages",
+    title="Messages",
+    dock="outline",
+    keys="alt+4",
+    summary="The messages, each with its values.",
+    about="Each message with the values of its fields.",
+    widget=ProgramPanel,
+    make=_entries,
+    count=lambda analysis: len(analysis.workspace.messages),
+)

@@ -1,0 +1,90 @@
+"""The nodes, each with its endpoints."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from .entry import SIGNS, Entries, Entry, Subject, type_text
+from .panel import Panel
+from .program_panel import ProgramPanel
+
+if TYPE_CHECKING:
+    from plastron_tui.model.workspace import Node, Workspace
+
+    from ..analysis import Analysis
+
+
+def _entries(analysis: Analysis, _: object) -> Entries:
+    workspace = analysis.workspace
+    libraries = _libraries(workspace, analysis.session.library)
+    return Entries(_nodes(workspace, libraries), "no nodes yet\ncreate_node 'talker' as talker")
+
+
+def _libraries(workspace: Workspace, default: str) -> dict[str, str | None]:
+    """Return the client library of each node by its variable; None where only its file says it."""
+    generated = {made.node.variable: made.library for made in workspace.generations}
+    return {
+        variable: node.library
+        or generated.get(variable)
+        or (default if node.source is None else None)
+        for variable, node in workspace.nodes.items()
+    }
+
+
+def _nodes(workspace: Workspace, libraries: dict[str, str | None]) -> Iterator[Entry]:
+    for variable, node in workspace.nodes.items():
+        library = libraries.get(variable)
+        from_file = node.source.path.name if node.source is not None else None
+        parts = [part for part in (from_file or library,) if part]
+        if variable != node.name:
+            parts.insert(0, variable)
+        yield Entry(
+            f"node {variable}",
+            node.name,
+            " · ".join(parts),
+            *SIGNS[Subject.NODE],
+            warning="does nothing" if node.is_idle else "",
+            span=node.span,
+            subject=Subject.NODE,
+            node=variable,
+            name=variable,
+            is_branch=not node.is_idle,
+        )
+        yield from _endpoints(variable, node)
+
+
+def _endpoints(variable: str, node: Node) -> Iterator[Entry]:
+    for kind, endpoints in node.by_kind.items():
+        word, (sign, tone) = kind.word, SIGNS[kind]
+        for name, endpoint in endpoints.items():
+            # In order and not by name: there may be thousands, and all are made at every key.
+            yield Entry(
+                f"{word} {variable} {name}",
+                name,
+                type_text(endpoint.type),
+                sign,
+                tone,
+                "",
+                1,
+                endpoint.span,
+                kind,
+                variable,
+                name,
+            )
+
+
+NODES = Panel(
+    name="nodes",
+    title="Nodes",
+    dock="outline",
+    keys="alt+1",
+    summary="The nodes, each with what it speaks and hears.",
+    about=(
+        "Each node with its publishers ↑, subscriptions ↓, services ◆ and clients ◇. Enter goes to "
+        "the statement; Delete writes the one that ends it."
+    ),
+    widget=ProgramPanel,
+    make=_entries,
+    count=lambda analysis: len(analysis.workspace.nodes),
+)

@@ -1,0 +1,75 @@
+"""What is wrong, in the order of the program."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from plastron_tui.diagnostics import Diagnostic, LineIndex, Severity
+
+from .entry import Entries, Entry, Subject
+from .panel import Panel
+from .program_panel import ProgramPanel
+
+if TYPE_CHECKING:
+    from ..analysis import Analysis
+
+
+def _entries(analysis: Analysis, _: object) -> Entries:
+    in_order = sorted(
+        analysis.diagnostics, key=lambda found: (found.file is not None, found.span or (0, 0))
+    )
+    lines = analysis.session.lines
+    return Entries((entry for found in in_order for entry in _problem(found, lines)), "no problems")
+
+
+def _problem(
+    found: Diagnostic, lines: Callable[[Path | None], LineIndex | None]
+) -> Iterator[Entry]:
+    is_error = found.severity is Severity.ERROR
+    index = None if found.span is None else lines(found.file)
+    where = found.file.name if found.file is not None else ""
+    if index is not None and found.span is not None:
+        where += f":{index.position(found.span.start).line}" if where else ""
+        where = where or f"line {index.position(found.span.start).line}"
+    own = found.file is None
+    key = f"problem {found.code} {found.message}"
+    yield Entry(
+        key,
+        found.message,
+        " · ".join(part for part in (where, found.code) if part),
+        "✖" if is_error else "▲",
+        "error" if is_error else "warning",
+        span=found.span if own else None,
+        subject=Subject.PROBLEM,
+        name=None if own else where,
+        edits=found.fix.edits if found.fix is not None and own else (),
+        warning=found.fix.title if found.fix is not None and own else "",
+        is_branch=found.help is not None,
+    )
+    if found.help is not None:
+        span = found.span if own else None
+        yield Entry(
+            f"help {key}",
+            found.help,
+            sign="=",
+            depth=1,
+            span=span,
+            subject=Subject.PROBLEM,
+            name=None if own else where,
+        )
+
+
+PROBLEMS = Panel(
+    name="problems",
+    title="Problems",
+    dock="bottom",
+    keys="alt+7",
+    summary="All that is wrong, with what mends it.",
+    about="Everything that is wrong. Enter goes there; F applies the remedy where there is a ⚑.",
+    widget=ProgramPanel,
+    make=_entries,
+    count=lambda analysis: len(analysis.diagnostics),
+    is_alarm=True,
+)
