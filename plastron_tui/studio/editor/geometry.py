@@ -6,10 +6,10 @@ from collections.abc import Iterable
 
 from textual.geometry import Offset, Size
 
-from .folding import ScreenLines
 from .marks import Mark, Marks, worst
 from .rows import has_room
 from .state import Edited, TextState
+from .wrap_map import WrapMap
 from .wrapping import sections
 
 _MOST_BELOW = 500
@@ -54,7 +54,7 @@ class Geometry:
         self.marks = marks
         self.width = 80
         self.is_wrapped = False
-        self.lines = ScreenLines()
+        self.lines = WrapMap()
 
     @property
     def height(self) -> int:

@@ -9,7 +9,7 @@ from itertools import accumulate
 from .state import Edited
 
 
-class ScreenLines:
+class WrapMap:
     """Maps rows to screen lines, when some rows take more than one.
 
     `extra` says how many lines a row takes beyond its first: because it is wrapped, or because
