@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from textual.binding import Binding
 from textual.widget import Widget
 
+from .editor.commands import COMMANDS, Command
 from .panels.dock import Dock
 from .panels.registry import PANELS
 
@@ -48,9 +49,10 @@ class Action:
         )
 
 
-def _editor(name: str, title: str, keys: str, help_: str, call: str | None = None) -> Action:
-    call = f"screen.edit('{call or name}')"
-    return Action(f"editor.{name}", title, call, keys, help_, "Edit", own=True)
+def _of(command: Command) -> Action:
+    """Return the action of a command of the editor."""
+    call = f"screen.edit('{command.name}')"
+    return Action(command.id, command.title, call, command.keys, command.help, "Edit", own=True)
 
 
 ACTIONS: tuple[Action, ...] = (
@@ -101,34 +103,7 @@ ACTIONS: tuple[Action, ...] = (
     Action("suspend", "Suspend", "app.suspend_process", "alt+j",
            "Go back to the shell; `fg` returns."),
     Action("quit", "Quit", "screen.quit", "ctrl+q", "Leave the studio.", footer=True),
-    _editor("undo", "Undo", "ctrl+z", "Take the last edit back."),
-    _editor("redo", "Redo", "ctrl+y", "Make the edit again."),
-    _editor("cut", "Cut", "ctrl+x", "Cut the selection, or the line."),
-    _editor("copy", "Copy", "ctrl+c", "Copy the selection, or the line; over SSH too."),
-    _editor("paste", "Paste", "ctrl+v", "Paste what was copied."),
-    _editor("select_all", "Select all", "ctrl+a", "Select the whole program."),
-    _editor("find", "Find", "ctrl+f", "Find a text or a regular expression."),
-    _editor("replace", "Replace", "ctrl+r", "Find and replace."),
-    _editor("find_next", "Find next", "f3", "Go to the next place."),
-    _editor("find_previous", "Find previous", "shift+f3,alt+p", "Go to the place before."),
-    _editor("go_to_line", "Go to line", "ctrl+g", "Go to a line by its number."),
-    _editor("complete", "Complete", "ctrl+space,f4", "List what can stand here."),
-    _editor("toggle_comment", "Comment lines out or in", "ctrl+underscore",
-            "Turn lines into comments and back."),
-    _editor("duplicate", "Duplicate lines", "ctrl+d", "Repeat the lines below."),
-    _editor("move_up", "Move lines up", "alt+up", "Exchange lines with the one above.",
-            "move_lines(-1)"),
-    _editor("move_down", "Move lines down", "alt+down", "Exchange lines with the one below.",
-            "move_lines(1)"),
-    _editor("delete_line", "Delete lines", "ctrl+k", "Delete the lines of the selection."),
-    _editor("definition", "Go to definition", "f12",
-            "Go to where the variable is created.", "go_to_definition"),
-    _editor("rename", "Rename everywhere", "f2", "Give the variable another name."),
-    _editor("format", "Format", "ctrl+l", "Lay the program out."),
-    _editor("external_editor", "Open in $EDITOR", "ctrl+e", "Edit the text with your own editor."),
-    _editor("toggle_wrap", "Wrap long lines", "alt+z", "Break long lines, or let them run on."),
-    _editor("next_problem", "Next problem", "f8", "Go to the next mistake."),
-    _editor("previous_problem", "Previous problem", "shift+f8", "Go to the mistake before."),
+    *(_of(command) for command in COMMANDS if command.help),
 )  # fmt: skip
 
 BY_ID = {action.id: action for action in ACTIONS}

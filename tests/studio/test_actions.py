@@ -9,15 +9,15 @@ from textual.widgets import Button, Label
 
 from plastron_tui.studio.actions import ACTIONS, BY_ID
 from plastron_tui.studio.config import config_file
-from plastron_tui.studio.editor import ProgramEditor
+from plastron_tui.studio.editor.commands import BY_NAME
 from plastron_tui.studio.main.screen import MainScreen
 
 
 def test_every_action_is_one_of_the_screen_the_app_or_the_editor() -> None:
     for action in ACTIONS:
         if action.own:
-            name = action.call.partition("'")[2].partition("(")[0].rstrip("')")
-            assert hasattr(ProgramEditor, f"action_{name}"), action
+            name = action.call.partition("'")[2].rstrip("')")
+            assert name in BY_NAME, action
         elif action.call.startswith("screen."):
             name = action.call.removeprefix("screen.").partition("(")[0]
             assert hasattr(MainScreen, f"action_{name}"), action

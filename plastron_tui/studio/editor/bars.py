@@ -9,8 +9,9 @@ from textual import on
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
-from textual.message import Message
 from textual.widgets import Button, Input, Label
+
+from .finder import Finder
 
 
 class FindBar(Vertical):
@@ -36,30 +37,13 @@ class FindBar(Vertical):
         Binding("alt+a,f9", "all", "Replace all", id="find.replace_all"),
     ]
 
-    class Wanted(Message):
-        """What is to be found has changed."""
-
-    class Step(Message):
-        """The next match is asked for, or the one before."""
-
-        def __init__(self, by: int) -> None:
-            super().__init__()
-            self.by = by
-
-    class Replace(Message):
-        """A replacement is asked for, of one match or of all."""
-
-        def __init__(self, *, every: bool) -> None:
-            super().__init__()
-            self.every = every
-
-    class Closed(Message):
-        """The bar was closed."""
-
-    def __init__(self) -> None:
+    def __init__(self, finder: Finder, leave: Callable[[], object]) -> None:
+        """Ask for what a finder finds; `leave` gives the focus back."""
         super().__init__()
-        self.is_regex = False
-        self.is_case_sensitive = False
+        self._finder = finder
+        self._leave = leave
+        self._is_regex = False
+        self._is_case_sensitive = False
 
     def on_mount(self) -> None:
         """Leave the focus where something is typed."""
@@ -81,13 +65,8 @@ class FindBar(Vertical):
             yield Button("all", id="find-all", compact=True)
 
     @property
-    def what(self) -> str:
-        """What is to be found."""
-        return self.query_one("#find-what", Input).value
-
-    @property
     def replacement(self) -> str:
-        """What is to be put in its place."""
+        """What is to be put in the place of what is found."""
         return self.query_one("#find-with", Input).value
 
     def open(self, what: str, *, replace: bool) -> None:
@@ -100,20 +79,44 @@ class FindBar(Vertical):
         # At once: what is typed next is meant for this field.
         self.screen.set_focus(field)
         field.select_all()
-        self.post_message(self.Wanted())
+        self._find()
 
-    def say(self, text: str) -> None:
-        """Show how many matches there are."""
+    def step(self, by: int) -> None:
+        """Go to the next match, or with -1 to the one before; the bar need not be in sight."""
+        self._finder.step(by)
+        if self.is_mounted:
+            self._say(self._finder.count)
+
+    def _say(self, text: str) -> None:
         self.query_one("#find-count", Label).update(text)
 
+    def _find(self) -> None:
+        self._finder.find(
+            self.query_one("#find-what", Input).value,
+            is_regex=self._is_regex,
+            is_case_sensitive=self._is_case_sensitive,
+        )
+        self._say(self._finder.count)
+
+    def _replace(self, *, every: bool) -> None:
+        try:
+            if every:
+                self._say(f"{self._finder.replace_all(self.replacement)} replaced")
+            else:
+                self._finder.replace(self.replacement)
+                self._say(self._finder.count)
+        except ValueError as error:
+            self._say(str(error))
+
     def action_close(self) -> None:
-        """Close the bar."""
+        """Close the bar, and go back to the text."""
         self.display = False
-        self.post_message(self.Closed())
+        self._finder.stop()
+        self._leave()
 
     def action_step(self, by: int) -> None:
         """Go to another match."""
-        self.post_message(self.Step(by))
+        self.step(by)
 
     def action_other_field(self) -> None:
         """Go from what is to be found to what comes in its place, and back."""
@@ -123,32 +126,32 @@ class FindBar(Vertical):
 
     def action_toggle_regex(self) -> None:
         """Take what is to be found for a regular expression, or for plain text."""
-        self.is_regex = not self.is_regex
-        self.query_one("#find-regex").set_class(self.is_regex, "is-on")
-        self.post_message(self.Wanted())
+        self._is_regex = not self._is_regex
+        self.query_one("#find-regex").set_class(self._is_regex, "is-on")
+        self._find()
 
     def action_toggle_case(self) -> None:
         """Tell upper from lower case, or not."""
-        self.is_case_sensitive = not self.is_case_sensitive
-        self.query_one("#find-case").set_class(self.is_case_sensitive, "is-on")
-        self.post_message(self.Wanted())
+        self._is_case_sensitive = not self._is_case_sensitive
+        self.query_one("#find-case").set_class(self._is_case_sensitive, "is-on")
+        self._find()
 
     def action_all(self) -> None:
         """Replace all matches."""
-        self.post_message(self.Replace(every=True))
+        self._replace(every=True)
 
     @on(Input.Changed, "#find-what")
     def _changed(self, event: Input.Changed) -> None:
         event.stop()
-        self.post_message(self.Wanted())
+        self._find()
 
     @on(Input.Submitted)
     def _submitted(self, event: Input.Submitted) -> None:
         event.stop()
         if event.input.id == "find-what":
-            self.post_message(self.Step(1))
+            self.step(1)
         else:
-            self.post_message(self.Replace(every=False))
+            self._replace(every=False)
 
     @on(Button.Pressed)
     def _pressed(self, event: Button.Pressed) -> None:
@@ -159,9 +162,9 @@ class FindBar(Vertical):
             case "find-case":
                 self.action_toggle_case()
             case "find-one":
-                self.post_message(self.Replace(every=False))
+                self._replace(every=False)
             case _:
-                self.post_message(self.Replace(every=True))
+                self._replace(every=True)
 
 
 class PromptBar(Horizontal):
@@ -178,12 +181,11 @@ class PromptBar(Horizontal):
         Binding("tab,shift+tab", "stay", show=False),
     ]
 
-    class Closed(Message):
-        """The bar was closed."""
-
-    def __init__(self) -> None:
+    def __init__(self, leave: Callable[[], object]) -> None:
+        """Ask questions; `leave` gives the focus back."""
         super().__init__()
         self._answer: Callable[[str], None] | None = None
+        self._leave = leave
 
     def compose(self) -> ComposeResult:
         """Make the line."""
@@ -208,7 +210,7 @@ class PromptBar(Horizontal):
         """Close the bar without an answer."""
         self._answer = None
         self.display = False
-        self.post_message(self.Closed())
+        self._leave()
 
     @on(Input.Submitted)
     def _submitted(self, event: Input.Submitted) -> None:

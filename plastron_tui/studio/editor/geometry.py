@@ -49,9 +49,9 @@ class Geometry:
     Cells and screen lines count from the text's start, as if nothing was scrolled.
     """
 
-    def __init__(self, state: TextState, marks: Marks) -> None:
+    def __init__(self, state: TextState) -> None:
         self.state = state
-        self.marks = marks
+        self.marks = Marks()
         self.width = 80
         self.is_wrapped = False
         self.lines = WrapMap()
@@ -82,8 +82,13 @@ class Geometry:
             rows.update(buffer.row(start) for start in self.marks.starts())
         self.lines.set({row: self._extra(row) for row in rows})
 
+    def edited(self, edited: Edited) -> None:
+        """Move the mistakes and the rows along with an edit."""
+        self.marks.edited(edited)
+        self.lines.edited(edited)
+
     def place_edited(self, edits: Iterable[Edited]) -> bool:
-        """Do so for rows that were edited; tell whether other rows have moved by it."""
+        """Lay out the rows that were edited; tell whether other rows have moved by it."""
         has_messages = 0 < len(self.marks) <= _MOST_BELOW
         if not self.is_wrapped and not self.lines.extra and not has_messages:
             return False

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from .buffer import Buffer
 from .history import Selection
-from .state import Splice
+from .state import Splice, shifted
 
 COMMENT = b"// "
 
@@ -86,17 +86,6 @@ def insert_statement(buffer: Buffer, cursor: int, statement: bytes) -> Plan:
     new = statement + (buffer.ending if is_last else b"")
     at = start + len(statement)
     return [(start, end, new)], Selection(at, at)
-
-
-def shifted(splices: list[Splice], offset: int) -> int:
-    """Return where an offset is after edits; within a replaced range, at its end."""
-    moved = offset
-    for start, end, new in splices:
-        if end <= offset:
-            moved += len(new) - (end - start)
-        elif start < offset:
-            moved += len(new) - (offset - start)
-    return moved
 
 
 def _moved(selection: Selection, by: int) -> Selection:

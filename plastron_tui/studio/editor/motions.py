@@ -79,6 +79,16 @@ def line_end(buffer: Buffer, offset: int) -> int:
     return buffer.end(buffer.row(offset))
 
 
+def text_start(buffer: Buffer, offset: int) -> int:
+    """Return the start of the text."""
+    return 0
+
+
+def text_end(buffer: Buffer, offset: int) -> int:
+    """Return the end of the text."""
+    return buffer.size
+
+
 def word_at(buffer: Buffer, offset: int) -> tuple[int, int]:
     """Return the word around an offset, or the one character there."""
     row = buffer.row(offset)

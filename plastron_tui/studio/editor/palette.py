@@ -8,6 +8,7 @@ from functools import lru_cache
 
 from rich.style import Style
 from textual.color import Color
+from textual.widget import Widget
 
 PLAIN = Style.null()
 
@@ -70,6 +71,18 @@ class Palette:
     warning: Style
     error_line: Style
     warning_line: Style
+
+
+def palette_of(widget: Widget) -> Palette:
+    """Make the palette of a widget: of its theme, of the terminal's colours, or of none."""
+    app = widget.app
+    if app.native_ansi_color:
+        palette = ansi_palette()
+    else:
+        _, _, background, foreground = widget.colors
+        text = background.blend(foreground, 1, 1)
+        palette = themed_palette(app.theme_variables, text, background)
+    return without_colors(palette) if app.no_color else palette
 
 
 def themed_palette(variables: Mapping[str, str], foreground: Color, background: Color) -> Palette:

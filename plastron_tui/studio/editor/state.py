@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from time import monotonic
 from typing import NamedTuple
 
+from plastron_tui.diagnostics import Edit
 from plastron_tui.session import Session
 
 from .buffer import Buffer
@@ -32,13 +33,22 @@ class TextState:
     Every edit goes through `apply`; `listeners` hear of each as it is made.
     """
 
+    buffer: Buffer
+    selection: Selection
+    history: History
+    goal: int | None
+    """The cell that the cursor would go back to when it moves up and down."""
+
     def __init__(self, session: Session) -> None:
+        self.listeners: list[Callable[[Edited], None]] = []
+        self.open(session)
+
+    def open(self, session: Session) -> None:
+        """Edit the text of another session, from its start and with a history of its own."""
         self.buffer = Buffer(session)
         self.selection = Selection(0, 0)
         self.history = History()
-        self.listeners: list[Callable[[Edited], None]] = []
-        self.goal: int | None = None
-        """The cell that the cursor would go back to when it moves up and down."""
+        self.goal = None
 
     @property
     def cursor(self) -> int:
@@ -62,9 +72,10 @@ class TextState:
         self.goal = None
         self.history.close()
 
-    def move(self, offset: int, *, extend: bool = False) -> None:
-        """Move the cursor, and with `extend` the end of the selection."""
+    def move(self, offset: int, *, extend: bool = False, goal: int | None = None) -> None:
+        """Move the cursor, or with `extend` the end of the selection."""
         self.select(self.selection.anchor if extend else offset, offset)
+        self.goal = goal
 
     def apply(
         self,
@@ -101,6 +112,23 @@ class TextState:
         """Replace what is selected, or insert at the cursor."""
         start, end = self.selection.start, self.selection.end
         self.apply([(start, end, new)], kind=kind)
+
+    def edit(self, edits: Iterable[Edit]) -> None:
+        """Make edits, all in terms of the text as it is now; the cursor stays where it is."""
+        normalized = self.buffer.normalized
+        splices = [(edit.span.start, edit.span.end, normalized(edit.text)) for edit in edits]
+        splices.sort()
+        cursor = shifted(splices, self.cursor)
+        self.apply(splices, Selection(cursor, cursor))
+
+    def replace_all(self, new: bytes) -> None:
+        """Replace the whole text; only what differs is touched, the cursor stays in its row."""
+        old = self.buffer.text
+        start = _common_prefix(old, new)
+        end = _common_prefix(old[start:][::-1], new[start:][::-1])
+        row, cell = self.row, self.buffer.cell(self.cursor)
+        self.apply([(start, len(old) - end, new[start : len(new) - end])])
+        self.move(self.buffer.at_cell(min(row, self.buffer.row_count - 1), cell))
 
     def delete(self, start: int, end: int) -> None:
         """Delete a range; deletes that follow each other are undone together."""
@@ -148,3 +176,26 @@ class TextState:
         )
         for listener in self.listeners:
             listener(edited)
+
+
+def shifted(splices: Iterable[Splice], offset: int) -> int:
+    """Return where an offset is after edits; within a replaced range, at its end."""
+    moved = offset
+    for start, end, new in splices:
+        if end <= offset:
+            moved += len(new) - (end - start)
+        elif start < offset:
+            moved += len(new) - (offset - start)
+    return moved
+
+
+def _common_prefix(one: bytes, other: bytes) -> int:
+    """Return how many bytes two texts have in common at their start."""
+    low, high = 0, min(len(one), len(other))
+    while low < high:
+        middle = (low + high + 1) // 2
+        if one[low:middle] == other[low:middle]:
+            low = middle
+        else:
+            high = middle - 1
+    return low

@@ -1,4 +1,4 @@
-"""The rows of a text on the screen: what is drawn, what is drawn again, what scrolls."""
+"""The rows of a text on the screen: what is drawn again, what scrolls, keys and the mouse."""
 
 from __future__ import annotations
 
@@ -7,72 +7,137 @@ from typing import Protocol
 
 from textual import events
 from textual.geometry import Offset, Region, Size
+from textual.reactive import reactive
+from textual.scroll_view import ScrollView
+from textual.strip import Strip
 
 from . import motions
 from .completion import Candidate
-from .drawing import DrawnText
 from .geometry import Geometry, scrolled_to
-from .highlights import highlight
 from .history import Selection
 from .marks import Marks
+from .painter import Frame, Painter
+from .palette import Palette, palette_of
+from .popup import Popup
 from .state import Edited, TextState
 
+_OVERSCAN = 8
 _WIDTH_STEP = 32
 _MOST_MEASURED = 2 * 1024 * 1024
 """A text of more bytes takes longer to measure than a key may."""
 
 
 class Owner(Protocol):
-    """Who edits what a view shows, and is told of keys and of the mouse as they come."""
+    """Who edits the text that a view shows; keys and the mouse ask it to, as they come."""
 
-    def typed(self, text: str) -> None:
-        """Take a character that was typed."""
+    def type_text(self, text: str) -> None:
+        """Type characters over what is selected."""
 
-    def pasted(self, text: str) -> None:
-        """Take a text that was pasted."""
+    def insert_text(self, text: str) -> None:
+        """Put a text over what is selected, as a step of its own to undo."""
 
-    def selected(self, anchor: int, head: int) -> None:
-        """Select what the mouse selected."""
+    def select_range(self, anchor: int, head: int) -> None:
+        """Select a range."""
 
-    def picked(self) -> None:
-        """Take the entry of the popup that is marked, which the mouse picked."""
+    def accept(self) -> None:
+        """Write the entry of the popup that is marked."""
 
 
-class EditorView(DrawnText, can_focus=True, inherit_bindings=False):
-    """Draws a `TextState`, and tells of keys and of the mouse."""
-
-    owner: Owner
-    """Set by the owner itself, before the view is mounted."""
+class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
+    """Shows a `TextState`, and tells its owner of keys and of the mouse."""
 
     DEFAULT_CSS = """
     EditorView { width: 1fr; height: 1fr; scrollbar-gutter: stable; overflow-x: auto; }
     """
 
-    def __init__(self, state: TextState) -> None:
-        super().__init__(state)
+    soft_wrap: reactive[bool] = reactive(False)
+    line_numbers: reactive[bool] = reactive(True)
+
+    def __init__(self, state: TextState, owner: Owner) -> None:
+        super().__init__(id="editor-view")
+        self.state = state
+        self.geometry = Geometry(state)
+        self.painter = Painter(state, self.geometry, self.window)
+        self.popup = Popup()
+        self._owner = owner
+        self._palette: Palette | None = None
         self._edits: list[Edited] = []
         self._shown = state.selection
         self._drag_from: int | None = None
         state.listeners.append(self._heard)
 
-    def set_state(self, state: TextState) -> None:
-        """Show another text, from its top."""
-        self.state = state
-        self.marks = Marks()
-        self.geometry = Geometry(state, self.marks)
-        self.paint.clear()
-        self._edits.clear()
-        self._shown = state.selection
-        state.listeners.append(self._heard)
-        self._fit()
-        self.scroll_to(0, 0, animate=False, force=True)
-        self.refresh()
+    @property
+    def marks(self) -> Marks:
+        """The mistakes, where they are by now."""
+        return self.geometry.marks
 
-    def set_marks(self, marks: Marks) -> None:
+    def show_marks(self, marks: Marks) -> None:
         """Show other mistakes."""
-        self.marks = self.geometry.marks = marks
+        self.geometry.marks = marks
         self._place_lines()
         self.refresh()
+
+    def show_from_top(self) -> None:
+        """Show a text that is another one as a whole."""
+        self.close_popup()
+        self.painter.paint.clear()
+        self.painter.brackets = None
+        self._edits.clear()
+        self._shown = self.state.selection
+        self.show_marks(Marks())
+        self.scroll_to(0, 0, animate=False, force=True)
+
+    def recolor(self) -> None:
+        """Draw in the colours of another theme."""
+        self._palette = None
+        self.refresh()
+
+    def notify_style_update(self) -> None:
+        """Follow colours that a style sheet changes."""
+        super().notify_style_update()
+        self._palette = None
+
+    @property
+    def palette(self) -> Palette:
+        """The colours, made when they are first needed."""
+        if self._palette is None:
+            self._palette = palette_of(self)
+        return self._palette
+
+    @property
+    def gutter_width(self) -> int:
+        """The cells that signs and line numbers take."""
+        if not self.line_numbers:
+            return 0
+        return max(3, len(str(self.state.buffer.row_count))) + 2
+
+    @property
+    def text_width(self) -> int:
+        """The cells that are there for text."""
+        return max(1, self.scrollable_content_region.width - self.gutter_width)
+
+    @property
+    def _left(self) -> int:
+        """The first cell of the text that is shown."""
+        return 0 if self.soft_wrap else self.scroll_offset.x
+
+    def window(self) -> tuple[int, int]:
+        """Return the first and the last row on the screen, and some around them."""
+        top = self.scroll_offset.y
+        last_row = self.state.buffer.row_count - 1
+        first, _ = self.geometry.lines.row_at(max(0, top - _OVERSCAN))
+        last, _ = self.geometry.lines.row_at(top + self.size.height + _OVERSCAN)
+        first = min(first, last_row)
+        return first, max(first, min(last, last_row))
+
+    def render_line(self, y: int) -> Strip:
+        """Draw a line of the screen."""
+        width = self.scrollable_content_region.width
+        frame = Frame(self.palette, width, self.gutter_width, self._left, self.has_focus)
+        strip = self.painter.draw(self.scroll_offset.y + y, frame)
+        if self.popup.is_open and y in self.popup.region.line_range:
+            return self.popup.over(strip, y, self.palette)
+        return strip
 
     def on_mount(self) -> None:
         """Follow the theme."""
@@ -105,43 +170,26 @@ class EditorView(DrawnText, can_focus=True, inherit_bindings=False):
         self.refresh()
 
     def _heard(self, edited: Edited) -> None:
-        self.marks.edited(edited)
-        self.geometry.lines.edited(edited)
+        self.geometry.edited(edited)
         self._edits.append(edited)
 
     def sync(self, *, scroll: bool = True) -> None:
         """Draw again what an edit or a move of the cursor changed, and keep the cursor in sight."""
         state = self.state
         before, self._shown = self._shown, state.selection
-        brackets = self.brackets
+        brackets = self.painter.brackets
         if self._edits:
             self._refresh_edited()
-        self.brackets = self._matching_brackets()
+        self.painter.match_brackets()
         if not (before.is_empty and state.selection.is_empty):
             self._refresh_rows(range(*self._span(before, state.selection)))
         else:
-            for offset in {before.head, state.cursor}:
-                row = state.buffer.row(min(offset, state.buffer.size))
-                self._refresh_rows(range(row, row + 1))
-        for pair in (brackets, self.brackets):
-            if pair is not None and brackets != self.brackets:
-                row = state.buffer.row(min(pair[0], state.buffer.size))
-                self._refresh_rows(range(row, row + 1))
+            self._refresh_offsets(before.head, state.cursor)
+        if brackets != self.painter.brackets:
+            self._refresh_offsets(*(pair[0] for pair in (brackets, self.painter.brackets) if pair))
         if scroll:
             self.scroll_to_cursor()
         self._place_terminal_cursor()
-
-    def _matching_brackets(self) -> tuple[int, int] | None:
-        buffer, cursor = self.state.buffer, self.state.cursor
-        around = buffer.text[max(0, cursor - 1) : cursor + 1]
-        if not any(bracket in around for bracket in b"()[]{}"):
-            return None
-        literal = [
-            (painted.start, painted.end)
-            for painted in self.paint.get(self.state.row, ())
-            if painted.capture.startswith(("string", "comment"))
-        ]
-        return motions.matching_brackets(buffer, cursor, literal)
 
     def _span(self, *selections: Selection) -> tuple[int, int]:
         buffer = self.state.buffer
@@ -152,21 +200,22 @@ class EditorView(DrawnText, can_focus=True, inherit_bindings=False):
     def _refresh_edited(self) -> None:
         edits, self._edits = self._edits, []
         if any(edited.old_rows != edited.new_rows for edited in edits):
-            self.paint.clear()
+            self.painter.paint.clear()
             self.geometry.place_edited(edits)
-            self._fit()
             self.refresh()
-            return
-        old = self.paint
-        first, last = self.window()
-        self.paint = highlight(self.state.buffer, first, last)
-        touched = {row for edit in edits for row in range(edit.row, edit.row + edit.new_rows)}
-        for row, paint in self.paint.items():
-            if row in touched or old.get(row) != paint:
+        else:
+            touched = {row for edit in edits for row in range(edit.row, edit.row + edit.new_rows)}
+            for row in touched.union(self.painter.highlight()):
                 self._refresh_rows(range(row, row + 1))
-        if self.geometry.place_edited(edits):
-            self.refresh()
+            if self.geometry.place_edited(edits):
+                self.refresh()
         self._fit()
+
+    def _refresh_offsets(self, *offsets: int) -> None:
+        """Draw the rows again in which these offsets are."""
+        buffer = self.state.buffer
+        for row in {buffer.row(min(offset, buffer.size)) for offset in offsets}:
+            self._refresh_rows(range(row, row + 1))
 
     def _refresh_rows(self, rows: range) -> None:
         top, height, width = self.scroll_offset.y, self.size.height, self.size.width
@@ -177,12 +226,8 @@ class EditorView(DrawnText, can_focus=True, inherit_bindings=False):
 
     def repaint(self) -> None:
         """Ask for all highlights again, because the tree is now that of the text."""
-        first, last = self.window()
-        paint = highlight(self.state.buffer, first, last)
-        for row in paint:
-            if paint[row] != self.paint.get(row):
-                self._refresh_rows(range(row, row + 1))
-        self.paint = paint
+        for row in self.painter.highlight():
+            self._refresh_rows(range(row, row + 1))
 
     def measure(self) -> None:
         """Take the scroll bar away that a line needed which is shorter by now."""
@@ -219,7 +264,7 @@ class EditorView(DrawnText, can_focus=True, inherit_bindings=False):
         covered = self.popup.region if self.popup.is_open else None
         region, scroll = self.scrollable_content_region, self.scroll_offset
         place = self.geometry.place_of(offset)
-        x = self.gutter_width + place.x - (0 if self.soft_wrap else scroll.x)
+        x = self.gutter_width + place.x - self._left
         self.popup.offer(candidates, detail, Offset(x, place.y - scroll.y), region.size)
         for changed in (covered, self.popup.region):
             if changed is not None:
@@ -250,7 +295,7 @@ class EditorView(DrawnText, can_focus=True, inherit_bindings=False):
         """Scroll as far as is needed to see the cursor, with some lines around it."""
         place = self.geometry.place_of(self.state.cursor)
         height = max(1, self.scrollable_content_region.height)
-        scroll = Offset(0 if self.soft_wrap else self.scroll_offset.x, self.scroll_offset.y)
+        scroll = Offset(self._left, self.scroll_offset.y)
         if self.soft_wrap:
             place = Offset(0, place.y)
         to = scrolled_to(place, scroll, Size(self.text_width, height), center=center)
@@ -262,7 +307,7 @@ class EditorView(DrawnText, can_focus=True, inherit_bindings=False):
         """The cell of the screen that the cursor is in."""
         place = self.geometry.place_of(self.state.cursor)
         region, scroll = self.content_region, self.scroll_offset
-        x = region.x + self.gutter_width + place.x - (0 if self.soft_wrap else scroll.x)
+        x = region.x + self.gutter_width + place.x - self._left
         return Offset(x, region.y + place.y - scroll.y)
 
     def _place_terminal_cursor(self) -> None:
@@ -286,7 +331,7 @@ class EditorView(DrawnText, can_focus=True, inherit_bindings=False):
         if event.is_printable and event.character is not None:
             event.stop()
             event.prevent_default()
-            self.owner.typed(event.character)
+            self._owner.type_text(event.character)
             return
         bound = self.screen.active_bindings.get(event.key)
         if bound is not None and bound.enabled and bound.node is self.parent:
@@ -298,11 +343,11 @@ class EditorView(DrawnText, can_focus=True, inherit_bindings=False):
         """Take what the terminal pastes."""
         event.stop()
         event.prevent_default()
-        self.owner.pasted(event.text)
+        self._owner.insert_text(event.text)
 
     def _offset_of(self, event: events.MouseEvent) -> int:
         place = event.get_content_offset_capture(self)
-        x = place.x - self.gutter_width + (0 if self.soft_wrap else self.scroll_offset.x)
+        x = place.x - self.gutter_width + self._left
         return self.geometry.offset_at(x, place.y + self.scroll_offset.y)
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
@@ -312,19 +357,19 @@ class EditorView(DrawnText, can_focus=True, inherit_bindings=False):
         event.stop()
         if self.popup.is_open and self.popup.region.contains(event.x, event.y):
             if self.popup.choose_at(event.y):
-                self.owner.picked()
+                self._owner.accept()
             return
         offset = self._offset_of(event)
         anchor = self.state.selection.anchor if event.shift else offset
         self._drag_from = anchor
         self.capture_mouse()
-        self.owner.selected(anchor, offset)
+        self._owner.select_range(anchor, offset)
 
     def on_mouse_move(self, event: events.MouseMove) -> None:
         """Select from where the button went down."""
         if self._drag_from is not None:
             event.stop()
-            self.owner.selected(self._drag_from, self._offset_of(event))
+            self._owner.select_range(self._drag_from, self._offset_of(event))
 
     def on_mouse_up(self, event: events.MouseUp) -> None:
         """End the selection."""
@@ -343,4 +388,4 @@ class EditorView(DrawnText, can_focus=True, inherit_bindings=False):
         else:
             row = buffer.row(offset)
             start, end = buffer.start(row), buffer.next_start(row)
-        self.owner.selected(start, end)
+        self._owner.select_range(start, end)

@@ -2,51 +2,346 @@
 
 from __future__ import annotations
 
-from typing import TypeAlias
+import asyncio
+from collections.abc import Callable, Iterable
+from functools import cached_property
+from typing import TYPE_CHECKING, ClassVar
 
 from textual.app import ComposeResult
+from textual.binding import BindingType
+from textual.containers import Vertical
+from textual.message import Message
+from textual.reactive import reactive
+from textual.timer import Timer
 from textual.widget import Widget
 
-from . import base
-from .coding import CodingActions
-from .editing import EditingActions
-from .finding import FindingActions
-from .moving import MovingActions
+from plastron_tui.diagnostics import Diagnostic, Edit, Span
+from plastron_tui.language.expectations import Expectation, expected_at
+
+from . import line_commands, text_commands
+from .commands import BY_NAME, COMMANDS
+from .completer import Completer
+from .completion import Vocabulary
+from .finder import Finder
+from .highlights import LONGEST
+from .history import Selection
+from .marks import Mark, Marks, worst
+from .popup import Popup
+from .state import TextState
+from .statement_help import help_of
+from .view import EditorView
+
+if TYPE_CHECKING:
+    from plastron_tui.language import Program
+    from plastron_tui.model.workspace import Workspace
+    from plastron_tui.session import Session
+
+    from .bars import FindBar, PromptBar
+
+_SETTLE = 0.1
+"""Seconds after the last key at which all is measured, and coloured, anew."""
 
 
-class ProgramEditor(MovingActions, EditingActions, FindingActions, CodingActions):
+class ProgramEditor(Vertical):
     """Edits the text of a session, which stays the only owner of the text and of its tree.
 
     It posts `Changed` after an edit and `CursorMoved` after a move. It never asks the session
     what the program means while keys come in: whoever does, tells it by `set_diagnostics`.
-    All edits go through this widget.
+    All edits go through this widget; what keys do is declared in `COMMANDS`.
+
+    Attributes:
+        state: the text, its selection and its history.
+        view: what shows it.
+        completer: what offers words.
+        finder: what finds and replaces.
+        expected: what the language has room for at the cursor.
     """
 
-    Changed: TypeAlias = base.Changed
-    CursorMoved: TypeAlias = base.CursorMoved
+    DEFAULT_CSS = """
+    ProgramEditor { width: 1fr; height: 1fr; background: $surface; color: $foreground; }
+    """
+
+    BINDINGS: ClassVar[list[BindingType]] = [command.binding for command in COMMANDS]
+
+    statement_help: reactive[str] = reactive("")
+    """A line about the statement under the cursor, the current slot between `‹` and `›`."""
+
+    class Changed(Message):
+        """The text was edited."""
+
+        def can_replace(self, message: Message) -> bool:
+            """Let one message stand for several."""
+            return isinstance(message, ProgramEditor.Changed)
+
+    class CursorMoved(Message):
+        """The cursor is at another offset."""
+
+        def __init__(self, offset: int) -> None:
+            super().__init__()
+            self.offset = offset
+
+        def can_replace(self, message: Message) -> bool:
+            """Let the last place stand for all."""
+            return isinstance(message, ProgramEditor.CursorMoved)
+
+    def __init__(
+        self,
+        session: Session,
+        *,
+        name: str | None = None,
+        id: str | None = None,  # noqa: A002 - Textual's word
+        classes: str | None = None,
+    ) -> None:
+        super().__init__(name=name, id=id, classes=classes)
+        self.state = TextState(session)
+        self.view = EditorView(self.state, self)
+        self.completer = Completer(self.state, self.view)
+        self.finder = Finder(self.state, self.view, self.done)
+        self.expected: Expectation = expected_at(session.document, 0)
+        self._told_text = self.text
+        self._told_cursor = 0
+        self._settle: Timer | None = None
+        self._mounting = asyncio.Lock()
 
     def compose(self) -> ComposeResult:
-        """Make the parts, and be told of keys and of the mouse."""
-        self.view.owner = self
-        yield from super().compose()
-
-    def typed(self, text: str) -> None:
-        """Write what was typed."""
-        self.type_text(text)
-
-    def pasted(self, text: str) -> None:
-        """Write what was pasted."""
-        self.insert_text(text)
-
-    def selected(self, anchor: int, head: int) -> None:
-        """Select what the mouse selected."""
-        self.state.select(anchor, head)
-        self.done()
-
-    def picked(self) -> None:
-        """Take the entry that the mouse picked."""
-        self.accept()
+        """Make what is in sight at first: the bars would take a tenth of the time of a start."""
+        yield self.view
 
     def focus(self, scroll_visible: bool = True) -> Widget:  # type: ignore[override]
         """Give the text the focus."""
         return self.view.focus(scroll_visible)
+
+    # What keys and the mouse do.
+
+    def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
+        """Leave most keys to a bar that has the focus: they are meant for what is typed there."""
+        command = BY_NAME.get(str(parameters[0])) if action == "edit" else None
+        if command is None:
+            return True
+        return (command.in_bars or not self._is_asking) and command.applies(self)
+
+    @property
+    def _is_asking(self) -> bool:
+        """Whether a bar has the focus."""
+        focused = self.screen.focused if self.is_mounted else None
+        if focused is None or focused is self.view:
+            return False
+        return self in focused.ancestors
+
+    async def action_edit(self, command: str) -> None:
+        """Run a command."""
+        result = BY_NAME[command].run(self)
+        if result is not None:
+            await result
+
+    def type_text(self, text: str) -> None:
+        """Type characters over what is selected, and offer what may follow."""
+        text_commands.type_text(self.state, text)
+        self.done(keeps_popup=True)
+        self.completer.offer(self.expected)
+
+    def insert_text(self, text: str) -> None:
+        """Put a text over what is selected, as a step of its own to undo."""
+        text_commands.insert_text(self.state, text)
+        self.done()
+
+    def select_range(self, anchor: int, head: int) -> None:
+        """Select a range, wherever it is in sight."""
+        self.state.select(anchor, head)
+        self.done()
+
+    def accept(self) -> None:
+        """Write the entry of the popup that is marked."""
+        self.completer.accept()
+        self.done()
+
+    def done(self, *, scroll: bool = True, center: bool = False, keeps_popup: bool = False) -> None:
+        """Show and tell what was done to the text, or with its selection."""
+        if not keeps_popup:
+            self.view.close_popup()
+        if center:
+            self.view.scroll_to_cursor(center=True)
+        self.view.sync(scroll=scroll)
+        self._tell()
+
+    # The bars.
+
+    @cached_property
+    def find_bar(self) -> FindBar:
+        """The bar that asks what to find, and what to put in its place."""
+        from .bars import FindBar
+
+        return FindBar(self.finder, self._leave_bar)
+
+    @cached_property
+    def prompt_bar(self) -> PromptBar:
+        """The bar that asks a question."""
+        from .bars import PromptBar
+
+        return PromptBar(self._leave_bar)
+
+    def _leave_bar(self) -> None:
+        self.screen.set_focus(self.view)
+
+    async def _mount_bar(self, bar: Widget) -> None:
+        async with self._mounting:
+            if not bar.is_attached:
+                await self.mount(bar)
+
+    async def find(self, *, replace: bool = False) -> None:
+        """Ask what to find: what is selected, at first."""
+        self.view.close_popup()
+        selected = self.state.selected
+        await self._mount_bar(self.find_bar)
+        what = selected.decode("utf-8", "replace") if b"\n" not in selected else ""
+        self.find_bar.open(what, replace=replace)
+
+    async def ask(self, question: str, value: str, answer: Callable[[str], None]) -> None:
+        """Ask a question in a line of its own; the answer goes to a function."""
+        await self._mount_bar(self.prompt_bar)
+        self.prompt_bar.ask(question, value, answer)
+
+    def warn(self, text: str) -> None:
+        """Say why something cannot be."""
+        self.app.notify(text, severity="warning", markup=False)
+
+    # What others know and do.
+
+    @property
+    def session(self) -> Session:
+        """The session whose text this is; nobody else edits it."""
+        return self.state.buffer.session
+
+    @property
+    def text(self) -> bytes:
+        """The whole text."""
+        return self.state.buffer.text
+
+    @property
+    def cursor_offset(self) -> int:
+        """The offset of the cursor, in bytes."""
+        return self.state.cursor
+
+    @property
+    def selection(self) -> Selection:
+        """The selected range."""
+        return self.state.selection
+
+    @property
+    def popup(self) -> Popup:
+        """The list of what completion offers."""
+        return self.view.popup
+
+    @property
+    def marks(self) -> Marks:
+        """The mistakes, where they are by now."""
+        return self.view.marks
+
+    def mark_at_cursor(self) -> Mark | None:
+        """Return the worst mistake that starts on the cursor's line."""
+        buffer, row = self.state.buffer, self.state.row
+        return worst(self.marks.between(buffer.start(row), buffer.end(row)))
+
+    def set_session(self, session: Session) -> None:
+        """Edit the text of another session, with a history of its own."""
+        self.state.open(session)
+        self.view.show_from_top()
+        self.completer.vocabulary = None
+        self._told_text = self.text
+        self._told_cursor = -1
+        self._tell()
+
+    def set_diagnostics(
+        self,
+        diagnostics: Iterable[Diagnostic],
+        meaning: tuple[Program, Workspace] | None = None,
+    ) -> None:
+        """Show what is wrong with the text as it is now.
+
+        Args:
+            diagnostics: those of the program; others are left out.
+            meaning: the statements and the workspace that completion offers names from; without
+                it those of the session, which should know them by now.
+        """
+        path = self.session.path
+        own = [found for found in diagnostics if found.file is None or found.file == path]
+        self.view.show_marks(Marks(own))
+        self.view.repaint()
+        program, workspace = meaning or (self.session.program, self.session.workspace)
+        self.completer.vocabulary = Vocabulary(program, workspace)
+
+    def go_to(self, offset: int) -> None:
+        """Put the cursor at an offset, with the lines around it in sight."""
+        self.state.move(offset)
+        self.done(center=True)
+
+    def select(self, span: Span) -> None:
+        """Select a range, with the lines around it in sight."""
+        self.state.select(span.start, span.end)
+        self.done(center=True)
+
+    def replace(self, span: Span, text: str) -> None:
+        """Replace a range, as one step to undo."""
+        self.apply([Edit(span, text)])
+
+    def apply(self, edits: Iterable[Edit]) -> None:
+        """Make edits, all in terms of the text as it is now, as one step to undo."""
+        self.state.edit(edits)
+        self.done()
+
+    def replace_all(self, text: bytes) -> None:
+        """Replace the whole text, as one step to undo; only what differs is touched."""
+        self.state.replace_all(text)
+        self.done()
+
+    def insert_statement(self, text: str) -> None:
+        """Put a statement on a line of its own below the cursor's line."""
+        buffer = self.state.buffer
+        statement = buffer.normalized(text.rstrip("\r\n"))
+        self.state.apply(*line_commands.insert_statement(buffer, self.state.cursor, statement))
+        self.done()
+
+    def undo(self) -> None:
+        """Take the last step back."""
+        if self.state.undo():
+            self.done()
+
+    def redo(self) -> None:
+        """Make the step again that was undone last."""
+        if self.state.redo():
+            self.done()
+
+    # What is told of it.
+
+    def _tell(self) -> None:
+        """Post what has changed since it was last told."""
+        if self.text is not self._told_text:
+            self._told_text = self.text
+            self._told_cursor = -1
+            self.post_message(self.Changed())
+            self._settle_later()
+        if self.state.cursor != self._told_cursor:
+            self._told_cursor = self.state.cursor
+            self.expected = self._expected()
+            self.statement_help = help_of(self.expected)
+            self.post_message(self.CursorMoved(self.state.cursor))
+
+    def _expected(self) -> Expectation:
+        buffer, row, cursor = self.state.buffer, self.state.row, self.state.cursor
+        if buffer.end(row) - buffer.start(row) > LONGEST:
+            return Expectation(Span(cursor, cursor))
+        return expected_at(self.session.document, cursor)
+
+    def _settle_later(self) -> None:
+        if self._settle is None:
+            self._settle = self.set_timer(_SETTLE, self._settled)
+        else:
+            self._settle.reset()
+
+    def _settled(self) -> None:
+        self._settle = None
+        if b"/*" in self.text:
+            # Only the tree knows which lines are in a comment, and to parse them takes time.
+            _ = self.session.document.tree
+        self.view.measure()
+        self.view.repaint()

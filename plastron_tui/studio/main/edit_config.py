@@ -10,7 +10,7 @@ from textual.screen import Screen
 
 from ..actions import ACTIONS
 from ..config import config_file, template
-from ..editor.coding import external_editor, run_editor
+from ..editor.external_editor import external_editor, run_editor
 
 
 def edit_config(screen: Screen[None]) -> None:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from textual import on, work
 from textual.app import ComposeResult
@@ -245,13 +244,10 @@ class MainScreen(Screen[None]):
 
     # Actions: the text.
 
-    def action_edit(self, call: str) -> None:
+    async def action_edit(self, command: str) -> None:
         """Do something that the editor can do."""
-        name, _, rest = call.partition("(")
-        arguments = [int(rest.rstrip(")"))] if rest else []
         self.editor.focus()
-        method: Callable[..., Any] = getattr(self.editor, f"action_{name}")
-        method(*arguments)
+        await self.editor.action_edit(command)
 
     def action_fix(self) -> None:
         """Apply the remedy of the mistake on the cursor's line."""

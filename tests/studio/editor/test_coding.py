@@ -9,6 +9,8 @@ from pathlib import Path
 import pytest
 from editor_host import PROGRAM, editing
 
+from plastron_tui.studio.editor.program_commands import rename
+
 
 class TestCoding:
     async def test_definition(self) -> None:
@@ -37,7 +39,7 @@ class TestCoding:
     )
     async def test_a_name_that_cannot_be_is_refused(self, name: str, reason: str) -> None:
         async with editing(PROGRAM, cursor=PROGRAM.index("talker publish")) as at:
-            at.editor.rename(name)
+            rename(at.editor, name)
             assert (at.app.said, at.editor.text.decode()) == ([reason], PROGRAM)
 
     async def test_format(self) -> None:

@@ -24,7 +24,7 @@ class TestFinding:
     async def test_case_can_matter(self) -> None:
         async with editing("a A a\n") as at:
             await at.press("ctrl+f", "A", "alt+c")
-            assert at.editor.search.spans == [(2, 3)]
+            assert at.editor.finder.search.spans == [(2, 3)]
 
     async def test_replace_one_and_all_with_groups(self) -> None:
         async with editing("ab ab ab\n") as at:
@@ -73,7 +73,7 @@ class TestFinding:
     async def test_a_wrong_expression_is_said(self) -> None:
         async with editing("ab\n") as at:
             await at.press("ctrl+f", "alt+r", "left_parenthesis")
-            assert at.editor.search.problem
+            assert at.editor.finder.search.problem
             await at.press("enter", "escape")
             assert at.editor.text == b"ab\n"
 

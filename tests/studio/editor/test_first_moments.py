@@ -22,7 +22,7 @@ class _App(App[None]):
         yield self.editor
 
     def on_mount(self) -> None:
-        getattr(self.editor, f"action_{self.action}")()
+        self.editor.call_later(self.editor.action_edit, self.action)
 
 
 @pytest.mark.parametrize("action", ["find", "replace", "go_to_line", "rename"])

@@ -244,7 +244,6 @@ async def test_keys_that_come_all_at_once_keep_their_order() -> None:
 
 async def test_what_is_typed_right_after_a_key_is_for_the_bar_that_it_opens() -> None:
     async with editing("load a as b\n") as at:
-        await at.until(lambda: at.editor._has_bars)
         for key, character in (("ctrl+f", None), ("a", "a"), ("s", "s"), ("enter", "\r")):
             at.app.post_message(Key(key, character))
         await at.until(lambda: at.marked == "load a [as] b\n")

@@ -45,7 +45,7 @@ def check_text(at: Driver) -> None:
     ]
     tree, other = at.editor.session.document.tree, Document(text).tree
     assert str(tree.root_node) == str(other.root_node)
-    for row, paint in at.editor.view.paint.items():
+    for row, paint in at.editor.view.painter.paint.items():
         assert paint == highlight(fresh, row, row)[row]
     selection = at.editor.selection
     assert selection == (buffer.clamp(selection.anchor), buffer.clamp(selection.head))
@@ -56,13 +56,14 @@ async def check_screen(at: Driver) -> None:
     view = at.editor.view
     assert at.editor.session.document.tree is not None
     view.repaint()
-    fresh = Geometry(at.editor.state, view.marks)
+    fresh = Geometry(at.editor.state)
+    fresh.marks = view.marks
     fresh.width, fresh.is_wrapped = view.text_width, view.soft_wrap
     fresh.place_lines()
     assert view.geometry.lines.extra == fresh.lines.extra
     await at.pilot.pause()
     shown = at.app.export_screenshot()
-    view.paint.clear()
+    view.painter.paint.clear()
     view.refresh()
     await at.pilot.pause()
     assert at.app.export_screenshot() == shown

@@ -61,9 +61,9 @@ async def check_end(it: WizardDriver, declaration: Declaration, before: str, fil
     made = [one for one in session.program.statements if type(one) is declaration.type]
     old = Session(before.encode(), file, environ={}).program.statements
     assert len(made) == len([one for one in old if type(one) is declaration.type]) + 1
-    main.editor.action_undo()
+    main.editor.undo()
     assert it.driver.text == before
-    main.editor.action_redo()
+    main.editor.redo()
     assert it.driver.text == text
 
 
@@ -148,7 +148,7 @@ async def test_escape_leaves_without_a_trace(file: Path, steps: int) -> None:
         assert not it.is_open
         assert it.driver.text == TWO_NODES
         assert not it.driver.main.open.is_changed
-        it.driver.main.editor.action_undo()
+        it.driver.main.editor.undo()
         assert it.driver.text == TWO_NODES
 
 

@@ -1,0 +1,125 @@
+"""What commands do to the program as a whole: definition, rename, format, another editor."""
+
+from __future__ import annotations
+
+import os
+from functools import partial
+from typing import TYPE_CHECKING
+
+from textual.app import SuspendNotSupported
+
+from plastron_tui.diagnostics import Edit
+from plastron_tui.language import format_document
+from plastron_tui.program_file import check_text
+from plastron_tui.regular_files import reason
+
+from .external_editor import EditedElsewhere, external_editor, run_editor
+from .names import Variable, variable_at, wrong_name
+
+if TYPE_CHECKING:
+    from .widget import ProgramEditor
+
+
+def _variable(editor: ProgramEditor) -> Variable | None:
+    variable = variable_at(editor.session.document, editor.cursor_offset)
+    if variable is None:
+        editor.warn("no variable is under the cursor")
+    return variable
+
+
+def go_to_definition(editor: ProgramEditor) -> None:
+    """Go to where the variable under the cursor is created or loaded."""
+    variable = _variable(editor)
+    if variable is None:
+        return
+    if variable.definition is None:
+        editor.warn(f"nothing creates or loads `{variable.name}`")
+    else:
+        editor.go_to(variable.definition.start)
+
+
+async def ask_name(editor: ProgramEditor) -> None:
+    """Ask for another name of the variable under the cursor."""
+    variable = _variable(editor)
+    if variable is not None:
+        name = variable.name
+        await editor.ask(f"rename {name} to", name, partial(rename, editor))
+
+
+def rename(editor: ProgramEditor, name: str) -> None:
+    """Give the variable under the cursor another name, everywhere, as one step to undo."""
+    name = name.strip()
+    document = editor.session.document
+    variable = variable_at(document, editor.cursor_offset)
+    if variable is None or name == variable.name:
+        return
+    problem = wrong_name(document, name)
+    if problem is not None:
+        editor.warn(problem)
+        return
+    editor.apply(Edit(span, name) for span in variable.places)
+
+
+def format_program(editor: ProgramEditor) -> None:
+    """Lay the program out as `plastron fmt` does."""
+    editor.replace_all(format_document(editor.session.document))
+
+
+async def ask_line(editor: ProgramEditor) -> None:
+    """Ask for a line, and for a column after a colon."""
+    await editor.ask("go to line", "", partial(_go_to_line, editor))
+
+
+def _go_to_line(editor: ProgramEditor, answer: str) -> None:
+    line, _, column = answer.strip().partition(":")
+    if not line.isdecimal() or not (column or "1").isdecimal():
+        editor.warn(f"no line number: {answer}")
+        return
+    buffer = editor.state.buffer
+    row = min(max(int(line) - 1, 0), buffer.row_count - 1)
+    editor.go_to(buffer.at_cell(row, max(int(column or "1") - 1, 0)))
+
+
+def edit_elsewhere(editor: ProgramEditor) -> None:
+    """Edit the text in `$VISUAL` or `$EDITOR`, and take what comes back as one step."""
+    command = external_editor(os.environ)
+    if command is None:
+        editor.warn("neither $VISUAL nor $EDITOR names an editor")
+        return
+    path = editor.session.path
+    try:
+        there = EditedElsewhere(editor.text, path.name if path else "program.plastron")
+    except OSError as error:
+        editor.warn(f"no temporary file can be written: {reason(error)}")
+        return
+    with there:
+        try:
+            with editor.app.suspend():
+                problem = run_editor(command, there.file)
+        except SuspendNotSupported:
+            editor.warn("this terminal cannot be lent to another editor")
+            return
+        editor.app.refresh()
+        _take(editor, there, problem)
+
+
+def _take(editor: ProgramEditor, there: EditedElsewhere, problem: str | None) -> None:
+    """Take what another editor has left, or say why that cannot be."""
+    try:
+        text = there.read()
+    except FileNotFoundError:
+        editor.warn(problem or f"`{there.file.name}` is gone; the text is as it was")
+        return
+    except OSError as error:
+        problem = problem or f"`{there.file.name}` cannot be read: {reason(error)}"
+    else:
+        checked = check_text(None, text)
+        if problem is not None and text == editor.text:
+            editor.warn(problem)
+            return
+        if problem is None and checked.text is not None:
+            editor.replace_all(checked.text)
+            return
+        problem = problem or checked.diagnostics[0].message
+    there.is_kept = True
+    editor.warn(f"{problem}; what you wrote is in {there.file}")
