@@ -3,29 +3,33 @@
 Textual hands a key to what has the focus as soon as it comes, and a key that is bound to something
 finds its action later, when it has gone up from there to the app. Keys that come in a burst, or on
 a slow line, would all be for what had the focus at the first of them.
+
+So a key waits until nothing is left to handle of one that may move the focus. Which messages follow
+from which nobody says, but that there are none left can be seen: twice in a row all nodes between
+the focus and the app come to a message that is sent to ask, and nothing else is handled meanwhile,
+anywhere. At the first time nobody has begun anything, so that nobody is busy after it; at the
+second nothing was left in a queue by those who were. It takes as long as there is something to
+handle, whatever the machine and the number of steps, and no more than that.
 """
 
 from __future__ import annotations
 
 import asyncio
 from collections import deque
-from collections.abc import Callable
 
 from textual import events
 from textual.dom import DOMNode
+from textual.message import Message
 from textual.widgets import Input
 from textual.worker import Worker
 
-from .undocumented import Failing
+from .editor.commands import COMMANDS
+from .undocumented import Failing, hear_messages
 
-_ROUNDS = 4
-"""How often messages go up from the focus until all is said: key, box, row and page each say it."""
-_LONGEST_ROUND = 0.5
-"""Seconds that a widget has to answer; one that goes away meanwhile never does."""
-_ASKING = frozenset({"editor.find", "editor.replace", "editor.rename", "editor.go_to_line"})
-"""What the editor opens a line for by itself."""
+_ASKING = frozenset(command.id for command in COMMANDS if command.asks)
+"""What opens a line in the editor, which the keys that follow are for."""
 _PAUSE = 0.005
-"""Seconds between two looks at a page that is on its way."""
+"""Seconds between two looks at a page that is on its way: a thread finds out what is in it."""
 
 
 class Paged:
@@ -48,10 +52,21 @@ class InOrder(Failing, inherit_bindings=False):
     _waiting: deque[events.Key]
     _let_in: events.Key | None = None
     _keys_worker: Worker[None] | None = None
+    _handled = 0
+    """How many messages were handled since the start."""
 
     def __init__(self) -> None:
         super().__init__()
         self._waiting = deque()
+
+    def on_load(self) -> None:
+        """Hear of messages from before there is anything else that handles some."""
+        hear_messages(self._count)
+
+    def _count(self, message: Message) -> None:
+        # What the time brings follows from no key.
+        if not isinstance(message, events.Timer):
+            self._handled += 1
 
     async def on_event(self, event: events.Event) -> None:
         """Keep a key as long as one before it is on its way."""
@@ -60,10 +75,10 @@ class InOrder(Failing, inherit_bindings=False):
             if not is_first or self._is_turning:
                 self._waiting.append(event)
                 if is_first:
-                    self._keys_worker = self.run_worker(self._let_all_in(), group="keys")
+                    self._keep_order(None)
                 return
             if self._may_open(event):
-                self._keys_worker = self.run_worker(self._let_all_in(self._ways()), group="keys")
+                self._keep_order(self._key_path())
         await super().on_event(event)
 
     @property
@@ -83,14 +98,17 @@ class InOrder(Failing, inherit_bindings=False):
             bound.node is screen or bound.binding.id in _ASKING or isinstance(self.focused, Input)
         )
 
-    def _ways(self) -> list[DOMNode]:
+    def _key_path(self) -> list[DOMNode]:
         """Return what a key goes through that comes now, from the focus up to the app."""
         return (self.focused or self.screen).ancestors_with_self
 
-    async def _let_all_in(self, ways: list[DOMNode] | None = None) -> None:
-        """Let in, one by one, what waits; `ways` are those of a key that is in already."""
-        if ways is not None:
-            await self._done_with(ways)
+    def _keep_order(self, nodes: list[DOMNode] | None) -> None:
+        self._keys_worker = self.run_worker(self._let_all_in(nodes), group="keys")
+
+    async def _let_all_in(self, nodes: list[DOMNode] | None) -> None:
+        """Let in, one by one, what waits; `nodes` are those of a key that is in already."""
+        if nodes is not None:
+            await self._settle(nodes)
         while self._waiting:
             event = self._waiting[0]
             # Who wants to leave need not wait for a page.
@@ -99,26 +117,30 @@ class InOrder(Failing, inherit_bindings=False):
                     break
                 await asyncio.sleep(_PAUSE)
             self._let_in = self._waiting.popleft()
-            ways = self._ways()
+            nodes = self._key_path()
             self.post_message(event)
-            await self._done_with(ways)
+            await self._settle(nodes)
 
-    async def _done_with(self, ways: list[DOMNode]) -> None:
-        """Wait until a key that the app has got, and what was said of it, has gone all its ways."""
-        await _reached(self)
-        for _ in range(_ROUNDS):
-            for node in ways:
-                await _reached(node)
-            # What has the focus now may have something to say of that.
-            ways = self._ways()
+    async def _settle(self, nodes: list[DOMNode]) -> None:
+        """Wait until nothing is left to handle of a key that the app has got.
+
+        Args:
+            nodes: what the key goes through; it may be no longer what has the focus.
+        """
+        quiet = 0
+        while quiet < 2:
+            before = self._handled
+            asked = [await _drain(node) for node in dict.fromkeys([*nodes, *self._key_path()])]
+            quiet = quiet + 1 if self._handled - before <= sum(asked) else 0
 
 
-async def _reached(node: DOMNode) -> None:
-    """Wait until a node has done with all messages that it has got."""
+async def _drain(node: DOMNode) -> bool:
+    """Wait until a node has handled the messages in its queue; False where it takes no more.
+
+    What a queue has taken is handled, even where its node goes away meanwhile.
+    """
     reached = asyncio.Event()
-    tell: Callable[[], None] = reached.set
-    if node.call_later(tell):
-        try:
-            await asyncio.wait_for(reached.wait(), _LONGEST_ROUND)
-        except asyncio.TimeoutError:
-            return
+    if not node.call_later(reached.set):
+        return False
+    await reached.wait()
+    return True

@@ -5,10 +5,11 @@ A version of Textual that has it no longer takes away what is said here, and not
 
 from __future__ import annotations
 
-from collections.abc import MutableMapping
+from collections.abc import Callable, MutableMapping
 from typing import Any, cast
 
 from textual.app import App
+from textual.message import Message
 
 
 def known_sequences() -> MutableMapping[str, Any] | None:
@@ -23,6 +24,18 @@ def known_sequences() -> MutableMapping[str, Any] | None:
     if not isinstance(ANSI_SEQUENCES_KEYS, MutableMapping):
         return None
     return cast("MutableMapping[str, Any]", ANSI_SEQUENCES_KEYS)
+
+
+def hear_messages(hear: Callable[[Message], None]) -> None:
+    """Let a function hear of each message before it is handled, in this task and those it starts.
+
+    Without it a key that follows at once may come before all is said of the one before it.
+    """
+    try:
+        from textual._context import message_hook
+    except ImportError:
+        return
+    message_hook.set(hear)
 
 
 def forget_removed_widgets() -> None:

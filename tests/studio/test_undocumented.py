@@ -5,8 +5,10 @@ from __future__ import annotations
 import gc
 import sys
 import weakref
+from contextvars import ContextVar
 
 import pytest
+from textual._context import message_hook
 from textual._styles_cache import StylesCache
 from textual.app import App
 from textual.worker import WorkerFailed
@@ -27,6 +29,7 @@ def test_this_version_of_textual_has_it() -> None:
     assert callable(App._handle_exception)
     assert isinstance(App[None]()._exit_renderables, list)
     assert callable(StylesCache.get_inner_outer.cache_clear)
+    assert isinstance(message_hook, ContextVar)
 
 
 @pytest.mark.parametrize("module", [None, type(sys)("without")])

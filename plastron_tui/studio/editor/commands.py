@@ -36,6 +36,7 @@ class Command:
         help: a sentence about it; without one it is in no menu.
         more_keys: keys that only some terminals send, or that somebody expects.
         in_bars: whether its keys do the same while a bar has the focus.
+        asks: whether it opens a bar, which the keys that follow are for.
         applies: whether its keys are for the editor now, and not for what is around it.
     """
 
@@ -46,6 +47,7 @@ class Command:
     help: str = ""
     more_keys: str = ""
     in_bars: bool = False
+    asks: bool = False
     applies: Callable[[ProgramEditor], bool] = _always
 
     @property
@@ -206,15 +208,15 @@ COMMANDS: tuple[Command, ...] = (
     Command("select_all", "Select all", "ctrl+a", _text(text_commands.select_all, scroll=False),
             "Select the whole program."),
     Command("find", "Find", "ctrl+f", lambda e: e.find(), "Find a text or a regular expression.",
-            in_bars=True),
+            in_bars=True, asks=True),
     Command("replace", "Replace", "ctrl+r", lambda e: e.find(replace=True), "Find and replace.",
-            in_bars=True),
+            in_bars=True, asks=True),
     Command("find_next", "Find next", "f3", lambda e: e.find_bar.step(1),
             "Go to the next place.", in_bars=True),
     Command("find_previous", "Find previous", "shift+f3,alt+p", lambda e: e.find_bar.step(-1),
             "Go to the place before.", "f15", in_bars=True),
     Command("go_to_line", "Go to line", "ctrl+g", program_commands.ask_line,
-            "Go to a line by its number."),
+            "Go to a line by its number.", asks=True),
     Command("complete", "Complete", "ctrl+space,f4", _complete, "List what can stand here.",
             "ctrl+@"),
     Command("toggle_comment", "Comment lines out or in", "ctrl+underscore",
@@ -231,7 +233,7 @@ COMMANDS: tuple[Command, ...] = (
     Command("definition", "Go to definition", "f12", program_commands.go_to_definition,
             "Go to where the variable is created.", "alt+g"),
     Command("rename", "Rename everywhere", "f2", program_commands.ask_name,
-            "Give the variable another name."),
+            "Give the variable another name.", asks=True),
     Command("format", "Format", "ctrl+l", program_commands.format_program,
             "Lay the program out."),
     Command("external_editor", "Open in $EDITOR", "ctrl+e", program_commands.edit_elsewhere,

@@ -1,0 +1,77 @@
+"""A key waits for all that follows from the one before it, in however many steps."""
+
+from __future__ import annotations
+
+import asyncio
+
+import pytest
+from idle_loop import until
+from textual import events
+from textual.app import ComposeResult
+from textual.binding import Binding
+from textual.message import Message
+from textual.screen import Screen
+from textual.widgets import Input, Label
+
+from plastron_tui.studio.key_order import InOrder
+
+STEPS = 25
+
+
+class Relay(Label, can_focus=True):
+    """Says the same again and again before it says that it is done."""
+
+    class Step(Message):
+        def __init__(self, left: int) -> None:
+            super().__init__()
+            self.left = left
+
+    class Done(Message):
+        pass
+
+    async def on_relay_step(self, message: Step) -> None:
+        message.stop()
+        await asyncio.sleep(0.001)
+        self.post_message(self.Step(message.left - 1) if message.left else self.Done())
+
+
+class Main(Screen[None]):
+    BINDINGS = [Binding("f2", "ask")]  # noqa: RUF012 - Textual's way
+
+    def compose(self) -> ComposeResult:
+        yield Relay()
+        yield Input()
+
+    def on_mount(self) -> None:
+        self.query_one(Relay).focus()
+
+    def action_ask(self) -> None:
+        self.query_one(Relay).post_message(Relay.Step(STEPS))
+
+    def on_relay_done(self) -> None:
+        self.set_focus(self.query_one(Input))
+
+
+class Studio(InOrder):
+    def get_default_screen(self) -> Screen[None]:
+        return Main()
+
+
+async def test_a_key_waits_for_all_steps_that_lead_to_another_focus() -> None:
+    app = Studio()
+    async with app.run_test() as pilot:
+        for key in ("f2", "a", "b"):
+            app.post_message(events.Key(key, key if len(key) == 1 else None))
+        field = app.screen.query_one(Input)
+        await until(pilot, lambda: field.value == "ab")
+
+
+async def test_without_a_word_of_messages_keys_arrive(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("plastron_tui.studio.key_order.hear_messages", lambda hear: None)
+    app = Studio()
+    async with app.run_test() as pilot:
+        app.screen.set_focus(app.screen.query_one(Input))
+        for key in ("f2", "a", "b"):
+            app.post_message(events.Key(key, key if len(key) == 1 else None))
+        field = app.screen.query_one(Input)
+        await until(pilot, lambda: field.value == "ab")
