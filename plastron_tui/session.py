@@ -22,6 +22,7 @@ from plastron_tui.model.libraries import written_libraries
 from plastron_tui.output.names import has_leftovers
 from plastron_tui.program_file import lines_of
 from plastron_tui.project import TRUST_CODES, Project, as_error, find_project, outside_output
+from plastron_tui.ros_choice import RosChoice, Said, Why, choose_distribution, choose_ros
 from plastron_tui.targets import LIBRARIES, has_target
 
 if TYPE_CHECKING:
@@ -38,9 +39,6 @@ if TYPE_CHECKING:
     from plastron_tui.output.plan import FilePlan
     from plastron_tui.ros.catalog import Catalog
 
-DEFAULT_LIBRARY = "rospy"
-"""The client library where nobody chose one."""
-
 
 class Options(NamedTuple):
     """What the command line sets; what it leaves open the project file or the environment says.
@@ -51,8 +49,6 @@ class Options(NamedTuple):
         in_place: whether a loaded node is written over the file that it came from.
         force: whether a created node is written anew where its file was changed by hand.
         distribution: the distribution whose types count, for nodes of its generation of ROS.
-        fallback: the client library where neither these nor a project file nor the environment
-            says one; None for the default.
         is_writing: whether files are to be written: what is not trusted is then an error.
     """
 
@@ -61,7 +57,6 @@ class Options(NamedTuple):
     in_place: bool = False
     force: bool = False
     distribution: str | None = None
-    fallback: str | None = None
     is_writing: bool = False
 
 
@@ -130,47 +125,42 @@ class Session:
         return self._project[0]
 
     @cached_property
+    def ros(self) -> RosChoice:
+        """The ROS of a node that names none, and why it is that one."""
+        return choose_ros(self._said, LIBRARIES, self._environ)
+
+    @property
     def library(self) -> str:
         """The client library of a node that names none."""
-        return self._chosen_library or self.options.fallback or DEFAULT_LIBRARY
+        return self.ros.library
 
     @property
-    def is_library_chosen(self) -> bool:
-        """Whether somebody chose the client library; otherwise it is the default."""
-        return self._chosen_library is not None
-
-    @property
-    def _chosen_library(self) -> str | None:
-        sourced = {"1": "rospy", "2": "rclpy"}.get(self._environ.get("ROS_VERSION", ""))
-        return self.options.target or self.project.target or sourced
+    def _said(self) -> tuple[Said, ...]:
+        options, project = self.options, self.project
+        return (
+            Said(Why.OPTION, options.target, options.distribution),
+            Said(Why.PROJECT, project.target, project.distribution),
+        )
 
     @property
     def output(self) -> Path:
         """The output folder."""
         return self.options.output or self.project.output or self.folder / DEFAULT_OUTPUT
 
-    def catalog(self, ros_version: int, distribution: str | None = None) -> Catalog:
-        """Return the interface types of a generation of ROS, or of a distribution that is named."""
-        if distribution is not None:
-            return self._new_catalog(distribution)
+    def catalog(self, ros_version: int) -> Catalog:
+        """Return the interface types of a generation of ROS."""
         catalog = self._catalogs.get(ros_version)
         if catalog is None:
-            from plastron_tui.ros.catalog import DISTRIBUTIONS, default_distribution
-
-            named = (self.options.distribution, self.project.distribution)
-            chosen = next(
-                (name for name in named if name and DISTRIBUTIONS[name] == ros_version),
-                default_distribution(ros_version, self._environ),
-            )
-            catalog = self._catalogs[ros_version] = self._new_catalog(chosen)
+            catalog = self._catalogs[ros_version] = self._new_catalog(ros_version)
         return catalog
 
-    def _new_catalog(self, distribution: str) -> Catalog:
+    def _new_catalog(self, ros_version: int) -> Catalog:
         from plastron_tui.project import outside_definition
-        from plastron_tui.ros.catalog import DISTRIBUTIONS, Catalog, installed_folders
+        from plastron_tui.ros.catalog import Catalog, installed_folders
 
+        distribution = choose_distribution(ros_version, self._said, self._environ)
         own = self.project.types or (self.folder,)
-        installed = installed_folders(self._environ, DISTRIBUTIONS[distribution])
+        installed = installed_folders(self._environ, ros_version)
         refusal = partial(outside_definition, folders=own, boundary=self.boundary)
         return Catalog(distribution, own, installed, refusal)
 
@@ -180,7 +170,7 @@ class Session:
         What a session reads once (the project file, interface types, targets) both share; it is
         the other thread's as long as it works.
         """
-        _ = self.folder, self.library, self._files
+        _ = self.folder, self.ros, self._files
         other = copy(self)
         other.document = self.document.snapshot()
         return other
@@ -198,15 +188,9 @@ class Session:
         if earlier._interpretation is not None and earlier._project is self._project:
             self._fitters = earlier._interpretation.fitters
 
-    def fall_back_to(self, library: str) -> None:
-        """Take a client library where nobody chose one."""
-        self.options = self.options._replace(fallback=library)
-        self.__dict__.pop("library", None)
-        self._interpretation = None
-
     def trust_changed(self) -> None:
         """Read the project file anew when it is asked next: the user trusts the project, or not."""
-        for name in ("_project", "library"):
+        for name in ("_project", "ros"):
             self.__dict__.pop(name, None)
         self._catalogs, self._libraries, self._fitters = {}, {}, {}
         self._files.starts.clear()  # what a file was made from may be read by now
@@ -261,7 +245,7 @@ class Session:
     def _new_setting(self, loader: NodeLoader) -> Setting:
         from plastron_tui.model.setting import Setting
 
-        return Setting(self.library, LIBRARIES, self.catalog, loader, self.is_library_chosen)
+        return Setting(self.library, LIBRARIES, self.catalog, loader, self.ros.is_chosen)
 
     @property
     def _name(self) -> str:

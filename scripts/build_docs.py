@@ -132,7 +132,8 @@ name, and a subclass of `plastron_tui.targets.base.Target` of that `name`, with 
 that it is for, its `language` (a `plastron_tui.sources.base.Language`), and the `api_version` that it
 was written for, which is 2: a target for another version is refused by name (`unsupported-target`).
 The word `using` names it. Without it counts, in this order: the option `--target`, the `target` in
-`plastron.yaml`, the ROS that is sourced, `rospy`.
+`plastron.yaml`, the ROS that is sourced, the one that is installed, `rclpy`
+([which ROS](commands.md#which-ros)).
 
 ## Files
 

@@ -7,12 +7,25 @@ import pytest
 from hypothesis import settings
 from machine import IN_CI, be_quick, examples
 
+from plastron_tui.ros import installations
+
 # A shell starts what is in its background with SIGINT ignored, `nohup` with SIGHUP, and every
 # program that the tests end by them would inherit it.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
+
+
+# A program that names no ROS is for the one that is here: to the tests that is Debian's ROS 1,
+# whatever is sourced or installed on this machine. What talks to a real ROS sees the real ones.
+@pytest.fixture(autouse=True)
+def the_ros_that_is_here(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    if request.node.get_closest_marker("live") is None:
+        here = installations.Installation(installations.Origin.DEBIAN, 1, "noetic")
+        monkeypatch.setattr(installations, "installed", lambda: (here,))
+        for name in ("ROS_VERSION", "ROS_DISTRO", "ROS_PACKAGE_PATH", "AMENT_PREFIX_PATH"):
+            monkeypatch.delenv(name, raising=False)
 
 
 # How long an example takes says more about the machine than about the code. CI tries the same

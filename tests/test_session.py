@@ -93,29 +93,6 @@ def test_a_node_that_is_too_large_is_not_loaded(
     assert codes(session(tmp_path, text)) == ["unreadable-file"]
 
 
-@pytest.mark.parametrize(
-    ("target", "project", "environ", "library", "is_chosen"),
-    [
-        (None, "", {}, "rospy", False),
-        (None, "", {"ROS_VERSION": "2"}, "rclpy", True),
-        (None, "", {"ROS_VERSION": "1"}, "rospy", True),
-        (None, "target: rclpy\n", {"ROS_VERSION": "1"}, "rclpy", True),
-        ("rospy", "target: rclpy\n", {}, "rospy", True),
-    ],
-)
-def test_who_chose_the_client_library(
-    tmp_path: Path,
-    target: str | None,
-    project: str,
-    environ: dict[str, str],
-    library: str,
-    is_chosen: bool,
-) -> None:
-    (tmp_path / "plastron.yaml").write_text(project)
-    made = Session(b"", tmp_path / "a.plastron", Options(target), environ=environ)
-    assert (made.library, made.is_library_chosen) == (library, is_chosen)
-
-
 def test_an_edit_changes_what_follows(tmp_path: Path) -> None:
     made = session(tmp_path)
     at = TALKER.index("talker publish")
@@ -124,46 +101,6 @@ def test_an_edit_changes_what_follows(tmp_path: Path) -> None:
     made.edit(at, at + len("tolker"), b"talker")
     assert made.diagnostics == ()
     assert made.document.text == TALKER.encode()
-
-
-@pytest.mark.parametrize(
-    ("environ", "project", "target", "library"),
-    [
-        ({}, "", None, "rospy"),
-        ({"ROS_VERSION": "1"}, "", None, "rospy"),
-        ({"ROS_VERSION": "2"}, "", None, "rclpy"),
-        ({"ROS_VERSION": "nonsense"}, "", None, "rospy"),
-        ({"ROS_VERSION": "2"}, "target: rospy", None, "rospy"),
-        ({"ROS_VERSION": "1"}, "target: rospy", "rclpy", "rclpy"),
-    ],
-)
-def test_library_by_precedence(
-    tmp_path: Path, environ: dict[str, str], project: str, target: str | None, library: str
-) -> None:
-    (tmp_path / "plastron.yaml").write_text(project)
-    made = Session(TALKER.encode(), tmp_path / "a.plastron", Options(target), environ)
-    assert made.library == library
-    (generation,) = made.workspace.generations
-    assert generation.library == library
-
-
-@pytest.mark.parametrize(
-    ("environ", "project", "distribution"),
-    [
-        ({}, "", "jazzy"),
-        ({"ROS_DISTRO": "humble", "ROS_VERSION": "2"}, "", "humble"),
-        ({"ROS_DISTRO": "humble", "ROS_VERSION": "2"}, "distribution: kilted", "kilted"),
-        ({}, "distribution: noetic", "jazzy"),
-    ],
-)
-def test_distribution_by_precedence(
-    tmp_path: Path, environ: dict[str, str], project: str, distribution: str
-) -> None:
-    (tmp_path / "plastron.yaml").write_text(project)
-    made = Session(b"", tmp_path / "a.plastron", None, environ)
-    assert made.catalog(2).distribution == distribution
-    assert made.catalog(1).distribution == "noetic"
-    assert made.catalog(2) is made.catalog(2)
 
 
 @pytest.fixture
@@ -234,30 +171,3 @@ def test_path_that_is_none(tmp_path: Path) -> None:
     (found,) = read_program(Path("a\0b")).diagnostics
     assert found.code == "unreadable-file"
     assert check_text(None, "grüße\r\n".encode()).diagnostics == ()
-
-
-@pytest.mark.parametrize(
-    ("options", "environ", "library"),
-    [
-        (Options(), {}, "rclpy"),
-        (Options(target="rospy"), {}, "rospy"),
-        (Options(), {"ROS_VERSION": "1"}, "rospy"),
-    ],
-)
-def test_a_library_to_fall_back_to_counts_where_nobody_chose(
-    options: Options, environ: dict[str, str], library: str
-) -> None:
-    text = (
-        b"create_node 'arm' as arm\n"
-        b"subscribe arm to 'move' of message_type Point\n"
-        b"generate_node arm\n"
-    )
-    session = Session(text, None, options, environ)
-    assert session.workspace.generations[0].library == "rospy"
-    before = session.snapshot()
-    session.fall_back_to("rclpy")
-    assert session.library == session.workspace.generations[0].library == library
-    assert session.is_library_chosen == (library == "rospy")
-    assert before.library == "rospy"
-    again = Session(b"", None, session.options, environ)
-    assert again.library == library

@@ -11,7 +11,7 @@ from .common import Report, finish, print_text
 @click.option(
     "--ros",
     type=click.Choice(["1", "2"]),
-    help="The generation of ROS; without it, that of the ROS that is there.",
+    help="The generation of ROS; without it, that of a program here that names none.",
 )
 @click.option("--network", is_flag=True, help="Look for the nodes of other machines too.")
 def command(ros: str | None, network: bool) -> None:
@@ -22,9 +22,11 @@ def command(ros: str | None, network: bool) -> None:
     from plastron_tui.runtime.describe import describe
     from plastron_tui.runtime.environment import find_environments
     from plastron_tui.runtime.program import to_program
+    from plastron_tui.session import Session
 
     report = Report()
-    environment, diagnostics = find_environments().choose(None if ros is None else int(ros))
+    version = Session().ros.ros_version if ros is None else int(ros)
+    environment, diagnostics = find_environments().choose(version)
     report.add(diagnostics, lambda _: None)
     if environment is not None:
         described = describe(environment, network=network)

@@ -12,7 +12,6 @@ import click
 
 from plastron_tui.diagnostics import Diagnostic, codes, did_you_mean, has_errors
 from plastron_tui.diagnostics.terminal import drawn_on, visible
-from plastron_tui.ros.catalog import DISTRIBUTIONS, default_distribution
 from plastron_tui.session import Options, Session
 
 from .common import (
@@ -63,9 +62,9 @@ def command(
 ) -> None:
     """Write the nodes of a program and start them, all or those that are named.
 
-    The nodes run with the ROS that is there: a sourced one, else the Python packages of the extra
-    `ros2`, else Debian's rospy, for which a master is started where none answers. Ctrl-C stops
-    everything. Exits with 1 when a node fails.
+    The nodes run with a ROS of their client library's: a sourced one, else the Python packages of
+    the extra `ros2`, or Debian's rospy, for which a master is started where none answers. Ctrl-C
+    stops everything. Exits with 1 when a node fails.
     """
     from plastron_tui.runtime.environment import find_environments
     from plastron_tui.runtime.launch import Options as RunOptions
@@ -77,7 +76,6 @@ def command(
         finish(report)
         return
     found = find_environments()
-    session.options = run_options(session, found)
     files = _prepare(session, nodes, found, report)
     if not report.status and files:
         options = RunOptions(seconds, network, watch)
@@ -86,23 +84,6 @@ def command(
         report.add(result.diagnostics, lambda _: None, session.path)
         report.status = max(report.status, result.status)
     finish(report)
-
-
-def run_options(session: Session, found: Found) -> Options:
-    """Return the options of a program that runs with the ROS that is there.
-
-    What the command line or the project file leaves open follows from it: the client library,
-    and the distribution that has the types.
-    """
-    options = session.options
-    environment, _ = found.choose()
-    if environment is not None and options.target is None and session.project.target is None:
-        options = options._replace(target=environment.library)
-    ros2, _ = found.choose(2)
-    if ros2 is not None and DISTRIBUTIONS.get(session.project.distribution or "") != 2:
-        distribution = default_distribution(2, {"ROS_DISTRO": ros2.distribution})
-        options = options._replace(distribution=distribution)
-    return options
 
 
 def _prepare(

@@ -7,13 +7,15 @@ from fnmatch import fnmatchcase
 import click
 
 from plastron_tui.diagnostics.terminal import visible
+from plastron_tui.model.libraries import default_library
 from plastron_tui.model.types import TypeProblem, TypeResolver
 from plastron_tui.ros.catalog import DISTRIBUTIONS, Catalog
 from plastron_tui.ros.definition_text import format_definition
 from plastron_tui.ros.interfaces import Interface, InterfaceKind
 from plastron_tui.ros.search import search_types
+from plastron_tui.ros_choice import RosChoice
 from plastron_tui.session import Options, Session
-from plastron_tui.targets import ros_version
+from plastron_tui.targets import LIBRARIES
 
 from .common import Report, finish, print_text, target_option
 
@@ -37,16 +39,16 @@ def command(pattern: str | None, target: str | None, distribution: str | None) -
     distance or 'on/off'. Without either all types are listed.
     """
     report = Report()
-    session = Session(options=Options(target=target))
+    session = Session(options=Options(target=target, distribution=distribution))
     report.add(session.project_problems, session.lines)
-    catalog = session.catalog(ros_version(session.library), distribution)
+    catalog = session.catalog(DISTRIBUTIONS.get(distribution or "", session.ros.ros_version))
     shown = [] if pattern is None else _exact(catalog, pattern)
     listed = [] if shown else _matching(catalog, pattern) or _for_purpose(catalog, pattern or "")
     if shown:
-        _say_ros(session, catalog, distribution)
+        _say_ros(session.ros, distribution)
         print_text("\n\n".join(_definition(found, catalog.ros_version) for found in shown))
     elif listed:
-        _say_ros(session, catalog, distribution)
+        _say_ros(session.ros, distribution)
         print_text("\n".join(listed))
     else:
         report.status = max(report.status, 1)
@@ -94,15 +96,13 @@ def _definition(interface: Interface, ros_version: int) -> str:
     return f"{head}\n{format_definition(interface, ros_version).rstrip()}"
 
 
-def _say_ros(session: Session, catalog: Catalog, named: str | None) -> None:
-    """Say which distribution's types are shown, unless it was named, and how to choose."""
+def _say_ros(ros: RosChoice, named: str | None) -> None:
+    """Say which distribution's types are shown and why, unless it was named; and how to choose."""
     if named is not None:
         return
-    ros = f"ROS {catalog.ros_version} {catalog.distribution}"
-    in_project = DISTRIBUTIONS.get(session.project.distribution or "") == catalog.ros_version
-    is_chosen = session.is_library_chosen or in_project
-    why = "" if is_chosen else ", the default; `--target rclpy` shows those of ROS 2"
-    click.echo(f"types of {ros}{why}", err=True)
+    other = 3 - ros.ros_version
+    remedy = f"; `--target {default_library(LIBRARIES, other)}` shows those of ROS {other}"
+    click.echo(f"types of {ros.name}: {ros.why.value}{'' if ros.is_chosen else remedy}", err=True)
 
 
 def _nothing(catalog: Catalog, pattern: str) -> str:

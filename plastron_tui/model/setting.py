@@ -50,7 +50,7 @@ class Setting(NamedTuple):
         libraries: the client libraries that there are.
         catalog: gives the interface types for a generation of ROS.
         read: reads the files that the program loads.
-        is_chosen: whether somebody chose `library`; otherwise it is the default.
+        is_chosen: whether somebody chose `library`; otherwise it is what there is on this machine.
     """
 
     library: str

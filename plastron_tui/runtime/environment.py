@@ -10,12 +10,19 @@ import subprocess
 import sys
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from enum import Enum
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
 from plastron_tui.diagnostics import Diagnostic, Severity, codes
+from plastron_tui.ros.installations import (
+    Installation,
+    Origin,
+    distribution_of_rclpy,
+    present,
+    setup_file,
+    sourced_version,
+)
 
 from . import installing
 
@@ -27,22 +34,11 @@ LOOPBACK = "127.0.0.1"
 _PROBE = Path(__file__).with_name("observers") / "probe.py"
 _PROBE_LIMIT = 20.0
 
-# The first number of rclpy's version tells the distribution (index.ros.org).
-_DISTRIBUTION_OF_RCLPY = {"3": "humble", "4": "iron", "7": "jazzy", "9": "kilted"}
-
 # These know only ROS_LOCALHOST_ONLY (ROS 2 documentation, "Improved dynamic discovery").
 _BEFORE_DISCOVERY_RANGE = frozenset({"dashing", "eloquent", "foxy", "galactic", "humble"})
 
 # What the wheels' start-up hook leaves in the environment of the Python that it set up.
 _WHEELS_MARK = "_ROS_WHEELS_BOOTSTRAP_COMPLETE"
-
-
-class Origin(str, Enum):
-    """Where an environment comes from, in the order in which they are preferred."""
-
-    SOURCED = "sourced"
-    EXTRA = "extra"
-    DEBIAN = "debian"
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,12 +65,7 @@ class Environment:
     @property
     def words(self) -> str:
         """What it is, for a person: `ROS 2 kilted (from the Python packages)`."""
-        where = {
-            Origin.SOURCED: "sourced",
-            Origin.EXTRA: "from the Python packages",
-            Origin.DEBIAN: "Debian's",
-        }[self.origin]
-        return f"ROS {self.ros_version} {self.distribution}".rstrip() + f" ({where})"
+        return Installation(self.origin, self.ros_version, self.distribution).words
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,10 +78,17 @@ class Half:
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """The environments, the preferred one first, and those that are installed in part."""
+    """What nodes can be run with, and what is in the way of more.
+
+    Attributes:
+        environments: the environments, the preferred one first.
+        halves: what is installed in part.
+        unsourced: what is in /opt/ros and would be an environment once it is sourced.
+    """
 
     environments: tuple[Environment, ...]
     halves: tuple[Half, ...] = ()
+    unsourced: tuple[Installation, ...] = ()
 
     def choose(self, ros_version: int | None = None) -> tuple[Environment | None, list[Diagnostic]]:
         """Return the preferred environment, of a ROS version where one is asked for.
@@ -106,6 +104,9 @@ class Found:
                 return environment, [half._replace(severity=Severity.WARNING) for half in halves]
         if halves:
             return None, halves
+        for each in self.unsourced:
+            if ros_version in (None, each.ros_version):
+                return None, [_not_sourced(each)]
         there = ", ".join(environment.words for environment in self.environments)
         which = "ROS" if ros_version is None else f"ROS {ros_version}"
         message = f"no {which} is on this machine" + (f", only {there}" if there else "")
@@ -128,7 +129,7 @@ def find_environments(
     """
     interpreter = interpreter or Path(sys.executable)
     results: list[Environment | Half | None] = []
-    version = _sourced_version(environ)
+    version = sourced_version(environ)
     if version is not None:
         results.append(_find_sourced(version, environ, interpreter, debian_python))
     bare = _unsourced(environ)
@@ -139,6 +140,7 @@ def find_environments(
     return Found(
         tuple(result for result in results if isinstance(result, Environment)),
         tuple(result for result in results if isinstance(result, Half)),
+        tuple(each for each in present(environ) if each.origin is Origin.UNSOURCED),
     )
 
 
@@ -194,16 +196,6 @@ def is_local(uri: str) -> bool:
     return host in ("localhost", "::1") or host.startswith("127.")
 
 
-def _sourced_version(environ: Mapping[str, str]) -> int | None:
-    """Return the version of a sourced ROS; its setup files set ROS_VERSION and the paths."""
-    version = environ.get("ROS_VERSION")
-    if version in ("1", "2"):
-        return int(version)
-    if environ.get("AMENT_PREFIX_PATH"):
-        return 2
-    return 1 if environ.get("ROS_PACKAGE_PATH") else None
-
-
 def _find_sourced(
     version: int, environ: Mapping[str, str], interpreter: Path, debian_python: Path
 ) -> Environment | Half:
@@ -251,9 +243,7 @@ def _of_probe(
         distribution = _distribution(origin, environ) or "noetic"
         environment = Environment(origin, 1, distribution, python)
         return environment if found["rosmaster"] else _no_master(environment, environ)
-    distribution = _distribution(origin, environ) or _DISTRIBUTION_OF_RCLPY.get(
-        found["rclpy_version"].split(".")[0], ""
-    )
+    distribution = _distribution(origin, environ) or distribution_of_rclpy(found["rclpy_version"])
     environment = Environment(origin, 2, distribution, python)
     return _middleware_problem(environment, found["middlewares"], environ) or environment
 
@@ -291,6 +281,12 @@ def _middleware_problem(
     )
 
 
+def _not_sourced(installation: Installation) -> Diagnostic:
+    file = setup_file(installation.distribution)
+    message = f"{installation.name} is installed, but not sourced"
+    return Diagnostic(codes.NO_ROS, message, help=f"source it with `. {file}`")
+
+
 def _half(ros_version: int, message: str, help_: str) -> Half:
     return Half(ros_version, Diagnostic(codes.HALF_A_ROS, message, help=help_))
 
@@ -313,7 +309,7 @@ def _remedy(environment: Environment, package: str) -> str:
 def _unsourced(environ: Mapping[str, str]) -> dict[str, str]:
     """Return the variables without the paths of a sourced ROS, so that it cannot mix in."""
     own = dict(environ)
-    if _sourced_version(environ) is None:
+    if sourced_version(environ) is None:
         return own
     prefixes = [
         prefix

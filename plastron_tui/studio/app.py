@@ -14,7 +14,7 @@ from pathlib import Path
 from types import FrameType
 from typing import ClassVar
 
-from textual import on, work
+from textual import on
 from textual.app import App, SystemCommand
 from textual.binding import BindingType
 from textual.filter import LineFilter
@@ -39,8 +39,6 @@ from .state import opened
 from .terminal_keys import teach
 
 DEFAULT_THEME = "textual-dark"
-_LOOKED_AFTER = 0.2
-"""Seconds after the start, when there is something to see, when the ROS is looked for."""
 _ENDS_WITHIN = 5.0
 """Seconds that the studio has to end in good order once the system says so."""
 _SMALL = "ansi-dark"
@@ -75,7 +73,6 @@ class StudioApp(InOrder, inherit_bindings=False):
         self._path = path
         self._options = options or Options()
         self._first = None if first is None else f"screen.{first}"
-        self.looks_for_ros = False
         self._failures: set[str] = set()
         self.last_words = ""
 
@@ -120,27 +117,12 @@ class StudioApp(InOrder, inherit_bindings=False):
             page = f"the welcome page ({self.main.key_of('welcome')})"
             text = f"{not_saved(others)}\n{page} has what was typed"
             self.notify(text, timeout=10, markup=False)
-        # What is done first may depend on the ROS that is here, so that it waits for that.
-        waiting = None if own else self._first
-        if self.looks_for_ros:
-            self.set_timer(_LOOKED_AFTER, partial(self._look_for_ros, waiting))
         if own:
             self.call_after_refresh(self.main.offer_kept, own[0], self._first)
-        elif waiting is not None and not self.looks_for_ros:
-            self.call_after_refresh(self.run_call, waiting)
-        elif waiting is None and self._path is None:
+        elif self._first is not None:
+            self.call_after_refresh(self.run_call, self._first)
+        elif self._path is None:
             self.call_after_refresh(self.main.action_welcome)
-
-    @work(thread=True, group="ros", exit_on_error=False)
-    def _look_for_ros(self, then: str | None) -> None:
-        """Find the ROS that `plastron run` will use, which starts other programs; do an action."""
-        from plastron_tui.runtime.environment import find_environments
-
-        environment, _ = find_environments().choose()
-        if environment is not None:
-            self.call_from_thread(self.main.fall_back_to, environment.library)
-        if then is not None:
-            self.call_from_thread(self.call_later, self.run_call, then)
 
     def _first_theme(self) -> str:
         wanted = self.profile.config.theme or self.profile.remembered.theme
@@ -252,7 +234,6 @@ def run(path: Path | None, options: Options | None = None, first: str | None = N
     """Run the studio in this terminal, and return the exit status."""
     teach()
     app = StudioApp(path, options, first)
-    app.looks_for_ros = True
     app.run(mouse=app.profile.config.mouse)
     if app.last_words:
         print(app.last_words, file=sys.stderr)

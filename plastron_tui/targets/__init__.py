@@ -62,9 +62,10 @@ class _Libraries(Libraries):
         return name in _OWN or (isinstance(name, str) and has_target(name))
 
     def __iter__(self) -> Iterator[str]:
+        yield from _OWN
         from .plugins import registered
 
-        return iter(dict.fromkeys((*_OWN, *registered())))
+        yield from (name for name in registered() if name not in _OWN)
 
     def __len__(self) -> int:
         return sum(1 for _ in self)
@@ -74,7 +75,7 @@ LIBRARIES: Libraries = _Libraries()
 """The client libraries that a program may name.
 
 To ask for one of Plastron's own costs little. To list them, or to ask whether there is another,
-looks at what is installed; to ask for another loads it.
+goes on to what is installed; to ask for another loads it.
 """
 
 

@@ -268,11 +268,10 @@ def test_types_by_a_pattern_of_the_bare_name(run: Run) -> None:
 @pytest.mark.parametrize(
     ("arguments", "project", "said"),
     [
-        ((), "", "types of ROS 1 noetic, the default; `--target rclpy` shows those of ROS 2\n"),
-        ((), "distribution: noetic\n", "types of ROS 1 noetic\n"),
-        ((), "distribution: humble\n", "types of ROS 1 noetic, the default; "),
-        ((), "target: rclpy\ndistribution: humble\n", "types of ROS 2 humble\n"),
-        (("-t", "rospy"), "", "types of ROS 1 noetic\n"),
+        ((), "", "types of ROS 1 noetic: it is installed; `--target rclpy` shows those of ROS 2\n"),
+        ((), "distribution: noetic\n", "types of ROS 1 noetic: plastron.yaml says so\n"),
+        ((), "distribution: humble\n", "types of ROS 2 humble: plastron.yaml says so\n"),
+        (("-t", "rospy"), "distribution: humble\n", "types of ROS 1 noetic: the command line "),
         (("-d", "kilted"), "", ""),
     ],
 )

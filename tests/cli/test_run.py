@@ -14,10 +14,7 @@ from command_line import BROKEN, LISTENER, PLASTRON, TALKER, Run
 from machine import TALKING, mostly_long, wait_until
 from ros_runs import Ros, make_ros, said_by
 
-from plastron_tui.cli.run import run_options
-from plastron_tui.runtime.environment import Environment, Found, Origin
 from plastron_tui.runtime.master import master_pid
-from plastron_tui.session import Session
 
 # Plastron, where the Python that it runs with and the system's one are others.
 ELSEWHERE = """\
@@ -77,29 +74,6 @@ def test_only_the_named_nodes_run(ros2: Ros) -> None:
     assert not said_by(said, "asker")
     written = {path.name for path in (ros2.folder / "output").glob("*.py")}
     assert written == {"listener_sub1.py", "talker_pub.py"}
-
-
-@pytest.mark.parametrize(
-    ("there", "project", "wanted"),
-    [
-        ("kilted", "", "kilted"),
-        ("humble", "", "humble"),
-        ("rolling", "", "kilted"),
-        ("kilted", "distribution: jazzy\n", "jazzy"),
-        ("kilted", "distribution: noetic\n", "kilted"),
-        (None, "", "jazzy"),
-    ],
-)
-def test_the_types_are_those_of_the_ros_that_is_there(
-    here: Path, there: str | None, project: str, wanted: str
-) -> None:
-    (here / "plastron.yaml").write_text(project)
-    session = Session(b"", here / "p.plastron", environ={})
-    python = Path(sys.executable)
-    found = Found((Environment(Origin.EXTRA, 2, there, python),) if there is not None else ())
-    session.options = run_options(session, found)
-    assert session.catalog(2).distribution == wanted
-    assert session.catalog(1).distribution == "noetic"
 
 
 def test_a_node_that_is_not_there(run: Run, here: Path) -> None:

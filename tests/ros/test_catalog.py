@@ -9,7 +9,8 @@ from rosbags.interfaces import Nodetype
 from rosbags.typesys import Stores, get_typestore
 
 from plastron_tui.diagnostics import codes
-from plastron_tui.ros.catalog import DISTRIBUTIONS, Catalog, default_distribution, moved
+from plastron_tui.ros.catalog import DISTRIBUTIONS, Catalog, moved, newest_distribution
+from plastron_tui.ros.catalog.distributions import stand_in
 from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.primitives import primitive
 
@@ -178,30 +179,28 @@ def test_an_unknown_distribution_is_refused() -> None:
 
 
 @pytest.mark.parametrize(
-    ("version", "environ", "distribution"),
+    ("version", "name", "distribution"),
     [
-        (1, {}, "noetic"),
-        (2, {}, "jazzy"),
-        (2, {"ROS_DISTRO": "humble"}, "humble"),
-        (2, {"ROS_DISTRO": "kilted", "ROS_VERSION": "2"}, "kilted"),
-        (1, {"ROS_DISTRO": "humble"}, "noetic"),
-        (2, {"ROS_DISTRO": "noetic"}, "jazzy"),
-        (1, {"ROS_DISTRO": "melodic", "ROS_VERSION": "1"}, "noetic"),
-        (2, {"ROS_DISTRO": "melodic", "ROS_VERSION": "1"}, "jazzy"),
-        (2, {"ROS_DISTRO": "rolling", "ROS_VERSION": "2"}, "kilted"),
-        (2, {"ROS_DISTRO": "foxy"}, "humble"),
-        (2, {"ROS_DISTRO": "iron"}, "jazzy"),
+        (1, "noetic", "noetic"),
+        (1, "melodic", "noetic"),
+        (1, "humble", "noetic"),
+        (2, "humble", "humble"),
+        (2, "kilted", "kilted"),
+        (2, "rolling", "kilted"),
+        (2, "noetic", "kilted"),
+        (2, "foxy", "humble"),
+        (2, "iron", "jazzy"),
     ],
 )
-def test_the_default_distribution(version: int, environ: dict[str, str], distribution: str) -> None:
-    assert default_distribution(version, environ) == distribution
+def test_what_stands_for_a_distribution(version: int, name: str, distribution: str) -> None:
+    assert stand_in(name, version) == distribution
 
 
 @pytest.mark.parametrize("version", [1, 2])
 def test_what_moved_is_where_it_is_said_to_be(version: int) -> None:
     from plastron_tui.ros.catalog.moved import _MOVED, _NOTES
 
-    catalog = Catalog(default_distribution(version, {}))
+    catalog = Catalog(newest_distribution(version))
     for name in _MOVED[version].values():
         kind = SERVICE if name.name == "AddTwoInts" else MESSAGE
         assert catalog.find(name, kind) is not None, name

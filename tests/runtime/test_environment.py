@@ -9,10 +9,11 @@ from pathlib import Path
 import pytest
 
 from plastron_tui.diagnostics import Severity, codes
+from plastron_tui.ros import installations
+from plastron_tui.ros.installations import Installation, Origin
 from plastron_tui.runtime.environment import (
     Environment,
     Found,
-    Origin,
     find_environments,
     missing_packages,
     node_environ,
@@ -132,6 +133,20 @@ def test_only_the_other_ros(make_python: MakePython) -> None:
         "no-ros",
         "no ROS 2 is on this machine, only ROS 1 noetic (Debian's)",
     )
+
+
+def test_a_ros_that_is_not_sourced(
+    make_python: MakePython, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    humble = Installation(Origin.UNSOURCED, 2, "humble")
+    monkeypatch.setattr(installations, "installed", lambda: (humble,))
+    found = find({}, make_python(), make_python("rospy", "rosmaster", name="debian"))
+    assert problem(found, 2) == (
+        "no-ros",
+        "ROS 2 humble is installed, but not sourced",
+        "source it with `. /opt/ros/humble/setup.bash`",
+    )
+    assert found.choose(1)[0] is not None
 
 
 @pytest.mark.parametrize(

@@ -33,7 +33,8 @@ STOPPED = 128 + signal.SIGINT
 DRIVER = """
 import os, sys
 from pathlib import Path
-from plastron_tui.runtime.environment import Environment, Origin
+from plastron_tui.ros.installations import Origin
+from plastron_tui.runtime.environment import Environment
 from plastron_tui.runtime.launch import NodeFile, Options, run_nodes
 origin, version, distribution, python, folder, duration, watch = sys.argv[1:]
 environment = Environment(Origin(origin), int(version), distribution, Path(python))

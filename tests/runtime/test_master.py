@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from plastron_tui.runtime.environment import Environment, Origin
+from plastron_tui.ros.installations import Origin
+from plastron_tui.runtime.environment import Environment
 from plastron_tui.runtime.master import ensure_master
 from plastron_tui.runtime.supervisor import Supervisor
 

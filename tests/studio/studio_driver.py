@@ -11,6 +11,7 @@ from machine import mostly_long
 from textual.pilot import Pilot
 from textual.widgets import Label
 
+from plastron_tui.session import Options
 from plastron_tui.studio.app import StudioApp
 from plastron_tui.studio.journal import Journal
 from plastron_tui.studio.main.screen import MainScreen
@@ -140,10 +141,14 @@ class Driver:
 
 @asynccontextmanager
 async def studio(
-    path: Path | None, size: tuple[int, int] = (120, 40), *, welcome: bool = False
+    path: Path | None,
+    size: tuple[int, int] = (120, 40),
+    *,
+    welcome: bool = False,
+    options: Options | None = None,
 ) -> AsyncIterator[Driver]:
     """Run the studio; without a file it is past the welcome, unless that is what is tested."""
-    app = StudioApp(path)
+    app = StudioApp(path, options)
     app.animation_level = "none"
     async with app.run_test(size=size) as pilot:
         driver = Driver(app, pilot)

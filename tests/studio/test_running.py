@@ -17,8 +17,6 @@ from studio_driver import Driver, studio
 from test_terminal import Terminal, start
 from test_terminal import terminal as terminal
 
-from plastron_tui.runtime.environment import find_environments
-from plastron_tui.studio.app import StudioApp
 from plastron_tui.studio.recipes import recipes
 
 pytestmark = pytest.mark.live
@@ -213,27 +211,3 @@ def test_however_the_studio_ends_the_nodes_end(
     os.kill(terminal.pid, how)
     terminal.wait_end()
     wait_gone(tmp_path)
-
-
-@pytest.mark.parametrize("chosen", [None, "rospy", "rclpy"])
-async def test_what_runs_here_is_what_is_shown_where_nobody_chose(
-    chosen: str | None, talking: Path
-) -> None:
-    environment, _ = find_environments().choose()
-    expected = chosen or (environment.library if environment is not None else "rospy")
-    setting = talking.with_name("plastron.yaml")
-    setting.unlink()
-    if chosen is not None:
-        setting.write_text(f"target: {chosen}\n")
-    app = StudioApp(talking)
-    app.looks_for_ros = True
-    async with app.run_test() as pilot:
-        driver = Driver(app, pilot)
-        await driver.back()
-        found = environment.library if environment is not None else None
-        await driver.until(lambda: driver.main.open.session.options.fallback == found)
-        await driver.settle()
-        assert driver.main.query_one("#title").text.endswith(expected)
-        assert driver.shown("nodes")[0] == f"● talker {expected}"
-        await driver.press("ctrl+n")
-        assert driver.main.open.session.library == expected

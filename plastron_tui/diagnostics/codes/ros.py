@@ -21,7 +21,7 @@ BAD_DEFINITION = Code(
 NO_ROS = Code(
     "no-ros",
     "No ROS of the wanted version is on this machine. The help line has the command that "
-    "installs one.",
+    "installs one, or sources the one that is there.",
 )
 
 HALF_A_ROS = Code(

@@ -1,33 +1,33 @@
-"""The ROS distributions that the catalog knows."""
+"""The ROS distributions that the catalog knows, and which of them stands for another one."""
 
 from __future__ import annotations
-
-import os
-from collections.abc import Mapping
 
 DISTRIBUTIONS: dict[str, int] = {"noetic": 1, "humble": 2, "jazzy": 2, "kilted": 2}
 """The ROS version of each distribution, the oldest first."""
 
-_DEFAULT = {1: "noetic", 2: "jazzy"}
-
-# ROS 2 distributions that are not in the catalog; the catalog's nearest release stands in.
+# What is neither in the catalog nor among these, such as `rolling`, is newer, and of ROS 2.
+_OTHER_ROS1 = frozenset({"hydro", "indigo", "jade", "kinetic", "lunar", "melodic", "one"})
 _OLDER_ROS2 = frozenset({"ardent", "bouncy", "crystal", "dashing", "eloquent", "foxy", "galactic"})
 
 
-def default_distribution(ros_version: int, environ: Mapping[str, str] = os.environ) -> str:
-    """Return the distribution to use where nobody named one.
+def version_of_distribution(name: str) -> int:
+    """Return the ROS version of a distribution, whether or not it is in the catalog."""
+    return DISTRIBUTIONS.get(name) or (1 if name in _OTHER_ROS1 else 2)
 
-    The sourced `ROS_DISTRO` decides when it is of this ROS version. One of ROS 2 that the
-    catalog does not have stands for the nearest that it has: the oldest for what came before
-    it, the newest for anything else, such as `rolling`.
+
+def newest_distribution(ros_version: int) -> str:
+    """Return the newest distribution of a generation of ROS in the catalog."""
+    return next(name for name in reversed(DISTRIBUTIONS) if DISTRIBUTIONS[name] == ros_version)
+
+
+def stand_in(name: str, ros_version: int) -> str:
+    """Return the catalog's distribution of a generation of ROS that is nearest to one by name.
+
+    For what came before the catalog's it is the oldest, for anything else the newest.
     """
-    sourced = environ.get("ROS_DISTRO", "").strip().lower()
-    known = [name for name, version in DISTRIBUTIONS.items() if version == ros_version]
-    if sourced in known:
-        return sourced
-    is_ros2 = ros_version == 2 and environ.get("ROS_VERSION", "2").strip() == "2"
-    if not sourced or sourced in DISTRIBUTIONS or not is_ros2:
-        return _DEFAULT[ros_version]
-    if sourced == "iron":
+    known = [each for each, version in DISTRIBUTIONS.items() if version == ros_version]
+    if name in known:
+        return name
+    if name == "iron" and "jazzy" in known:
         return "jazzy"
-    return known[0] if sourced in _OLDER_ROS2 else known[-1]
+    return known[0] if name in _OLDER_ROS2 else known[-1]

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from plastron_tui.model.source import EndpointKind
+from plastron_tui.ros.catalog import newest_distribution
 
 
 class Argument(NamedTuple):
@@ -72,7 +73,7 @@ class ClientLibrary:
 
 ROSPY = ClientLibrary(
     module="rospy",
-    distribution="noetic",
+    distribution=newest_distribution(1),
     shapes=(
         CallShape(
             EndpointKind.PUBLISHER,
@@ -165,7 +166,7 @@ ROSPY = ClientLibrary(
 
 RCLPY = ClientLibrary(
     module="rclpy",
-    distribution="jazzy",
+    distribution=newest_distribution(2),
     shapes=(
         CallShape(
             EndpointKind.PUBLISHER,

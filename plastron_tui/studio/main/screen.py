@@ -128,15 +128,6 @@ class MainScreen(Screen[None]):
         """Find out what others have written."""
         self._disk.look()
 
-    def fall_back_to(self, library: str) -> None:
-        """Take the client library that can run here, where nobody chose one."""
-        session = self.open.session
-        before = session.library
-        session.fall_back_to(library)
-        if session.library != before:
-            self.show_title()
-            self.feed.ask_anew()
-
     # The text, and what it means.
 
     @on(ProgramEditor.Changed)

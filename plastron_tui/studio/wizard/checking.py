@@ -4,20 +4,19 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
-from plastron_tui.diagnostics import Diagnostic, Edit, Severity, Span, codes, has_errors
+from plastron_tui.diagnostics import Diagnostic, Edit, Severity, Span, codes
 from plastron_tui.language import SlotKind
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.inputs import COMMENTS
 from plastron_tui.language.keywords import KEYWORDS
-from plastron_tui.session import DEFAULT_LIBRARY, Session
+from plastron_tui.session import Session
 
 from ..placing import Ground, Placing
 from ..placing import placed as where
 from .aims import generating
 from .form import Form, is_variable, laid_out
-from .scene import is_guess, say_library
 from .values import Entry, Path
 
 
@@ -123,28 +122,8 @@ def _checked(session: Session, placed: Sequence[Placed], place: Placing) -> Outc
     candidate.edit(start, end, place.edit.text.encode("utf-8", "surrogatepass"))
     spans = place.spans
     findings = tuple(_findings(session, candidate, placed, spans))
-    if not findings:
-        findings = tuple(_shell_findings(session, candidate, placed, spans))
     block = Span(spans[0].start, spans[-1].end)
     return Outcome(candidate, (place.edit,), block, findings, place.lines)
-
-
-def _shell_findings(
-    session: Session, candidate: Session, placed: Sequence[Placed], spans: Sequence[Span]
-) -> Iterator[Finding]:
-    """Yield what the shell would find wrong, where nobody chose a library and the studio has one.
-
-    A program that the shell does not take as it is stays the studio's.
-    """
-    if not is_guess(session):
-        return
-    before, after = session.snapshot(), candidate.snapshot()
-    for each in (before, after):
-        each.fall_back_to(DEFAULT_LIBRARY)
-    if has_errors(before.diagnostics):
-        return
-    for found in _findings(before, after, placed, spans):
-        yield replace(found, help=say_library(session.library))
 
 
 def _opens_block(placed: Sequence[Placed]) -> bool:

@@ -203,7 +203,6 @@ class Filler:
             depth,
             tuple(form.given.items()),
             tuple((name, tuple(each.entered.items())) for name, each in form.makers.items()),
-            len(scene.environments),
         )
         found = self._tried.get(key)
         if found is None:

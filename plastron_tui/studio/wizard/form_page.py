@@ -22,7 +22,7 @@ from .ask import Choice
 from .checking import Finding
 from .filling import Filled
 from .form import NEW, Form
-from .libraries import installed_as
+from .libraries import ros_of
 from .rows import Entered, Reached, Row
 from .values import Entry, Heading, Path
 
@@ -306,7 +306,7 @@ def _specs(filled: Filled) -> list[_Spec]:
         is_fixed = bool(cell.reason)
         note = cell.reason
         if slot.kind is SlotKind.LIBRARY:
-            note = installed_as(filled.scene, cell.text)
+            note = ros_of(filled.scene, cell.text)
         key = (slot.name, None)
         specs.append(_Spec(key, slot, None, label, text, note, is_fixed, placeholder))
     return specs

@@ -1,61 +1,37 @@
-"""The client library: which ROS a node is for, from what is installed."""
+"""The client library: which ROS a node is for, and what of it is installed."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING
-
 from plastron_tui.model.libraries import written_libraries
-from plastron_tui.session import DEFAULT_LIBRARY
+from plastron_tui.ros.installations import Installation, present
 from plastron_tui.targets import LIBRARIES, has_target, ros_version
 
 from .ask import Ask, Choice
 from .kind import Kind
 from .scene import Scene
 
-if TYPE_CHECKING:
-    from plastron_tui.runtime.environment import Environment
-
-
-def installed(environ: Mapping[str, str]) -> tuple[Environment, ...]:
-    """Return the ROS that are installed, the preferred one first; it starts other programs."""
-    from plastron_tui.runtime.environment import find_environments
-
-    return find_environments(environ).environments
-
 
 class LibraryKind(Kind):
     """The client library of a node."""
 
     def suggest(self, ask: Ask) -> str:
-        """Return the library of the other nodes, or where nobody chose one of what is installed."""
-        scene = ask.scene
-        if ask.node:
-            return ""
-        default = scene.session.library
-        nodes = [node for node in scene.workspace.nodes.values() if node.source is None]
-        if nodes:
-            last = nodes[-1].library
-            is_default = scene.session.is_library_chosen and last == default
-            return "" if last is None or is_default else last
-        if scene.session.is_library_chosen or not scene.environments:
-            return ""
-        installed = [each.library for each in scene.environments]
-        # The shell generates for the default, whatever the studio falls back to.
-        return "" if DEFAULT_LIBRARY in installed[:1] else installed[0]
+        """Return the library of the other nodes, "" where it is the program's own."""
+        session = ask.scene.session
+        nodes = [node for node in ask.scene.workspace.nodes.values() if node.source is None]
+        last = nodes[-1].library if nodes and not ask.node else None
+        is_own = session.ros.is_chosen and last == session.library
+        return "" if last is None or is_own else last
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return the libraries, each with what is installed of it."""
-        scene = ask.scene
-        installed = {each.library: each.words for each in reversed(scene.environments)}
-        default = scene.session.library
-        if ask.node:
-            default = scene.library_of(ask.node)
+        default = ask.scene.library_of(ask.node) if ask.node else ask.scene.session.library
         found = [Choice("", f"{default}, {_why(ask, default)}", label="leave it out")]
         for name in LIBRARIES:
-            about = installed.get(name, "not installed here: it can be written, not run")
+            there = _installation(name)
+            about = "not installed here: it can be written, not run"
             closed = "" if has_target(name) else "plastron does not write it yet"
-            found.append(Choice(name, f"ROS {ros_version(name)}", about, closed))
+            words = about if there is None else there.words
+            found.append(Choice(name, f"ROS {ros_version(name)}", words, closed))
         return found
 
     def problem(self, ask: Ask, text: str) -> str | None:
@@ -75,28 +51,37 @@ def _written() -> str:
 def _why(ask: Ask, default: str) -> str:
     if ask.node and ask.scene.library_of(ask.node) == default:
         return "which the node is for"
-    if ask.scene.session.is_library_chosen:
+    if ask.scene.session.ros.is_chosen:
         return "which is chosen for this program"
     return "what there is here; another machine may take another one"
 
 
-def installed_as(scene: Scene, library: str) -> str:
-    """Return what is installed of a library; of the program's own where it is left out."""
-    wanted = library or scene.session.library
-    for each in scene.environments:
-        if each.library == wanted:
-            return f"ROS {each.ros_version} {each.distribution}".rstrip()
-    return ""
+def _installation(library: str) -> Installation | None:
+    """Return the ROS on this machine that a library is for, None where there is none."""
+    version = ros_version(library)
+    return next((found for found in present() if found.ros_version == version), None)
+
+
+def ros_of(scene: Scene, library: str) -> str:
+    """Return the ROS whose types a library has; of the program's own where it is left out."""
+    ros = scene.session.ros
+    if library in ("", ros.library):
+        return ros.name
+    if library not in LIBRARIES:
+        return ""
+    version = ros_version(library)
+    return f"ROS {version} {scene.catalog(version).distribution}"
 
 
 def explained(ask: Ask) -> str:
     """Return why a library is suggested."""
     scene = ask.scene
     nodes = [node for node in scene.workspace.nodes.values() if node.source is None]
-    library = LibraryKind().suggest(ask) or scene.session.library
+    ros = scene.session.ros
     if nodes and not ask.node:
+        library = LibraryKind().suggest(ask) or ros.library
         return f"the other nodes are for {library}: nodes of ROS 1 and ROS 2 do not hear each other"
-    words = next((each.words for each in scene.environments if each.library == library), None)
-    if words is not None:
-        return f"{library}, because {words} is on this machine"
-    return f"{library}; no ROS for it is on this machine, so it can be written but not run"
+    said = f"{ros.library} for {ros.name}: {ros.why.value}"
+    if _installation(ros.library) is not None:
+        return said
+    return f"{said}; it can be written on this machine, but not run"

@@ -6,18 +6,14 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from plastron_tui.language.keywords import KEYWORDS
 from plastron_tui.model.types import TypeResolver
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.names import resolved_name
-from plastron_tui.session import DEFAULT_LIBRARY, Session
+from plastron_tui.session import Session
 from plastron_tui.targets import ros_version
-
-if TYPE_CHECKING:
-    from plastron_tui.runtime.environment import Environment
 
 
 @dataclass(slots=True)
@@ -47,11 +43,9 @@ class Surroundings:
     """What is on this machine, looked up once.
 
     Attributes:
-        environments: the ROS that are installed, the preferred one first.
         files: the files that hold nodes, each with its client library; None before the look-up.
     """
 
-    environments: tuple[Environment, ...] = ()
     files: tuple[tuple[Path, str], ...] | None = None
 
 
@@ -62,11 +56,6 @@ class Scene:
         self.session = session
         self.surroundings = surroundings or Surroundings()
         self.workspace = session.workspace
-
-    @property
-    def environments(self) -> tuple[Environment, ...]:
-        """The ROS that are installed, the preferred one first."""
-        return self.surroundings.environments
 
     @property
     def text(self) -> bytes:
@@ -105,19 +94,6 @@ class Scene:
     def catalog(self, version: int) -> Catalog:
         """Return the types of a generation of ROS."""
         return self.session.catalog(version)
-
-    def why_not(self, name: InterfaceName, kind: InterfaceKind, version: int) -> str:
-        """Tell why a type of a generation of ROS is none of the program's yet, "" where it is."""
-        session = self.session
-        default = ros_version(DEFAULT_LIBRARY)
-        if not is_guess(session) or version == default:
-            return ""
-        named = (node.library for node in self.workspace.nodes.values() if node.library)
-        if any(ros_version(library) == version for library in named):
-            return ""
-        if self.catalog(default).find(name, kind) is not None:
-            return ""
-        return f"ROS {default} has none: {say_library(session.library)}"
 
     def resolve(self, text: str, kind: InterfaceKind, version: int) -> Interface | None:
         """Return the type that a text means, None where it means none."""
@@ -167,19 +143,6 @@ class Scene:
         if node is None:
             return []
         return list(dict.fromkeys(name for _, name in node.endpoints))
-
-
-def is_guess(session: Session) -> bool:
-    """Tell whether the studio alone reads a program for its client library, and no shell does.
-
-    Nobody chose one, and what is installed here is another one than the default.
-    """
-    return not session.is_library_chosen and session.library != DEFAULT_LIBRARY
-
-
-def say_library(library: str) -> str:
-    """Say how a program that names no client library is made one for it."""
-    return f"for ROS {ros_version(library)}, make a node `using {library}` first"
 
 
 def free_name(wanted: str, taken: Iterable[str]) -> str:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import os
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import ClassVar
@@ -14,7 +13,6 @@ from textual.widgets import Button
 from textual.worker import Worker
 
 from plastron_tui.diagnostics import Edit
-from plastron_tui.language import SlotKind
 from plastron_tui.session import Session
 
 from ..panels.text_view import TextView
@@ -26,7 +24,6 @@ from .course import Course, Look, PageKind
 from .form import Form
 from .form_page import Key, Looked, Put
 from .frame import MENUS, Frame, View
-from .libraries import installed
 from .menu_page import Generates, Picked
 from .offers import RECIPES, Offer, recipe_offers
 from .result_view import ResultView
@@ -35,8 +32,6 @@ from .values import Path
 
 _PAUSE = 0.02
 """Seconds that keys are waited for before anything is looked up."""
-_LONGEST_WAIT = 8.0
-"""Seconds that the look for an installed ROS may take, before it is done without."""
 
 _Asked = tuple[Form, str, "Path | None", str]
 """The row that choices are wanted for: its form, its slot, its field, and what was written."""
@@ -73,20 +68,11 @@ class Wizard(Frame):
         self._looks = 0
         self._waiting: list[Callable[[], None]] = []
         self._worker: Worker[None] | None = None
-        self._environments = asyncio.Event()
 
     def on_mount(self) -> None:
-        """Ask the first question, and look for an installed ROS meanwhile."""
+        """Ask the first question."""
         for view in self.query(TextView):
             view.can_focus = False
-        self.run_worker(self._look_for_ros(), group="ros")
-        self.changed()
-
-    async def _look_for_ros(self) -> None:
-        found = await asyncio.to_thread(installed, os.environ)
-        async with self._lock:
-            self.course.surroundings.environments = found
-        self._environments.set()
         self.changed()
 
     # Finding out.
@@ -290,9 +276,6 @@ class Wizard(Frame):
         page = self.course.page
         if page.kind in MENUS or self.is_done:
             return
-        if page.form is not None and page.form.slot_of(SlotKind.LIBRARY) is not None:
-            await self._wait_for_ros()
-            look = await self.settled()
         blocking = self.course.blocking(look)
         if blocking:
             self._insist_on(blocking[0], look)
@@ -304,12 +287,6 @@ class Wizard(Frame):
 
     def _forwards(self) -> None:
         self.course.at += 1
-
-    async def _wait_for_ros(self) -> None:
-        try:
-            await asyncio.wait_for(self._environments.wait(), _LONGEST_WAIT)
-        except asyncio.TimeoutError:
-            self._environments.set()
 
     def _insist_on(self, finding: Finding, look: Look) -> None:
         self.app.bell()

@@ -90,8 +90,7 @@ class TypeKind(Kind):
         found = []
         for each in search_types(catalog, ask.interface, query)[:MOST_TYPES]:
             about = f"{each.line}\n  {_fields(each)}"
-            closed = ask.scene.why_not(each.name, ask.interface, ask.version)
-            found.append(Choice(each.written, each.package, about, closed))
+            found.append(Choice(each.written, each.package, about))
         return found
 
     def problem(self, ask: Ask, text: str) -> str | None:

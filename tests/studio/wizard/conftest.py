@@ -5,14 +5,6 @@ from pathlib import Path
 import pytest
 from wizard_courses import TWO_NODES
 
-from plastron_tui.studio.wizard import screen
-
-
-@pytest.fixture(autouse=True)
-def no_ros(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Whatever is installed on this machine, the wizard sees no ROS."""
-    monkeypatch.setattr(screen, "installed", lambda environ: ())
-
 
 @pytest.fixture(autouse=True)
 def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:

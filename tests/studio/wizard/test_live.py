@@ -12,8 +12,6 @@ from machine import domain_id
 from wizard_courses import MAKE, REACT, SEND
 from wizard_driver import wizard_from_welcome
 
-from plastron_tui.studio.wizard import libraries, screen
-
 pytestmark = pytest.mark.live
 
 HAS_ROS2 = (
@@ -29,14 +27,13 @@ async def test_run_from_the_wizard_shows_the_message_arriving(
     here: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """With every suggestion accepted, from nothing to the message in the output panel."""
-    monkeypatch.setattr(screen, "installed", libraries.installed)
     monkeypatch.setenv("ROS_DOMAIN_ID", domain_id())
     monkeypatch.setenv("ROS_LOG_DIR", str(here / "log"))
     async with wizard_from_welcome() as it:
         driver = it.driver
         await it.pick(MAKE)
         await it.press("enter")
-        assert it.statements == ("create_node 'talker' as talker using rclpy",)
+        assert it.statements == ("create_node 'talker' as talker",)
         await it.pick(SEND)
         await it.finish()
         await it.pick("something more")

@@ -22,10 +22,8 @@ from wizard_courses import (
 )
 from wizard_driver import wizard
 
-from plastron_tui.session import Options, Session
 from plastron_tui.studio.wizard.course import Course, PageKind
 from plastron_tui.studio.wizard.form import NEW
-from plastron_tui.studio.wizard.scene import Surroundings
 
 REFUSED = [
     ([MAKE], "name", "", "a node needs a name"),
@@ -174,39 +172,6 @@ def test_a_mistake_in_another_row_closes_nothing() -> None:
     form = form_after(it, MORE, SEND)
     form.entered = {"topic": "chatter"}
     assert "`chatter` is of type" in closed(it, "message")["number"]
-
-
-GUESS = Options(fallback="rclpy")
-
-
-@pytest.mark.parametrize(
-    ("before", "type_", "is_refused"),
-    [
-        ("", "Parameter", True),
-        ("", "String", False),
-        ("create_node 'a' as a using rclpy\n", "Parameter", False),
-    ],
-)
-def test_a_type_that_the_shell_would_not_know_is_refused(
-    before: str, type_: str, is_refused: bool
-) -> None:
-    """The studio takes the ROS that is there where nobody chose one; the shell does not."""
-    it = Course(Session(before.encode(), None, GUESS, environ={}), Surroundings())
-    form = form_after(it, MESSAGE)
-    form.entered["type"] = type_
-    look = it.look()
-    filled = look.of(form)
-    assert filled is not None and look.outcome is not None
-    (choice,) = [each for each in it.choices(filled, "type", None, type_) if each.text == type_]
-    refused = [each.words for each in it.blocking(look)]
-    text = look.outcome.session.document.text
-    shell = [
-        each.message for each in Session(text, environ={}).diagnostics if type_ in each.message
-    ]
-    assert bool(refused) == bool(choice.closed) == bool(shell) == is_refused
-    assert all(
-        "make a node `using rclpy` first" in words for words in (*refused, choice.closed) if words
-    )
 
 
 def test_what_would_leave_a_node_idle_is_closed() -> None:

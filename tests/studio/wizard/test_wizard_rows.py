@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import threading
 from pathlib import Path
 
 import pytest
-from studio_driver import studio
 from textual.widgets import Checkbox
 from wizard_courses import ASK, MAKE, MESSAGE, MORE, REACT, SEND, TWO_NODES
-from wizard_driver import WizardDriver, wizard
+from wizard_driver import wizard
 
-from plastron_tui.runtime.environment import Environment, Origin
-from plastron_tui.studio.wizard import screen
+from plastron_tui.ros import installations
+from plastron_tui.ros.installations import Installation, Origin
 from plastron_tui.studio.wizard.course import PageKind
 from plastron_tui.studio.wizard.rows import Row
 
@@ -148,32 +146,28 @@ async def test_constants_are_offered(here: Path) -> None:
 async def test_the_library_is_what_is_installed_and_explained(
     here: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    there = Environment(Origin.EXTRA, 2, "kilted", Path("/usr/bin/python3"))
-    may_answer = threading.Event()
-
-    def slow(environ: object) -> tuple[Environment, ...]:
-        may_answer.wait(5)
-        return (there,)
-
-    monkeypatch.setattr(screen, "installed", slow)
-    async with studio(None) as driver:
-        it = WizardDriver(driver)
-        await driver.pilot.press("ctrl+u")
-        await driver.until(lambda: it.is_open and it.screen._shown is not None)
-        # The look for a ROS takes its time; the form waits for it, not the menu.
-        await driver.pilot.press("enter")
-        await driver.until(lambda: it.kind is PageKind.FORM)
-        may_answer.set()
-        await it.settle()
-        assert it.statements == ("create_node 'talker' as talker using rclpy",)
+    there = Installation(Origin.EXTRA, 2, "kilted")
+    monkeypatch.setattr(installations, "installed", lambda: (there,))
+    async with wizard() as it:
+        await it.pick(MAKE)
+        # The shell takes the same one: it need not be written.
+        assert it.statements == ("create_node 'talker' as talker",)
         await it.go_to("library")
-        assert (
-            it.help == "rclpy, because ROS 2 kilted (from the Python packages) is on this machine"
-        )
+        assert it.help == "rclpy for ROS 2 kilted: it is installed"
         about = {choice.text: choice.closed or choice.about for choice in it.form.choices}
         assert about["rclpy"] == "ROS 2 kilted (from the Python packages)"
         assert "not installed here" in about["rospy"]
         assert "does not write it yet" in about["roscpp"]
+
+
+async def test_a_library_of_which_nothing_is_installed_is_explained(
+    here: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(installations, "installed", lambda: ())
+    async with wizard() as it:
+        await it.pick(MAKE)
+        await it.go_to("library")
+        assert it.help.startswith("rclpy for ROS 2 kilted: no ROS is found here; it can be written")
 
 
 async def test_what_was_searched_for_stays_when_the_rows_change(here: Path) -> None:
