@@ -7,27 +7,26 @@ diagnostics, files. Each is made when it is first asked for, and again after an 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from copy import copy
-from dataclasses import replace
-from functools import cached_property, partial
+from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
-from plastron_tui.boundary import DEFAULT_OUTPUT, Boundary, find_boundary
-from plastron_tui.diagnostics import Diagnostic, LineIndex, codes
+from plastron_tui.boundary import Boundary
+from plastron_tui.configuration import Configuration, Options
+from plastron_tui.diagnostics import Diagnostic, LineIndex
 from plastron_tui.language import Document, Program
 from plastron_tui.language.relowering import Lowered, lower_edited
-from plastron_tui.model.libraries import written_libraries
 from plastron_tui.output.names import has_leftovers
+from plastron_tui.planner import Planner, unwritten
 from plastron_tui.program_file import lines_of
-from plastron_tui.project import TRUST_CODES, Project, as_error, find_project, outside_output
-from plastron_tui.ros_choice import RosChoice, Said, Why, choose_distribution, choose_ros
-from plastron_tui.targets import LIBRARIES, has_target
+from plastron_tui.project import Project
+from plastron_tui.ros_choice import RosChoice
+from plastron_tui.targets import LIBRARIES
 
 if TYPE_CHECKING:
     # What a program means is found out when its text is there to see: the studio starts sooner.
-    from plastron_tui.generating.adaptation import Library
     from plastron_tui.generating.generation import Generated
     from plastron_tui.loader import FilesRead, NodeLoader
     from plastron_tui.model.fitting import Fitter
@@ -35,38 +34,10 @@ if TYPE_CHECKING:
     from plastron_tui.model.setting import Setting
     from plastron_tui.model.source import FileSet
     from plastron_tui.model.workspace import Generation, Workspace
-    from plastron_tui.output.manifest import Manifest
     from plastron_tui.output.plan import FilePlan
     from plastron_tui.ros.catalog import Catalog
 
-
-class Options(NamedTuple):
-    """What the command line sets; what it leaves open the project file or the environment says.
-
-    Attributes:
-        target: the client library of a node that names none.
-        output: the output folder.
-        in_place: whether a loaded node is written over the file that it came from.
-        force: whether a created node is written anew where its file was changed by hand.
-        distribution: the distribution whose types count, for nodes of its generation of ROS.
-        is_writing: whether files are to be written: what is not trusted is then an error.
-    """
-
-    target: str | None = None
-    output: Path | None = None
-    in_place: bool = False
-    force: bool = False
-    distribution: str | None = None
-    is_writing: bool = False
-
-
-def _unsupported(generation: Generation) -> Diagnostic:
-    return Diagnostic(
-        codes.UNSUPPORTED_TARGET,
-        f"plastron cannot generate `{generation.library}` yet",
-        generation.span,
-        help=f"use {' or '.join(written_libraries(LIBRARIES))}",
-    )
+__all__ = ["Options", "Session"]
 
 
 class Session:
@@ -94,40 +65,40 @@ class Session:
         self.document = Document(text)
         self._environ = environ
         self._begun = begun
-        self._catalogs: dict[int, Catalog] = {}
-        self._libraries: dict[str, Library | None] = {}
         self._program: Program | None = None
         self._earlier: Lowered | None = None
         self._fitters: Mapping[int, Fitter] = {}
         self._interpretation: Interpretation | None = None
 
     @cached_property
+    def _configuration(self) -> Configuration:
+        folder = (self._begun or Path.cwd()) if self.path is None else self.path.absolute().parent
+        return Configuration(folder, self.options, self._environ)
+
+    @property
     def folder(self) -> Path:
         """The program's folder."""
-        if self.path is None:
-            return self._begun or Path.cwd()
-        return self.path.absolute().parent
+        return self._configuration.folder
 
-    @cached_property
+    @property
     def boundary(self) -> Boundary:
         """How far the program's project reaches."""
-        named = () if self.options.output is None else (self.options.output.absolute(),)
-        return replace(find_boundary(self.folder), named=named)
-
-    @cached_property
-    def _project(self) -> tuple[Project, tuple[Diagnostic, ...]]:
-        overruled = () if self.options.output is None else ("output",)
-        return find_project(self.boundary, LIBRARIES, overruled)
+        return self._configuration.boundary
 
     @property
     def project(self) -> Project:
         """What the project file says."""
-        return self._project[0]
+        return self._configuration.project
 
-    @cached_property
+    @property
+    def project_problems(self) -> tuple[Diagnostic, ...]:
+        """What is wrong with the project file."""
+        return self._configuration.project_problems
+
+    @property
     def ros(self) -> RosChoice:
         """The ROS of a node that names none, and why it is that one."""
-        return choose_ros(self._said, LIBRARIES, self._environ)
+        return self._configuration.ros
 
     @property
     def library(self) -> str:
@@ -135,34 +106,18 @@ class Session:
         return self.ros.library
 
     @property
-    def _said(self) -> tuple[Said, ...]:
-        options, project = self.options, self.project
-        return (
-            Said(Why.OPTION, options.target, options.distribution),
-            Said(Why.PROJECT, project.target, project.distribution),
-        )
-
-    @property
     def output(self) -> Path:
         """The output folder."""
-        return self.options.output or self.project.output or self.folder / DEFAULT_OUTPUT
+        return self._configuration.output
 
     def catalog(self, ros_version: int) -> Catalog:
         """Return the interface types of a generation of ROS."""
-        catalog = self._catalogs.get(ros_version)
-        if catalog is None:
-            catalog = self._catalogs[ros_version] = self._new_catalog(ros_version)
-        return catalog
+        return self._configuration.catalog(ros_version)
 
-    def _new_catalog(self, ros_version: int) -> Catalog:
-        from plastron_tui.project import outside_definition
-        from plastron_tui.ros.catalog import Catalog, installed_folders
-
-        distribution = choose_distribution(ros_version, self._said, self._environ)
-        own = self.project.types or (self.folder,)
-        installed = installed_folders(self._environ, ros_version)
-        refusal = partial(outside_definition, folders=own, boundary=self.boundary)
-        return Catalog(distribution, own, installed, refusal)
+    @property
+    def type_problems(self) -> tuple[Diagnostic, ...]:
+        """What is wrong with the definitions that were read so far."""
+        return self._configuration.type_problems
 
     def snapshot(self) -> Session:
         """Return a session of the program as it is now, for another thread.
@@ -170,7 +125,7 @@ class Session:
         What a session reads once (the project file, interface types, targets) both share; it is
         the other thread's as long as it works.
         """
-        _ = self.folder, self.ros, self._files
+        _ = self.ros, self._files
         other = copy(self)
         other.document = self.document.snapshot()
         return other
@@ -185,14 +140,13 @@ class Session:
         """Let what an earlier snapshot of the same program has found out help with this one."""
         if earlier._program is not None:
             self._earlier = Lowered(earlier.document.text, earlier._program)
-        if earlier._interpretation is not None and earlier._project is self._project:
+        if earlier._interpretation is not None and earlier._configuration is self._configuration:
             self._fitters = earlier._interpretation.fitters
 
     def trust_changed(self) -> None:
         """Read the project file anew when it is asked next: the user trusts the project, or not."""
-        for name in ("_project", "ros"):
-            self.__dict__.pop(name, None)
-        self._catalogs, self._libraries, self._fitters = {}, {}, {}
+        self._configuration = self._configuration.anew()
+        self._fitters = {}
         self._files.starts.clear()  # what a file was made from may be read by now
         self._interpretation = None
 
@@ -262,31 +216,9 @@ class Session:
         """All that is wrong with the program, its project file, and the types that it uses."""
         # The types are read when the program is interpreted.
         meaning = self.interpret().diagnostics
-        left = self._files.problems.values()
-        found = (*meaning, *self._unwritten(), *(each for problems in left for each in problems))
-        return (*self.project_problems, *found, *self.type_problems)
-
-    def _unwritten(self) -> Iterator[Diagnostic]:
-        """Yield a diagnostic for each node whose client library nothing here can write."""
-        generations = self.workspace.generations
-        libraries = {generation.library for generation in generations}
-        missing = {library for library in libraries if not has_target(library)}
-        for generation in generations if missing else ():
-            if generation.library in missing:
-                yield _unsupported(generation)
-
-    @property
-    def project_problems(self) -> tuple[Diagnostic, ...]:
-        """What is wrong with the project file."""
-        found = self._project[1]
-        return tuple(map(as_error, found)) if self.options.is_writing else found
-
-    @property
-    def type_problems(self) -> tuple[Diagnostic, ...]:
-        """What is wrong with the definitions that were read so far."""
-        problems = (found for catalog in self._catalogs.values() for found in catalog.problems)
-        # The catalogs of both generations of ROS may have asked for one definition.
-        return tuple(dict.fromkeys(problems))
+        missing = unwritten(self.workspace.generations)
+        left = (each for problems in self._files.problems.values() for each in problems)
+        return (*self.project_problems, *meaning, *missing, *left, *self.type_problems)
 
     def lines(self, file: Path | None) -> LineIndex | None:
         """Return the lines of a file that a diagnostic is about; None is the program."""
@@ -295,69 +227,12 @@ class Session:
         return lines_of(file)
 
     def generated(self) -> tuple[Generated, ...]:
-        """Make the files that the program asks for.
-
-        Of two `generate_node` of one variable the last counts; and a file that the program
-        generates, loads and generates again is made as it is at the end.
-        """
-        from plastron_tui.generating.generation import Manifests, last_of_each
-
-        manifests = Manifests(self._files.manifest)
-        last = {(each.node.variable, each.library): each for each in self.workspace.generations}
-        made = [self._generate(each, manifests, tuple(last.values())) for each in last.values()]
-        kept = last_of_each(made, self.output)
-        if manifests.problems and kept:
-            found = (*manifests.problems, *kept[0].diagnostics)
-            kept[0] = replace(kept[0], diagnostics=found)
-        return tuple(kept)
+        """Make the files that the program asks for."""
+        return self._planner(self.workspace.generations).generated()
 
     def generate(self, generation: Generation) -> Generated:
         """Make the file of one `generate_node`."""
-        from plastron_tui.generating.generation import Manifests
-
-        manifests = Manifests(self._files.manifest)
-        return self._generate(generation, manifests, self.workspace.generations)
-
-    def _generate(
-        self,
-        generation: Generation,
-        manifests: Callable[[Path], Manifest],
-        generations: Sequence[Generation] = (),
-    ) -> Generated:
-        from plastron_tui.generating.generation import Generated, generate, nodes_of_file
-        from plastron_tui.generating.place import Writing
-        from plastron_tui.output.layers import Author
-        from plastron_tui.output.manifest import digest
-
-        library = self._library(generation.library)
-        if library is None:
-            return Generated(generation, None, (_unsupported(generation),))
-        source = generation.node.source
-        own = None if source is None else self._library(source.library)
-        author = Author(self._name, digest(self.document.text), self.folder)
-        in_place, force = self.options.in_place, self.options.force
-        writing = Writing(self.output, manifests, author, in_place, force)
-        nodes = nodes_of_file(generation, generations)
-        return generate(generation, library, writing, own=own, nodes=nodes)
-
-    def _rendered(self, generation: Generation) -> tuple[Path, FileSet] | None:
-        """Return the files that an earlier `generate_node` makes, for a `load` that follows it."""
-        from plastron_tui.output.manifest import Manifest
-
-        made = self._generate(generation, lambda _: Manifest())
-        path = made.path(self.output)
-        return None if made.files is None or path is None else (path, made.files.files)
-
-    def _library(self, name: str) -> Library | None:
-        if name not in self._libraries:
-            from plastron_tui.generating.adaptation import Library
-            from plastron_tui.targets import find_target
-
-            target = find_target(name, self.project.templates)
-            self._libraries[name] = (
-                None if target is None else Library(target, self.catalog(target.ros_version))
-            )
-        return self._libraries[name]
+        return self._planner(self.workspace.generations).generate(generation)
 
     def plan(self) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
         """Compare the files that the program asks for with the disk.
@@ -378,31 +253,18 @@ class Session:
 
         Args:
             made: the files of nodes.
-            is_preview: whether the plan is only looked at: where the project is not trusted, it
-                is made without what that stands against, and without the files of the program as
-                a whole.
+            is_preview: whether the plan is only looked at, as `Planner.plan` has it.
             generations: all that the program generates, for these; None for what it says.
         """
-        from plastron_tui.generating.program_files import ProgramFiles, program_files
-        from plastron_tui.output.plan import FilePlan, make_plan
+        asked = self.workspace.generations if generations is None else generations
+        return self._planner(asked).plan(made, is_preview=is_preview)
 
-        manifest, _ = self._files.manifest(self.output)
-        common = ProgramFiles()
-        if not is_preview:
-            asked = self.workspace.generations if generations is None else generations
-            common = program_files(asked, self._library, self.output, manifest)
-        # Of two nodes of one file both say what is to be said of it.
-        told = dict.fromkeys(found for generated in made for found in generated.diagnostics)
-        found = [*told, *common.diagnostics]
-        refusals = [as_error(each) for each in self._project[1] if each.code in TRUST_CODES]
-        if not is_preview:
-            found += refusals
-        is_named = self.options.output is not None
-        if not (is_named or self.boundary.allows(self.output)):
-            return FilePlan(self.output, ()), (*found, outside_output(self.output, self.boundary))
-        sets = (generated.files for generated in made if generated.files is not None)
-        files = [file for each in (*sets, *common.files) for file in each.output_files()]
-        is_free = is_named or self.project.output is not None or self.boundary.is_trusted
-        within = None if is_free else self.folder
-        plan, problems = make_plan(self.output, files, manifest, within=within)
-        return plan, (*found, *problems)
+    def _rendered(self, generation: Generation) -> tuple[Path, FileSet] | None:
+        return self._planner(()).rendered(generation)
+
+    def _planner(self, generations: Sequence[Generation]) -> Planner:
+        from plastron_tui.output.layers import Author
+        from plastron_tui.output.manifest import digest
+
+        author = Author(self._name, digest(self.document.text), self.folder)
+        return Planner(self._configuration, author, self._files.manifest, generations)

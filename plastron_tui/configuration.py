@@ -1,0 +1,164 @@
+"""What holds for a program besides its text: the options, its project, its ROS, and its types.
+
+It is read when it is first asked for, and made anew when the user trusts the project, or no more.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import cached_property, partial
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from plastron_tui.boundary import DEFAULT_OUTPUT, Boundary, find_boundary
+from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.project import (
+    TRUST_CODES,
+    Project,
+    as_error,
+    find_project,
+    outside_definition,
+    outside_output,
+)
+from plastron_tui.ros_choice import RosChoice, Said, Why, choose_distribution, choose_ros
+from plastron_tui.targets import LIBRARIES
+
+if TYPE_CHECKING:
+    from plastron_tui.generating.adaptation import Library
+    from plastron_tui.ros.catalog import Catalog
+
+
+class Options(NamedTuple):
+    """What the command line sets; what it leaves open the project file or the environment says.
+
+    Attributes:
+        target: the client library of a node that names none.
+        output: the output folder.
+        in_place: whether a loaded node is written over the file that it came from.
+        force: whether a created node is written anew where its file was changed by hand.
+        distribution: the distribution whose types count, for nodes of its generation of ROS.
+        is_writing: whether files are to be written: what is not trusted is then an error.
+    """
+
+    target: str | None = None
+    output: Path | None = None
+    in_place: bool = False
+    force: bool = False
+    distribution: str | None = None
+    is_writing: bool = False
+
+
+class Configuration:
+    """The options of a program, and what they leave to the project file and the environment."""
+
+    def __init__(self, folder: Path, options: Options, environ: Mapping[str, str]) -> None:
+        """Set what is looked at; nothing is read before it is asked for.
+
+        Args:
+            folder: the program's folder.
+            options: what the command line sets.
+            environ: the environment variables that say which ROS is sourced.
+        """
+        self.folder = folder
+        self.options = options
+        self._environ = environ
+        self._catalogs: dict[int, Catalog] = {}
+        self._libraries: dict[str, Library | None] = {}
+
+    def anew(self) -> Configuration:
+        """Return the same with nothing of it read yet."""
+        return Configuration(self.folder, self.options, self._environ)
+
+    @cached_property
+    def boundary(self) -> Boundary:
+        """How far the program's project reaches."""
+        named = () if self.options.output is None else (self.options.output.absolute(),)
+        return replace(find_boundary(self.folder), named=named)
+
+    @cached_property
+    def _project(self) -> tuple[Project, tuple[Diagnostic, ...]]:
+        overruled = () if self.options.output is None else ("output",)
+        return find_project(self.boundary, LIBRARIES, overruled)
+
+    @property
+    def project(self) -> Project:
+        """What the project file says."""
+        return self._project[0]
+
+    @property
+    def project_problems(self) -> tuple[Diagnostic, ...]:
+        """What is wrong with the project file."""
+        found = self._project[1]
+        return tuple(map(as_error, found)) if self.options.is_writing else found
+
+    @cached_property
+    def ros(self) -> RosChoice:
+        """The ROS of a node that names none, and why it is that one."""
+        return choose_ros(self._said, LIBRARIES, self._environ)
+
+    @property
+    def _said(self) -> tuple[Said, ...]:
+        options, project = self.options, self.project
+        return (
+            Said(Why.OPTION, options.target, options.distribution),
+            Said(Why.PROJECT, project.target, project.distribution),
+        )
+
+    @property
+    def output(self) -> Path:
+        """The output folder."""
+        return self.options.output or self.project.output or self.folder / DEFAULT_OUTPUT
+
+    @property
+    def writes_within(self) -> Path | None:
+        """The folder that nothing is written outside of, None where the user named the output."""
+        is_named = self.options.output is not None or self.project.output is not None
+        return None if is_named or self.boundary.is_trusted else self.folder
+
+    @property
+    def refusals(self) -> tuple[Diagnostic, ...]:
+        """What stands against writing as long as the user does not trust the project."""
+        return tuple(as_error(each) for each in self._project[1] if each.code in TRUST_CODES)
+
+    @property
+    def output_problem(self) -> Diagnostic | None:
+        """Why nothing is to be written to the output folder: nobody named it, and it leads out."""
+        if self.options.output is not None or self.boundary.allows(self.output):
+            return None
+        return outside_output(self.output, self.boundary)
+
+    def catalog(self, ros_version: int) -> Catalog:
+        """Return the interface types of a generation of ROS."""
+        catalog = self._catalogs.get(ros_version)
+        if catalog is None:
+            catalog = self._catalogs[ros_version] = self._new_catalog(ros_version)
+        return catalog
+
+    def _new_catalog(self, ros_version: int) -> Catalog:
+        from plastron_tui.ros.catalog import Catalog, installed_folders
+
+        distribution = choose_distribution(ros_version, self._said, self._environ)
+        own = self.project.types or (self.folder,)
+        installed = installed_folders(self._environ, ros_version)
+        refusal = partial(outside_definition, folders=own, boundary=self.boundary)
+        return Catalog(distribution, own, installed, refusal)
+
+    @property
+    def type_problems(self) -> tuple[Diagnostic, ...]:
+        """What is wrong with the definitions that were read so far."""
+        problems = (found for catalog in self._catalogs.values() for found in catalog.problems)
+        # The catalogs of both generations of ROS may have asked for one definition.
+        return tuple(dict.fromkeys(problems))
+
+    def library(self, name: str) -> Library | None:
+        """Return what writes nodes for a client library, None where nothing here does."""
+        if name not in self._libraries:
+            from plastron_tui.generating.adaptation import Library
+            from plastron_tui.targets import find_target
+
+            target = find_target(name, self.project.templates)
+            self._libraries[name] = (
+                None if target is None else Library(target, self.catalog(target.ros_version))
+            )
+        return self._libraries[name]

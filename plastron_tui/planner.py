@@ -1,0 +1,147 @@
+"""The files that a program asks for: made, and compared with the disk."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from plastron_tui.configuration import Configuration
+from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.model.libraries import written_libraries
+from plastron_tui.targets import LIBRARIES, has_target
+
+if TYPE_CHECKING:
+    # To check a program takes no more of this than what nothing can write.
+    from plastron_tui.generating.generation import Generated
+    from plastron_tui.model.source import FileSet
+    from plastron_tui.model.workspace import Generation
+    from plastron_tui.output.layers import Author
+    from plastron_tui.output.manifest import Manifest, Reading
+    from plastron_tui.output.plan import FilePlan
+
+
+class Planner:
+    """Makes the files of the nodes that a program generates."""
+
+    def __init__(
+        self,
+        configuration: Configuration,
+        author: Author,
+        manifest: Callable[[Path], Reading],
+        generations: Sequence[Generation] = (),
+    ) -> None:
+        """Set what the files follow from.
+
+        Args:
+            configuration: what holds for the program.
+            author: the program.
+            manifest: reads a folder's manifest.
+            generations: all that the program generates.
+        """
+        self._configuration = configuration
+        self._author = author
+        self._manifest = manifest
+        self._generations = generations
+
+    def generated(self) -> tuple[Generated, ...]:
+        """Make the files of all that is generated.
+
+        Of two `generate_node` of one variable the last counts; and a file that the program
+        generates, loads and generates again is made as it is at the end.
+        """
+        from plastron_tui.generating.generation import Manifests, last_of_each
+
+        manifests = Manifests(self._manifest)
+        last = {(each.node.variable, each.library): each for each in self._generations}
+        made = [self._generate(each, manifests, tuple(last.values())) for each in last.values()]
+        kept = last_of_each(made, self._configuration.output)
+        if manifests.problems and kept:
+            found = (*manifests.problems, *kept[0].diagnostics)
+            kept[0] = replace(kept[0], diagnostics=found)
+        return tuple(kept)
+
+    def generate(self, generation: Generation) -> Generated:
+        """Make the file of one `generate_node`."""
+        from plastron_tui.generating.generation import Manifests
+
+        return self._generate(generation, Manifests(self._manifest), self._generations)
+
+    def rendered(self, generation: Generation) -> tuple[Path, FileSet] | None:
+        """Return the files that an earlier `generate_node` makes, for a `load` that follows it."""
+        from plastron_tui.output.manifest import Manifest
+
+        made = self._generate(generation, lambda _: Manifest())
+        path = made.path(self._configuration.output)
+        return None if made.files is None or path is None else (path, made.files.files)
+
+    def _generate(
+        self,
+        generation: Generation,
+        manifests: Callable[[Path], Manifest],
+        generations: Sequence[Generation] = (),
+    ) -> Generated:
+        from plastron_tui.generating.generation import Generated, generate, nodes_of_file
+        from plastron_tui.generating.place import Writing
+
+        configuration, options = self._configuration, self._configuration.options
+        library = configuration.library(generation.library)
+        if library is None:
+            return Generated(generation, None, (_unsupported(generation),))
+        source = generation.node.source
+        own = None if source is None else configuration.library(source.library)
+        writing = Writing(
+            configuration.output, manifests, self._author, options.in_place, options.force
+        )
+        nodes = nodes_of_file(generation, generations)
+        return generate(generation, library, writing, own=own, nodes=nodes)
+
+    def plan(
+        self, made: Sequence[Generated], *, is_preview: bool = False
+    ) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
+        """Compare the files of nodes with the disk; the diagnostics say why one is missing.
+
+        Args:
+            made: the files of nodes.
+            is_preview: whether the plan is only looked at: where the project is not trusted, it
+                is made without what that stands against, and without the files of the program as
+                a whole.
+        """
+        from plastron_tui.generating.program_files import ProgramFiles, program_files
+        from plastron_tui.output.plan import FilePlan, make_plan
+
+        configuration, output = self._configuration, self._configuration.output
+        manifest, _ = self._manifest(output)
+        common = ProgramFiles()
+        if not is_preview:
+            common = program_files(self._generations, configuration.library, output, manifest)
+        # Of two nodes of one file both say what is to be said of it.
+        told = dict.fromkeys(found for generated in made for found in generated.diagnostics)
+        found = [*told, *common.diagnostics]
+        if not is_preview:
+            found += configuration.refusals
+        if configuration.output_problem is not None:
+            return FilePlan(output, ()), (*found, configuration.output_problem)
+        sets = (generated.files for generated in made if generated.files is not None)
+        files = [file for each in (*sets, *common.files) for file in each.output_files()]
+        plan, problems = make_plan(output, files, manifest, within=configuration.writes_within)
+        return plan, (*found, *problems)
+
+
+def unwritten(generations: Sequence[Generation]) -> Iterator[Diagnostic]:
+    """Yield a diagnostic for each node whose client library nothing here can write."""
+    libraries = {generation.library for generation in generations}
+    missing = {library for library in libraries if not has_target(library)}
+    for generation in generations if missing else ():
+        if generation.library in missing:
+            yield _unsupported(generation)
+
+
+def _unsupported(generation: Generation) -> Diagnostic:
+    return Diagnostic(
+        codes.UNSUPPORTED_TARGET,
+        f"plastron cannot generate `{generation.library}` yet",
+        generation.span,
+        help=f"use {' or '.join(written_libraries(LIBRARIES))}",
+    )
