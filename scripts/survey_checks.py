@@ -93,7 +93,7 @@ def check(before: Text, after: Text, change: Change) -> Iterator[str]:
         yield f"leaves attributes that nothing sets: {', '.join(sorted(missing))}"
     if isinstance(change, Add):
         yield from _check_addition(before, after, change)
-    else:
+    elif isinstance(change, Remove):
         yield from _check_removal(before, after, change)
 
 

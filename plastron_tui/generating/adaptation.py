@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.loading import add_found
-from plastron_tui.model.source import Change, FileSet, Remove, SourceUnit
+from plastron_tui.model.source import Add, Change, FileSet, SourceUnit
 from plastron_tui.model.workspace import Node
 from plastron_tui.output.layers import Layer
 from plastron_tui.output.remembered import recall
@@ -98,7 +98,7 @@ class Adaptation:
         for source in (read, self.source) if read is not None else (self.source,):
             for change in self.changes:
                 names = names_in(source.only(change.node))
-                if isinstance(change, Remove) and change.name in names[change.kind]:
+                if not isinstance(change, Add) and change.name in names[change.kind]:
                     alone = own.edit(source, [change], catalog)
                     if alone.files is None:
                         return alone.diagnostics

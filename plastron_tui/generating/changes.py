@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from plastron_tui.model.kinds import (
     EDITABLE,
@@ -13,35 +13,44 @@ from plastron_tui.model.kinds import (
     Service,
     Subscription,
 )
-from plastron_tui.model.source import Add, Change, Remove, SourceEndpoint, SourceUnit
+from plastron_tui.model.source import Add, Change, Remove, SourceEndpoint, SourceUnit, Update
 from plastron_tui.model.workspace import Node
+from plastron_tui.ros.interfaces import InterfaceName
 
 
 def changes_of(node: Node) -> tuple[Change, ...]:
     """Return what a program changed in a node that it loaded."""
     if node.source is None:
         return ()
-    return tuple(_changes(node, names_in(node.source), node.source.label))
+    present = names_in(node.source)
+    return tuple(
+        change for kind in EDITABLE for change in _changes(node, node.source, kind, present[kind])
+    )
 
 
 def _changes(
-    node: Node, present: Mapping[EndpointKind, set[str]], label: str | None
+    node: Node, source: SourceUnit, kind: EndpointKind, present: set[str]
 ) -> Iterator[Change]:
-    wanted = node.endpoints
-    for kind in EDITABLE:
-        for name in sorted(name for name in present[kind] if (kind, name) not in wanted):
-            yield Remove(kind, name, node.removed.get(name), label)
-        for key, endpoint in wanted.items():
-            name = key[1]
-            if key[0] is not kind:
-                continue
-            if endpoint.span is not None:
-                # Removed and asked for again, with another type perhaps.
-                if name in present[kind]:
-                    yield Remove(kind, name, node.removed.get(name), label)
-                yield Add(endpoint, label)
-            elif is_extended(endpoint):
-                yield Add(endpoint, label)
+    wanted = node.by_kind[kind]
+    gone = sorted(present - wanted.keys())
+    new = [name for name in wanted if name not in present]
+    earlier = {name: name for name in present}
+    if len(gone) == len(new) == 1 and _types(source, kind, gone[0]) == {wanted[new[0]].type}:
+        # Of the same type, it is the same endpoint under another name.
+        earlier[new[0]] = gone.pop()
+    for name in gone:
+        yield Remove(kind, name, node.removed.get(name), source.label)
+    for name, endpoint in wanted.items():
+        if endpoint.span is not None and name in earlier:
+            was = earlier[name]
+            yield Update(kind, was, endpoint, node.removed.get(was), source.label)
+        elif endpoint.span is not None or is_extended(endpoint):
+            yield Add(endpoint, source.label)
+
+
+def _types(source: SourceUnit, kind: EndpointKind, name: str) -> set[InterfaceName | None]:
+    """Return the types that a file says of a name."""
+    return {each.type for each in source.endpoints if (each.kind, each.name) == (kind, name)}
 
 
 def is_extended(endpoint: Endpoint) -> bool:

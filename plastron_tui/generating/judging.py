@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from typing import TYPE_CHECKING
 
 from plastron_tui.model.source import FileSet
@@ -34,11 +33,3 @@ def definitions(language: Language, files: FileSet, name: str) -> int:
 def mentions(language: Language, files: FileSet, name: str) -> bool:
     """Tell whether the code of files has a name."""
     return any(language.mentions(text, name) for _, text in files.texts)
-
-
-def lines_of_code(language: Language, files: FileSet) -> Counter[bytes]:
-    """Return the lines of files, without their indent, that tell what they do."""
-    lines: Counter[bytes] = Counter()
-    for _, text in files.texts:
-        lines += language.lines_of_code(text)
-    return lines

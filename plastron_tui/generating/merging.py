@@ -8,7 +8,7 @@ the merge is refused.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -21,6 +21,7 @@ from plastron_tui.model.kinds import (
     Publisher,
     Service,
     Subscription,
+    callback_of,
 )
 from plastron_tui.model.source import (
     Add,
@@ -30,14 +31,13 @@ from plastron_tui.model.source import (
     Remove,
     SourceEndpoint,
     SourceUnit,
+    Update,
 )
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets.base import Target
 
-from .judging import definitions, lines_of_code, mentions
-
-_ANCHOR = "plastron_holds_this_place"
+from .judging import definitions, mentions
 
 
 class Merged(NamedTuple):
@@ -88,7 +88,7 @@ class _Merge:
     target: Target
     catalog: Catalog
     adds: list[Change] = field(default_factory=list)
-    swaps: list[Change] = field(default_factory=list)
+    updates: list[Update] = field(default_factory=list)
     removes: list[Change] = field(default_factory=list)
     resends: dict[EndpointKey, SourceEndpoint] = field(default_factory=dict)
     notes: list[Diagnostic] = field(default_factory=list)
@@ -104,38 +104,20 @@ class _Merge:
         sending: list[Change] = []
         for key, found in self.resends.items():
             if self._is_untouched(key, base[key]):
-                label = self.source.label
-                sending += [Remove(*key, node=label), Add(wanted[key], label)]
+                sending.append(self._updated(key, wanted[key]))
             else:
                 self._tell_resend(key, found)
-        swaps = self._anchored([*self.swaps, *sending], file)
-        files = self._edited([*self.adds, *swaps, *self.removes])
+        files = self._edited([*self.adds, *self.updates, *sending, *self.removes])
         self._check_callbacks(files)
         return Merged(files, notes=(*self.notes, *self._orphans(files)))
 
-    def _anchored(
-        self, swaps: list[Change], file: Mapping[EndpointKey, list[SourceEndpoint]]
-    ) -> list[Change]:
-        """Keep the place of a file's only endpoint while it is taken out and added again.
-
-        New endpoints go beside those that are there: another one holds the place meanwhile.
-        """
-        (key, *others) = file or [None]
-        if others or self.adds or key is None or len(swaps) != 2:
-            return swaps
-        added = swaps[1]
-        assert isinstance(added, Add)
-        anchor = _anchor(added.endpoint)
-        return [
-            Add(anchor, self.source.label),
-            *swaps,
-            Remove(key[0], _ANCHOR, node=self.source.label),
-        ]
+    def _updated(self, key: EndpointKey, wanted: Endpoint) -> Update:
+        return Update(*key, wanted, node=self.source.label)
 
     def _check_callbacks(self, files: FileSet) -> None:
         """Refuse files in which a callback that holds handwork has got a twin."""
-        for change in self.swaps:
-            name = _calling(change.endpoint) if isinstance(change, Add) else None
+        for change in self.updates:
+            name = callback_of(change.endpoint)
             if name is None:
                 continue
             before = definitions(self.target.language, self.source.files, name)
@@ -150,7 +132,7 @@ class _Merge:
         alone = (
             self.target.edit(self.source, [change], self.catalog)
             for change in changes
-            if isinstance(change, Remove)
+            if not isinstance(change, Add)
         )
         refused = next((each for each in alone if each.files is None), edited)
         raise _RefusedError(", and ".join(found.message for found in refused.diagnostics))
@@ -204,7 +186,7 @@ class _Merge:
                 f"the {_name(key)} is of type `{found[0].type}` by hand, not `{wanted.type}`",
                 found[0],
             )
-        elif _calling(wanted) not in {None, _calling(base), found[0].callback}:
+        elif callback_of(wanted) not in {None, callback_of(base), found[0].callback}:
             self._change_callback(key, base, wanted, found)
         elif _sends(wanted) != _sends(base):
             self.resends[key] = found[0]
@@ -219,24 +201,26 @@ class _Merge:
         if not _has_type(found[0], base):
             raise _RefusedError(self._differing(key, wanted, found))
         callback = found[0].callback
-        if callback is not None and callback.isidentifier() and _calling(wanted) is None:
+        if callback is not None and callback.isidentifier() and callback_of(wanted) is None:
             # What was written in the callback goes on being called.
             wanted = _with_callback(wanted, callback)
             if self._stays(callback, Remove(*key, node=self.source.label)):
                 message = f"`{callback}` was written for `{base.type}`, and gets `{wanted.type}`"
                 self._tell(message, found[0])
-        self.swaps += [Remove(*key, node=self.source.label), Add(wanted, self.source.label)]
+        self.updates.append(self._updated(key, wanted))
         self.cut += found
 
     def _change_callback(
         self, key: EndpointKey, base: Endpoint, wanted: Endpoint, found: list[SourceEndpoint]
     ) -> None:
-        is_own = _calling(base) in {None, found[0].callback}
+        is_own = callback_of(base) in {None, found[0].callback}
         if len(found) > 1 or not is_own:
-            message = f"the {_name(key)} calls another function by hand than `{_calling(wanted)}`"
+            message = (
+                f"the {_name(key)} calls another function by hand than `{callback_of(wanted)}`"
+            )
             self._tell(message, found[0])
             return
-        self.swaps += [Remove(*key, node=self.source.label), Add(wanted, self.source.label)]
+        self.updates.append(self._updated(key, wanted))
         self.cut += found
 
     def _differing(self, key: EndpointKey, wanted: Endpoint, found: list[SourceEndpoint]) -> str:
@@ -247,36 +231,9 @@ class _Merge:
         )
 
     def _is_untouched(self, key: EndpointKey, base: Endpoint) -> bool:
-        """Tell whether all that an endpoint does in the file is what Plastron wrote.
-
-        It is when taking it out deletes the very lines that it would delete from the file as it
-        was generated, or the lines that adding it to a file would write.
-        """
-        assert self.base is not None
-        without = self._without(self.source, key)
-        if without is None:
-            return False
-        language = self.target.language
-        there = lines_of_code(language, self.source.files) - lines_of_code(language, without.files)
-        types = [each.type for each in self.base.endpoints.values()]
-        # A node that was loaded may have what cannot be written anew.
-        is_known = None not in types
-        rendered = self.target.render(self.base, self.catalog).files if is_known else None
-        fresh = self._read(rendered) if rendered is not None else None
-        if fresh is not None:
-            rest = self._without(fresh, key)
-            if rest is not None:
-                made = lines_of_code(language, fresh.files) - lines_of_code(language, rest.files)
-                if made == there:
-                    return True
-        again = self.target.edit(without, [Add(base, self.source.label)], self.catalog).files
-        if again is None:
-            return False
-        return lines_of_code(language, again) - lines_of_code(language, without.files) == there
-
-    def _without(self, source: SourceUnit, key: EndpointKey) -> SourceUnit | None:
-        files = self.target.edit(source, [Remove(*key, node=self.source.label)], self.catalog).files
-        return None if files is None else self._read(files)
+        """Tell whether the file still sends what Plastron wrote: to send that changes nothing."""
+        edited = self.target.edit(self.source, [self._updated(key, base)], self.catalog)
+        return edited.files == self.source.files
 
     def _read(self, files: FileSet) -> SourceUnit | None:
         read = self.target.read(self.source.path, files).source
@@ -335,25 +292,12 @@ def _has_type(found: SourceEndpoint, endpoint: Endpoint) -> bool:
     return found.type is None or found.type == endpoint.type
 
 
-def _calling(endpoint: Endpoint) -> str | None:
-    match endpoint:
-        case Subscription(callback=name) | Service(callback=name):
-            return name
-        case _:
-            return None
-
-
 def _with_callback(endpoint: Endpoint, name: str) -> Endpoint:
     match endpoint:
         case Subscription() | Service():
             return endpoint._replace(callback=name)
         case _:
             return endpoint
-
-
-def _anchor(endpoint: Endpoint) -> Endpoint:
-    """Return an endpoint of the same kind and type, which sends and calls nothing."""
-    return type(endpoint)(_ANCHOR, endpoint.type)
 
 
 def _sends(endpoint: Endpoint) -> object:

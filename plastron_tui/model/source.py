@@ -10,7 +10,7 @@ from typing import NamedTuple, TypeVar
 from plastron_tui.diagnostics import Span
 from plastron_tui.ros.interfaces import InterfaceName
 
-from .kinds import Client, Publisher, Service, Subscription
+from .kinds import Endpoint
 from .kinds import EndpointKind as EndpointKind
 
 P = TypeVar("P", bound=PurePath)
@@ -204,7 +204,7 @@ class Add(NamedTuple):
         node: the label of the node that gets it, None for the file's only one.
     """
 
-    endpoint: Publisher | Subscription | Service | Client
+    endpoint: Endpoint
     node: str | None = None
 
 
@@ -224,4 +224,31 @@ class Remove(NamedTuple):
     node: str | None = None
 
 
-Change = Add | Remove
+class Update(NamedTuple):
+    """Ask an editor to change an endpoint of a node where it stands.
+
+    What differs is changed: name, type, callback, and what is sent. All else about the endpoint
+    stays, as does the callback where `endpoint` has none, and what is sent where it sends nothing.
+
+    Attributes:
+        kind: the kind of the endpoint.
+        name: its name in the file.
+        endpoint: what it shall be, of the same kind.
+        span: the statement that took it away, for a refusal to point at.
+        node: the label of the node that has it, None for the file's only one.
+    """
+
+    kind: EndpointKind
+    name: str
+    endpoint: Endpoint
+    span: Span | None = None
+    node: str | None = None
+
+    @property
+    def apart(self) -> tuple[Remove, Add]:
+        """What to do where it cannot be changed in place: take it out, and write it anew."""
+        remove = Remove(self.kind, self.name, self.span, self.node)
+        return remove, Add(self.endpoint, self.node)
+
+
+Change = Add | Remove | Update

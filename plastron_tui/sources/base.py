@@ -7,7 +7,6 @@ never an exception.
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Container
 from dataclasses import dataclass
 from pathlib import Path
@@ -135,7 +134,3 @@ class Language:
     def mentions(self, text: bytes, name: str) -> bool:
         """Tell whether the code of a text has a name; by default any mention counts."""
         return name.encode() in text
-
-    def lines_of_code(self, text: bytes) -> Counter[bytes]:
-        """Return the lines of a text, without their indent, that tell what it does."""
-        return Counter(line.strip() for line in text.splitlines() if line.strip())

@@ -77,6 +77,7 @@ class Target:
 
         The result was read again: it parses no worse than before and shows exactly the
         endpoints that were asked for. Otherwise `files` is None and the diagnostics say why.
+        Where an `Update` cannot be made in place, its `apart` is made instead.
         """
         return Rendered(None, (self._cannot("change files of"),))
 

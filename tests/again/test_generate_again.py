@@ -61,7 +61,8 @@ OTHER_NODE = [
     "subscribe n to 'more' of message_type String calling hear",
     "subscribe n to 'numbers' of message_type Int32",
     "unsubscribe n from 'command'",
-    "unsubscribe n from 'command'\nsubscribe n to 'command' of message_type Int32",
+    "unsubscribe n from 'command'\n"
+    "subscribe n to 'command' of message_type Int32 calling on_command",
     "n stop_publishing to 'status'",
     "n stop_service 'reset'",
     "n provides_service 'start' of service_type Trigger",

@@ -162,12 +162,17 @@ def test_node_of_the_same_name_in_another_program_is_another(folder: Folder) -> 
 
 
 def test_callback_is_not_made_a_second_time_elsewhere(tmp_path: Path) -> None:
-    """The file's other subscription is in `main`, from where the method cannot be called."""
+    """The file's other subscription is in `main`, from where the method cannot be called.
+
+    The call cannot be changed in place: a constant says its type.
+    """
     folder = Folder(tmp_path, "rospy")
     folder.generate(SUBSCRIBE)
     folder.fill("robot_sub1.py")
     mine = '    rospy.Subscriber("mine", rospy.AnyMsg, print)\n    rospy.spin()'
     folder.edit("    rospy.spin()", mine, "robot_sub1.py")
+    folder.edit('rospy.Subscriber("a", String', 'rospy.Subscriber("a", KIND', "robot_sub1.py")
+    folder.edit("\n\nclass ", "KIND = String\n\n\nclass ", "robot_sub1.py")
     before = folder.file("robot_sub1.py").read_bytes()
     (conflict,) = folder.generate(SUBSCRIBE_INT).conflicts
     assert conflict.endswith("`on_a` cannot be called from where endpoints are added")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from plastron_tui.sources.python.words import definitions, lines_of_code, mentions
+from plastron_tui.sources.python.words import definitions, mentions
 
 TEXT = b'''\
 """def on_a(message): on_b"""
@@ -41,16 +41,3 @@ def on_a(): pass
 def test_names(name: str, defined: int, mentioned: bool) -> None:
     for text in (TEXT, TEXT.replace(b"\n", b"\r\n"), b"# coding: latin-1\n# \xe4\n" + TEXT):
         assert (definitions(text, name), mentions(text, name)) == (defined, mentioned)
-
-
-def test_lines_of_code() -> None:
-    assert sorted(lines_of_code(TEXT)) == [
-        b'"""def on_a(message): on_b"""',
-        b'"on_b"',
-        b"# on_b is not called",
-        b"class A:",
-        b"def on_a(): pass",
-        b"def on_a(self, message):",
-        b"def on_aa(self): return 2",
-        b"self.on_c(1)",
-    ]

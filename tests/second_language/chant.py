@@ -15,12 +15,11 @@ several nodes. The program as a whole has a file `chorus.txt`.
 from __future__ import annotations
 
 import re
-from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
-from plastron_tui.model.kinds import Client, Publisher, Service, Subscription
+from plastron_tui.model.kinds import Client, Publisher, Service, Subscription, callback_of
 from plastron_tui.model.source import (
     Add,
     EndpointKind,
@@ -28,6 +27,7 @@ from plastron_tui.model.source import (
     SourceEndpoint,
     SourceNode,
     SourceUnit,
+    Update,
 )
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.sources.base import Language, ReadResult, Rendered
@@ -89,10 +89,6 @@ class Chant(Language):
     def definitions(self, text, name):
         return len(re.findall(rb"^verse %b of " % name.encode(), text, re.MULTILINE))
 
-    def lines_of_code(self, text):
-        lines = (line.partition(b";")[0].strip() for line in text.splitlines())
-        return Counter(line for line in lines if line)
-
 
 @dataclass(frozen=True)
 class _Block:
@@ -127,18 +123,15 @@ def _endpoint(header, match):
 
 
 def _callback(endpoint):
-    match endpoint:
-        case Subscription(name=name, callback=given) | Service(name=name, callback=given):
-            return given or "on_" + re.sub(r"\W+", "_", name).strip("_")
-        case _:
-            return None
+    if not isinstance(endpoint, (Subscription, Service)):
+        return None
+    return endpoint.callback or "on_" + re.sub(r"\W+", "_", endpoint.name).strip("_")
 
 
 def _line(endpoint):
-    name = getattr(endpoint, "topic", None) or endpoint.name
     callback = _callback(endpoint)
     by = f" by {callback}" if callback else ""
-    return f"  {_KINDS[type(endpoint)]} {name} {endpoint.type}{by}\n".encode()
+    return f"  {_KINDS[type(endpoint)]} {endpoint.name} {endpoint.type}{by}\n".encode()
 
 
 def _verse(callback, node):
@@ -190,11 +183,25 @@ class ChantTarget(Target):
                 files = files.with_main(files.main + _verse(callback, block.name))
             return files
         for match in block.lines:
-            if (_WORDS[match[1].decode()], match[2].decode()) == (change.kind, change.name):
-                end = match.end() + 1
-                files = files.with_text(HEADER, header[: match.start()] + header[end:])
-                if match[5]:
-                    stub = _verse(match[5].decode(), block.name)
-                    files = files.with_main(files.main.replace(stub, b""))
-                return files
+            if (_WORDS[match[1].decode()], match[2].decode()) != (change.kind, change.name):
+                continue
+            if isinstance(change, Update):
+                return self._updated(files, match, change.endpoint, block.name)
+            end = match.end() + 1
+            files = files.with_text(HEADER, header[: match.start()] + header[end:])
+            if match[5]:
+                stub = _verse(match[5].decode(), block.name)
+                files = files.with_main(files.main.replace(stub, b""))
+            return files
         return Diagnostic(codes.EDIT_REFUSED, f"there is no `{change.name}`", change.span)
+
+    def _updated(self, files, match, endpoint, node):
+        """Change the words of a line that differ; the comment behind them stays."""
+        header = files.get(HEADER)
+        callback = callback_of(endpoint) or (match[5] and match[5].decode())
+        if callback and not self.language.definitions(files.main, callback):
+            files = files.with_main(files.main + _verse(callback, node))
+        by = f" by {callback}" if callback else ""
+        words = f"{endpoint.name} {endpoint.type}{by}".encode()
+        end = match.end(5) if match[5] else match.end(4)
+        return files.with_text(HEADER, header[: match.start(2)] + words + header[end:])

@@ -166,8 +166,8 @@ def choir(bench: Bench) -> Bench:
 def test_load_and_edit(choir: Bench) -> None:
     choir.write(
         "b.plastron",
-        f"{LOAD}unsubscribe bass from 'hum'\nsubscribe bass to 'hymn' of message_type String\n"
-        "generate_node bass\n",
+        f"{LOAD}unsubscribe bass from 'hum'\n"
+        "subscribe bass to 'hymn' of message_type String calling on_hymn\ngenerate_node bass\n",
     )
     assert choir.generate("b.plastron") == ""
     files = choir.files()
@@ -184,6 +184,22 @@ def test_load_and_edit(choir: Bench) -> None:
     assert choir.files()["choir.chanth"] == CHOIR["choir.chanth"].replace(hum, "")
     assert "speak up ; ours" in choir.files()["choir.chant"]
     assert "on_hymn" not in choir.files()["choir.chant"]
+
+
+@pytest.mark.parametrize(
+    ("statement", "line"),
+    [
+        ("'deep' of message_type String", "hears deep std_msgs/String by low ; ours"),
+        ("'low' of message_type Int32", "hears low std_msgs/Int32 by low ; ours"),
+        ("'low' of message_type String calling hum", "hears low std_msgs/String by hum ; ours"),
+    ],
+)
+def test_update_in_place(choir: Bench, statement: str, line: str) -> None:
+    subscribe = f"unsubscribe bass from 'low'\nsubscribe bass to {statement}\n"
+    choir.write("b.plastron", f"{LOAD}{subscribe}generate_node bass\n")
+    assert choir.generate("b.plastron") == ""
+    low = "hears low std_msgs/String by low ; ours"
+    assert choir.files()["choir.chanth"] == CHOIR["choir.chanth"].replace(low, line)
 
 
 def test_edit_in_place(choir: Bench) -> None:

@@ -170,6 +170,14 @@ PORT_BY_HAND = Code(
     severity=Severity.WARNING,
 )
 
+OTHER_TYPE = Code(
+    "other-type",
+    "An endpoint of a loaded file gets another type, and goes on calling the function that it "
+    "called, in which there is code for the type that was there before. Change the function by "
+    "hand, or name another one with `calling`.",
+    severity=Severity.WARNING,
+)
+
 MERGED_BY_HAND = Code(
     "merged-by-hand",
     "A generated file was changed by hand. It is kept, and what changed in the "

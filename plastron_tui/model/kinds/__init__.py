@@ -46,6 +46,7 @@ __all__ = [
     "Publisher",
     "Service",
     "Subscription",
+    "callback_of",
     "kind_of",
 ]
 
@@ -200,3 +201,12 @@ _KINDS = {kind.editing.endpoint: kind for kind in EDITABLE}
 def kind_of(endpoint: type[Endpoint]) -> EndpointKind:
     """Return the kind that a class of endpoints is of."""
     return _KINDS[endpoint]
+
+
+def callback_of(endpoint: Endpoint) -> str | None:
+    """Return the function that an endpoint calls, None where the target names one, or none is."""
+    match endpoint:
+        case Subscription(callback=name) | Service(callback=name):
+            return name
+        case _:
+            return None

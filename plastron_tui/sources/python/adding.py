@@ -5,23 +5,30 @@ from __future__ import annotations
 import re
 
 from plastron_tui.diagnostics import codes
-from plastron_tui.model.kinds import Client, Publisher, Service, Subscription, kind_of
+from plastron_tui.model.kinds import (
+    Client,
+    Endpoint,
+    Publisher,
+    Service,
+    Subscription,
+    callback_of,
+    kind_of,
+)
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface
 
 from . import literals
-from .addition import Addition, Endpoint
+from .addition import Addition
 from .analysis import Analysis, Site
 from .calls import Argument, CallShape
 from .conventions import (
     callback_naming,
-    conventions_of,
     target_name,
     variable_naming,
 )
 from .dialect import Dialect
-from .messages import CannotAddError, Messages
+from .messages import CannotAddError
 from .place import (
     FunctionPlace,
     beside,
@@ -34,7 +41,6 @@ from .place import (
 from .removal import callback_scope
 from .scopes import BindingKind, Scope
 from .sending import add_calls, add_publishing, keep_running
-from .typeimports import FileImports
 from .writing import Writer
 
 _METHODS = {
@@ -68,10 +74,6 @@ def plan_addition(
         CannotAddError: the file has no place for it, or its type is not known.
     """
     kind, name = kind_of(type(endpoint)), endpoint.name
-    conventions = conventions_of(analysis)
-    imports = FileImports(analysis, conventions)
-    messages = Messages(catalog, dialect, imports, conventions, endpoint.span)
-    writer = Writer(analysis, conventions)
     present = [
         site for site in node.sites if site.endpoint.kind is kind and site.endpoint.name == name
     ]
@@ -82,8 +84,8 @@ def plan_addition(
     sends = isinstance(endpoint, Publisher) and bool(endpoint.publications)
     if sends or (isinstance(endpoint, Client) and endpoint.requests):
         place = running_place(node, place)
-    added = Addition(analysis, kind, endpoint, name, place, writer, imports, messages, dialect)
-    added.stand(is_nested=True)
+    added = Addition.at(place, analysis, kind, endpoint, catalog, dialect)
+    writer = added.writer
     lines: list[str] = []
     if present:
         _use_present(added, present)
@@ -99,7 +101,7 @@ def plan_addition(
     if lines:
         writer.lines(added.place.offset, added.place.indent, lines)
     # A method may go right behind the statements: these come first then.
-    imported = imports.splices()
+    imported = added.imports.splices()
     writer.has_imports = bool(imported)
     writer.splices = [*imported, *writer.splices, *functions]
     return writer
@@ -121,11 +123,9 @@ def _use_present(added: Addition, present: list[Site]) -> None:
 
 def _create(added: Addition) -> list[str]:
     """Return the statement that creates the endpoint; its callback is written on the way."""
-    folder = added.kind.facts.interface
-    assert folder is not None
-    interface = added.messages.interface(added.endpoint.type, folder, added.name)
+    interface = added.interface()
     class_ = added.messages.type_class(interface)
-    callback = _callback(added, interface)
+    callback = callback_for(added, interface)
     model = _model(added)
     arguments = _arguments(added, model, class_, callback)
     callee = _callee(added, model)
@@ -226,12 +226,12 @@ def _queue(added: Addition, model: Site | None) -> str:
     return "10" if is_needed else ""
 
 
-def _callback(added: Addition, interface: Interface) -> str:
+def callback_for(added: Addition, interface: Interface) -> str:
     """Return the source of the callback; one that the file does not have is written."""
     endpoint = added.endpoint
     if not isinstance(endpoint, Subscription | Service):
         return ""
-    wanted = endpoint.callback
+    wanted = callback_of(endpoint)
     owner = added.place.owner
     if wanted is not None:
         if not literals.is_name(wanted):

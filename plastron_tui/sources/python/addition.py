@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from plastron_tui.model.kinds import Client, Publisher, Service, Subscription
+from plastron_tui.model.kinds import Endpoint
 from plastron_tui.model.numbering import numbered
 from plastron_tui.model.source import EndpointKind
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import Interface
 
 from . import literals, naming
 from .analysis import Analysis
+from .conventions import conventions_of
 from .dialect import Dialect
 from .messages import Messages
 from .place import Place
@@ -17,8 +20,6 @@ from .references import identifiers
 from .scopes import Scope
 from .typeimports import FileImports
 from .writing import Writer
-
-Endpoint = Publisher | Subscription | Service | Client
 
 
 @dataclass(slots=True)
@@ -39,6 +40,33 @@ class Addition:
     messages: Messages
     dialect: Dialect
     variable: str = ""
+
+    @classmethod
+    def at(
+        cls,
+        place: Place,
+        analysis: Analysis,
+        kind: EndpointKind,
+        endpoint: Endpoint,
+        catalog: Catalog,
+        dialect: Dialect,
+    ) -> Addition:
+        """Begin to write an endpoint of a kind, or a part of it, at a place of a file."""
+        conventions = conventions_of(analysis)
+        imports = FileImports(analysis, conventions)
+        messages = Messages(catalog, dialect, imports, conventions, endpoint.span)
+        writer = Writer(analysis, conventions)
+        added = cls(
+            analysis, kind, endpoint, endpoint.name, place, writer, imports, messages, dialect
+        )
+        added.stand(is_nested=True)
+        return added
+
+    def interface(self) -> Interface:
+        """Return the type of the endpoint."""
+        folder = self.kind.facts.interface
+        assert folder is not None, "what statements make is of a type"
+        return self.messages.interface(self.endpoint.type, folder, self.name)
 
     @property
     def is_rclpy(self) -> bool:

@@ -33,8 +33,7 @@ def edit_python(
         return Rendered(source.files)
     library = LIBRARIES[source.library]
     before = analyze(source.files.main, library)
-    expected = endpoints_of(before)
-    edits = Edits(before, catalog, dialect, expected)
+    edits = Edits(before, catalog, dialect, endpoints_of(before))
     try:
         edits.make(changes)
     except (CannotAddError, RefusedError) as refusal:
@@ -45,11 +44,11 @@ def edit_python(
     restored = apply(analysis.syntax.text, restore_imports(before, analysis))
     if restored != analysis.syntax.text:
         analysis = analyze(restored, library)
-    problem = _problem(before, analysis, expected)
+    problem = _problem(before, analysis, edits.expected)
     if problem is not None:
         message = f"the change of `{source.path.name}` would {problem}"
         return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message),))
-    return Rendered(source.files.with_main(analysis.syntax.text))
+    return Rendered(source.files.with_main(analysis.syntax.text), tuple(edits.notes))
 
 
 def not_encodable(source: SourceUnit, error: UnicodeEncodeError) -> Diagnostic:

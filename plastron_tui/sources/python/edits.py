@@ -8,21 +8,23 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
-from plastron_tui.model.kinds import Client, Publisher, Service, Subscription
-from plastron_tui.model.source import Add, Change, Remove, SourceEndpoint
+from plastron_tui.model.kinds import Client, Endpoint, Publisher, Service, Subscription
+from plastron_tui.model.source import Add, Change, Remove, Update
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceName
 
 from .adding import plan_addition
-from .addition import Endpoint
 from .analysis import Analysis
 from .dialect import Dialect
+from .imports import unused_imports
 from .messages import CannotAddError
 from .nodes import group, labels_of, part_of
 from .removal import find_sites, plan_removal
+from .replacing import NotInPlaceError
 from .sites import analyze
-from .splices import apply
-from .writing import Key, Writer
+from .splices import apply, delete_statements
+from .updating import plan_update
+from .writing import Key, Writer, key_of
 
 # A message that lists more lines than these is not read.
 _MOST_LINES = 20
@@ -49,13 +51,7 @@ Found = Counter[tuple[str, Key]]
 def endpoints_of(analysis: Analysis) -> Found:
     """Return the endpoints of a file."""
     labels = labels_of(analysis)
-    return Counter((labels.get(site, ""), _key_of(site.endpoint)) for site in analysis.sites)
-
-
-def _key_of(endpoint: SourceEndpoint) -> Key:
-    """Return what makes two endpoints of a node equal."""
-    name = endpoint.name if endpoint.name is not None else endpoint.expression
-    return (endpoint.kind, name, str(endpoint.type), endpoint.callback or "")
+    return Counter((labels.get(site, ""), key_of(site.endpoint)) for site in analysis.sites)
 
 
 class _Manner(NamedTuple):
@@ -91,12 +87,14 @@ class Edits:
     Attributes:
         analysis: the file as it is now.
         expected: the endpoints that a reader must find in it.
+        notes: warnings: what may no longer fit.
     """
 
     analysis: Analysis
     catalog: Catalog
     dialect: Dialect
     expected: Found
+    notes: list[Diagnostic] = field(default_factory=list)
     _reads: int = 0
     _work: int = 0
     _alike: set[_Manner] = field(default_factory=set)
@@ -113,24 +111,73 @@ class Edits:
         at = 0
         while at < len(changes):
             change = changes[at]
+            if isinstance(change, Add):
+                at += self._add(change, changes[at + 1 :])
+                continue
+            self._last = None
+            at += 1
             if isinstance(change, Remove):
-                text = _removed(self.analysis, change, self.expected)
-                self._last = None
-                at += 1
+                self._remove(change)
             else:
-                writers = self._planned(change, changes[at + 1 :])
-                text = _applied(self.analysis, writers)
-                if len(changes) - at > _MANY:
-                    self._compare(change, text)
-                self._last = (self.analysis, writers[0]) if len(writers) == 1 else None
-                label = self._label(change)
-                for writer in writers:
-                    self.expected.update((label, key) for key in writer.endpoints)
-                at += len(writers)
-            self._read(text)
-            self.analysis = analyze(text, self.analysis.library)
+                self._update(change)
 
-    def _label(self, change: Change) -> str:
+    def _remove(self, change: Remove) -> None:
+        text = _removed(self.analysis, change, self.expected)
+        self._read(text)
+        self.analysis = analyze(text, self.analysis.library)
+
+    def _add(self, change: Add, following: Sequence[Change] = ()) -> int:
+        """Make an addition, and those that follow it and are alike; return how many."""
+        writers = self._planned(change, following)
+        text = _applied(self.analysis, writers)
+        if len(following) >= _MANY:
+            self._compare(change, text)
+        self._last = (self.analysis, writers[0]) if len(writers) == 1 else None
+        label = self._label(change)
+        for writer in writers:
+            self.expected.update((label, key) for key in writer.endpoints)
+        self._read(text)
+        self.analysis = analyze(text, self.analysis.library)
+        return len(writers)
+
+    def _update(self, change: Update) -> None:
+        """Change an endpoint in place; take it out and write it anew where that cannot be."""
+        before, expected = self.analysis, self.expected.copy()
+        try:
+            self._update_in_place(change)
+        except (CannotAddError, NotInPlaceError):
+            self.analysis, self.expected = before, expected
+            remove, add = change.apart
+            self._remove(remove)
+            self._add(add)
+
+    def _update_in_place(self, change: Update) -> None:
+        before = self.analysis
+        node = part_of(before, change.node)
+        update = plan_update(before, node, change, self.catalog, self.dialect)
+        labels = labels_of(before)
+        label = labels.get(update.site, "")
+        self.expected.subtract(
+            (labels.get(site, ""), key_of(site.endpoint)) for site in update.lost
+        )
+        self.expected.update((label, key) for key in update.added.writer.endpoints)
+        text = apply(before.syntax.text, update.all_splices())
+        self._read(text)
+        after = analyze(text, before.library)
+        imports, names = unused_imports(after, [], update.freed())
+        if imports or names:
+            text = apply(text, [*delete_statements(text, imports), *names])
+            self._read(text)
+            after = analyze(text, before.library)
+        is_worse = after.syntax.errors > before.syntax.errors
+        if is_worse or endpoints_of(after) != +self.expected:
+            raise NotInPlaceError
+        self.analysis = after
+        if update.is_silent:
+            self._add(Add(change.endpoint, change.node))
+        self.notes += update.notes
+
+    def _label(self, change: Add) -> str:
         """Return the label of the node that a change is for."""
         if change.node is not None:
             return change.node
@@ -145,7 +192,7 @@ class Edits:
             return writers
         words = set(first.words)
         for other in following:
-            if isinstance(other, Remove) or other.node != change.node:
+            if not isinstance(other, Add) or other.node != change.node:
                 break
             if _manner(other.endpoint) not in self._alike:
                 break
@@ -211,7 +258,7 @@ def _removed(analysis: Analysis, change: Remove, expected: Found) -> bytes:
             )
         )  # fmt: skip
     labels = labels_of(analysis)
-    expected.subtract((labels.get(site, ""), _key_of(site.endpoint)) for site in removal.sites)
+    expected.subtract((labels.get(site, ""), key_of(site.endpoint)) for site in removal.sites)
     return apply(analysis.syntax.text, removal.splices)
 
 

@@ -24,7 +24,7 @@ def body_of(function: Scope) -> list[Node]:
     if block is None:
         return []
     statements = parts_of(block)
-    if statements and _is_string(statements[0]):
+    if statements and is_docstring(statements[0]):
         statements = statements[1:]
     return statements
 
@@ -40,7 +40,8 @@ def has_comments(function: Scope) -> bool:
     return False
 
 
-def _is_string(statement: Node) -> bool:
+def is_docstring(statement: Node) -> bool:
+    """Whether a statement is a text and nothing else."""
     children = statement.named_children
     return (
         statement.type == "expression_statement"

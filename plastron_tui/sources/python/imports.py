@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 
 from tree_sitter import Node
 
@@ -23,8 +23,15 @@ def is_interface_module(target: str) -> bool:
     return len(parts) >= 2 and parts[1] in _INTERFACES
 
 
-def unused_imports(analysis: Analysis, gone: list[Splice]) -> tuple[list[Node], list[Splice]]:
+def unused_imports(
+    analysis: Analysis, gone: list[Splice], freed: Container[str] = ()
+) -> tuple[list[Node], list[Splice]]:
     """Find the imports of interface types whose every use lies in what is deleted.
+
+    Args:
+        analysis: the file.
+        gone: what is deleted.
+        freed: names that were used in what is deleted already.
 
     Returns:
         The statements that go, and what takes names out of others.
@@ -44,7 +51,7 @@ def unused_imports(analysis: Analysis, gone: list[Splice]) -> tuple[list[Node], 
             and not _is_inside(node, binding.node)
             and _means_import(node, name, scope, analysis)
         ]
-        is_freed = any(_is_deleted(node, gone) for node in uses)
+        is_freed = name in freed or any(_is_deleted(node, gone) for node in uses)
         if not is_freed or not all(_is_deleted(node, gone) for node in uses):
             continue
         if _is_named_in_strings(name, analysis):

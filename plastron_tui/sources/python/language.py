@@ -5,7 +5,6 @@ from __future__ import annotations
 import keyword
 import re
 import sys
-from collections import Counter
 from collections.abc import Container
 from pathlib import Path
 from typing import ClassVar
@@ -100,9 +99,3 @@ class Python(Language):
         from .words import mentions
 
         return mentions(text, name)
-
-    def lines_of_code(self, text: bytes) -> Counter[bytes]:
-        """Return the lines of a Python text without blank lines and imports."""
-        from .words import lines_of_code
-
-        return lines_of_code(text)

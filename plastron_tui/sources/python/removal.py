@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tree_sitter import Node
 
-from plastron_tui.model.source import EndpointKind, Remove
+from plastron_tui.model.source import EndpointKind, Remove, Update
 
 from .analysis import Analysis, Site
 from .arguments import Arguments
@@ -27,7 +27,7 @@ from .scopes import BindingKind, Scope
 from .splices import Splice, delete_statements
 
 
-def find_sites(analysis: Analysis, change: Remove) -> list[Site]:
+def find_sites(analysis: Analysis, change: Remove | Update) -> list[Site]:
     """Return the call sites of the endpoint that a change names."""
     of_kind = [site for site in analysis.sites if site.endpoint.kind is change.kind]
     named = [site for site in of_kind if site.endpoint.name == change.name]
@@ -42,12 +42,12 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
         for variable in remove_creation(analysis, site, removal):
             variables[variable] = None
     for variable in variables:
-        _remove_uses(analysis, variable, sites, removal)
+        remove_uses(analysis, variable, sites, removal)
     if removal.lines:
         return removal
-    removal.statements += _waits(analysis, sites)
+    removal.statements += [statement for statement, _ in waits(analysis, sites)]
     gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
-    callbacks = _stub_callbacks(analysis, removal.sites, gone)
+    callbacks = stub_callbacks(analysis, removal.sites, gone)
     removal.statements += callbacks
     gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
     imports, names = unused_imports(analysis, gone)
@@ -59,8 +59,8 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
     return removal
 
 
-def _waits(analysis: Analysis, sites: list[Site]) -> list[Node]:
-    """Return the statements that wait for a service that nothing calls any more.
+def waits(analysis: Analysis, sites: list[Site]) -> list[tuple[Node, Node]]:
+    """Return the statements that wait for a service, each with the argument that names it.
 
     Where the service is not there they would keep the node waiting for ever.
     """
@@ -76,12 +76,13 @@ def _waits(analysis: Analysis, sites: list[Site]) -> list[Node]:
             continue
         given = Arguments.of(call, analysis.syntax).get(Argument(0, "service"))
         folded = analysis.resolver.fold(given, scope)
-        if isinstance(folded, Known) and folded.value is not None and folded.value in names:
-            found.append(statement)
+        name = folded.value if isinstance(folded, Known) else None
+        if given is not None and name is not None and name in names:
+            found.append((statement, given))
     return found
 
 
-def _remove_uses(
+def remove_uses(
     analysis: Analysis, variable: Variable, sites: list[Site], removal: Removal
 ) -> None:
     """Remove what only publishes on a variable; note the lines of every other use."""
@@ -130,7 +131,7 @@ def _remove_calling(analysis: Analysis, uses: list[Reference], removal: Removal)
         if function is not None and is_calling_function(analysis, function):
             functions[function.node.id] = function
     for function in list(functions.values()):
-        timers = _timers_of(analysis, function)
+        timers = timers_of(analysis, function)
         statement = statement_of(timers[0].call) if len(timers) == 1 else None
         mentions = function_uses(analysis, function)
         if statement is None or len(mentions) != 1:
@@ -146,7 +147,8 @@ def _remove_calling(analysis: Analysis, uses: list[Reference], removal: Removal)
     ]
 
 
-def _timers_of(analysis: Analysis, function: Scope) -> list[Site]:
+def timers_of(analysis: Analysis, function: Scope) -> list[Site]:
+    """Return the timers that call a function."""
     return [
         site
         for site in analysis.sites
@@ -166,7 +168,7 @@ def _remove_publishing(
         else:
             removal.statements.append(reference.statement)
     for function in whole.values():
-        timers = _timers_of(analysis, function)
+        timers = timers_of(analysis, function)
         statements = [site.call.parent for site in timers]
         uses = function_uses(analysis, function)
         is_own = (
@@ -228,7 +230,7 @@ def function_uses(analysis: Analysis, function: Scope) -> list[Node]:
     return found
 
 
-def _stub_callbacks(analysis: Analysis, sites: list[Site], gone: list[Splice]) -> list[Node]:
+def stub_callbacks(analysis: Analysis, sites: list[Site], gone: list[Splice]) -> list[Node]:
     """Return the stubs that nothing refers to once the call sites are gone."""
     found = []
     for site in sites:

@@ -59,7 +59,7 @@ def _own_block(added: Addition) -> tuple[Node | None, float | None]:
     Beside it is its rate in Hz, where the file says it literally.
     """
     analysis = added.analysis
-    loops = [node for node in analysis.captures.get("while", []) if _is_loop(added, node)]
+    loops = [node for node in analysis.captures.get("while", []) if is_loop(added, node)]
     timers = [site for site in analysis.sites if site.endpoint.kind is EndpointKind.TIMER]
     if len(loops) + len(timers) != 1:
         return None, None
@@ -84,7 +84,7 @@ def _own_block(added: Addition) -> tuple[Node | None, float | None]:
     return block, timer_rate(analysis, timers[0])
 
 
-def _is_loop(added: Addition, node: Node) -> bool:
+def is_loop(added: Addition, node: Node) -> bool:
     """Whether a `while` is the loop of a node: until ROS shuts down, or forever at a rate."""
     condition = node.child_by_field_name("condition")
     text = added.analysis.syntax.slice(condition) if condition is not None else ""
@@ -94,11 +94,12 @@ def _is_loop(added: Addition, node: Node) -> bool:
     return (
         text in ("True", "1")
         and body is not None
-        and any(_is_sleep(added, child) for child in body.named_children)
+        and any(is_sleep(added, child) for child in body.named_children)
     )
 
 
-def _is_sleep(added: Addition, statement: Node) -> bool:
+def is_sleep(added: Addition, statement: Node) -> bool:
+    """Whether a statement waits until a loop runs again."""
     return statement.type == "expression_statement" and ".sleep(" in added.analysis.syntax.slice(
         statement
     )
@@ -126,7 +127,7 @@ def _publish_in(added: Addition, block: Node, publications: Sequence[Publication
         statements = parts_of(inner)
     last = statements[-1]
     text = added.analysis.syntax.text
-    leaves = last.type in _LEAVING or _is_sleep(added, last)
+    leaves = last.type in _LEAVING or is_sleep(added, last)
     indent = leading_space(added.analysis, statements[0])
     offset = line_start(text, last.start_byte) if leaves else line_end(text, last.end_byte)
     lines = []

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 
-from plastron_tui.model.source import EndpointKind
+from plastron_tui.model.source import EndpointKind, SourceEndpoint
 
 from .analysis import Analysis
 from .conventions import Conventions
@@ -15,6 +15,12 @@ from .splices import Splice
 _WORD = re.compile(r"\w+")
 
 Key = tuple[EndpointKind, str | None, str, str]
+
+
+def key_of(endpoint: SourceEndpoint) -> Key:
+    """Return what makes two endpoints of a node equal."""
+    name = endpoint.name if endpoint.name is not None else endpoint.expression
+    return (endpoint.kind, name, str(endpoint.type), endpoint.callback or "")
 
 
 @dataclass(slots=True)

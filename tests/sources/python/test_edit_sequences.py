@@ -20,7 +20,7 @@ from hypothesis import strategies as st
 from machine import examples
 
 from plastron_tui.model.kinds import EDITABLE, kind_of
-from plastron_tui.model.source import EndpointKind, Remove
+from plastron_tui.model.source import Add, EndpointKind, Remove, Update
 from plastron_tui.sources.python import edit_python, read_python
 
 
@@ -69,13 +69,15 @@ def test_any_sequence_gives_the_endpoints_that_it_asks_for(path, additions, rand
         if choice and random.random() < 0.5:
             kind, name = random.choice(choice)
             change = Remove(kind, name, AT)
+            if kind_of(type(addition.endpoint)) is kind:
+                change = Update(kind, name, addition.endpoint, AT)
         rendered = edit_python(source, [change], CATALOGS[library], DIALECTS[library])
         if rendered.files is None:
             assert rendered.diagnostics
             continue
-        if isinstance(change, Remove):
+        if not isinstance(change, Add):
             expected[change.kind, change.name] = 0
-        else:
+        if not isinstance(change, Remove):
             endpoint = change.endpoint
             expected[kind_of(type(endpoint)), endpoint.name] += 1
         result = read_python(path, rendered.files, library)

@@ -4,9 +4,3 @@
   name: (identifier) @definition)
 
 (identifier) @identifier
-
-[
-  (import_statement)
-  (import_from_statement)
-  (future_import_statement)
-] @import

@@ -1,0 +1,283 @@
+"""Sending something else through an endpoint, from the lines that send through it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from tree_sitter import Node
+
+from plastron_tui.model.kinds import Client, Publication, Publisher
+from plastron_tui.model.values import MessageValue
+from plastron_tui.ros.interfaces import Interface
+
+from .addition import Addition
+from .analysis import Analysis, Site
+from .creation import Removal, remove_creation
+from .generated import is_docstring, is_own_call
+from .rates import Pace, is_shared, loop_pace, timer_pace
+from .references import Reference, Use, Variable, identifiers, references
+from .removal import remove_uses, timers_of
+from .replacing import NotInPlaceError, Replacement
+from .sending import is_loop, is_sleep
+from .splices import delete_statements
+from .syntax import parts_of
+from .writing import key_of
+
+_CALLS = frozenset({"call", "call_async"})
+
+
+def resend(update: Replacement, interface: Interface) -> None:
+    """Replace what is sent through an endpoint, where the update names that.
+
+    Where the lines that send cannot be changed in place they are deleted (`is_silent`).
+
+    Raises:
+        NotInPlaceError: something is done with the endpoint that nobody can take back.
+    """
+    endpoint = update.added.endpoint
+    is_sending = isinstance(endpoint, Publisher) and bool(endpoint.publications)
+    if not is_sending and not (isinstance(endpoint, Client) and endpoint.requests):
+        return
+    variable, uses = _uses(update)
+    if isinstance(endpoint, Publisher):
+        is_done = _publish(update, variable, endpoint.publications)
+    else:
+        assert isinstance(endpoint, Client), "only publishers and clients send"
+        is_done = _request(update, variable, interface, endpoint.requests)
+    if not is_done:
+        update.splices += delete_statements(update.analysis.syntax.text, uses.statements)
+        update.lost += uses.sites[1:]
+        update.is_silent = True
+
+
+def _uses(update: Replacement) -> tuple[Variable, Removal]:
+    """Return the variable that holds an endpoint, and the statements that send through it."""
+    analysis, site = update.analysis, update.site
+    creation = Removal(sites=[site])
+    variables = remove_creation(analysis, site, creation)
+    if creation.lines or len(variables) != 1:
+        raise NotInPlaceError
+    uses = Removal(list(creation.statements), list(creation.splices), [site])
+    remove_uses(analysis, variables[0], [site], uses)
+    if uses.lines:
+        raise NotInPlaceError
+    created = {statement.id for statement in creation.statements}
+    uses.statements = [each for each in uses.statements if each.id not in created]
+    return variables[0], uses
+
+
+class _Sent(NamedTuple):
+    """A message on its way out: the expression, its statements, whether a line stamps it."""
+
+    reference: Reference
+    expression: Node
+    statements: tuple[Node, ...]
+    is_stamped: bool = False
+
+
+def _publish(update: Replacement, variable: Variable, publications: Sequence[Publication]) -> bool:
+    """Publish other messages in the lines that publish, at other rates where those may change."""
+    added, analysis = update.added, update.analysis
+    # What is sent at one rate stands together.
+    rates = list(dict.fromkeys(each.rate for each in publications))
+    publications = sorted(publications, key=lambda each: rates.index(each.rate))
+    publishing = [each for each in references(variable, analysis) if each.use is Use.PUBLISH]
+    sent = _sent(analysis, publishing)
+    if not len(publishing) == len(sent) == len(publications):
+        return False
+    for each, publication in zip(sent, publications, strict=True):
+        if each.is_stamped != added.messages.needs_stamp(publication.message.value):
+            return False
+    if not _repace(update, sent, publications):
+        return False
+    for each, publication in zip(sent, publications, strict=True):
+        _stand(added, each.expression)
+        update.put(each.expression, added.messages.message(publication.message.value))
+    added.stand(is_nested=True)
+    return True
+
+
+def _sent(analysis: Analysis, publishing: Sequence[Reference]) -> list[_Sent]:
+    """Return what statements publish, as far as they say it."""
+    given = [
+        _Sent(each, argument, (each.statement,))
+        for each in publishing
+        if each.node.parent is not None
+        and (argument := _only_argument(each.node.parent.parent)) is not None
+    ]
+    named = [_named(analysis, each) for each in given]
+    own = [statement for each in named if each is not None for statement in each.statements]
+    return [
+        plain if each is None or _is_used_elsewhere(analysis, plain.expression, own) else each
+        for plain, each in zip(given, named, strict=True)
+    ]
+
+
+def _named(analysis: Analysis, sent: _Sent) -> _Sent | None:
+    """Return a message with the statements before it that make it, None where none do."""
+    if sent.expression.type != "identifier":
+        return None
+    name, statements = analysis.syntax.slice(sent.expression), list(sent.statements)
+    before = statements[0].prev_named_sibling
+    while before is not None:
+        statements.append(before)
+        assignment = before.named_children[0] if before.named_children else before
+        value = assignment.child_by_field_name("right")
+        target = assignment.child_by_field_name("left")
+        written = analysis.syntax.slice(target) if target is not None else ""
+        if written == name and value is not None and value.type == "call":
+            return _Sent(sent.reference, value, tuple(statements), len(statements) > 2)
+        if written != f"{name}.header.stamp":
+            return None
+        before = before.prev_named_sibling
+    return None
+
+
+def _is_used_elsewhere(analysis: Analysis, variable: Node, statements: Sequence[Node]) -> bool:
+    """Whether other statements than the given ones use a variable of the same function."""
+    scope = analysis.scopes.at(variable.start_byte)
+    return any(
+        analysis.scopes.at(node.start_byte).is_within(scope)
+        and not any(each.start_byte <= node.start_byte < each.end_byte for each in statements)
+        for node in identifiers(analysis.syntax.slice(variable), analysis)
+    )
+
+
+def _only_argument(call: Node | None) -> Node | None:
+    given = parts_of(call.child_by_field_name("arguments")) if call is not None else []
+    kinds = ("keyword_argument", "list_splat", "dictionary_splat")
+    return given[0] if len(given) == 1 and given[0].type not in kinds else None
+
+
+class _Runner(NamedTuple):
+    """What runs statements again and again: a loop, or a timer.
+
+    Attributes:
+        block: the statements.
+        pace: what says how often, None where nothing does literally.
+        loop: the loop.
+        timer: the timer.
+        is_own: whether Plastron made it, for one rate.
+    """
+
+    block: Node
+    pace: Pace | None
+    loop: Node | None = None
+    timer: Site | None = None
+    is_own: bool = False
+
+
+def _runner(added: Addition, statement: Node) -> _Runner | None:
+    """Return what runs a statement as often as it runs itself."""
+    analysis, block = added.analysis, statement.parent
+    while block is not None and block.parent is not None and block.parent.type == "try_statement":
+        block = block.parent.parent
+    owner = block.parent if block is not None else None
+    if block is None or owner is None:
+        return None
+    if owner.type == "while_statement" and is_loop(added, owner):
+        return _Runner(block, loop_pace(analysis, owner), loop=owner)
+    function = analysis.scopes.at(statement.start_byte).enclosing("function")
+    if function is None or function.node.id != owner.id:
+        return None
+    timers = timers_of(analysis, function)
+    if len(timers) != 1 or (not added.is_rclpy and _is_once(timers[0])):
+        return None
+    pace = timer_pace(analysis, timers[0])
+    return _Runner(block, pace, timer=timers[0], is_own=function.name.startswith("publish_"))
+
+
+def _is_once(timer: Site) -> bool:
+    return "oneshot" in timer.arguments.keywords or len(timer.arguments.positional) > 2
+
+
+def _repace(
+    update: Replacement, sent: Sequence[_Sent], publications: Sequence[Publication]
+) -> bool:
+    """Send at the rates that are asked for; False where something else would change with them."""
+    rates: dict[int, tuple[_Runner, set[float]]] = {}
+    for each, publication in zip(sent, publications, strict=True):
+        runner = _runner(update.added, each.reference.statement)
+        if runner is None:
+            return False
+        wanted = rates.setdefault(runner.block.id, (runner, set()))[1]
+        if runner.is_own or not publication.is_rate_open:
+            wanted.add(publication.rate)
+    own = {statement.id for each in sent for statement in each.statements}
+    for runner, wanted in rates.values():
+        hertz = None if runner.pace is None else runner.pace.hertz(update.analysis)
+        if all(hertz is not None and math.isclose(hertz, rate) for rate in wanted):
+            continue
+        if len(wanted) > 1 or not _does_only(update.added, runner.block, own):
+            return False
+        if not _set_rate(update, runner, wanted.pop()):
+            return False
+    return True
+
+
+def _does_only(added: Addition, block: Node, own: set[int]) -> bool:
+    """Whether a block only sends, and sleeps."""
+    for statement in parts_of(block):
+        body = statement.child_by_field_name("body")
+        if statement.type == "try_statement" and body is not None:
+            if not _does_only(added, body, own):
+                return False
+        elif not (statement.id in own or is_docstring(statement) or is_sleep(added, statement)):
+            return False
+    return True
+
+
+def _set_rate(update: Replacement, runner: _Runner, rate: float) -> bool:
+    analysis, pace = update.analysis, runner.pace
+    splice = None if pace is None else pace.set_to(analysis, rate)
+    if pace is None or splice is None:
+        return False
+    if runner.loop is not None and is_shared(analysis, pace, runner.loop):
+        return False
+    update.splices.append(splice)
+    if runner.timer is not None:
+        given = runner.timer.endpoint
+        start, end = pace.node.start_byte, pace.node.end_byte
+        between = analysis.syntax.between
+        changed = splice.text.decode(analysis.syntax.encoding)
+        name = f"{between(start, splice.start)}{changed}{between(splice.end, end)}"
+        update.lost.append(runner.timer)
+        update.added.writer.endpoints.append(key_of(given._replace(expression=name)))
+    return True
+
+
+def _request(
+    update: Replacement, variable: Variable, interface: Interface, requests: Sequence[MessageValue]
+) -> bool:
+    """Send other requests in the calls that there are, where there are as many."""
+    uses = references(variable, update.analysis)
+    given = [node for each in uses if (node := _request_in(update.analysis, each)) is not None]
+    if len(given) != len(requests):
+        return False
+    for node, request in zip(given, requests, strict=True):
+        _stand(update.added, node)
+        update.put(node, update.added.messages.request(interface, request))
+    update.added.stand(is_nested=True)
+    return True
+
+
+def _request_in(analysis: Analysis, reference: Reference) -> Node | None:
+    """Return the request that a use of a client sends, None where it sends none."""
+    node, parent = reference.node, reference.node.parent
+    if parent is None:
+        return None
+    if is_own_call(analysis, reference):
+        return parts_of(parent)[1]
+    callee = parent.child_by_field_name("function")
+    if parent.type == "call" and callee is not None and callee.id == node.id:
+        return _only_argument(parent)
+    name = parent.child_by_field_name("attribute")
+    is_call = name is not None and analysis.syntax.slice(name) in _CALLS
+    return _only_argument(parent.parent) if is_call else None
+
+
+def _stand(added: Addition, node: Node) -> None:
+    scope = added.analysis.scopes.at(node.start_byte)
+    added.stand(is_nested=scope.is_within(added.place.scope))

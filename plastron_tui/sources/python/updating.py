@@ -1,0 +1,154 @@
+"""Changing an endpoint of a file where it stands: what no change names stays as it is."""
+
+from __future__ import annotations
+
+import re
+
+from tree_sitter import Node
+
+from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.model.kinds import callback_of
+from plastron_tui.model.source import Update
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import Interface
+
+from .adding import callback_for
+from .addition import Addition
+from .analysis import Analysis
+from .conventions import target_name
+from .dialect import Dialect
+from .generated import body_of, is_stub
+from .place import beside
+from .removal import callback_scope, find_sites, stub_callbacks, waits
+from .replacing import NotInPlaceError, Replacement
+from .resending import resend
+from .scopes import BindingKind, Scope
+from .splices import Splice, delete_statements
+
+# What stands in a string as it is, whatever its quotes and its prefix.
+_PLAIN = re.compile(r"[A-Za-z0-9_/~.\-]+")
+
+
+def plan_update(
+    analysis: Analysis, node: Analysis, change: Update, catalog: Catalog, dialect: Dialect
+) -> Replacement:
+    """Plan what changes an endpoint of a node where it stands.
+
+    Args:
+        analysis: the file.
+        node: what is known of the node alone, where the file holds several.
+        change: what is asked for.
+        catalog: the interface types.
+        dialect: the client library.
+
+    Raises:
+        NotInPlaceError: the call does not say what differs itself, or not in one place.
+        CannotAddError: the new type is not known.
+    """
+    sites = find_sites(node, change)
+    place = beside(analysis, sites[0]) if len(sites) == 1 else None
+    if place is None:
+        raise NotInPlaceError
+    site = sites[0]
+    added = Addition.at(place, analysis, change.kind, change.endpoint, catalog, dialect)
+    added.variable = target_name(analysis, site) or ""
+    update = Replacement(added, site, lost=[site])
+    name = _rename(update, change.name)
+    interface = added.interface()
+    is_retyped = interface.name != site.endpoint.type
+    if is_retyped:
+        _retype(update, interface)
+    callback = callback_of(change.endpoint)
+    if callback not in (None, site.endpoint.callback):
+        _call(update, interface)
+    else:
+        callback = site.endpoint.callback
+        if is_retyped:
+            _respond(update, interface)
+    added.writer.endpoints.append((change.kind, name, str(interface.name), callback or ""))
+    resend(update, interface)
+    return update
+
+
+def _rename(update: Replacement, name: str) -> str:
+    """Write another name; return what a reader finds as the name."""
+    wanted, found = update.added.name, update.site.endpoint
+    if wanted == name:
+        return found.expression if found.name is None else found.name
+    given = [update.site.arguments.get(update.site.shape.name)]
+    # A node that waited for a service of the old name would wait for ever.
+    given += [argument for _, argument in waits(update.analysis, [update.site])]
+    for node in given:
+        if node is None or not _PLAIN.fullmatch(wanted):
+            raise NotInPlaceError
+        _put_in_string(update, node, name, wanted)
+    return wanted
+
+
+def _put_in_string(update: Replacement, node: Node, old: str, new: str) -> None:
+    """Replace what a literal holds; its quotes stay."""
+    syntax = update.analysis.syntax
+    if node.type != "string" or node.child_count < 2:
+        raise NotInPlaceError
+    start, end = node.children[0].end_byte, node.children[-1].start_byte
+    if syntax.between(start, end) != old:
+        raise NotInPlaceError
+    update.splices.append(Splice(start, end, syntax.encode(new)))
+
+
+def _retype(update: Replacement, interface: Interface) -> None:
+    shape, site = update.site.shape, update.site
+    given = site.arguments.get(shape.type) if shape.type is not None else None
+    if given is None or not _is_bound(update.analysis, given, site.scope, BindingKind.IMPORT):
+        raise NotInPlaceError
+    update.put(given, update.added.messages.type_class(interface))
+
+
+def _call(update: Replacement, interface: Interface) -> None:
+    """Let the endpoint call another function; the stub that it called goes."""
+    analysis, shape, site = update.analysis, update.site.shape, update.site
+    given = site.arguments.get(shape.callback) if shape.callback is not None else None
+    kinds = (BindingKind.FUNCTION, BindingKind.IMPORT)
+    if given is None or (
+        given.type == "identifier" and not _is_bound(analysis, given, site.scope, *kinds)
+    ):
+        raise NotInPlaceError
+    update.put(given, callback_for(update.added, interface))
+    gone = [Splice(given.start_byte, given.end_byte)]
+    stubs = stub_callbacks(analysis, [site], gone)
+    update.splices += delete_statements(analysis.syntax.text, stubs)
+
+
+def _respond(update: Replacement, interface: Interface) -> None:
+    """Let a stub of rospy return a response of the new type; tell of a callback with code in it."""
+    analysis, found = update.analysis, update.site.endpoint
+    function = callback_scope(analysis, update.site)
+    if function is None or not is_stub(analysis, function, update.site):
+        if found.callback is not None and callback_of(update.added.endpoint) is None:
+            message = (
+                f"`{found.callback}` was written for `{found.type}`, and gets `{interface.name}`"
+            )
+            help_ = "change it by hand, or name another function with `calling`"
+            span = update.added.endpoint.span
+            update.notes.append(Diagnostic(codes.OTHER_TYPE, message, span, help=help_))
+        return
+    if update.added.is_rclpy:
+        return
+    update.added.stand(is_nested=False)
+    for statement in body_of(function):
+        value = next(iter(statement.named_children), None)
+        if statement.type == "return_statement" and value is not None and value.type == "call":
+            update.put(value, update.added.messages.response(interface))
+    update.added.stand(is_nested=True)
+
+
+def _is_bound(analysis: Analysis, node: Node, scope: Scope, *kinds: BindingKind) -> bool:
+    """Whether a name means what its bindings of some kinds say, and no parameter or constant."""
+    while node.type == "attribute" and (inner := node.child_by_field_name("object")):
+        node = inner
+    if node.type != "identifier":
+        return False
+    found = scope.lookup(analysis.syntax.slice(node))
+    if found is None:
+        return analysis.scopes.module.star_imports != []
+    return all(binding.kind in kinds for binding in found[1])
