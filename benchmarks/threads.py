@@ -1,7 +1,7 @@
-"""What the switch interval of plastron_tui/studio/analyst.py is worth, against Python's own.
+"""What the switch interval of the analysis worker is worth, against Python's own.
 
 Both studios run in terminals of their own, in turn: only there a key passes all of its threads.
-The analyst is busy, since the program has 10,000 statements and each key changes what it means.
+The worker is busy, since the program has 10,000 statements and each key changes what it means.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from statistics import median
 from tempfile import TemporaryDirectory
 from time import perf_counter
 
-from plastron_tui.studio import analyst
+from plastron_tui.studio import analysis_worker
 
 from .programs import program
 from .row import Row
@@ -31,7 +31,7 @@ def rows() -> Iterator[Row]:
     pairs = [(_in_new_folder(_OURS), _in_new_folder(_PYTHONS)) for _ in range(_RUNS)]
     ours, pythons = (median(times) * 1e3 for times in zip(*pairs, strict=True))
     yield Row(
-        "a key in a terminal, with the analyst's switch interval / without",
+        "a key in a terminal, with the worker's switch interval / without",
         median(a / b for a, b in pairs),
         0.95,
         detail=f"{ours:.0f} ms / {pythons:.0f} ms",
@@ -67,6 +67,6 @@ def _key(policy: str, file: Path) -> float:
 
 if __name__ == "__main__":
     if sys.argv[1] == _PYTHONS:
-        analyst._SWITCH_INTERVAL = sys.getswitchinterval()
+        analysis_worker._SWITCH_INTERVAL = sys.getswitchinterval()
     sys.argv[1:] = sys.argv[2:]
     import_module("plastron_tui.cli").main()

@@ -25,7 +25,7 @@ from plastron_tui.ros_choice import RosChoice, Said, Why, choose_distribution, c
 from plastron_tui.targets import LIBRARIES
 
 if TYPE_CHECKING:
-    from plastron_tui.generating.adaptation import Library
+    from plastron_tui.generating.apply_changes import Library
     from plastron_tui.ros.catalog import Catalog
 
 
@@ -154,7 +154,7 @@ class Configuration:
     def library(self, name: str) -> Library | None:
         """Return what writes nodes for a client library, None where nothing here does."""
         if name not in self._libraries:
-            from plastron_tui.generating.adaptation import Library
+            from plastron_tui.generating.apply_changes import Library
             from plastron_tui.targets import find_target
 
             target = find_target(name, self.project.templates)

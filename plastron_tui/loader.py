@@ -12,17 +12,17 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from plastron_tui.diagnostics import Code, Diagnostic, codes
 from plastron_tui.diagnostics.suggest import nearest
-from plastron_tui.model.setting import Loaded, LoadRequest
+from plastron_tui.model.context import Loaded, LoadRequest
 from plastron_tui.model.source import LARGEST_FILE
 from plastron_tui.model.workspace import Generation
-from plastron_tui.output.names import is_own_name, settled
+from plastron_tui.output.own_files import is_own_name, settled
 from plastron_tui.regular_files import Stamp, read_regular, reason, stamp_of
 
 if TYPE_CHECKING:
     from plastron_tui.boundary import Boundary
     from plastron_tui.model.source import FileSet, Origin, SourceUnit
-    from plastron_tui.output.layers import Author
     from plastron_tui.output.manifest import Reading
+    from plastron_tui.output.patch_stack import Author
 
 _MOST_FOLDERS = 64
 """How many manifests are remembered; a program writes to one folder, and loads from a few."""
@@ -235,7 +235,7 @@ class NodeLoader:
         known = self._files.starts.get(path)
         if known is not None and known.is_current(self._author):
             return known.loaded
-        from plastron_tui.generating.starting import find_start
+        from plastron_tui.generating.restore_base import find_start
 
         manifests, may_read = self._files.manifest, self._boundary.allows
         start = find_start(path, self._author, lambda folder: manifests(folder)[0], may_read)
@@ -250,8 +250,8 @@ class NodeLoader:
 
     @cached_property
     def _author(self) -> Author:
-        from plastron_tui.output.layers import Author
         from plastron_tui.output.manifest import digest
+        from plastron_tui.output.patch_stack import Author
 
         return Author(self._program, digest(self._text), self._folder)
 
@@ -323,7 +323,7 @@ def _with_origin(loaded: Loaded, origin: Origin) -> Loaded:
 
 
 def _chained(source: SourceUnit) -> Origin:
-    from plastron_tui.generating.starting import chained
+    from plastron_tui.generating.restore_base import chained
 
     return chained(source)
 

@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from plastron_tui.generating.generation import Generated
     from plastron_tui.model.source import FileSet
     from plastron_tui.model.workspace import Generation
-    from plastron_tui.output.layers import Author
     from plastron_tui.output.manifest import Manifest, Reading
+    from plastron_tui.output.patch_stack import Author
     from plastron_tui.output.plan import FilePlan
 
 
@@ -82,8 +82,8 @@ class Planner:
         manifests: Callable[[Path], Manifest],
         generations: Sequence[Generation] = (),
     ) -> Generated:
+        from plastron_tui.generating.destination import Writing
         from plastron_tui.generating.generation import Generated, generate, nodes_of_file
-        from plastron_tui.generating.place import Writing
 
         configuration, options = self._configuration, self._configuration.options
         library = configuration.library(generation.library)

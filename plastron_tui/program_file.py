@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, LineIndex, codes
-from plastron_tui.output.names import settled
+from plastron_tui.output.own_files import settled
 from plastron_tui.regular_files import read_named, read_regular, reason
 
 LONGEST_LINE = 256 * 1024

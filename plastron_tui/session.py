@@ -17,8 +17,8 @@ from plastron_tui.boundary import Boundary
 from plastron_tui.configuration import Configuration, Options
 from plastron_tui.diagnostics import Diagnostic, LineIndex
 from plastron_tui.language import Document, Program
-from plastron_tui.language.relowering import Lowered, lower_edited
-from plastron_tui.output.names import has_leftovers
+from plastron_tui.language.incremental_lowering import Lowered, lower_edited
+from plastron_tui.output.own_files import has_leftovers
 from plastron_tui.planner import Planner, unwritten
 from plastron_tui.program_file import lines_of
 from plastron_tui.project import Project
@@ -29,10 +29,10 @@ if TYPE_CHECKING:
     # What a program means is found out when its text is there to see: the studio starts sooner.
     from plastron_tui.generating.generation import Generated
     from plastron_tui.loader import FilesRead, NodeLoader
-    from plastron_tui.model.fitting import Fitter
+    from plastron_tui.model.context import Setting
     from plastron_tui.model.interpreter import Interpretation
-    from plastron_tui.model.setting import Setting
     from plastron_tui.model.source import FileSet
+    from plastron_tui.model.value_check import Fitter
     from plastron_tui.model.workspace import Generation, Workspace
     from plastron_tui.output.plan import FilePlan
     from plastron_tui.ros.catalog import Catalog
@@ -197,7 +197,7 @@ class Session:
         return NodeLoader(*places, self._rendered, *program, self._files)
 
     def _new_setting(self, loader: NodeLoader) -> Setting:
-        from plastron_tui.model.setting import Setting
+        from plastron_tui.model.context import Setting
 
         return Setting(self.library, LIBRARIES, self.catalog, loader, self.ros.is_chosen)
 
@@ -263,8 +263,8 @@ class Session:
         return self._planner(()).rendered(generation)
 
     def _planner(self, generations: Sequence[Generation]) -> Planner:
-        from plastron_tui.output.layers import Author
         from plastron_tui.output.manifest import digest
+        from plastron_tui.output.patch_stack import Author
 
         author = Author(self._name, digest(self.document.text), self.folder)
         return Planner(self._configuration, author, self._files.manifest, generations)

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from plastron_tui.model.workspace import Node
-from plastron_tui.output.remembered import recall
+from plastron_tui.output.node_json import recall
 from plastron_tui.output.writer import write
 from plastron_tui.session import Options, Session
 

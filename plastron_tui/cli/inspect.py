@@ -12,7 +12,7 @@ from plastron_tui.loader import read_node, with_others
 from plastron_tui.model.inspection import inspect_json, inspect_text
 from plastron_tui.model.program_text import program_of
 from plastron_tui.model.source import LARGEST_FILE, SourceUnit
-from plastron_tui.output.names import settled
+from plastron_tui.output.own_files import settled
 from plastron_tui.regular_files import read_named, reason
 from plastron_tui.targets import ros_version
 

@@ -15,7 +15,7 @@ import click
 from plastron_tui.diagnostics import Diagnostic, LineIndex, Span, did_you_mean, has_errors
 from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.generating.generation import Generated
-from plastron_tui.generating.handwork import files_on_disk
+from plastron_tui.generating.user_edits import files_on_disk
 from plastron_tui.language import DECLARATIONS, Document, lower
 from plastron_tui.model.interpreter import Interpreter
 from plastron_tui.model.source import place_of

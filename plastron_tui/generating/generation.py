@@ -11,15 +11,17 @@ from typing import TYPE_CHECKING
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import FileSet
 from plastron_tui.model.workspace import Generation, Node
-from plastron_tui.output.layers import are_untouched
 from plastron_tui.output.manifest import Base, Manifest, Reading
-from plastron_tui.output.remembered import recall, remember
+from plastron_tui.output.node_json import recall, remember
+from plastron_tui.output.patch_stack import are_untouched
 
-from .adaptation import Adaptation, Library
-from .changes import changes_of
-from .derivation import Derivation
+from .apply_changes import Adaptation, Library
+from .destination import Writing
 from .file_names import is_same_path, refuse_name
-from .handwork import (
+from .node_diff import changes_of
+from .node_files import NodeFiles, are_recorded, name_of
+from .regenerate import Derivation
+from .user_edits import (
     cover,
     files_on_disk,
     kept_handwork,
@@ -27,14 +29,12 @@ from .handwork import (
     of_other_program,
     unmergeable,
 )
-from .node_files import NodeFiles, are_recorded, name_of
-from .place import Writing
 
 if TYPE_CHECKING:
     from plastron_tui.sources.base import Language
     from plastron_tui.targets.base import Target
 
-    from .merging import Merged
+    from .endpoint_merge import Merged
 
 Notes = tuple[Diagnostic, ...]
 
@@ -292,7 +292,7 @@ class _Creation:
         """Merge what the program changed in a node into a file that was changed by hand."""
         from plastron_tui.targets import read_source
 
-        from .merging import Merged, merge
+        from .endpoint_merge import Merged, merge
 
         seen = read_source(path, present).source
         target, catalog = self.library

@@ -8,8 +8,8 @@ from pathlib import Path, PurePath
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.source import FileSet, place_of
-from plastron_tui.output.layers import Layers
 from plastron_tui.output.manifest import Base, Manifest
+from plastron_tui.output.patch_stack import Layers
 from plastron_tui.output.plan import OutputFile
 
 

@@ -14,7 +14,7 @@ from .node_files import NodeFiles
 if TYPE_CHECKING:
     from plastron_tui.output.manifest import Manifest
 
-    from .adaptation import Library
+    from .apply_changes import Library
 
 
 class ProgramFiles(NamedTuple):

@@ -13,7 +13,7 @@ from tree_sitter import Node
 from plastron_tui.diagnostics import Diagnostic, Span, codes
 
 from . import statements as _statements  # noqa: F401 - declares the statements
-from .broken import Broken
+from .broken_lines import Broken
 from .declaration import DECLARATIONS, Declaration, Form, Statement
 from .document import Document
 from .grammar import field_id, kind_id

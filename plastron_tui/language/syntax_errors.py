@@ -10,12 +10,12 @@ from tree_sitter import Node
 from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes
 from plastron_tui.diagnostics.suggest import nearest
 
-from .broken import Broken
+from .broken_lines import Broken
+from .common_mistakes import Place, recognised
 from .declaration import Declaration, Slot, SlotKind
 from .keywords import BY_KEYWORD, FIRST_WORDS, KEYWORDS, VERBS
 from .sentence_errors import SentenceErrors, unexpected
 from .sentence_match import intended, match_sentence
-from .slips import Place, recognised
 from .tokens import MOST_WORDS, QUOTED_KINDS, UNKNOWN, WORD_KINDS, Token, tokens_of
 
 __all__ = ["FIRST_WORDS", "KEYWORDS", "MOST_BROKEN_LINES", "VERBS", "explain"]

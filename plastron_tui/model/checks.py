@@ -17,10 +17,10 @@ from plastron_tui.ros.names import (
 )
 
 from .consequences import Consequences
+from .context import Setting
 from .kinds import EndpointKind, Service, Subscription
 from .libraries import default_library
 from .mistake import Mistake
-from .setting import Setting
 from .workspace import Node, Workspace
 
 _VERSIONS = {"ros1": 1, "ros2": 2, **DISTRIBUTIONS}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from itertools import product
 
-from plastron_tui.language.broken import Broken
+from plastron_tui.language.broken_lines import Broken
 from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
 
 from .workspace import Node

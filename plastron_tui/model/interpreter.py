@@ -15,13 +15,13 @@ from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.lowering import Program
 
-from .fitting import Fitter
+from .context import Setting
 from .kinds import EDITABLE, EndpointKind
-from .late import late_changes
 from .mistake import Mistake
 from .node_statements import create_node, generate_node, load
 from .run import Run
-from .setting import Setting
+from .stale_statements import late_changes
+from .value_check import Fitter
 from .workspace import Workspace
 
 

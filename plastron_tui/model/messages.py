@@ -11,10 +11,10 @@ from plastron_tui.ros.interfaces import InterfaceKind
 
 from .checks import Checks
 from .consequences import Consequences
+from .context import Setting
 from .kinds import Message
 from .mistake import Mistake
 from .named_types import NamedTypes
-from .setting import Setting
 from .workspace import Workspace
 
 

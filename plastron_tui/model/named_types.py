@@ -10,11 +10,11 @@ from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
 from plastron_tui.ros.interfaces import Interface, InterfaceKind
 
-from .fitting import Fitter
+from .context import Setting
 from .libraries import default_library
 from .mistake import Mistake
-from .setting import Setting
 from .types import TypeProblem, TypeResolver
+from .value_check import Fitter
 from .values import MessageValue
 from .workspace import Workspace
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from plastron_tui.diagnostics import Diagnostic, Label, codes, write
 from plastron_tui.language import statements as st
 
+from .context import LoadRequest
 from .mistake import Mistake
 from .run import Run
-from .setting import LoadRequest
 from .workspace import Generation, Node
 
 

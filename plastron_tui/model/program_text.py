@@ -15,8 +15,8 @@ from plastron_tui.ros.names import (
     mended_node_name,
 )
 
-from .numbering import numbered
 from .source import EndpointKind, SourceEndpoint, SourceNode, SourceUnit
+from .unique_names import numbered
 
 
 class Variables:

@@ -8,15 +8,15 @@ from plastron_tui.diagnostics import Diagnostic, Span
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.lowering import Program
 
-from .agreements import Agreements
 from .checks import Checks
 from .consequences import Consequences
-from .fitting import Fitter
+from .context import Setting
 from .kinds import Endpoint, EndpointKind
 from .messages import Messages
 from .mistake import Mistake
 from .named_types import NamedTypes
-from .setting import Setting
+from .type_agreement import Agreements
+from .value_check import Fitter
 from .workspace import Node, Workspace
 
 

@@ -11,7 +11,7 @@ from plastron_tui.language.inputs import InputValue, Literal, NamedArgument, Nes
 from plastron_tui.ros.interfaces import FieldType, Interface, InterfaceName
 from plastron_tui.ros.primitives import check_scalar, primitive
 
-from .misfits import Misfit, no_time, span
+from .value_diagnostics import Misfit, no_time, span
 from .values import MessageValue
 
 BUILTIN_TIMES = frozenset(

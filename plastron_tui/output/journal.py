@@ -30,7 +30,7 @@ from typing import Any
 
 from plastron_tui.regular_files import read_regular
 
-from .names import JOURNAL, PREFIX
+from .own_files import JOURNAL, PREFIX
 
 _GENERATOR = "plastron"
 _VERSION = 1

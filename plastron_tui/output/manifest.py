@@ -3,7 +3,7 @@
 A file whose text differs from what the manifest remembers was changed by hand. What a program
 had when a file was written is remembered too: a later program is merged into the handwork from
 there. Of a file that a program loaded, the text is remembered that the program started from: see
-`layers`. The manifest is a small JSON file in the folder itself, so that it moves with the files
+`patch_stack`. The manifest is a small JSON file in the folder itself, so that it moves with the files
 that it speaks of.
 """
 
@@ -19,8 +19,8 @@ from typing import Any, TypeAlias
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.regular_files import read_regular, reason
 
-from .layers import MOST_LAYERS, MOST_TEXTS, Layers, layer_json, read_layer
-from .layers import digest as digest
+from .patch_stack import MOST_LAYERS, MOST_TEXTS, Layers, layer_json, read_layer
+from .patch_stack import digest as digest
 
 NAME = ".plastron.json"
 """The manifest's file name, in the output folder."""
@@ -29,7 +29,7 @@ VERSION = 3
 """The version that is written. Version 1 had digests only, version 2 no layers; both are read."""
 
 Base = Mapping[str, Any]
-"""What a program had when a file was written, as JSON; see `remembered`."""
+"""What a program had when a file was written, as JSON; see `node_json`."""
 
 LARGEST_MANIFEST = 32 * 1024 * 1024
 """The largest manifest that is read, in bytes; a file's entry takes some hundred."""

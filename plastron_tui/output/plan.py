@@ -17,10 +17,10 @@ from pathlib import Path
 from plastron_tui.diagnostics import Code, Diagnostic, codes
 from plastron_tui.regular_files import read_regular, reason
 
-from .layers import Layers
 from .manifest import NAME as MANIFEST_NAME
 from .manifest import Base, Manifest
-from .names import PREFIX
+from .own_files import PREFIX
+from .patch_stack import Layers
 
 LARGEST_OUTPUT = 64 * 1024 * 1024
 """The largest file that is compared and replaced, in bytes: what a huge program generates."""

@@ -16,7 +16,7 @@ from plastron_tui.regular_files import reason
 from .file_calls import digest_of, remove, sync_folder
 from .journal import BadJournalError, Journal, read_journal
 from .locks import BusyError, FolderLocks
-from .names import JOURNAL, KEPT, temporary_kind
+from .own_files import JOURNAL, KEPT, temporary_kind
 from .replacement import ChangedError, Progress, Replacement
 
 _MOST_TRIES = 5

@@ -15,7 +15,7 @@ from itertools import count
 
 from .file_calls import digest_of, is_same_file, link_or_move
 from .journal import Entry
-from .names import new_name, old_name
+from .own_files import new_name, old_name
 
 
 class ChangedError(Exception):

@@ -28,9 +28,9 @@ from .file_calls import (
 )
 from .interrupts import Interrupts
 from .journal import BadJournalError, Entry, Journal, journal_text, read_journal
-from .layers import digest
 from .locks import BusyError, FolderLocks
-from .names import JOURNAL, JOURNAL_NEW, new_name
+from .own_files import JOURNAL, JOURNAL_NEW, new_name
+from .patch_stack import digest
 from .recovery import drop_journals, recover, sweep
 from .replacement import ChangedError, Replacement, free_backup
 

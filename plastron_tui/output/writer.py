@@ -26,9 +26,9 @@ from plastron_tui.regular_files import read_regular, reason
 
 from .file_calls import is_unchanged
 from .interrupts import Interrupts
-from .layers import Layers
 from .locks import BusyError
 from .manifest import NAME, Base, Manifest, digest, load_manifest, manifest_text
+from .patch_stack import Layers
 from .plan import LARGEST_OUTPUT, FilePlan, FileState, PlannedFile, cannot_write, is_protected
 from .recovery import not_removed
 from .replacement import ChangedError

@@ -9,8 +9,8 @@ from itertools import chain
 
 from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.model.kinds import EndpointKind
-from plastron_tui.model.numbering import numbered
 from plastron_tui.model.program_text import Variables, endpoint_statements
+from plastron_tui.model.unique_names import numbered
 from plastron_tui.ros.names import check_node_name
 
 from .describe import DescribedNode, Endpoint

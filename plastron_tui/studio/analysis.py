@@ -18,7 +18,7 @@ from plastron_tui.model.graph import Graph, graph_of
 from plastron_tui.model.workspace import Workspace
 from plastron_tui.session import Session
 
-from .placing import Ground
+from .insertion_point import Ground
 
 _T = TypeVar("_T")
 

@@ -28,14 +28,14 @@ from plastron_tui.session import Options
 from plastron_tui.user_folders import state_folder
 
 from .actions import ACTIONS, ids
-from .analyst import AnalysisFailed
+from .analysis_worker import AnalysisFailed
 from .config import Profile, config_file, load_config, load_remembered, save_remembered
+from .control_characters import ONLY_TEXT
 from .files import open_file
+from .folder_labels import not_saved
 from .key_order import InOrder
 from .main.screen import MainScreen
-from .only_text import ONLY_TEXT
-from .shown_places import not_saved
-from .state import opened
+from .open_program import opened
 from .terminal_keys import teach
 
 DEFAULT_THEME = "textual-dark"

@@ -24,7 +24,7 @@ from textual.widgets import Input
 from textual.worker import Worker
 
 from .editor.commands import COMMANDS
-from .undocumented import Failing, hear_messages
+from .textual_private import Failing, hear_messages
 
 _ASKING = frozenset(command.id for command in COMMANDS if command.asks)
 """What opens a line in the editor, which the keys that follow are for."""

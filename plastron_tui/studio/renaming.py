@@ -22,8 +22,8 @@ from plastron_tui.targets import ros_version
 
 from .analysis import Analysis
 from .editor.names import wrong_name as wrong_variable
+from .insertion_point import placed
 from .panels.entry import Entry, Subject
-from .placing import placed
 
 _TOPICS = (
     Subject.TOPIC,

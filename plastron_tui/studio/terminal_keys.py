@@ -10,7 +10,7 @@ from __future__ import annotations
 from string import ascii_lowercase, digits
 from typing import NamedTuple
 
-from .undocumented import known_sequences
+from .textual_private import known_sequences
 
 _NAMES = {
     "-": "minus",

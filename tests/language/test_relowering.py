@@ -8,7 +8,7 @@ from plastron_programs import boundary, broken_lines, read, shape, statements
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.language import DECLARATIONS, Document, Program, lower
-from plastron_tui.language.relowering import Lowered, lower_edited
+from plastron_tui.language.incremental_lowering import Lowered, lower_edited
 
 PROGRAM = """\
 // Überschrift: ein Knoten, der grüßt 🐢

@@ -16,8 +16,8 @@ from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.diagnostics.render import TextRenderer, as_json
 from plastron_tui.language import Document, format_document, lower
 from plastron_tui.language.keywords import KEYWORDS
+from plastron_tui.model.context import Setting
 from plastron_tui.model.interpreter import interpret
-from plastron_tui.model.setting import Setting
 from plastron_tui.program_file import check_text
 
 PROGRAMS = [

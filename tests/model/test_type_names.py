@@ -4,8 +4,8 @@ import pytest
 from workspaces import LIBRARIES, FakeReader, catalog, codes
 
 from plastron_tui.language import Document, lower
+from plastron_tui.model.context import Setting
 from plastron_tui.model.interpreter import interpret
-from plastron_tui.model.setting import Setting
 from plastron_tui.model.types import TypeProblem, TypeResolver
 from plastron_tui.ros.interfaces import InterfaceKind
 

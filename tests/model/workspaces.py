@@ -11,8 +11,8 @@ from file_sets import one
 from plastron_tui.diagnostics import Diagnostic, Span
 from plastron_tui.diagnostics.codes import FILE_NOT_FOUND
 from plastron_tui.language import Document, lower
+from plastron_tui.model.context import Loaded, LoadRequest, Setting
 from plastron_tui.model.interpreter import Interpretation, interpret
-from plastron_tui.model.setting import Loaded, LoadRequest, Setting
 from plastron_tui.model.source import EndpointKind, SourceEndpoint, SourceNode, SourceUnit
 from plastron_tui.model.workspace import Workspace
 from plastron_tui.ros.catalog import Catalog

@@ -25,7 +25,7 @@ from typing import NamedTuple, cast
 
 from plastron_tui.cli.group import cli
 from plastron_tui.output import recovery
-from plastron_tui.output.names import PREFIX, temporary_kind
+from plastron_tui.output.own_files import PREFIX, temporary_kind
 from plastron_tui.studio.files import open_file, save_file
 
 CALLS = ("open", "write", "fsync", "link", "replace", "rename", "unlink", "mkdir", "rmdir",

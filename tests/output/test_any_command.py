@@ -10,7 +10,7 @@ import pytest
 from plastron_tui.cli.group import cli
 from plastron_tui.output.journal import Entry, Journal, journal_text
 from plastron_tui.output.manifest import digest
-from plastron_tui.output.names import JOURNAL, new_name
+from plastron_tui.output.own_files import JOURNAL, new_name
 from plastron_tui.session import Session
 from plastron_tui.studio.files import open_file
 

@@ -10,7 +10,7 @@ import pytest
 from plastron_tui.output import recovery
 from plastron_tui.output.journal import Entry, Journal, journal_text
 from plastron_tui.output.manifest import NAME, digest
-from plastron_tui.output.names import JOURNAL
+from plastron_tui.output.own_files import JOURNAL
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.output.recovery import settle
 from plastron_tui.output.replacement import Replacement

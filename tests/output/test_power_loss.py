@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from plastron_tui.output.names import JOURNAL, JOURNAL_NEW
+from plastron_tui.output.own_files import JOURNAL, JOURNAL_NEW
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.output.writer import write
 

@@ -13,7 +13,7 @@ import pytest
 from plastron_tui.output.file_calls import digest_of
 from plastron_tui.output.journal import Entry, Journal, journal_text
 from plastron_tui.output.manifest import NAME, digest, load_manifest
-from plastron_tui.output.names import JOURNAL
+from plastron_tui.output.own_files import JOURNAL
 from plastron_tui.output.plan import FilePlan, OutputFile
 from plastron_tui.output.recovery import settle
 from plastron_tui.output.writer import write

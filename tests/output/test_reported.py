@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from plastron_tui.output.locks import FolderLocks
-from plastron_tui.output.names import JOURNAL, temporary_kind
+from plastron_tui.output.own_files import JOURNAL, temporary_kind
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.output.recovery import settle
 from plastron_tui.output.writer import write

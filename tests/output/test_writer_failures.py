@@ -15,7 +15,7 @@ import pytest
 from plastron_tui.diagnostics import has_errors
 from plastron_tui.output import file_calls, journal, locks, recovery, replacement, transaction
 from plastron_tui.output.manifest import load_manifest
-from plastron_tui.output.names import settled
+from plastron_tui.output.own_files import settled
 from plastron_tui.output.plan import FilePlan, OutputFile, make_plan
 from plastron_tui.output.writer import write
 

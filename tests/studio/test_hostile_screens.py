@@ -10,7 +10,7 @@ from rich.segment import Segment
 from studio_driver import Driver, studio
 from textual.color import Color
 
-from plastron_tui.studio.only_text import ONLY_TEXT
+from plastron_tui.studio.control_characters import ONLY_TEXT
 
 # What each action brings to the front; a program with mistakes is not generated.
 DIALOGS = {

@@ -11,7 +11,7 @@ from rich.cells import cell_len
 from studio_driver import studio
 
 from plastron_tui.studio.panels.log_view import wrapped
-from plastron_tui.studio.panels.tones import Line, Piece
+from plastron_tui.studio.panels.styles import Line, Piece
 
 TWIST = "cmd_vel: geometry_msgs.msg.Twist(linear=geometry_msgs.msg.Vector3(x=0.5, y=0.0, z=0.0))"
 

@@ -12,8 +12,8 @@ from studio_driver import PROGRAM, Driver, leave_behind, studio
 from textual.widgets import Label, OptionList
 
 from plastron_tui.studio.app import StudioApp
+from plastron_tui.studio.folder_labels import shown_folder
 from plastron_tui.studio.journal import kept_texts
-from plastron_tui.studio.shown_places import shown_folder
 from plastron_tui.user_folders import state_folder
 
 JOURNALS = 4

@@ -9,8 +9,8 @@ from one_ros import CASES, UNKNOWN_TYPE, unknown_type
 from studio_driver import studio
 
 from plastron_tui.session import Options
+from plastron_tui.studio.wizard.context import Scene
 from plastron_tui.studio.wizard.libraries import ros_of
-from plastron_tui.studio.wizard.scene import Scene
 
 
 @pytest.mark.parametrize("name", CASES)

@@ -12,9 +12,9 @@ from dataclasses import dataclass, replace
 from math import sqrt
 
 from .boxes import LANE, PAIR, STUB, Box, Point, Ports, Shape, is_pair
+from .coordinates import placed
 from .layers import Columns, Link, columns_of, components
 from .ordering import ordered
-from .placing import placed
 
 _NARROWEST_GAP = 46.0
 _WIDEST_GAP = 280.0

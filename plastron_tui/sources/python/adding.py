@@ -28,8 +28,7 @@ from .conventions import (
     variable_naming,
 )
 from .dialect import Dialect
-from .messages import CannotAddError
-from .place import (
+from .insertion_point import (
     FunctionPlace,
     beside,
     find_place,
@@ -38,6 +37,7 @@ from .place import (
     method_place,
     running_place,
 )
+from .messages import CannotAddError
 from .removal import callback_scope
 from .scopes import BindingKind, Scope
 from .sending import add_calls, add_publishing, keep_running

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from plastron_tui.model.kinds import Endpoint
-from plastron_tui.model.numbering import numbered
 from plastron_tui.model.source import EndpointKind
+from plastron_tui.model.unique_names import numbered
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface
 
@@ -14,8 +14,8 @@ from . import literals, naming
 from .analysis import Analysis
 from .conventions import conventions_of
 from .dialect import Dialect
+from .insertion_point import Place
 from .messages import Messages
-from .place import Place
 from .references import identifiers
 from .scopes import Scope
 from .typeimports import FileImports

@@ -12,9 +12,9 @@ from tree_sitter import Node
 from . import literals
 from .arguments import Arguments
 from .calls import Argument
-from .effort import Effort
 from .scopes import Binding, BindingKind, Scope, ScopeTree
 from .syntax import Syntax, parts_of
+from .work_limits import Effort
 
 # What a person writes is far flatter; a file that is deeper was made to break readers.
 MOST_DEEP = 24

@@ -15,10 +15,10 @@ from .callers import Callers, count_words
 from .calls import Argument, ClientLibrary
 from .classes import Classes
 from .constants import MOST_BINDINGS, MOST_DEEP, Constants, Folded, Known, without_none
-from .effort import Effort, bounded
 from .scopes import Binding, BindingKind, Scope, ScopeTree
 from .stars import star_interface
 from .syntax import Syntax, parts_of
+from .work_limits import Effort, bounded
 
 _WRAPPED_TYPES = frozenset({"rospy.numpy_msg.numpy_msg", "numpy_msg.numpy_msg"})
 _CLASS_LOADERS = frozenset({"roslib.message.get_message_class", "roslib.message.get_service_class"})

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable
 from keyword import iskeyword
 
-from plastron_tui.model.numbering import numbered
+from plastron_tui.model.unique_names import numbered
 
 _LONGEST = 40
 """Names that are derived stay short enough for a line to hold them."""

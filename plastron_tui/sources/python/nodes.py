@@ -8,7 +8,7 @@ from plastron_tui.diagnostics import Span
 from plastron_tui.model.source import SourceNode
 
 from .analysis import Analysis, NodeSite, Site
-from .owning import Owners
+from .site_owner import Owners
 
 
 def group(analysis: Analysis) -> tuple[SourceNode, ...]:

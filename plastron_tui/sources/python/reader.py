@@ -10,8 +10,8 @@ from plastron_tui.model.source import FileSet, SourceUnit
 from plastron_tui.sources.base import ReadResult
 
 from .calls import LIBRARIES, ClientLibrary
-from .extent import MOST_CLASSES, comment_run
 from .nodes import group
+from .reading_cost import MOST_CLASSES, comment_run
 from .sites import analyze
 from .syntax import parse
 

@@ -15,7 +15,7 @@ from plastron_tui.ros.interfaces import InterfaceKind
 from . import literals, naming
 from .addition import Addition
 from .conventions import leading_space
-from .place import function_place, method_place
+from .insertion_point import function_place, method_place
 from .rates import loop_rate, timer_rate
 from .removal import callback_scope
 from .scopes import Scope

@@ -11,7 +11,7 @@ from pathlib import Path
 import tree_sitter_python
 from tree_sitter import Language, Node, Parser, Query, QueryCursor, Tree
 
-from .repair import bound_indents, mask_errors, straighten
+from .error_recovery import bound_indents, mask_errors, straighten
 
 # PEP 263: a coding line is one of the first two lines.
 _CODING = re.compile(rb"^[ \t\f]*#.*?coding[:=][ \t]*([-\w.]+)")

@@ -18,11 +18,11 @@ from .analysis import Analysis
 from .conventions import target_name
 from .dialect import Dialect
 from .generated import body_of, is_stub
-from .place import beside
+from .insertion_point import beside
 from .removal import callback_scope, find_sites, stub_callbacks, waits
 from .replacing import NotInPlaceError, Replacement
-from .resending import resend
 from .scopes import BindingKind, Scope
+from .sent_messages import resend
 from .splices import Splice, delete_statements
 
 # What stands in a string as it is, whatever its quotes and its prefix.

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..editor import ProgramEditor
-from ..state import Open
+from ..open_program import Open
 
 if TYPE_CHECKING:
     from ..analysis import Analysis

@@ -11,8 +11,8 @@ from plastron_tui.diagnostics import codes
 from plastron_tui.regular_files import stamp_of
 
 from ..files import OnDisk, read_again
+from ..open_program import Open
 from ..panels.source_lines import difference
-from ..state import Open
 from .active_program import ActiveProgram
 from .file_actions import FileActions
 from .recovery import Recovery

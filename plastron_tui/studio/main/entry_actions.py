@@ -8,9 +8,9 @@ from textual.screen import Screen
 
 from plastron_tui.diagnostics import Span
 
-from ..panels.acting import Asked
+from ..insertion_point import is_generated_last, placed
 from ..panels.entry import Entry
-from ..placing import is_generated_last, placed
+from ..panels.entry_keys import Asked
 from .active_program import ActiveProgram
 from .workers import start_exclusive
 

@@ -13,8 +13,8 @@ from plastron_tui.diagnostics import Diagnostic
 from ..config import Profile
 from ..files import OnDisk, Opened, Saved, open_file, read_again, save_file, with_suffix
 from ..journal import Kept
+from ..open_program import Open, opened
 from ..panels.source_lines import difference
-from ..state import Open, opened
 from .active_program import ActiveProgram
 from .recovery import Recovery
 from .workers import start_exclusive

@@ -9,7 +9,7 @@ from textual.screen import Screen
 from textual.timer import Timer
 from textual.widget import Widget
 
-from ..analyst import Analyst
+from ..analysis_worker import Analyst
 from ..panels.panel import Panel, ProgramView, Request
 from .active_program import ActiveProgram
 from .dock_layout import DockLayout

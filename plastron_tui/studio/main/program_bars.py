@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from ..open_program import Open
 from ..panels.bars import Bar, help_pieces
-from ..state import Open
 
 
 class TitleBar(Bar):

@@ -11,9 +11,9 @@ from textual.timer import Timer
 from plastron_tui.regular_files import reason
 
 from ..files import open_file
+from ..folder_labels import shown_name, shown_place
 from ..journal import Journal, Kept, kept_texts
 from ..panels.source_lines import difference
-from ..shown_places import shown_name, shown_place
 from .active_program import ActiveProgram
 
 _KEEP = 0.5

@@ -14,7 +14,7 @@ from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.regular_files import reason
 
 from ..panels.output import OutputPanel
-from ..panels.tones import Piece
+from ..panels.styles import Piece
 from .active_program import ActiveProgram
 from .dock_layout import DockLayout
 from .file_actions import FileActions

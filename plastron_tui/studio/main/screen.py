@@ -12,18 +12,18 @@ from textual.geometry import Region
 from textual.screen import Screen
 
 from ..actions import ACTIONS, BY_ID, bindings
-from ..analyst import Analysed, AnalysisFailed
+from ..analysis_worker import Analysed, AnalysisFailed
 from ..config import Profile
 from ..editor import ProgramEditor
 from ..editor.statement_help import help_of
 from ..journal import Kept
-from ..panels.acting import Asked, Chosen, Lit
+from ..open_program import Open
 from ..panels.dock import Dock
+from ..panels.entry_keys import Asked, Chosen, Lit
 from ..panels.graph_panel import GraphPanel
 from ..panels.key_bar import KeyBar
 from ..panels.output import OutputPanel
 from ..panels.registry import PANELS
-from ..state import Open
 from .active_program import ActiveProgram
 from .disk_watch import DiskWatch
 from .dock_layout import DockLayout

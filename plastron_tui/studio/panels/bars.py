@@ -9,7 +9,7 @@ from textual.strip import Strip
 
 from plastron_tui.diagnostics.terminal import visible
 
-from .tones import Toned
+from .styles import Toned
 
 
 class Bar(Toned):

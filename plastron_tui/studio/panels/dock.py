@@ -17,7 +17,7 @@ from textual.strip import Strip
 from textual.widget import Widget
 
 from .panel import Panel
-from .tones import Toned
+from .styles import Toned
 
 _PLAIN = Style.null()
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from rich.cells import cell_len, set_cell_size
 
-from .tones import Line, Lines, Piece
+from .styles import Line, Lines, Piece
 
 if TYPE_CHECKING:
     from plastron_tui.output.graphs.layers import Columns

@@ -14,9 +14,9 @@ from textual.reactive import reactive
 from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
-from .acting import Pointing
 from .entry import Entries, Entry
-from .tones import COMPONENTS, Toned
+from .entry_keys import Pointing
+from .styles import COMPONENTS, Toned
 
 
 class EntryList(Pointing, Toned, ScrollView, can_focus=True):

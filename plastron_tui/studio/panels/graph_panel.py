@@ -14,12 +14,12 @@ from textual.message import Message
 from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
-from .acting import Acting
 from .drawing import DETAILS, Place
 from .entry import Entry
+from .entry_keys import Acting
 from .panel import Panel
 from .picture import Fitted, Picture, Size, picture_of
-from .tones import COMPONENTS, Lines, Toned
+from .styles import COMPONENTS, Lines, Toned
 
 if TYPE_CHECKING:
     from ..analysis import Analysis

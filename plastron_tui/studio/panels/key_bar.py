@@ -11,7 +11,7 @@ from textual.binding import Binding
 from textual.screen import Screen
 from textual.strip import Strip
 
-from .tones import Toned
+from .styles import Toned
 
 
 class KeyBar(Toned):

@@ -7,8 +7,8 @@ from functools import lru_cache
 from rich.cells import cell_len, get_character_cell_size
 from textual.geometry import Size
 
+from .styles import Line, Lines, Piece
 from .text_view import TextView
-from .tones import Line, Lines, Piece
 
 _SIGN = " | "
 """What `plastron run` puts between the node and what it printed."""

@@ -8,7 +8,7 @@ from plastron_tui.diagnostics.terminal import visible
 
 from .log_view import LogView
 from .panel import Panel
-from .tones import Line, Piece
+from .styles import Line, Piece
 
 _MOST_LINES = 5000
 

@@ -13,7 +13,7 @@ from plastron_tui.diagnostics import Span
 
 from .drawing import DETAILS, Label, Place, Plan
 from .entry import Entry, Subject
-from .tones import Line, Lines, Piece
+from .styles import Line, Lines, Piece
 
 if TYPE_CHECKING:
     from plastron_tui.model.graph import Graph, Hub

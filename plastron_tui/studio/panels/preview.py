@@ -12,7 +12,7 @@ from plastron_tui.model.workspace import Generation
 from plastron_tui.output.plan import FileState
 
 from .source_lines import coloured, diff_lines, difference
-from .tones import Lines
+from .styles import Lines
 
 if TYPE_CHECKING:
     from ..analysis import Analysis

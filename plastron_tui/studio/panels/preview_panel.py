@@ -10,8 +10,8 @@ from textual.containers import Vertical
 from textual.widgets import Static
 
 from .panel import Panel
+from .styles import Line, Piece
 from .text_view import TextView
-from .tones import Line, Piece
 
 if TYPE_CHECKING:
     from typing_extensions import Self

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .acting import Acting
+from .entry_keys import Acting
 from .entry_list import EntryList
 
 if TYPE_CHECKING:

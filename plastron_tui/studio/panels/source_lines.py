@@ -8,7 +8,7 @@ from pathlib import Path
 
 from plastron_tui.targets import language_of
 
-from .tones import Line, Lines, Piece
+from .styles import Line, Lines, Piece
 
 LONGEST = 4000
 """The most lines of a file that are coloured; a generated one has some sixty."""

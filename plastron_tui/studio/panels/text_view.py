@@ -11,7 +11,7 @@ from textual.geometry import Size
 from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
-from .tones import COMPONENTS, Lines, Piece, Toned
+from .styles import COMPONENTS, Lines, Piece, Toned
 
 
 class TextView(Toned, ScrollView, can_focus=True):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from textual.await_complete import AwaitComplete
 from textual.screen import ModalScreen, ScreenResultType
 
-from ..undocumented import forget_removed_widgets
+from ..textual_private import forget_removed_widgets
 
 
 class Dialog(ModalScreen[ScreenResultType]):

@@ -18,8 +18,8 @@ from textual.widgets import Button, Label
 from plastron_tui import __version__
 from plastron_tui.private_files import write_private
 
+from ..panels.styles import Piece
 from ..panels.text_view import TextView
-from ..panels.tones import Piece
 from .dialog import Dialog
 
 

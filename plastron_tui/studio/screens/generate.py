@@ -22,8 +22,8 @@ from plastron_tui.output.writer import WriteResult, write_current
 from plastron_tui.session import Session
 
 from ..panels.source_lines import coloured, diff_lines, difference
+from ..panels.styles import Lines, Piece
 from ..panels.text_view import TextView
-from ..panels.tones import Lines, Piece
 from .dialog import Dialog
 
 _TONES = {

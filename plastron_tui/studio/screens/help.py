@@ -14,8 +14,8 @@ from plastron_tui.language import DECLARATIONS
 
 from ..actions import grouped
 from ..panels.registry import PANELS
+from ..panels.styles import Line, Lines, Piece
 from ..panels.text_view import TextView
-from ..panels.tones import Line, Lines, Piece
 from .dialog import Dialog
 
 ABOUT = {

@@ -13,8 +13,8 @@ from textual.widgets import Button, Input, Label
 
 from plastron_tui.diagnostics.terminal import visible, visible_text
 
+from ..panels.styles import Lines
 from ..panels.text_view import TextView
-from ..panels.tones import Lines
 from .dialog import Dialog
 
 

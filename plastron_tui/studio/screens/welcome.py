@@ -16,9 +16,9 @@ from textual.widgets.option_list import Option
 
 from plastron_tui.diagnostics.terminal import visible
 
+from ..folder_labels import shown_folder, shown_name, shown_place
 from ..journal import Kept
 from ..recipes import recipes
-from ..shown_places import shown_folder, shown_name, shown_place
 from .dialog import Dialog
 
 _LOGO = """\

@@ -10,8 +10,8 @@ from plastron_tui.language import Slot, SlotKind
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.targets import LIBRARIES
 
+from .context import Meeting, Scene
 from .form import Cell, Cells, Form
-from .scene import Meeting, Scene
 
 
 class Trial(NamedTuple):

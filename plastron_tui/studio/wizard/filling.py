@@ -7,12 +7,12 @@ from dataclasses import dataclass, field
 
 from plastron_tui.language import Slot, SlotKind
 
-from .aims import maker_of
 from .ask import Ask, Choice, Trial
-from .checking import Finding, Placed, check
+from .context import Scene
 from .form import NEW, Cell, Cells, Form, laid_out
+from .goals import maker_of
 from .kinds import KINDS
-from .scene import Scene
+from .program_trial import Finding, Placed, check
 from .values import Entry, Heading, Path, entries_of, input_text, problem_of
 
 LARGEST_TRIED = 64 * 1024

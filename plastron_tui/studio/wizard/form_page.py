@@ -19,10 +19,10 @@ from textual.widgets.option_list import Option
 from plastron_tui.language import Slot, SlotKind
 
 from .ask import Choice
-from .checking import Finding
 from .filling import Filled
 from .form import NEW, Form
 from .libraries import ros_of
+from .program_trial import Finding
 from .rows import Entered, Reached, Row
 from .values import Entry, Heading, Path
 

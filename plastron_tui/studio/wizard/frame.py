@@ -13,13 +13,13 @@ from textual.widgets import Button, Label
 
 from ..key_order import Paged
 from ..screens.dialog import Dialog
-from . import words
+from . import strings
 from .ask import Choice
-from .course import Course, Look, Page, PageKind
+from .flow import Course, Look, Page, PageKind
 from .form import Form
 from .form_page import FormPage, Key
+from .menu import Offer
 from .menu_page import Item, MenuPage, ReviewPage
-from .offers import Offer
 from .result_view import ResultView
 from .statement_view import StatementView
 
@@ -117,22 +117,22 @@ class Frame(Paged, Dialog[str]):
     def _page_widget(self, page: Page, view: View) -> Widget:
         course = self.course
         if self.is_done:
-            self._items = words.done_items(course.session)
-            return MenuPage(words.DONE, self._items)
+            self._items = strings.done_items(course.session)
+            return MenuPage(strings.DONE, self._items)
         if page.kind is PageKind.FORM and page.form is not None:
             return FormPage(page.form)
         if page.kind is PageKind.REVIEW:
             offer = f"write {view.look.node} to its file, too" if view.look.can_generate else ""
-            return ReviewPage(words.review(view.look), offer, course.generates)
+            return ReviewPage(strings.review(view.look), offer, course.generates)
         self._offers = view.offers
         self._items = [Item(o.title, o.term, o.about, o.closed, o.is_advised) for o in view.offers]
         here = next((n for n, o in enumerate(view.offers) if course.is_chosen(o)), None)
-        return MenuPage(words.question(page, view.look), self._items, here)
+        return MenuPage(strings.question(page, view.look), self._items, here)
 
     def _show_frame(self, page: Page, look: Look) -> None:
         """Show what is around the page."""
         pages = self.course.pages(look)
-        self.query_one("#wizard-title", Label).update(words.title(page, self.is_done))
+        self.query_one("#wizard-title", Label).update(strings.title(page, self.is_done))
         step = "" if self.is_done or page.kind is PageKind.START else f"step {self.course.at}"
         self.query_one("#wizard-step", Label).update(step)
         is_menu = self.is_done or page.kind in MENUS
@@ -145,7 +145,7 @@ class Frame(Paged, Dialog[str]):
         turn = self.query_one("#wizard-turn", Button)
         turn.display = self.has_class("-narrow") and look.outcome is not None
         self.query_one("#wizard-leave", Button).label = "Close" if self.is_done else "Leave"
-        self.query_one("#wizard-keys", Label).update(words.keys(page, self.is_done))
+        self.query_one("#wizard-keys", Label).update(strings.keys(page, self.is_done))
         outcome = look.outcome
         self.set_class(outcome is None, "-empty")
         shown = self.query_one("#wizard-statements", StatementView)

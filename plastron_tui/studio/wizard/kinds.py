@@ -17,13 +17,13 @@ from plastron_tui.ros.names import (
     mended_node_name,
 )
 
-from .aims import maker_of
 from .ask import Ask, Choice
+from .context import Meeting, free_name
 from .form import NEW, is_variable
+from .goals import maker_of
 from .kind import Kind
 from .libraries import LibraryKind
 from .node_files import FileKind, NodeOfFileKind
-from .scene import Meeting, free_name
 from .type_kinds import TypeKind, name_for_type
 
 MOST_TRIALS = 12

@@ -7,8 +7,8 @@ from plastron_tui.ros.installations import Installation, present
 from plastron_tui.targets import LIBRARIES, has_target, ros_version
 
 from .ask import Ask, Choice
+from .context import Scene
 from .kind import Kind
-from .scene import Scene
 
 
 class LibraryKind(Kind):

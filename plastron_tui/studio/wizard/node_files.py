@@ -10,7 +10,7 @@ from pathlib import Path
 
 from plastron_tui.language import SlotKind
 from plastron_tui.language.sentence import is_module
-from plastron_tui.model.setting import LoadRequest
+from plastron_tui.model.context import LoadRequest
 from plastron_tui.model.source import LARGEST_FILE
 from plastron_tui.regular_files import read_regular
 from plastron_tui.targets import languages

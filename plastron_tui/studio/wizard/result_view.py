@@ -11,10 +11,10 @@ from textual.widgets import Label
 
 from plastron_tui.session import Session
 
+from ..panels.styles import Lines
 from ..panels.text_view import TextView
-from ..panels.tones import Lines
-from .course import Look
-from .showing import arrows_of, changed_rows, code_of, drawing_of
+from .flow import Look
+from .outcome import arrows_of, changed_rows, code_of, drawing_of
 
 WIDE = 116
 """From so many columns of the screen on, the graph is a picture."""

@@ -17,15 +17,15 @@ from plastron_tui.session import Session
 
 from ..panels.text_view import TextView
 from ..screens.question import Question
-from . import words
+from . import strings
 from .ask import Choice
-from .checking import Finding
-from .course import Course, Look, PageKind
+from .flow import Course, Look, PageKind
 from .form import Form
 from .form_page import Key, Looked, Put
 from .frame import MENUS, Frame, View
+from .menu import RECIPES, Offer, recipe_offers
 from .menu_page import Generates, Picked
-from .offers import RECIPES, Offer, recipe_offers
+from .program_trial import Finding
 from .result_view import ResultView
 from .rows import Confirmed
 from .values import Path
@@ -201,7 +201,7 @@ class Wizard(Frame):
     def picked(self, message: Picked) -> None:
         """Take an entry of a menu."""
         if self.is_done:
-            self._finish_with(words.DONE_ACTIONS[message.number])
+            self._finish_with(strings.DONE_ACTIONS[message.number])
             return
         offer = self._offers[message.number]
         if self._writes_at_once(offer):
@@ -331,7 +331,7 @@ class Wizard(Frame):
     def action_explain(self) -> None:
         """Explain the page, and the keys of the wizard."""
         if self.app.screen is self:
-            title, text = words.explanation(self.course.page, self.is_done)
+            title, text = strings.explanation(self.course.page, self.is_done)
             self.app.push_screen(Question(title, [("close", "Close")], text=text))
 
     @on(Button.Pressed, "#wizard-leave")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from tree_sitter import Node
 
-from plastron_tui.sources.python.repair import bound_indents
+from plastron_tui.sources.python.error_recovery import bound_indents
 from plastron_tui.sources.python.syntax import parse
 
 

@@ -25,11 +25,11 @@ from plastron_tui.language import DECLARATIONS, Declaration, SlotKind, Statement
 from plastron_tui.language.declaration import slot, statement
 from plastron_tui.model.interpreter import HANDLERS
 from plastron_tui.session import Session
-from plastron_tui.studio.wizard.aims import Aim, aim_of, declarations_of
-from plastron_tui.studio.wizard.course import PageKind
 from plastron_tui.studio.wizard.filling import Filler
+from plastron_tui.studio.wizard.flow import PageKind
 from plastron_tui.studio.wizard.form import Form
 from plastron_tui.studio.wizard.form_page import _specs
+from plastron_tui.studio.wizard.goals import Aim, aim_of, declarations_of
 from plastron_tui.studio.wizard.kinds import KINDS
 
 ALL = list(DECLARATIONS.values())

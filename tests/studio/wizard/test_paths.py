@@ -15,8 +15,8 @@ from wizard_driver import WizardDriver, way_to, wizard, wizard_from_welcome
 from plastron_tui.language import DECLARATIONS, Declaration
 from plastron_tui.model.kinds import Publisher, Subscription
 from plastron_tui.session import Session
-from plastron_tui.studio.wizard.aims import Aim, aim_of
-from plastron_tui.studio.wizard.course import PageKind
+from plastron_tui.studio.wizard.flow import PageKind
+from plastron_tui.studio.wizard.goals import Aim, aim_of
 
 Step = Callable[[], Awaitable[None]]
 Pick = Callable[[str], Awaitable[None]]

@@ -13,9 +13,9 @@ from wizard_courses import NODE_FILE, TWO_NODES, applied, formatted
 
 from plastron_tui.language import SlotKind
 from plastron_tui.session import Session
-from plastron_tui.studio.wizard.course import Course, Look, PageKind
+from plastron_tui.studio.wizard.context import Surroundings
+from plastron_tui.studio.wizard.flow import Course, Look, PageKind
 from plastron_tui.studio.wizard.form import NEW, Form
-from plastron_tui.studio.wizard.scene import Surroundings
 from plastron_tui.studio.wizard.values import Entry
 from plastron_tui.studio.wizard.values import Path as Field
 

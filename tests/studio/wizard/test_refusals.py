@@ -22,7 +22,7 @@ from wizard_courses import (
 )
 from wizard_driver import wizard
 
-from plastron_tui.studio.wizard.course import Course, PageKind
+from plastron_tui.studio.wizard.flow import Course, PageKind
 from plastron_tui.studio.wizard.form import NEW
 
 REFUSED = [

@@ -11,7 +11,7 @@ from wizard_driver import wizard
 
 from plastron_tui.ros import installations
 from plastron_tui.ros.installations import Installation, Origin
-from plastron_tui.studio.wizard.course import PageKind
+from plastron_tui.studio.wizard.flow import PageKind
 from plastron_tui.studio.wizard.rows import Row
 
 

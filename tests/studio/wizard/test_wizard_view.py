@@ -11,7 +11,7 @@ from wizard_courses import CHANGE, MAKE, MORE, NODE_FILE, REACT, SEND
 from wizard_driver import WizardDriver, wizard
 
 from plastron_tui.studio.panels.text_view import TextView
-from plastron_tui.studio.wizard.course import PageKind
+from plastron_tui.studio.wizard.flow import PageKind
 
 SIZES = [(60, 20), (80, 24), (120, 40), (200, 60)]
 

@@ -7,9 +7,9 @@ from pathlib import Path
 from plastron_tui.diagnostics import Edit
 from plastron_tui.language import Document, format_document
 from plastron_tui.session import Session
-from plastron_tui.studio.wizard.course import Course, Look, PageKind
+from plastron_tui.studio.wizard.context import Surroundings
+from plastron_tui.studio.wizard.flow import Course, Look, PageKind
 from plastron_tui.studio.wizard.form import Form
-from plastron_tui.studio.wizard.scene import Surroundings
 
 MAKE = "make a node"
 MESSAGE = "make a message"

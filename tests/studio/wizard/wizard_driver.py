@@ -12,9 +12,9 @@ from wizard_courses import MORE, SEND
 
 from plastron_tui.language import Declaration
 from plastron_tui.studio.panels.text_view import TextView
-from plastron_tui.studio.wizard.aims import Aim, aim_of
-from plastron_tui.studio.wizard.course import PageKind
+from plastron_tui.studio.wizard.flow import PageKind
 from plastron_tui.studio.wizard.form_page import FormPage
+from plastron_tui.studio.wizard.goals import Aim, aim_of
 from plastron_tui.studio.wizard.menu_page import Menu
 from plastron_tui.studio.wizard.rows import Row
 from plastron_tui.studio.wizard.screen import Wizard

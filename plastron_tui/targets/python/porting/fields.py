@@ -12,8 +12,8 @@ from plastron_tui.sources.python.splices import Splice
 from plastron_tui.sources.python.syntax import parts_of
 
 from .kinds import LIST, MESSAGE, PLAIN, is_plain, kind_of, some_plain
+from .port_state import Work
 from .types import target_type
-from .work import Work
 
 Fields = dict[str, FieldType | None]
 """The fields of a message by name, in the order of ROS 1; None for one that ROS 2 lacks."""

@@ -13,8 +13,8 @@ from plastron_tui.sources.python.constants import without_none
 from plastron_tui.sources.python.scopes import Binding, BindingKind, Scope
 from plastron_tui.sources.python.syntax import parts_of
 
+from .port_state import Work
 from .types import target_type
-from .work import Work
 
 MESSAGE = "a message"
 PLAIN = "plain"

@@ -9,7 +9,7 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.sources.python.conventions import target_name
 
-from .work import Work, walk
+from .port_state import Work, walk
 
 _IMPORTS = frozenset({"import_statement", "import_from_statement", "future_import_statement"})
 _OF_TIMERS = frozenset({"cancel", "reset", "is_canceled", "time_until_next_call"})

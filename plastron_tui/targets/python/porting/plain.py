@@ -17,7 +17,7 @@ from plastron_tui.sources.python.syntax import parts_of
 
 from .fields import Given, fields_of, write_fields, write_value
 from .kinds import LIST, constructed, is_plain, kind_of, some_plain, typed
-from .work import Work
+from .port_state import Work
 
 _CLIENT = re.compile(r"client|proxy|service|srv", re.IGNORECASE)
 _RESPONSE = "a handler of rclpy returns a response"

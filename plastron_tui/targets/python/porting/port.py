@@ -15,10 +15,10 @@ from plastron_tui.sources.python.compiling import syntax_error
 from plastron_tui.sources.python.editor import not_encodable
 from plastron_tui.sources.python.sites import analyze
 
+from .port_state import COMMENT, SEPARATOR, Mark, Work
 from .to_rclpy import port_to_rclpy
 from .to_rospy import port_to_rospy
 from .types import target_type
-from .work import COMMENT, SEPARATOR, Mark, Work
 
 _PORTS = {"rclpy": port_to_rclpy, "rospy": port_to_rospy}
 _KINDS = {

@@ -9,9 +9,9 @@ from plastron_tui.sources.python import literals
 from plastron_tui.sources.python.analysis import NodeSite
 from plastron_tui.sources.python.references import statement_of
 
-from .placing import first_call, top_level
+from .insertion_point import first_call, top_level
+from .port_state import COMMENT, Mark, Work, first_of, walk
 from .rewriting import begins_line, first_statement, put_before, replace_by_opposite
-from .work import COMMENT, Mark, Work, first_of, walk
 
 _INTERRUPT = ("rospy.ROSInterruptException", "rospy.exceptions.ROSInterruptException")
 _INTERRUPTS = "KeyboardInterrupt, ExternalShutdownException, ROSInterruptException"

@@ -12,7 +12,7 @@ from plastron_tui.sources.python.scopes import Scope
 from plastron_tui.sources.python.splices import line_start
 from plastron_tui.sources.python.syntax import parts_of
 
-from .work import Work
+from .port_state import Work
 
 Writer = Callable[[Work, Site, str], str | None]
 """Writes the call that makes an endpoint, with the source of its name; None where it cannot."""

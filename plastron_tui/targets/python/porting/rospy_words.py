@@ -7,10 +7,10 @@ from tree_sitter import Node
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.sources.python.syntax import parts_of
 
+from .port_state import Work, walk
+from .rclpy_words import is_stamp
 from .rewriting import replace_by_opposite
 from .types import target_type
-from .words import is_stamp
-from .work import Work, walk
 
 _LOGS = {
     "debug": "rospy.logdebug",

@@ -12,10 +12,12 @@ from plastron_tui.sources.python.analysis import Site
 from plastron_tui.sources.python.calls import Argument
 from plastron_tui.sources.python.scopes import Scope
 
+from .insertion_point import add_header
 from .leftovers import mark_leftovers, port_ending
-from .placing import add_header
 from .plain import port_plain
+from .port_state import Work, walk
 from .rclpy_node import make_node, port_running
+from .rclpy_words import port_words
 from .rewriting import (
     Writer,
     append_parameter,
@@ -25,8 +27,6 @@ from .rewriting import (
     port_sites,
 )
 from .types import port_imports
-from .words import port_words
-from .work import Work, walk
 
 _GONE = frozenset({"rospy", "roslib"})
 _LEFT = _GONE | {"actionlib", "rosgraph", "rosnode", "rosservice", "rostopic", "rosparam", "genpy"}

@@ -15,8 +15,9 @@ from plastron_tui.sources.python.scopes import Scope
 from plastron_tui.sources.python.splices import Splice, delete_item, line_start
 from plastron_tui.sources.python.syntax import parts_of
 
+from .insertion_point import add_header
 from .leftovers import mark_leftovers, port_ending
-from .placing import add_header
+from .port_state import Work, walk
 from .rewriting import (
     Writer,
     append_parameter,
@@ -29,7 +30,6 @@ from .rewriting import (
 )
 from .rospy_words import port_rospy_words
 from .types import port_imports, target_type
-from .work import Work, walk
 
 _GONE = frozenset({"rclpy"})
 _LEFT = _GONE | {"ament_index_python", "launch", "launch_ros", "tf2_ros", "nav2_simple_commander"}

@@ -9,7 +9,7 @@ from tree_sitter import Node
 from plastron_tui.ros.catalog import moved
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 
-from .work import Work, walk
+from .port_state import Work, walk
 
 _SIDES = ("Request", "Response")
 _KINDS = {"msg": InterfaceKind.MESSAGE, "srv": InterfaceKind.SERVICE}

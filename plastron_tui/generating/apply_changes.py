@@ -9,13 +9,13 @@ from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.loading import add_found
 from plastron_tui.model.source import Add, Change, FileSet, SourceUnit
 from plastron_tui.model.workspace import Node
-from plastron_tui.output.layers import Layer
-from plastron_tui.output.remembered import recall
+from plastron_tui.output.node_json import recall
+from plastron_tui.output.patch_stack import Layer
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources.base import Rendered
 
-from .changes import call_again, changes_of, is_extended, names_in
-from .handwork import files_on_disk
+from .node_diff import call_again, changes_of, is_extended, names_in
+from .user_edits import files_on_disk
 
 if TYPE_CHECKING:
     from plastron_tui.targets.base import Target

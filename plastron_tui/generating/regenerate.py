@@ -16,18 +16,18 @@ from typing import TYPE_CHECKING, NamedTuple
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.source import FileSet, SourceUnit
 from plastron_tui.model.workspace import Node
-from plastron_tui.output.layers import Layer, Layers, digest_of
-from plastron_tui.output.remembered import remember_all
-from plastron_tui.output.three_way import merge_files
+from plastron_tui.output.merge3 import merge_files
+from plastron_tui.output.node_json import remember_all
+from plastron_tui.output.patch_stack import Layer, Layers, digest_of
 
-from .adaptation import Adaptation
-from .handwork import cover, kept_handwork, of_other_program, unmergeable
-from .judging import is_worse
+from .apply_changes import Adaptation
+from .destination import Place, Writing, find_place, found_by
+from .language_checks import is_worse
 from .node_files import NodeFiles, are_recorded
-from .place import Place, Writing, find_place, found_by
+from .user_edits import cover, kept_handwork, of_other_program, unmergeable
 
 if TYPE_CHECKING:
-    from .merging import Merged
+    from .endpoint_merge import Merged
 
 
 class Derived(NamedTuple):
@@ -177,7 +177,7 @@ class Derivation:
 
     def _with_handwork(self, place: Place, known: Layer, before: FileSet, new: Layer) -> Merged:
         """Bring what was changed by hand into what the program makes."""
-        from .merging import Merged, merge
+        from .endpoint_merge import Merged, merge
 
         mine = new.written
         if self.writing.force or before == known.written:
@@ -242,7 +242,7 @@ def _has_what_it_is_to_have(
         before: the files as they are.
         mine: the files as the program makes them.
     """
-    from .merging import call_sites
+    from .endpoint_merge import call_sites
 
     label = None if node.source is None else node.source.label
     found, there, made = (

@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.model.source import FileSet
-from plastron_tui.output.layers import Author, Layers, are_untouched
 from plastron_tui.output.manifest import Manifest
+from plastron_tui.output.patch_stack import Author, Layers, are_untouched
 
-from .handwork import files_on_disk, layers_at
+from .user_edits import files_on_disk, layers_at
 
 
 class Writing(NamedTuple):

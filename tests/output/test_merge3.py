@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plastron_tui.output.three_way import merge_lines, replay
+from plastron_tui.output.merge3 import merge_lines, replay
 
 
 def text(letters: str) -> bytes:

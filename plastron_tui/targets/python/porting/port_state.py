@@ -8,7 +8,7 @@ from itertools import chain
 
 from tree_sitter import Node
 
-from plastron_tui.model.numbering import numbered
+from plastron_tui.model.unique_names import numbered
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import FieldType, Section
 from plastron_tui.sources.python.analysis import Analysis, Site

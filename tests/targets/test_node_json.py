@@ -13,7 +13,7 @@ from made_nodes import SPAN, nodes
 
 from plastron_tui.model.kinds import Message, Publisher
 from plastron_tui.model.workspace import Node
-from plastron_tui.output.remembered import recall, remember
+from plastron_tui.output.node_json import recall, remember
 
 
 def without_places(node: Node) -> Node:

@@ -6,7 +6,7 @@ from tree_sitter import Node
 
 from plastron_tui.sources.python.splices import line_end, line_start
 
-from .work import Work
+from .port_state import Work
 
 _IMPORTS = frozenset({"import_statement", "import_from_statement", "future_import_statement"})
 _STANDARD = frozenset({"import atexit", "import threading", "import time"})

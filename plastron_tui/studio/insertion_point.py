@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from plastron_tui.diagnostics import Edit, Span
 from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
-from plastron_tui.language.relowering import Lowered, lower_edited
+from plastron_tui.language.incremental_lowering import Lowered, lower_edited
 
 if TYPE_CHECKING:
     from plastron_tui.language import Document, Program

@@ -8,14 +8,14 @@ from enum import Enum, auto
 from plastron_tui.language import Declaration, SlotKind
 from plastron_tui.session import Session
 
-from .aims import MORE_ABOUT, MORE_TITLE, Aim, aim_of, declarations_of
 from .ask import Choice
-from .checking import Finding, Outcome, Placed, check, node_of
+from .context import Scene, Surroundings
 from .filling import Filled, Filler
 from .form import Form
+from .goals import MORE_ABOUT, MORE_TITLE, Aim, aim_of, declarations_of
 from .helps import helps_of
-from .offers import RECIPES, Offer
-from .scene import Scene, Surroundings
+from .menu import RECIPES, Offer
+from .program_trial import Finding, Outcome, Placed, check, node_of
 from .values import Entry, Path
 
 SEARCHED = (SlotKind.MESSAGE_TYPE, SlotKind.SERVICE_TYPE)

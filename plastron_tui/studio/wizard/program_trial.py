@@ -13,10 +13,10 @@ from plastron_tui.language.inputs import COMMENTS
 from plastron_tui.language.keywords import KEYWORDS
 from plastron_tui.session import Session
 
-from ..placing import Ground, Placing
-from ..placing import placed as where
-from .aims import generating
+from ..insertion_point import Ground, Placing
+from ..insertion_point import placed as where
 from .form import Form, is_variable, laid_out
+from .goals import generating
 from .values import Entry, Path
 
 

@@ -15,7 +15,7 @@ from textual.worker import WorkerFailed
 
 from plastron_tui.studio.app import StudioApp
 from plastron_tui.studio.terminal_keys import teach
-from plastron_tui.studio.undocumented import (
+from plastron_tui.studio.textual_private import (
     Failing,
     forget_removed_widgets,
     known_sequences,

@@ -13,9 +13,9 @@ from .analysis import Analysis, NodeSite, Site
 from .conventions import leading_space, target_name
 from .references import STATEMENT_PARENTS, statement_of
 from .removal import callback_scope, definition
+from .run_order import Starting, When
 from .scopes import Scope
 from .splices import line_end, line_start
-from .starting import Starting, When
 
 _KINDS = (
     EndpointKind.PUBLISHER,

@@ -11,7 +11,7 @@ from plastron_tui.session import Session
 
 from ..analysis import analyse
 from ..panels.preview import previews_of
-from ..panels.tones import Line, Lines, Piece
+from ..panels.styles import Line, Lines, Piece
 
 
 def code_of(session: Session, node: str | None) -> tuple[str, Lines]:

@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import LARGEST_FILE, EndpointKind, FileSet
-from plastron_tui.output.layers import Layer, Layers, are_untouched, live_layers
 from plastron_tui.output.manifest import Manifest
+from plastron_tui.output.patch_stack import Layer, Layers, are_untouched, live_layers
 from plastron_tui.regular_files import read_regular
 from plastron_tui.ros.interfaces import InterfaceName
 

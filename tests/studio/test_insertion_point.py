@@ -6,7 +6,7 @@ import pytest
 
 from plastron_tui.diagnostics import Edit, Span
 from plastron_tui.session import Session
-from plastron_tui.studio.placing import Ground, is_generated_last, placed
+from plastron_tui.studio.insertion_point import Ground, is_generated_last, placed
 
 HEAD = b"create_node 'one' as a\nsubscribe a to 'x' of message_type String\n"
 

@@ -37,7 +37,7 @@ from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets.base import Target
 
-from .judging import definitions, mentions
+from .language_checks import definitions, mentions
 
 
 class Merged(NamedTuple):

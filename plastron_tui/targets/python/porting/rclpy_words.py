@@ -12,8 +12,8 @@ from plastron_tui.sources.python.splices import Splice
 from plastron_tui.sources.python.syntax import parts_of
 
 from .kinds import kind_of, typed
+from .port_state import Work
 from .rclpy_node import has_node
-from .work import Work
 
 LOGS: Mapping[str, str] = {
     "rospy.logdebug": "debug",

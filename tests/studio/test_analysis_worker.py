@@ -12,8 +12,8 @@ from textual.message import Message
 
 from plastron_tui import collector
 from plastron_tui.session import Session
-from plastron_tui.studio import analyst as module
-from plastron_tui.studio.analyst import Analysed, Analyst
+from plastron_tui.studio import analysis_worker as module
+from plastron_tui.studio.analysis_worker import Analysed, Analyst
 from plastron_tui.studio.panels.panel import Request
 
 NODES, PROBLEMS = Request("nodes", True), Request("problems", True)

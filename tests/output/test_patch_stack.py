@@ -10,7 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plastron_tui.model.source import FileSet
-from plastron_tui.output.layers import (
+from plastron_tui.output.manifest import Manifest, load_manifest
+from plastron_tui.output.patch_stack import (
     LARGEST_TEXTS,
     MOST_LAYERS,
     Author,
@@ -20,7 +21,6 @@ from plastron_tui.output.layers import (
     live_layers,
     read_layer,
 )
-from plastron_tui.output.manifest import Manifest, load_manifest
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.output.writer import write
 

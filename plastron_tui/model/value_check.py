@@ -23,7 +23,8 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Field, FieldType, Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.primitives import check_scalar, primitive
 
-from .misfits import (
+from .times import BUILTIN_TIMES, builtin_time, split_seconds, time_parts
+from .value_diagnostics import (
     Misfit,
     does_not_fit,
     path_span,
@@ -33,7 +34,6 @@ from .misfits import (
     wrong_kind,
     wrong_length,
 )
-from .times import BUILTIN_TIMES, builtin_time, split_seconds, time_parts
 from .values import MessageValue, Value
 
 Where = Callable[[], Span]

@@ -37,7 +37,7 @@ class Layer:
         program: the name of the program's file.
         original: what it started from.
         written: what it made of that, without handwork.
-        base: what the node had in the end, as `remembered` gives it.
+        base: what the node had in the end, as `node_json` gives it.
         origin: the file that the original is of, from the folder of the manifest; None where it
             is the written file itself.
         seen: the digest of that file when it was read.

@@ -8,8 +8,8 @@ from workspaces import LIBRARIES, FakeReader, codes, marked, run, workspace
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.language import Document, lower
+from plastron_tui.model.context import Setting
 from plastron_tui.model.interpreter import Interpretation, interpret
-from plastron_tui.model.setting import Setting
 from plastron_tui.model.values import MessageValue
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.primitives import PRIMITIVES

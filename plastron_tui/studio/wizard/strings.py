@@ -5,9 +5,9 @@ from __future__ import annotations
 from plastron_tui.diagnostics import has_errors
 from plastron_tui.session import Session
 
-from .course import Look, Page, PageKind
+from .context import Scene
+from .flow import Look, Page, PageKind
 from .menu_page import Item
-from .scene import Scene
 
 DONE = "It is in the program now. One undo (Ctrl-Z in the editor) takes it out again."
 DONE_ACTIONS = ("more", "screen.generate", "screen.run", "")

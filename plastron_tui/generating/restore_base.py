@@ -8,14 +8,14 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.model.source import FileSet, Origin, SourceUnit
-from plastron_tui.output.layers import Author, Layer, digest_of
 from plastron_tui.output.manifest import Manifest
-from plastron_tui.output.three_way import replay_files
+from plastron_tui.output.merge3 import replay_files
+from plastron_tui.output.patch_stack import Author, Layer, digest_of
 from plastron_tui.targets import find_target, read_source
 
-from .handwork import files_on_disk, shown
-from .judging import is_worse
-from .place import find_place, found_by
+from .destination import find_place, found_by
+from .language_checks import is_worse
+from .user_edits import files_on_disk, shown
 
 _MOST_STEPS = 4
 """How often a file may be made from one that the program made as well."""
