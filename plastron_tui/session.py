@@ -14,27 +14,27 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from plastron_tui.boundary import Boundary
-from plastron_tui.configuration import Configuration, Options
 from plastron_tui.diagnostics import Diagnostic, LineIndex
 from plastron_tui.language import Document, Program
 from plastron_tui.language.incremental_lowering import Lowered, lower_edited
 from plastron_tui.output.own_files import has_leftovers
-from plastron_tui.planner import Planner, unwritten
-from plastron_tui.program_file import lines_of
-from plastron_tui.project import Project
-from plastron_tui.ros_choice import RosChoice
+from plastron_tui.project.configuration import Configuration, Options
+from plastron_tui.project.planner import Planner, unwritten
+from plastron_tui.project.program_file import lines_of
+from plastron_tui.project.ros_choice import RosChoice
+from plastron_tui.project.settings import Project
 from plastron_tui.targets import LIBRARIES
 
 if TYPE_CHECKING:
     # What a program means is found out when its text is there to see: the studio starts sooner.
     from plastron_tui.generating.generation import Generated
-    from plastron_tui.loader import FilesRead, NodeLoader
     from plastron_tui.model.context import Setting
     from plastron_tui.model.interpreter import Interpretation
     from plastron_tui.model.source import FileSet
     from plastron_tui.model.value_check import Fitter
     from plastron_tui.model.workspace import Generation, Workspace
     from plastron_tui.output.plan import FilePlan
+    from plastron_tui.project.loader import FilesRead, NodeLoader
     from plastron_tui.ros.catalog import Catalog
 
 __all__ = ["Options", "Session"]
@@ -176,7 +176,7 @@ class Session:
 
     @cached_property
     def _files(self) -> FilesRead:
-        from plastron_tui.loader import FilesRead
+        from plastron_tui.project.loader import FilesRead
 
         return FilesRead()
 
@@ -187,7 +187,7 @@ class Session:
         return self._new_setting(self._new_loader())
 
     def _new_loader(self) -> NodeLoader:
-        from plastron_tui.loader import NodeLoader
+        from plastron_tui.project.loader import NodeLoader
 
         program = self._name, self.document.text
         # What a program may not lead to, it does not let be written to either.

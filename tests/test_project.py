@@ -6,7 +6,12 @@ import pytest
 
 from plastron_tui.boundary import PROJECT_FILE as FILE_NAME
 from plastron_tui.boundary import Boundary, find_boundary
-from plastron_tui.project import LARGEST_PROJECT, Project, find_project, read_project
+from plastron_tui.project.settings import (
+    LARGEST_PROJECT,
+    Project,
+    find_project,
+    read_project,
+)
 from plastron_tui.targets import LIBRARIES as ALL
 
 LIBRARIES = {name: ALL[name] for name in ("rospy", "rclpy")}

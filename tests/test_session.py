@@ -10,7 +10,7 @@ from plastron_tui.output import manifest
 from plastron_tui.output.manifest import Reading, load_manifest
 from plastron_tui.output.plan import FileState
 from plastron_tui.output.writer import write
-from plastron_tui.program_file import check_text, read_program
+from plastron_tui.project.program_file import check_text, read_program
 from plastron_tui.session import Options, Session
 from plastron_tui.trust import TrustStore
 

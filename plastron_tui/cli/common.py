@@ -12,7 +12,12 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from plastron_tui.diagnostics import Diagnostic, Severity, codes
-from plastron_tui.program_file import LARGEST_PROGRAM, ProgramText, check_text, read_program
+from plastron_tui.project.program_file import (
+    LARGEST_PROGRAM,
+    ProgramText,
+    check_text,
+    read_program,
+)
 from plastron_tui.session import Options, Session
 from plastron_tui.sources import own_languages
 from plastron_tui.targets import LIBRARIES, PLANNED

@@ -12,7 +12,7 @@ from plastron_tui.language import format_document
 from plastron_tui.output.manifest import Manifest
 from plastron_tui.output.plan import OutputFile, make_plan
 from plastron_tui.output.writer import write
-from plastron_tui.project import outside_program
+from plastron_tui.project.settings import outside_program
 from plastron_tui.session import Session
 
 from .common import Report, finish, open_sessions, print_text, programs_argument, shown_path

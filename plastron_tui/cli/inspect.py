@@ -8,11 +8,11 @@ from pathlib import Path
 import click
 
 from plastron_tui.diagnostics import Diagnostic, LineIndex, codes
-from plastron_tui.loader import read_node, with_others
 from plastron_tui.model.inspection import inspect_json, inspect_text
 from plastron_tui.model.program_text import program_of
 from plastron_tui.model.source import LARGEST_FILE, SourceUnit
 from plastron_tui.output.own_files import settled
+from plastron_tui.project.loader import read_node, with_others
 from plastron_tui.regular_files import read_named, reason
 from plastron_tui.targets import ros_version
 

@@ -21,7 +21,7 @@ from plastron_tui.model.interpreter import Interpreter
 from plastron_tui.model.source import place_of
 from plastron_tui.model.workspace import Generation
 from plastron_tui.output.writer import MOST_TRIES, write
-from plastron_tui.program_file import check_text
+from plastron_tui.project.program_file import check_text
 from plastron_tui.session import Options, Session
 
 from .common import Report, finish, output_option, target_option

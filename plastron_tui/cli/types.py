@@ -9,11 +9,11 @@ import click
 from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.model.libraries import default_library
 from plastron_tui.model.types import TypeProblem, TypeResolver
+from plastron_tui.project.ros_choice import RosChoice
 from plastron_tui.ros.catalog import DISTRIBUTIONS, Catalog
 from plastron_tui.ros.definition_text import format_definition
 from plastron_tui.ros.interfaces import Interface, InterfaceKind
 from plastron_tui.ros.search import search_types
-from plastron_tui.ros_choice import RosChoice
 from plastron_tui.session import Options, Session
 from plastron_tui.targets import LIBRARIES
 

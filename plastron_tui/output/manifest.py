@@ -3,8 +3,8 @@
 A file whose text differs from what the manifest remembers was changed by hand. What a program
 had when a file was written is remembered too: a later program is merged into the handwork from
 there. Of a file that a program loaded, the text is remembered that the program started from: see
-`patch_stack`. The manifest is a small JSON file in the folder itself, so that it moves with the files
-that it speaks of.
+`patch_stack`. The manifest is a small JSON file in the folder itself, so that it moves with the
+files that it speaks of.
 """
 
 from __future__ import annotations

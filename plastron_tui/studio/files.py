@@ -9,8 +9,8 @@ from pathlib import Path
 from plastron_tui.boundary import find_boundary
 from plastron_tui.diagnostics import Diagnostic, Severity, codes
 from plastron_tui.output.own_files import settled
-from plastron_tui.program_file import LARGEST_PROGRAM, read_program
-from plastron_tui.project import outside_program
+from plastron_tui.project.program_file import LARGEST_PROGRAM, read_program
+from plastron_tui.project.settings import outside_program
 from plastron_tui.regular_files import Stamp, read_regular, stamp_of
 
 SUFFIX = ".plastron"

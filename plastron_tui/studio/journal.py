@@ -14,7 +14,7 @@ from time import time
 from typing import Any
 
 from plastron_tui.private_files import is_running, process_mark, read_private, sweep, write_private
-from plastron_tui.program_file import LARGEST_PROGRAM
+from plastron_tui.project.program_file import LARGEST_PROGRAM
 
 _FORMAT = 1
 _LATEST = 4e9

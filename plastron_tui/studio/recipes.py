@@ -11,7 +11,7 @@ from pathlib import Path
 
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.language import statements
-from plastron_tui.program_file import LARGEST_PROGRAM
+from plastron_tui.project.program_file import LARGEST_PROGRAM
 from plastron_tui.regular_files import read_regular, reason
 from plastron_tui.session import Session
 

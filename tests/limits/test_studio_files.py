@@ -12,7 +12,7 @@ from test_special_files import SPECIAL
 _LOOKS = """
 import sys
 from pathlib import Path
-from plastron_tui.program_file import read_program
+from plastron_tui.project.program_file import read_program
 from plastron_tui.studio.config import load_config, load_remembered
 from plastron_tui.studio.files import open_file, read_again, save_file
 from plastron_tui.studio.journal import kept_texts

@@ -18,7 +18,7 @@ from plastron_tui.language import Document, format_document, lower
 from plastron_tui.language.keywords import KEYWORDS
 from plastron_tui.model.context import Setting
 from plastron_tui.model.interpreter import interpret
-from plastron_tui.program_file import check_text
+from plastron_tui.project.program_file import check_text
 
 PROGRAMS = [
     path.read_bytes()

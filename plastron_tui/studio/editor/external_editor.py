@@ -10,7 +10,7 @@ from pathlib import Path
 from shutil import rmtree
 from tempfile import mkdtemp
 
-from plastron_tui.program_file import LARGEST_PROGRAM
+from plastron_tui.project.program_file import LARGEST_PROGRAM
 from plastron_tui.regular_files import read_regular, reason
 
 

@@ -10,7 +10,7 @@ from textual.app import SuspendNotSupported
 
 from plastron_tui.diagnostics import Edit
 from plastron_tui.language import format_document
-from plastron_tui.program_file import check_text
+from plastron_tui.project.program_file import check_text
 from plastron_tui.regular_files import reason
 
 from .external_editor import EditedElsewhere, external_editor, run_editor

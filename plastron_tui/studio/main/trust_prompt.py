@@ -10,7 +10,7 @@ from textual.screen import Screen
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.diagnostics.terminal import visible
-from plastron_tui.project import TRUST_CODES
+from plastron_tui.project.settings import TRUST_CODES
 
 from .active_program import ActiveProgram
 

@@ -13,7 +13,14 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.boundary import DEFAULT_OUTPUT, Boundary, find_boundary
 from plastron_tui.diagnostics import Diagnostic
-from plastron_tui.project import (
+from plastron_tui.project.ros_choice import (
+    RosChoice,
+    Said,
+    Why,
+    choose_distribution,
+    choose_ros,
+)
+from plastron_tui.project.settings import (
     TRUST_CODES,
     Project,
     as_error,
@@ -21,7 +28,6 @@ from plastron_tui.project import (
     outside_definition,
     outside_output,
 )
-from plastron_tui.ros_choice import RosChoice, Said, Why, choose_distribution, choose_ros
 from plastron_tui.targets import LIBRARIES
 
 if TYPE_CHECKING:

@@ -7,9 +7,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from plastron_tui.configuration import Configuration
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.libraries import written_libraries
+from plastron_tui.project.configuration import Configuration
 from plastron_tui.targets import LIBRARIES, has_target
 
 if TYPE_CHECKING:
