@@ -12,12 +12,12 @@ from textual.binding import BindingType
 from textual.containers import Vertical
 from textual.message import Message
 from textual.reactive import reactive
-from textual.timer import Timer
 from textual.widget import Widget
 
 from plastron_tui.diagnostics import Diagnostic, Edit, Span
 from plastron_tui.language.expectations import Expectation, expected_at
 
+from ..delay import Delay
 from . import line_commands, text_commands
 from .commands import BY_NAME, COMMANDS
 from .completer import Completer
@@ -100,7 +100,7 @@ class ProgramEditor(Vertical):
         self.expected: Expectation = expected_at(session.document, 0)
         self._told_text = self.text
         self._told_cursor = 0
-        self._settle: Timer | None = None
+        self._settle = Delay(self, self._settled)
         self._mounting = asyncio.Lock()
 
     def compose(self) -> ComposeResult:
@@ -333,13 +333,9 @@ class ProgramEditor(Vertical):
         return expected_at(self.session.document, cursor)
 
     def _settle_later(self) -> None:
-        if self._settle is None:
-            self._settle = self.set_timer(_SETTLE, self._settled)
-        else:
-            self._settle.reset()
+        self._settle.start(_SETTLE)
 
     def _settled(self) -> None:
-        self._settle = None
         if b"/*" in self.text:
             # Only the tree knows which lines are in a comment, and to parse them takes time.
             _ = self.session.document.tree

@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from textual.screen import Screen
-from textual.timer import Timer
 from textual.widget import Widget
 
 from ..analysis_worker import Analyst
+from ..delay import Delay
 from ..panels.panel import Panel, ProgramView, Request
 from .active_program import ActiveProgram
 from .dock_layout import DockLayout
@@ -49,35 +49,32 @@ class PanelFeed:
         self._views = {
             panel: view for panel, view in widgets.items() if isinstance(view, ProgramView)
         }
-        self._pause: Timer | None = None
+        self._pause = Delay(screen, self.ask_anew)
         self._asked: tuple[Request, ...] | None = None
 
     def start(self) -> None:
         """Ask for the first time, now that there is something to see."""
-        self._pause = self._screen.set_timer(_FIRST_PAUSE, self.ask_anew)
+        self._pause.start(_FIRST_PAUSE)
 
     @property
     def is_pausing(self) -> bool:
         """Whether the text has changed and nobody was asked about it yet."""
-        return self._pause is not None
+        return self._pause.is_waiting
 
     def ask_soon(self) -> None:
         """Ask, as soon as no key comes, what the text means."""
-        if self._pause is None:
-            self._pause = self._screen.set_timer(_PAUSE, self.ask_anew)
-        else:
-            self._pause.reset()
+        self._pause.start(_PAUSE)
 
     def ask_anew(self) -> None:
         """Ask what the text means now."""
-        self._pause = None
+        self._pause.stop()
         self._asked = self.wanted()
         self.analyst.ask(self._asked, self._program.open.session.snapshot())
 
     def ask_more(self) -> None:
         """Ask for what came in sight, if it is not known."""
         wanted = self.wanted()
-        if self._pause is None and self._asked not in (None, wanted):
+        if not self._pause.is_waiting and self._asked not in (None, wanted):
             self._asked = wanted
             self.analyst.ask(wanted)
 

@@ -6,10 +6,10 @@ from functools import partial
 from pathlib import Path
 
 from textual.screen import Screen
-from textual.timer import Timer
 
 from plastron_tui.regular_files import reason
 
+from ..delay import Delay
 from ..files import open_file
 from ..folder_labels import shown_name, shown_place
 from ..journal import Journal, Kept, kept_texts
@@ -28,7 +28,7 @@ class Recovery:
         self._screen = screen
         self._program = program
         self._journals = journals
-        self._timer: Timer | None = None
+        self._delay = Delay(screen, self._keep)
         self._is_writing = False
         self._has_failed = False
 
@@ -36,8 +36,8 @@ class Recovery:
 
     def keep_soon(self) -> None:
         """Keep the text within half a second."""
-        if self._timer is None:
-            self._timer = self._screen.set_timer(_KEEP, self._keep)
+        if not self._delay.is_waiting:
+            self._delay.start(_KEEP)
 
     def keep_now(self) -> None:
         """Keep the text at once: something has gone wrong."""
@@ -47,12 +47,9 @@ class Recovery:
 
     def stop(self) -> None:
         """Let go of what was to be kept soon: it is saved, or not wanted."""
-        if self._timer is not None:
-            self._timer.stop()
-            self._timer = None
+        self._delay.stop()
 
     def _keep(self) -> None:
-        self._timer = None
         open_ = self._program.open
         if not open_.is_changed:
             open_.journal.drop()

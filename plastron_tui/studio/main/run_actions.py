@@ -13,6 +13,7 @@ from textual.screen import Screen
 from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.regular_files import reason
 
+from ..delay import Delay
 from ..panels.output import OutputPanel
 from ..panels.styles import Piece
 from .active_program import ActiveProgram
@@ -59,6 +60,7 @@ class RunActions:
             on_change: called when nodes start, or have ended.
         """
         self._screen = screen
+        self._delay = Delay(screen, self._show)
         self._program = program
         self._files = files
         self._layout = layout
@@ -154,7 +156,8 @@ class RunActions:
 
     def show_soon(self) -> None:
         """Show what nodes print, soon: all that comes until then at once."""
-        self._screen.set_timer(_SHOWN_AFTER, self._show)
+        if not self._delay.is_waiting:
+            self._delay.start(_SHOWN_AFTER)
 
     def _show(self) -> None:
         running = self._running
