@@ -197,7 +197,7 @@ def _prepare_line_editing() -> None:
         import readline
     except ImportError:
         return
-    from plastron_tui.language.syntax_errors import KEYWORDS
+    from plastron_tui.language.keywords import KEYWORDS
 
     words = sorted(KEYWORDS)
 

@@ -18,7 +18,7 @@ from .sentence_errors import SentenceErrors, unexpected
 from .sentence_match import intended, match_sentence
 from .tokens import MOST_WORDS, QUOTED_KINDS, UNKNOWN, WORD_KINDS, Token, tokens_of
 
-__all__ = ["FIRST_WORDS", "KEYWORDS", "MOST_BROKEN_LINES", "VERBS", "explain"]
+__all__ = ["MOST_BROKEN_LINES", "explain"]
 
 MOST_BROKEN_LINES = 1_000
 """How many lines are explained; what a machine wrote can have a mistake on each of a million."""

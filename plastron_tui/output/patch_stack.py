@@ -2,7 +2,8 @@
 
 A program that loads what it wrote itself shall start from what it started from before, and not
 from its own changes. So each layer keeps two texts: what the program found, and what it made of
-it. What a file differs from the upper layer's is handwork.
+it. Where what came after differs from that (the next layer's original; for the top layer the file)
+somebody wrote by hand.
 """
 
 from __future__ import annotations

@@ -50,7 +50,7 @@ class Entry(NamedTuple):
         text: its name.
         detail: what is written behind the name, quietly.
         sign: one character before the name.
-        tone: the tone of the sign, a name that `tones.py` knows.
+        tone: the tone of the sign, a name that `styles.py` knows.
         warning: what is wrong with it, behind all the rest.
         depth: how far it is indented.
         span: the statement that it comes from, None for what was read from a file.

@@ -1,0 +1,45 @@
+"""What docs/architecture.md says of the house holds: paths, and how large its parts are."""
+
+from __future__ import annotations
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+PACKAGE = ROOT / "plastron_tui"
+LONGEST_FILE = 400
+LONGEST_CLASS = 500
+"""In lines, with those of the classes of Plastron's own that it inherits from."""
+
+PAGE = (ROOT / "docs" / "architecture.md").read_text()
+MODULES = sorted(PACKAGE.rglob("*.py"))
+
+
+@pytest.mark.parametrize(
+    "path", sorted(set(re.findall(r"`(\w[\w./-]*(?:\.(?:py|md|js|toml)|/))`", PAGE)))
+)
+def test_each_path_is_there(path: str) -> None:
+    assert any((folder / path).exists() for folder in (PACKAGE, ROOT, PACKAGE / "generating"))
+
+
+def test_no_file_is_long() -> None:
+    lengths = {path: path.read_text().count("\n") for path in MODULES}
+    assert {path: length for path, length in lengths.items() if length > LONGEST_FILE} == {}
+
+
+def test_no_class_is_long() -> None:
+    classes = {
+        node.name: (node.end_lineno - node.lineno + 1, [ast.unparse(base) for base in node.bases])
+        for path in MODULES
+        for node in ast.walk(ast.parse(path.read_text()))
+        if isinstance(node, ast.ClassDef) and node.end_lineno is not None
+    }
+
+    def length(name: str) -> int:
+        own, bases = classes.get(name.split("[")[0], (0, []))
+        return own + sum(map(length, bases))
+
+    assert {name: length(name) for name in classes if length(name) > LONGEST_CLASS} == {}
