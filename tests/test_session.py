@@ -4,12 +4,12 @@ from pathlib import Path
 
 import pytest
 
-from plastron_tui import loader
 from plastron_tui.model.kinds import Publisher
 from plastron_tui.output import manifest
 from plastron_tui.output.manifest import Reading, load_manifest
 from plastron_tui.output.plan import FileState
 from plastron_tui.output.writer import write
+from plastron_tui.project import loader
 from plastron_tui.project.program_file import check_text, read_program
 from plastron_tui.session import Options, Session
 from plastron_tui.trust import TrustStore

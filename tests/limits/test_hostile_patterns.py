@@ -17,7 +17,7 @@ from pathlib import Path
 from plastron_tui.model.source import FileSet
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets import find_target
-from plastron_tui.targets.python.reader import read_python
+from plastron_tui.sources.python.reader import read_python
 text = "import rospy\\nrospy.init_node('x')\\nrospy.loginfo('%" + '0' * 100_000 + "!', 1)\\n"
 source = read_python(Path('x.py'), FileSet.single('.py', text.encode())).source
 assert find_target('rclpy').port(None, source, Catalog('kilted')).files

@@ -22,7 +22,9 @@ _OTHERS = {
     "ros/catalog/data.py": "it reads Plastron's own data",
     "targets/templates.py": "it reads Plastron's own templates",
     "sources/python/syntax.py": "it reads Plastron's own queries",
-    "studio/editor/finding.py": "it opens a bar",
+    "studio/main/screen.py": "it opens the wizard",
+    "studio/editor/state.py": "it opens a session",
+    "studio/editor/widget.py": "it opens a bar, and a session",
     "private_files.py": "it makes files, and reads what the kernel says of a process",
 }
 """The modules that open files otherwise, and why."""

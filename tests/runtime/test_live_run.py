@@ -39,7 +39,7 @@ from plastron_tui.runtime.launch import NodeFile, Options, run_nodes
 origin, version, distribution, python, folder, duration, watch = sys.argv[1:]
 environment = Environment(Origin(origin), int(version), distribution, Path(python))
 nodes = [
-    NodeFile(path.stem.rpartition("_")[0], path, environment)
+    NodeFile(path.stem.rpartition("_")[0], (python, str(path)), environment, path)
     for path in sorted(Path(folder).glob("*.py"))
 ]
 print("run", os.getpid(), flush=True)

@@ -210,7 +210,7 @@ def drawn(driver: Driver) -> dict[str, list[list[Segment]]]:
 
 async def check_screen(driver: Driver) -> None:
     """Nothing on the screen is left over from before."""
-    await driver.until(lambda: driver.main.editor._settle is None)
+    await driver.until(lambda: not driver.main.editor._settle.is_waiting)
     before = drawn(driver)
     for widget in driver.main.query("*"):
         widget.refresh()

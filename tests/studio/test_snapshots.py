@@ -88,7 +88,7 @@ async def test_a_screen_looks_as_before(
             await driver.dialog(scene.dialog)
         else:
             await driver.settle()
-        await driver.until(lambda: driver.main.editor._settle is None)
+        await driver.until(lambda: not driver.main.editor._settle.is_waiting)
         # Textual reckons with the gutter of the other bar in one of two places that set the room
         # of a bar, and which comes last depends on the machine.
         view = driver.main.editor.view
