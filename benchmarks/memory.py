@@ -209,7 +209,7 @@ async def keys(folder: Path, count: int) -> float:
             if number % _KEYS_IN_A_ROW == 0:
                 await _rest()
             growth.after(number)
-    main.feed.analyst.join(5)
+    main.feed.worker.join(5)
     return growth.ratio
 
 

@@ -143,7 +143,7 @@ async def measure(file: Path, ready: Callable[[], object] = lambda: None) -> _Ti
             after.append(perf_counter() - last)
             processor.append(process_time() - used)
             await pilot.pause(0.5)
-    main.feed.analyst.join(5)
+    main.feed.worker.join(5)
     return _Times(keys, watch.pauses, after, processor)
 
 

@@ -67,6 +67,7 @@ class NodeFiles:
                 merged_from=None if self.merged_from is None else self.merged_from.get(name),
                 path=None if self.path is None else place_of(self.path, name),
                 has_handwork=self.has_handwork,
+                problem=self.problem,
                 seen=self.seen,
             )
 

@@ -107,9 +107,10 @@ class Hub(NamedTuple):
 
     @property
     def missing(self) -> EndpointKind | None:
-        """The kind of ends that nobody has, None when all are there."""
-        kinds = {end.kind for end in self.ends}
-        return next((kind for kind in KINDS_AT[self.interface] if kind not in kinds), None)
+        """A kind of ends on the side that nobody takes, None when both sides are there."""
+        sides = {end.kind.facts.sends for end in self.ends}
+        kinds = KINDS_AT[self.interface]
+        return next((kind for kind in kinds if kind.facts.sends not in sides), None)
 
     def of(self, kind: EndpointKind) -> Iterator[End]:
         """Yield the ends of one kind."""

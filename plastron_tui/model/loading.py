@@ -29,6 +29,13 @@ def node_in(source: SourceUnit, statement: Load) -> SourceUnit | Diagnostic:
             where,
             help=f"say which one: `load … {example}as {statement.variable}`",
         )
+    if [node.label for node in source.nodes].count(statement.name) > 1:
+        return Diagnostic(
+            codes.SEVERAL_NODES,
+            f"`{source.path.name}` holds several nodes that are called `{statement.name}`",
+            statement.span_of("name"),
+            help="give each a name of its own in the file",
+        )
     if statement.name not in labels:
         where = statement.span_of("name")
         remedy, fix = guess(statement.name, labels, where, is_quoted=True)

@@ -15,7 +15,7 @@ from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from hashlib import sha256
-from pathlib import Path, PurePath
+from pathlib import Path, PurePath, PurePosixPath
 from typing import Any, NamedTuple
 
 from plastron_tui.model.source import FileSet
@@ -220,7 +220,7 @@ def _cut(texts: bytes, data: Mapping[str, Any], name: str) -> tuple[FileSet, Fil
         for listed in data["sizes"]:
             found = []
             for each, length in listed:
-                if not isinstance(each, str) or not isinstance(length, int) or length < 0:
+                if not isinstance(length, int) or length < 0 or not _is_within(each):
                     return None
                 found.append((each, texts[start : start + length]))
                 start += length
@@ -230,6 +230,12 @@ def _cut(texts: bytes, data: Mapping[str, Any], name: str) -> tuple[FileSet, Fil
         return None
     is_whole = start == len(texts) and original.texts and written.texts
     return (original, written) if is_whole else None
+
+
+def _is_within(name: str) -> bool:
+    """Tell whether a name stays in the folder of its set: a manifest may be anybody's."""
+    path = PurePosixPath(name)
+    return bool(path.parts) and not path.is_absolute() and ".." not in path.parts
 
 
 def _main_name(name: str) -> str:

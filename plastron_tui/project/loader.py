@@ -236,13 +236,16 @@ class NodeLoader:
         if known is not None and known.is_current(self._author):
             return known.loaded
         from plastron_tui.generating.restore_base import find_start
+        from plastron_tui.model.source import place_of
 
         manifests, may_read = self._files.manifest, self._boundary.allows
         start = find_start(path, self._author, lambda folder: manifests(folder)[0], may_read)
         files = [path, manifest]
         loaded = None
         if start is not None:
-            files += [start.path, start.path.parent / _MANIFEST]
+            files += [start.path.parent / _MANIFEST]
+            for main in (start.path, path):
+                files += [place_of(main, name) for name in start.files.names]
             loaded = _with_origin(read_node(start.path, start.files), start.origin)
         stamps = {file: stamp_of(file) for file in files}
         self._files.starts[path] = _Known(loaded, self._author, stamps)

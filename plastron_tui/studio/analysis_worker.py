@@ -63,7 +63,7 @@ class AnalysisFailed(Message):
         self.error = error
 
 
-class Analyst:
+class AnalysisWorker:
     """Answers the newest question, in a thread."""
 
     def __init__(self, post: Callable[[Message], object]) -> None:
@@ -74,7 +74,7 @@ class Analyst:
         self._is_stopped = False
         self._is_answering = False
         self._last: Analysis | None = None
-        self._thread = threading.Thread(target=self._run, name="analyst", daemon=True)
+        self._thread = threading.Thread(target=self._run, name="analysis", daemon=True)
         self._switch = sys.getswitchinterval()
 
     def start(self) -> None:

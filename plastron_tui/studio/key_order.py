@@ -9,13 +9,15 @@ from which nobody says, but that there are none left can be seen: twice in a row
 the focus and the app come to a message that is sent to ask, and nothing else is handled meanwhile,
 anywhere. At the first time nobody has begun anything, so that nobody is busy after it; at the
 second nothing was left in a queue by those who were. It takes as long as there is something to
-handle, whatever the machine and the number of steps, and no more than that.
+handle, whatever the machine and the number of steps, and no more than that, but for messages that
+never stop.
 """
 
 from __future__ import annotations
 
 import asyncio
 from collections import deque
+from contextlib import suppress
 
 from textual import events
 from textual.dom import DOMNode
@@ -28,6 +30,9 @@ from .textual_private import Failing, hear_messages
 
 _ASKING = frozenset(command.id for command in COMMANDS if command.asks)
 """What opens a line in the editor, which the keys that follow are for."""
+_LONGEST = 5.0
+"""Seconds for which the keys after one wait, at most: where messages never stop coming, or somebody
+keeps the others waiting, they are to be had for leaving."""
 _PAUSE = 0.005
 """Seconds between two looks at a page that is on its way: a thread finds out what is in it."""
 
@@ -72,7 +77,7 @@ class InOrder(Failing, inherit_bindings=False):
         """Keep a key as long as one before it is on its way."""
         if isinstance(event, events.Key) and not event.is_forwarded and event is not self._let_in:
             is_first = self._keys_worker is None or self._keys_worker.is_finished
-            if not is_first or self._is_turning:
+            if not is_first or self._is_turning or self._waiting:
                 self._waiting.append(event)
                 if is_first:
                     self._keep_order(None)
@@ -108,7 +113,7 @@ class InOrder(Failing, inherit_bindings=False):
     async def _let_all_in(self, nodes: list[DOMNode] | None) -> None:
         """Let in, one by one, what waits; `nodes` are those of a key that is in already."""
         if nodes is not None:
-            await self._settle(nodes)
+            await self._settled(nodes)
         while self._waiting:
             event = self._waiting[0]
             # Who wants to leave need not wait for a page.
@@ -119,7 +124,12 @@ class InOrder(Failing, inherit_bindings=False):
             self._let_in = self._waiting.popleft()
             nodes = self._key_path()
             self.post_message(event)
-            await self._settle(nodes)
+            await self._settled(nodes)
+
+    async def _settled(self, nodes: list[DOMNode]) -> None:
+        """Wait for what follows from a key, but not for what never ends."""
+        with suppress(asyncio.TimeoutError):
+            await asyncio.wait_for(self._settle(nodes), _LONGEST)
 
     async def _settle(self, nodes: list[DOMNode]) -> None:
         """Wait until nothing is left to handle of a key that the app has got.

@@ -93,6 +93,15 @@ def test_a_name_that_the_file_does_not_have(bench: Bench, name: str, help_: str)
     assert help_ in (found.help or "")
 
 
+def test_a_name_that_two_nodes_of_the_file_have_means_neither(bench: Bench) -> None:
+    (bench.folder / "arms.py").write_text(
+        ARMS.replace("super().__init__(name)", 'super().__init__("left_arm")')
+    )
+    (found,) = bench.session(LEFT).diagnostics
+    assert found.code == "several-nodes"
+    assert "several nodes that are called `left_arm`" in found.message
+
+
 def test_each_node_has_what_is_its_own(bench: Bench) -> None:
     graph = graph_of(bench.session(LEFT + RIGHT).workspace)
     users = {topic.name: {end.node.variable for end in topic.ends} for topic in graph.topics}

@@ -202,6 +202,30 @@ def test_update_in_place(choir: Bench, statement: str, line: str) -> None:
     assert choir.files()["choir.chanth"] == CHOIR["choir.chanth"].replace(low, line)
 
 
+LOOK_TWICE = """\
+from pathlib import Path
+from plastron_tui.model.kinds import Subscription
+from plastron_tui.session import Options, Session
+program = Path("b.plastron").resolve()
+session = Session(program.read_bytes(), program, Options(target="roschant"))
+print(sorted(session.workspace.nodes["bass"].of(Subscription)))
+header = Path("output/choir.chanth")
+mine = "by low ; ours\\n  hears mine std_msgs/String by low"
+header.write_text(header.read_text().replace("by low ; ours", mine))
+session.files_changed()
+print(sorted(session.workspace.nodes["bass"].of(Subscription)))
+"""
+
+
+def test_what_changes_beside_the_main_file_is_seen(choir: Bench) -> None:
+    choir.write(
+        "b.plastron", f"{LOAD}subscribe bass to 'hymn' of message_type String\ngenerate_node bass\n"
+    )
+    assert choir.generate("b.plastron") == ""
+    before, after = choir.python("-c", LOOK_TWICE).stdout.splitlines()
+    assert "mine" not in before and "mine" in after
+
+
 def test_edit_in_place(choir: Bench) -> None:
     program = f"{LOAD}subscribe bass to 'hymn' of message_type String\ngenerate_node bass\n"
     choir.write("b.plastron", program)

@@ -92,7 +92,7 @@ class Driver:
         analysis = main.open.analysis
         if main.feed.is_pausing:
             return "a pause in typing"
-        if not main.feed.analyst.is_idle:
+        if not main.feed.worker.is_idle:
             return "an answer"
         if analysis is None or analysis.text != main.open.text:
             return "an analysis of this text"
@@ -159,4 +159,4 @@ async def studio(
         if not welcome:
             await driver.back()
         yield driver
-    main.feed.analyst.join(5)
+    main.feed.worker.join(5)

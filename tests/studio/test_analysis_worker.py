@@ -13,7 +13,7 @@ from textual.message import Message
 from plastron_tui import collector
 from plastron_tui.session import Session
 from plastron_tui.studio import analysis_worker as module
-from plastron_tui.studio.analysis_worker import Analysed, Analyst
+from plastron_tui.studio.analysis_worker import Analysed, AnalysisWorker
 from plastron_tui.studio.panels.panel import Request
 
 NODES, PROBLEMS = Request("nodes", True), Request("problems", True)
@@ -29,16 +29,16 @@ def until(condition: Callable[[], bool]) -> None:
 
 def test_an_answer_after_an_edit_is_that_of_the_new_text_alone() -> None:
     found: list[Message] = []
-    analyst = Analyst(found.append)
-    analyst.start()
+    worker = AnalysisWorker(found.append)
+    worker.start()
     session = Session(PROGRAM, environ={})
-    analyst.ask((NODES, PROBLEMS), session.snapshot())
+    worker.ask((NODES, PROBLEMS), session.snapshot())
     until(lambda: len(found) == 1)
     session.edit(0, 0, b"create_node 'other' as other\n")
-    analyst.ask((NODES, PROBLEMS), session.snapshot())
+    worker.ask((NODES, PROBLEMS), session.snapshot())
     until(lambda: len(found) == 2)
-    analyst.stop()
-    analyst.join(5)
+    worker.stop()
+    worker.join(5)
     last = found[-1]
     assert isinstance(last, Analysed)
     alone = Session(session.document.text, environ={})
@@ -51,22 +51,22 @@ def test_an_answer_after_an_edit_is_that_of_the_new_text_alone() -> None:
 
 def test_what_is_no_longer_shown_is_let_go() -> None:
     found: list[Message] = []
-    analyst = Analyst(found.append)
-    analyst.start()
+    worker = AnalysisWorker(found.append)
+    worker.start()
     session = Session(PROGRAM, environ={})
-    analyst.ask((), session.snapshot())
+    worker.ask((), session.snapshot())
     until(lambda: len(found) == 1)
     first = found[0]
     assert isinstance(first, Analysed)
     seen = weakref.ref(first.analysis)
     session.edit(0, 0, b"\n")
-    analyst.ask((), session.snapshot())
+    worker.ask((), session.snapshot())
     until(lambda: len(found) == 2)
     found.clear()
     del first
     until(lambda: seen() is None)
-    analyst.stop()
-    analyst.join(5)
+    worker.stop()
+    worker.join(5)
 
 
 def test_a_newer_text_ends_the_look_at_an_older_one() -> None:
@@ -110,13 +110,13 @@ def test_garbage_is_let_go_when_nobody_asks_for_a_while(monkeypatch: pytest.Monk
     monkeypatch.setattr(module, "_REST", 0.05)
     monkeypatch.setattr(collector, "DUE", 3)
     made: list[weakref.ref[Cycle]] = []
-    analyst = Analyst(lambda _: made.append(weakref.ref(Cycle())))
-    analyst.start()
+    worker = AnalysisWorker(lambda _: made.append(weakref.ref(Cycle())))
+    worker.start()
     session = Session(PROGRAM, environ={})
     for count in range(1, 9):
         session.edit(0, 0, b"\n")
-        analyst.ask((NODES,), session.snapshot())
+        worker.ask((NODES,), session.snapshot())
         until(lambda count=count: len(made) == count)
     until(lambda: all(each() is None for each in made))
-    analyst.stop()
-    analyst.join(5)
+    worker.stop()
+    worker.join(5)

@@ -8,7 +8,7 @@ from typing import Any
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.graph import KINDS_AT, NOUNS, End, Graph, GraphNode, Hub
-from plastron_tui.model.kinds import Client, Publisher, Service, Subscription
+from plastron_tui.model.kinds import Client, Publisher, Service
 from plastron_tui.model.values import MessageValue, Value
 from plastron_tui.ros.interfaces import InterfaceName
 
@@ -86,12 +86,12 @@ def _details(end: End) -> dict[str, Any]:
                     for sent in end.sendings
                 ]
             }
-        case Subscription(callback=callback):
-            return {"callback": callback}
-        case Service(callback=callback):
-            return {"handler": callback}
         case Client(requests=requests):
             return {"requests": [_value(request) for request in requests]}
+        case Service(callback=callback):
+            return {"handler": callback}
+        case calling:
+            return {"callback": calling.callback}
 
 
 def _type(type_: InterfaceName | None) -> str | None:

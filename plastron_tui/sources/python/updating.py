@@ -124,10 +124,11 @@ def _respond(update: Replacement, interface: Interface) -> None:
     analysis, found = update.analysis, update.site.endpoint
     function = callback_scope(analysis, update.site)
     if function is None or not is_stub(analysis, function, update.site):
-        if found.callback is not None and callback_of(update.added.endpoint) is None:
-            message = (
-                f"`{found.callback}` was written for `{found.type}`, and gets `{interface.name}`"
-            )
+        callback = update.site.shape.callback
+        has_callback = callback is not None and update.site.arguments.get(callback) is not None
+        if has_callback and callback_of(update.added.endpoint) is None:
+            what = "its callback" if found.callback is None else f"`{found.callback}`"
+            message = f"{what} was written for `{found.type}`, and gets `{interface.name}`"
             help_ = "change it by hand, or name another function with `calling`"
             span = update.added.endpoint.span
             update.notes.append(Diagnostic(codes.OTHER_TYPE, message, span, help=help_))

@@ -8,6 +8,7 @@ from pathlib import Path
 from textual.screen import Screen
 
 from plastron_tui.diagnostics import codes
+from plastron_tui.model.source import place_of
 from plastron_tui.regular_files import stamp_of
 
 from ..files import OnDisk, read_again
@@ -74,7 +75,12 @@ class DiskWatch:
         if analysis is None:
             return
         sources = (node.source for node in analysis.workspace.nodes.values())
-        paths = [source.path for source in sources if source is not None]
+        paths = [
+            place_of(source.path, name)
+            for source in sources
+            if source is not None
+            for name in source.files.names
+        ]
         if any(found.code == codes.FILE_NOT_FOUND for found in analysis.diagnostics):
             paths += [session.folder, session.output]
         stamps = {path: stamp_of(path) for path in paths}

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from textual.screen import Screen
 from textual.widget import Widget
 
-from ..analysis_worker import Analyst
+from ..analysis_worker import AnalysisWorker
 from ..delay import Delay
 from ..panels.panel import Panel, ProgramView, Request
 from .active_program import ActiveProgram
@@ -42,7 +42,7 @@ class PanelFeed:
             layout: knows which panels are in sight.
             widgets: the widget of each panel.
         """
-        self.analyst = Analyst(screen.post_message)
+        self.worker = AnalysisWorker(screen.post_message)
         self._screen = screen
         self._program = program
         self._layout = layout
@@ -69,14 +69,14 @@ class PanelFeed:
         """Ask what the text means now."""
         self._pause.stop()
         self._asked = self.wanted()
-        self.analyst.ask(self._asked, self._program.open.session.snapshot())
+        self.worker.ask(self._asked, self._program.open.session.snapshot())
 
     def ask_more(self) -> None:
         """Ask for what came in sight, if it is not known."""
         wanted = self.wanted()
         if not self._pause.is_waiting and self._asked not in (None, wanted):
             self._asked = wanted
-            self.analyst.ask(wanted)
+            self.worker.ask(wanted)
 
     def wanted(self) -> tuple[Request, ...]:
         """Return what the panels in sight have to be given, and those that raise an alarm."""

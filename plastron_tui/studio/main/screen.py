@@ -99,7 +99,7 @@ class MainScreen(Screen[None]):
 
     def on_mount(self) -> None:
         """Start the worker, and look at the files from time to time."""
-        self.feed.analyst.start()
+        self.feed.worker.start()
         self.on_resize()
         self.editor.view.soft_wrap = self.profile.config.wrap
         self.editor.view.line_numbers = self.profile.config.numbers
@@ -116,7 +116,7 @@ class MainScreen(Screen[None]):
 
     def on_unmount(self) -> None:
         """Stop the worker and what runs."""
-        self.feed.analyst.stop()
+        self.feed.worker.stop()
         self.runner.close()
 
     def on_resize(self) -> None:

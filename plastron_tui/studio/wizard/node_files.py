@@ -11,7 +11,7 @@ from pathlib import Path
 from plastron_tui.language import SlotKind
 from plastron_tui.language.sentence import is_module
 from plastron_tui.model.context import LoadRequest
-from plastron_tui.model.source import LARGEST_FILE
+from plastron_tui.model.source import LARGEST_FILE, SourceUnit
 from plastron_tui.regular_files import read_regular
 from plastron_tui.targets import languages
 
@@ -77,39 +77,44 @@ class NodeOfFileKind(Kind):
 
     def fixed(self, ask: Ask) -> Cell | None:
         """Leave it out for a file of one node."""
-        return Cell("", "the file holds one node") if len(_nodes(ask)) < 2 else None
+        source = _source(ask)
+        is_one = source is None or len(source.nodes) < 2
+        return Cell("", "the file holds one node") if is_one else None
 
     def suggest(self, ask: Ask) -> str:
         """Return the first node that is not loaded yet."""
-        open_ = (choice.text for choice in self.choices(ask, "") if not choice.closed)
-        return next(open_, "")
+        return next((choice.text for choice in self.choices(ask, "") if not choice.closed), "")
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return the nodes of the file."""
-        nodes = ask.scene.workspace.nodes.values()
-        loaded = {(each.source.path, each.source.label) for each in nodes if each.source}
+        source = _source(ask)
+        if source is None:
+            return []
+        sources = [node.source for node in ask.scene.workspace.nodes.values() if node.source]
+        loaded = {each.label for each in sources if each.path == source.path}
         return [
-            Choice(label, closed="it is loaded already" if (path, label) in loaded else "")
-            for path, label in _nodes(ask)
+            Choice(label, closed="it is loaded already" if label in loaded else "")
+            for label in _labels(source)
         ]
 
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell why a text names no node of the file."""
-        if any(label == text for _, label in _nodes(ask)):
+        source = _source(ask)
+        if source is not None and text in _labels(source):
             return None
         return f"the file has no node `{text}`: choose one of the list"
 
 
-def _nodes(ask: Ask) -> list[tuple[Path, str]]:
-    """Return the file that the form names, with what each of its nodes is called."""
+def _source(ask: Ask) -> SourceUnit | None:
+    """Return the file that the form names, None where it cannot be read."""
     file = ask.text(SlotKind.FILE)
     generated = tuple(ask.scene.workspace.generations)
-    source = ask.scene.session.setting.read(
-        LoadRequest(file, not is_module(file), generated)
-    ).source
-    if source is None:
-        return []
-    return [(source.path, label) for label in dict.fromkeys(each.label for each in source.nodes)]
+    return ask.scene.session.setting.read(LoadRequest(file, not is_module(file), generated)).source
+
+
+def _labels(source: SourceUnit) -> list[str]:
+    """Return what the nodes of a file are called, where they have a name."""
+    return list(dict.fromkeys(node.label for node in source.nodes if node.label))
 
 
 def _text(path: Path, folder: Path) -> str:
