@@ -190,9 +190,9 @@ async def test_the_tour_does_not_hide_what_it_is_about(
         for panel in [None, "nodes", "preview", "graph", "problems", None]:
             await driver.settle()
             if panel is not None:
-                about = driver.main.dock_layout.dock_of(panel).region
+                about, card = driver.main.dock_layout.dock_of(panel), dialog.query_one("#tour")
                 await driver.until(
-                    lambda about=about: not about.overlaps(dialog.query_one("#tour").region)
+                    lambda about=about, card=card: not about.region.overlaps(card.region)
                 )
             await driver.pilot.press("enter")
         await driver.back()

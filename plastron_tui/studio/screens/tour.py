@@ -98,6 +98,9 @@ class Tour(Dialog[None]):
 
     def on_mount(self) -> None:
         """Begin."""
+        # Where the card and the panels are is known when both screens are laid out.
+        for screen in self.app.screen_stack:
+            screen.screen_layout_refresh_signal.subscribe(self, self._place)
         self._show()
 
     def _show(self) -> None:
@@ -111,14 +114,9 @@ class Tour(Dialog[None]):
         )  # fmt: skip
         if step.panel is not None:
             self._bring(step.panel)
-        # Its size and the panel's are known when both are laid out.
-        self.call_after_refresh(self.call_after_refresh, self._place)
+        self.refresh(layout=True)
 
-    def on_resize(self) -> None:
-        """Find the place anew."""
-        self.call_after_refresh(self.call_after_refresh, self._place)
-
-    def _place(self) -> None:
+    def _place(self, _: object) -> None:
         """Go to the corner where the card hides least of what the step is about."""
         about = self._region_of(STEPS[self.at].panel)
         card = self.query_one("#tour").outer_size
@@ -129,7 +127,9 @@ class Tour(Dialog[None]):
             y = height - card.height - 2 if corner[1] == "bottom" else 1
             return about.intersection(Region(x, y, *card)).area
 
-        self.styles.align = min(_CORNERS, key=hidden)
+        corner = min(_CORNERS, key=hidden)
+        if self.styles.align != corner:
+            self.styles.align = corner
 
     def action_go(self, by: int) -> None:
         """Go to the next step, or the one before."""
