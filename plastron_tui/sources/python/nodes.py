@@ -32,12 +32,10 @@ def part_of(analysis: Analysis, label: str | None) -> Analysis:
 def labels_of(analysis: Analysis) -> dict[Site, str]:
     """Return the label of the node that each call site belongs to."""
     makers = makers_of(analysis)
-    owned = _owned(makers, analysis)
-    return {
-        site: _source_node(maker, sites).label
-        for maker, sites in zip(makers, owned, strict=True)
-        for site in sites
-    }
+    labels: dict[Site, str] = {}
+    for maker, sites in zip(makers, _owned(makers, analysis), strict=True):
+        labels.update(dict.fromkeys(sites, _source_node(maker, sites).label))
+    return labels
 
 
 def makers_of(analysis: Analysis) -> list[NodeSite]:
