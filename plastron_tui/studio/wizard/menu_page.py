@@ -38,18 +38,21 @@ class Picked(Message):
 class Menu(OptionList):
     """A list of what one may want."""
 
-    def show(self, items: Sequence[Item], here: int | None = None) -> None:
-        """List the entries; the cursor is on one of them."""
-        self.clear_options()
-        self.add_options(
+    def __init__(self, items: Sequence[Item], here: int | None = None) -> None:
+        """List the entries; the cursor is on one of them, where that can be chosen."""
+        options = (
             Option(_words(item), id=str(number), disabled=bool(item.closed))
             for number, item in enumerate(items)
         )
+        super().__init__(*options, id="wizard-menu", compact=True, markup=False)
         free = [number for number, item in enumerate(items) if not item.closed]
         advised = [number for number in free if items[number].is_advised]
-        if here not in free:
-            here = next(iter(advised or free), None)
-        self.highlighted = here
+        self._here = here if here in free else next(iter(advised or free), None)
+
+    def on_mount(self) -> None:
+        """Take the keys."""
+        self.highlighted = self._here
+        self.focus()
 
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
         """Tell what was chosen."""
@@ -82,13 +85,7 @@ class MenuPage(Vertical):
         """Make the line and the menu."""
         if self._text:
             yield Label(self._text, id="wizard-about", markup=False)
-        yield Menu(id="wizard-menu", compact=True, markup=False)
-
-    def on_mount(self) -> None:
-        """List the entries."""
-        menu = self.query_one(Menu)
-        menu.show(self._items, self._here)
-        menu.focus()
+        yield Menu(self._items, self._here)
 
 
 class Generates(Message):

@@ -1,0 +1,28 @@
+"""A page of the wizard that is a menu."""
+
+from __future__ import annotations
+
+from textual.app import App
+
+from plastron_tui.studio.wizard.menu_page import Item, Menu, MenuPage
+
+
+async def test_a_page_that_is_left_before_it_is_there_is_no_failure() -> None:
+    app: App[None] = App()
+    async with app.run_test():
+        page = MenuPage("what now?", [Item("one"), Item("two")])
+        mounted = app.mount(page)
+        removed = page.remove()
+        await mounted
+        await removed
+
+
+async def test_the_cursor_is_where_it_was_and_the_menu_has_the_keys() -> None:
+    app: App[None] = App()
+    async with app.run_test() as pilot:
+        await app.mount(
+            MenuPage("what now?", [Item("one"), Item("two", closed="no"), Item("x")], 2)
+        )
+        await pilot.pause()
+        menu = app.query_one(Menu)
+        assert (menu.option_count, menu.highlighted, menu.has_focus) == (3, 2, True)
