@@ -8,7 +8,7 @@ the merge is refused.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -99,8 +99,12 @@ class _Merge:
         file = call_sites(self.source)
         base = {} if self.base is None else self.base.endpoints
         wanted = self.node.endpoints
+        renamed = self._renamed(file, base, wanted)
+        for old, new in renamed.items():
+            self._rename(old, base[old], wanted[new], file[old][0])
         for key in dict.fromkeys((*base, *wanted, *(file if self.base is None else ()))):
-            self._decide(key, base.get(key), wanted.get(key), file.get(key, []))
+            if key not in renamed and key not in renamed.values():
+                self._decide(key, base.get(key), wanted.get(key), file.get(key, []))
         sending: list[Change] = []
         for key, found in self.resends.items():
             if self._is_untouched(key, base[key]):
@@ -113,6 +117,39 @@ class _Merge:
 
     def _updated(self, key: EndpointKey, wanted: Endpoint) -> Update:
         return Update(*key, wanted, node=self.source.label)
+
+    def _renamed(
+        self,
+        file: Mapping[EndpointKey, list[SourceEndpoint]],
+        base: Mapping[EndpointKey, Endpoint],
+        wanted: Mapping[EndpointKey, Endpoint],
+    ) -> dict[EndpointKey, EndpointKey]:
+        """Return the endpoints that the program gave another name, and that.
+
+        Of one kind, one that is gone and one that came are the same, if they are of one type, and
+        the file has it as the program left it.
+        """
+        renamed = {}
+        for kind in EDITABLE:
+            gone = [key for key in base if key[0] is kind and key not in wanted]
+            new = [key for key in wanted if key[0] is kind and key not in base]
+            if len(gone) != 1 or len(new) != 1 or new[0] in file:
+                continue
+            (old,), found, type_ = gone, file.get(gone[0], []), wanted[new[0]].type
+            is_same = len(found) == 1 and base[old].type == type_ == found[0].type
+            if is_same and (not _sends(base[old]) or self._is_untouched(old, base[old])):
+                renamed[old] = new[0]
+        return renamed
+
+    def _rename(
+        self, old: EndpointKey, base: Endpoint, wanted: Endpoint, found: SourceEndpoint
+    ) -> None:
+        """Give an endpoint of the file another name; what it calls stays, unless that differs."""
+        callback = found.callback
+        if callback_of(wanted) == callback_of(base) and callback and callback.isidentifier():
+            wanted = _with_callback(wanted, callback)
+        self.updates.append(self._updated(old, wanted))
+        self.cut.append(found)
 
     def _check_callbacks(self, files: FileSet) -> None:
         """Refuse files in which a callback that holds handwork has got a twin."""

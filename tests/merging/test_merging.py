@@ -96,6 +96,23 @@ def test_callback_in_which_nothing_was_written_goes_with_its_type(
 
 
 @each_kind
+def test_renamed(folder: Folder, kind: str) -> None:
+    statement, _, _, _ = KINDS[kind]
+    folder.generate(KEEP, statement)
+    mine = folder.fill()
+    before = folder.file().read_text().splitlines()
+    outcome = folder.generate(KEEP, statement.replace("'a'", "'b'").replace("'s'", "'t'"))
+    assert outcome.conflicts == []
+    after = folder.file().read_text().splitlines()
+    # Not a line but that of the name is another one, and what was written in a callback is called.
+    (changed,) = [(old, new) for old, new in zip(before, after, strict=True) if old != new]
+    old, new = changed
+    assert new == old.replace('"a"', '"b"').replace('"s"', '"t"')
+    assert all(line in after for line in mine)
+    assert not any("no longer called" in warning for warning in outcome.warnings)
+
+
+@each_kind
 def test_added_and_removed_at_once(folder: Folder, kind: str) -> None:
     statement, other, _, shown = KINDS[kind]
     folder.generate(KEEP, statement)
