@@ -5,73 +5,57 @@ from __future__ import annotations
 from plastron_tui.diagnostics.code import Code
 from plastron_tui.diagnostics.severity import Severity
 
-_TALKER = """\
-create_node 'talker' as talker
-create_message greeting of message_type String and input "hello"
-"""
-_TALKING = f"{_TALKER}talker publish greeting to 'chatter' of message_type String\n"
-_LISTENER = """\
-create_node 'listener' as listener
-subscribe listener to 'chatter' of message_type String
-"""
-_ADDER = """\
-create_node 'adder' as adder
-adder provides_service 'add' of service_type AddTwoInts
-"""
-_CALLER = """\
-create_node 'caller' as caller
-caller client_requests 'add' of service_type AddTwoInts with input 5, 6
-"""
+from .programs import ADDER, CALLER, LISTENER, TALKER, TALKING
 
 ALREADY_SUBSCRIBED = Code(
     "already-subscribed",
     "A node subscribes to a topic twice. Each subscription has a callback of its own, and one "
     "is enough.",
-    bad=f"{_LISTENER}subscribe listener to 'chatter' of message_type String\n",
-    good=_LISTENER,
+    bad=f"{LISTENER}subscribe listener to 'chatter' of message_type String\n",
+    good=LISTENER,
 )
 
 ALREADY_PUBLISHING = Code(
     "already-publishing",
     "A node publishes the same message to the same topic twice. To send it more often, give "
     "the rate: `at 20 hz`.",
-    bad=f"{_TALKING}talker publish greeting to 'chatter' of message_type String\n",
-    good=f"{_TALKER}talker publish greeting to 'chatter' of message_type String at 20 hz\n",
+    bad=f"{TALKING}talker publish greeting to 'chatter' of message_type String\n",
+    good=f"{TALKER}talker publish greeting to 'chatter' of message_type String at 20 hz\n",
 )
 
 ALREADY_PROVIDING = Code(
     "already-providing",
     "A node provides a service twice.",
-    bad=f"{_ADDER}adder provides_service 'add' of service_type AddTwoInts\n",
-    good=_ADDER,
+    bad=f"{ADDER}adder provides_service 'add' of service_type AddTwoInts\n",
+    good=ADDER,
 )
 
 NOT_SUBSCRIBED = Code(
     "not-subscribed",
     "A node is to give up a topic that it does not subscribe to.",
-    bad=f"{_LISTENER}unsubscribe listener from 'chater'\n",
-    good=f"{_LISTENER}unsubscribe listener from 'chatter'\n",
+    bad=f"{LISTENER}unsubscribe listener from 'chater'\n",
+    good=f"{LISTENER}unsubscribe listener from 'chatter'\n",
 )
 
 NOT_PUBLISHING = Code(
     "not-publishing",
     "A node is to give up a topic that it does not publish.",
-    bad=f"{_TALKING}talker stop_publishing to 'chater'\n",
-    good=f"{_TALKING}talker stop_publishing to 'chatter'\n",
+    bad=f"{TALKING}talker stop_publishing to 'chater'\n",
+    good=f"{TALKING}talker stop_publishing to 'chatter'\n",
 )
 
 NOT_PROVIDING = Code(
     "not-providing",
     "A node is to give up a service that it does not provide.",
-    bad=f"{_ADDER}adder stop_service 'ad'\n",
-    good=f"{_ADDER}adder stop_service 'add'\n",
+    bad=f"{ADDER}adder stop_service 'ad'\n",
+    good=f"{ADDER}adder stop_service 'add'\n",
 )
 
 NOT_REQUESTING = Code(
     "not-requesting",
     "A node is to give up a service that it does not request.",
-    bad=f"{_CALLER}caller stop_request 'ad'\n",
-    good=f"{_CALLER}caller stop_request 'add'\n",
+    bad=f"{CALLER}caller stop_request 'ad'\n",
+    good=f"{CALLER}caller stop_request 'add'\n",
 )
 
 IDLE_NODE = Code(
@@ -79,7 +63,7 @@ IDLE_NODE = Code(
     "A node is generated that does nothing: it neither publishes nor subscribes, and neither "
     "provides a service nor requests one.",
     bad="create_node 'listener' as listener\ngenerate_node listener\n",
-    good=f"{_LISTENER}generate_node listener\n",
+    good=f"{LISTENER}generate_node listener\n",
 )
 
 CHANGED_AFTER_GENERATING = Code(
@@ -87,34 +71,33 @@ CHANGED_AFTER_GENERATING = Code(
     "A statement changes a node after `generate_node` has written it, so that the change is in "
     "no file. `generate_node` writes a node as it is at that point: put it last.",
     severity=Severity.WARNING,
-    bad=f"{_LISTENER}generate_node listener\n"
-    "subscribe listener to 'alarm' of message_type String\n",
-    good=f"{_LISTENER}subscribe listener to 'alarm' of message_type String\n"
+    bad=f"{LISTENER}generate_node listener\nsubscribe listener to 'alarm' of message_type String\n",
+    good=f"{LISTENER}subscribe listener to 'alarm' of message_type String\n"
     "generate_node listener\n",
 )
 
 MESSAGE_TYPE_MISMATCH = Code(
     "message-type-mismatch",
     "A message is published with another type than it was created with.",
-    bad=f"{_TALKER}talker publish greeting to 'chatter' of message_type Int32\n",
-    good=_TALKING,
+    bad=f"{TALKER}talker publish greeting to 'chatter' of message_type Int32\n",
+    good=TALKING,
 )
 
 TOPIC_TYPE_CONFLICT = Code(
     "topic-type-conflict",
     "One topic has two types in a program. Nodes then do not hear each other.",
-    bad=f"{_TALKING}create_node 'counter' as counter\n"
+    bad=f"{TALKING}create_node 'counter' as counter\n"
     "subscribe counter to '/chatter' of message_type Int32\n",
-    good=f"{_TALKING}create_node 'counter' as counter\n"
+    good=f"{TALKING}create_node 'counter' as counter\n"
     "subscribe counter to '/chatter' of message_type String\n",
 )
 
 SERVICE_TYPE_CONFLICT = Code(
     "service-type-conflict",
     "One service has two types in a program. A call of it then fails.",
-    bad=f"{_ADDER}create_node 'caller' as caller\n"
+    bad=f"{ADDER}create_node 'caller' as caller\n"
     "caller client_requests 'add' of service_type Trigger with input none\n",
-    good=_ADDER + _CALLER,
+    good=ADDER + CALLER,
 )
 
 SERVICE_PROVIDED_TWICE = Code(
@@ -122,17 +105,17 @@ SERVICE_PROVIDED_TWICE = Code(
     "A warning: two nodes of a program provide one service. ROS gives a call to one of them "
     "only, in ROS 1 to the one that came last.",
     severity=Severity.WARNING,
-    bad=f"{_ADDER}create_node 'adder_2' as spare\n"
+    bad=f"{ADDER}create_node 'adder_2' as spare\n"
     "spare provides_service 'add' of service_type AddTwoInts\n",
-    good=f"{_ADDER}create_node 'adder_2' as spare\n"
+    good=f"{ADDER}create_node 'adder_2' as spare\n"
     "spare provides_service 'add_2' of service_type AddTwoInts\n",
 )
 
 NODE_NOT_FOUND = Code(
     "node-not-found",
     "The file that `load` names holds no node of the name that stands after `node`.",
-    bad=f"{_LISTENER}generate_node listener\nload listener_sub1 node 'talker' as again\n",
-    good=f"{_LISTENER}generate_node listener\nload listener_sub1 node 'listener' as again\n",
+    bad=f"{LISTENER}generate_node listener\nload listener_sub1 node 'talker' as again\n",
+    good=f"{LISTENER}generate_node listener\nload listener_sub1 node 'listener' as again\n",
 )
 
 FILE_NOT_FOUND = Code(
@@ -141,5 +124,5 @@ FILE_NOT_FOUND = Code(
     "then `NAME.cpp`, in the output folder, the program's folder and the working folder; "
     "`load 'path'` is relative to the program's folder.",
     bad="load listener_sub1 as listener\n",
-    good=f"{_LISTENER}generate_node listener\nload listener_sub1 as again\n",
+    good=f"{LISTENER}generate_node listener\nload listener_sub1 as again\n",
 )

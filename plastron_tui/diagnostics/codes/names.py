@@ -4,23 +4,7 @@ from __future__ import annotations
 
 from plastron_tui.diagnostics.code import Code
 
-_TALKER = """\
-create_node 'talker' as talker
-create_message greeting of message_type String and input "hello"
-"""
-_TALKING = f"{_TALKER}talker publish greeting to 'chatter' of message_type String\n"
-_LISTENER = """\
-create_node 'listener' as listener
-subscribe listener to 'chatter' of message_type String
-"""
-_ADDER = """\
-create_node 'adder' as adder
-adder provides_service 'add' of service_type AddTwoInts
-"""
-_CALLER = """\
-create_node 'caller' as caller
-caller client_requests 'add' of service_type AddTwoInts with input 5, 6
-"""
+from .programs import LISTENER, TALKER, TALKING
 
 INVALID_VARIABLE = Code(
     "invalid-variable",
@@ -33,8 +17,8 @@ VARIABLE_EXISTS = Code(
     "variable-exists",
     "A variable is in use already. Nodes and messages share one namespace, so a message "
     "cannot have the variable of a node either.",
-    bad=f'{_TALKER}create_message talker of message_type String and input "bye"\n',
-    good=f'{_TALKER}create_message farewell of message_type String and input "bye"\n',
+    bad=f'{TALKER}create_message talker of message_type String and input "bye"\n',
+    good=f'{TALKER}create_message farewell of message_type String and input "bye"\n',
 )
 
 NODE_EXISTS = Code(
@@ -47,15 +31,15 @@ NODE_EXISTS = Code(
 UNKNOWN_NODE = Code(
     "unknown-node",
     "No node has this variable: it is misspelt, or the node is created further down.",
-    bad=f"{_LISTENER}generate_node listner\n",
-    good=f"{_LISTENER}generate_node listener\n",
+    bad=f"{LISTENER}generate_node listner\n",
+    good=f"{LISTENER}generate_node listener\n",
 )
 
 UNKNOWN_MESSAGE = Code(
     "unknown-message",
     "No message has this variable: it is misspelt, or the message is created further down.",
-    bad=f"{_TALKER}talker publish greetings to 'chatter' of message_type String\n",
-    good=_TALKING,
+    bad=f"{TALKER}talker publish greetings to 'chatter' of message_type String\n",
+    good=TALKING,
 )
 
 UNKNOWN_LIBRARY = Code(
@@ -97,8 +81,8 @@ INVALID_FUNCTION = Code(
     "invalid-function",
     "A callback or handler has a name that a function cannot have: a keyword of Python, or a "
     "method that every node has.",
-    bad=f"{_LISTENER}subscribe listener to 'orders' of message_type String calling class\n",
-    good=f"{_LISTENER}subscribe listener to 'orders' of message_type String calling obey\n",
+    bad=f"{LISTENER}subscribe listener to 'orders' of message_type String calling class\n",
+    good=f"{LISTENER}subscribe listener to 'orders' of message_type String calling obey\n",
 )
 
 FUNCTION_CONFLICT = Code(

@@ -5,23 +5,7 @@ from __future__ import annotations
 from plastron_tui.diagnostics import escapes
 from plastron_tui.diagnostics.code import Code
 
-_TALKER = """\
-create_node 'talker' as talker
-create_message greeting of message_type String and input "hello"
-"""
-_TALKING = f"{_TALKER}talker publish greeting to 'chatter' of message_type String\n"
-_LISTENER = """\
-create_node 'listener' as listener
-subscribe listener to 'chatter' of message_type String
-"""
-_ADDER = """\
-create_node 'adder' as adder
-adder provides_service 'add' of service_type AddTwoInts
-"""
-_CALLER = """\
-create_node 'caller' as caller
-caller client_requests 'add' of service_type AddTwoInts with input 5, 6
-"""
+from .programs import LISTENER
 
 UNKNOWN_STATEMENT = Code(
     "unknown-statement",
@@ -35,8 +19,8 @@ SYNTAX_ERROR = Code(
     "syntax-error",
     "A statement is not the sentence that its first words promise: a word is missing, "
     "misspelt, or too many. The help line has the whole sentence, or what to write.",
-    bad=f"{_LISTENER}unsubscribe listener form 'chatter'\n",
-    good=f"{_LISTENER}unsubscribe listener from 'chatter'\n",
+    bad=f"{LISTENER}unsubscribe listener form 'chatter'\n",
+    good=f"{LISTENER}unsubscribe listener from 'chatter'\n",
 )
 
 UNCLOSED_QUOTE = Code(
