@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 from plastron_tui.diagnostics import Diagnostic, Span
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.lowering import Program
+from plastron_tui.ros.interfaces import Interface, InterfaceKind
 
 from .checks import Checks
 from .consequences import Consequences
@@ -63,6 +65,21 @@ class Run:
     def report(self, statement: Statement, diagnostic: Diagnostic) -> None:
         """Note what is wrong with a statement, or beside it."""
         self.found.append((statement.span.start, diagnostic))
+
+    def interface(
+        self, statement: Any, node: Node, slot: str, kind: InterfaceKind
+    ) -> tuple[str, Interface]:
+        """Return the name and the type that a statement gives an endpoint of a node.
+
+        Args:
+            statement: the statement; its slot `type` names the type.
+            node: the node.
+            slot: the slot that has the name.
+            kind: the kind of interface that the type is of.
+        """
+        name, version = getattr(statement, slot), self.checks.version_of(node)
+        self.checks.name(statement, slot, name, version)
+        return name, self.types.named(statement, statement.type, kind, version)
 
     def add(self, statement: Statement, node: Node, endpoint: Endpoint) -> None:
         """Give a node an endpoint, if its type agrees with that of all who use the name."""

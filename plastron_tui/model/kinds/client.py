@@ -24,12 +24,8 @@ class Client(NamedTuple):
 
 def request(run: Run, statement: ClientRequests) -> None:
     """Let a node call a service once more."""
-    checks = run.checks
-    node = checks.node(statement)
-    version = checks.version_of(node)
-    name = statement.service
-    checks.name(statement, "service", name, version)
-    type_ = run.types.named(statement, statement.type, InterfaceKind.SERVICE, version)
-    value = run.types.fit(statement, type_, version)
+    node = run.checks.node(statement)
+    name, type_ = run.interface(statement, node, "service", InterfaceKind.SERVICE)
+    value = run.types.fit(statement, type_, run.checks.version_of(node))
     client = node.of(Client).get(name) or Client(name, type_.name, (), statement.span)
     run.add(statement, node, client._replace(requests=(*client.requests, value)))

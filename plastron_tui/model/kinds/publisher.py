@@ -59,12 +59,9 @@ def publish(run: Run, statement: Publish) -> None:
     checks = run.checks
     node = checks.node(statement)
     message = run.messages.find(statement)
-    version = checks.version_of(node)
-    topic = statement.topic
-    checks.name(statement, "topic", topic, version)
-    type_ = run.types.named(statement, statement.type, InterfaceKind.MESSAGE, version).name
-    message = run.messages.for_version(message, version)
-    _check_sent(statement, message, type_)
+    topic, type_ = run.interface(statement, node, "topic", InterfaceKind.MESSAGE)
+    message = run.messages.for_version(message, checks.version_of(node))
+    _check_sent(statement, message, type_.name)
     is_open = statement.rate is None
     rate = DEFAULT_RATE if statement.rate is None else _rate(statement, statement.rate)
     publisher = node.of(Publisher).get(topic)
@@ -74,7 +71,7 @@ def publish(run: Run, statement: Publish) -> None:
         raise checks.exists_already(statement, "topic", node, codes.ALREADY_PUBLISHING, what)
     span = statement.span if publisher is None else publisher.span
     sent = Publication(message, rate, statement.span, is_open)
-    run.add(statement, node, Publisher(topic, type_, (*earlier, sent), span))
+    run.add(statement, node, Publisher(topic, type_.name, (*earlier, sent), span))
 
 
 def _check_sent(statement: Publish, message: Message, type_: InterfaceName) -> None:

@@ -27,18 +27,15 @@ def provide(run: Run, statement: ProvidesService) -> None:
     """Let a node provide a service."""
     checks = run.checks
     node = checks.node(statement)
-    version = checks.version_of(node)
-    name = statement.service
-    checks.name(statement, "service", name, version)
-    type_ = run.types.named(statement, statement.type, InterfaceKind.SERVICE, version).name
+    name, type_ = run.interface(statement, node, "service", InterfaceKind.SERVICE)
     if name in node.of(Service):
         what = f"`{node.variable}` provides"
         raise checks.exists_already(statement, "service", node, codes.ALREADY_PROVIDING, what)
     if statement.function is not None:
         checks.function(statement, node, node.of(Subscription).values())
-        others = (each for each in node.of(Service).values() if each.type != type_)
+        others = (each for each in node.of(Service).values() if each.type != type_.name)
         checks.function(statement, node, others)
-    service = Service(name, type_, statement.function, statement.span)
+    service = Service(name, type_.name, statement.function, statement.span)
     run.add(statement, node, service)
     other = run.elsewhere(node, service)
     if other is not None:

@@ -27,13 +27,10 @@ def subscribe(run: Run, statement: Subscribe) -> None:
 
     checks = run.checks
     node = checks.node(statement)
-    version = checks.version_of(node)
-    topic = statement.topic
-    checks.name(statement, "topic", topic, version)
-    type_ = run.types.named(statement, statement.type, InterfaceKind.MESSAGE, version).name
+    topic, type_ = run.interface(statement, node, "topic", InterfaceKind.MESSAGE)
     if topic in node.of(Subscription):
         what = f"`{node.variable}` subscribes to"
         raise checks.exists_already(statement, "topic", node, codes.ALREADY_SUBSCRIBED, what)
     if statement.function is not None:
         checks.function(statement, node, node.of(Service).values())
-    run.add(statement, node, Subscription(topic, type_, statement.function, statement.span))
+    run.add(statement, node, Subscription(topic, type_.name, statement.function, statement.span))
