@@ -7,21 +7,17 @@ from typing import Any
 
 from plastron_tui.diagnostics import Diagnostic, Fix, write
 from plastron_tui.language import statements as st
-from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
+from plastron_tui.language.declaration import DECLARATIONS, Statement
 from plastron_tui.ros.interfaces import Interface, InterfaceKind
 
 from .context import Setting
+from .kinds import INTERFACES
 from .libraries import default_library
 from .mistake import Mistake
 from .types import TypeProblem, TypeResolver
 from .value_check import Fitter
 from .values import MessageValue
 from .workspace import Workspace
-
-_INTERFACES = {
-    SlotKind.MESSAGE_TYPE: InterfaceKind.MESSAGE,
-    SlotKind.SERVICE_TYPE: InterfaceKind.SERVICE,
-}
 
 
 class NamedTypes:
@@ -62,7 +58,7 @@ class NamedTypes:
     def unknown(self, statement: Any) -> Diagnostic | None:
         """Return what is wrong with a type, whatever the broken node or message beside it is."""
         slots = DECLARATIONS[type(statement)].slots
-        kind = next((_INTERFACES[slot.kind] for slot in slots if slot.kind in _INTERFACES), None)
+        kind = next((INTERFACES[slot.kind] for slot in slots if slot.kind in INTERFACES), None)
         if kind is None:
             return None
         node = self._workspace.nodes.get(getattr(statement, "node", ""))

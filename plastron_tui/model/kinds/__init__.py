@@ -16,7 +16,7 @@ from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.names import check_service_name
 
 from .client import Client, request
-from .facts import Editing, Facts
+from .facts import INTERFACES, Editing, Facts
 from .publisher import (
     DEFAULT_RATE,
     HIGHEST_RATE,
@@ -33,6 +33,7 @@ __all__ = [
     "DEFAULT_RATE",
     "EDITABLE",
     "HIGHEST_RATE",
+    "INTERFACES",
     "LOWEST_RATE",
     "Client",
     "Editing",

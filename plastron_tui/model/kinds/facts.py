@@ -15,6 +15,13 @@ if TYPE_CHECKING:
     from plastron_tui.model.run import Run
 
 
+INTERFACES = {
+    SlotKind.MESSAGE_TYPE: InterfaceKind.MESSAGE,
+    SlotKind.SERVICE_TYPE: InterfaceKind.SERVICE,
+}
+"""The slots that name a type, and the kind of interface that it is of."""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Facts:
     """What holds for every endpoint of a kind.

@@ -13,7 +13,7 @@ from plastron_tui.language import Program, SlotKind
 from plastron_tui.language import statements as st
 from plastron_tui.language.expectations import Expectation
 from plastron_tui.language.keywords import BY_KEYWORD
-from plastron_tui.model.kinds import EDITABLE
+from plastron_tui.model.kinds import EDITABLE, INTERFACES
 from plastron_tui.ros.interfaces import Field, InterfaceKind
 from plastron_tui.session import Session
 from plastron_tui.targets import LIBRARIES, languages, ros_version
@@ -28,11 +28,6 @@ _MOST_FIELDS = 12
 _MOST_BY_PURPOSE = 20
 _LEAST_PURPOSE = 4
 """Letters from which on a type is looked for by what it is for."""
-
-_KINDS = {
-    SlotKind.MESSAGE_TYPE: InterfaceKind.MESSAGE,
-    SlotKind.SERVICE_TYPE: InterfaceKind.SERVICE,
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,7 +151,7 @@ def candidates_by_purpose(
 
     The first time it reads all types that there are: it is for when somebody asks.
     """
-    kind = _KINDS.get(expected.slot.kind) if expected.slot is not None else None
+    kind = INTERFACES.get(expected.slot.kind) if expected.slot is not None else None
     if kind is None or len(expected.prefix) < _LEAST_PURPOSE:
         return []
     from plastron_tui.ros.search import search_types
@@ -210,10 +205,8 @@ def _of_slot(
             yield from _graph_names(expected, vocabulary, vocabulary.topics, "message_type")
         case SlotKind.SERVICE:
             yield from _graph_names(expected, vocabulary, vocabulary.services, "service_type")
-        case SlotKind.MESSAGE_TYPE:
-            yield from _types(expected, vocabulary, session, InterfaceKind.MESSAGE)
-        case SlotKind.SERVICE_TYPE:
-            yield from _types(expected, vocabulary, session, InterfaceKind.SERVICE)
+        case SlotKind.MESSAGE_TYPE | SlotKind.SERVICE_TYPE:
+            yield from _types(expected, vocabulary, session, INTERFACES[kind])
         case SlotKind.LIBRARY:
             yield from (Candidate(name, f"ROS {ros_version(name)}") for name in LIBRARIES)
         case SlotKind.FILE:
@@ -295,7 +288,7 @@ def detail_of(
     candidate: Candidate, expected: Expectation, vocabulary: Vocabulary, session: Session
 ) -> str:
     """Return what is said beside a candidate; the fields of a type are looked up only when seen."""
-    kind = _KINDS.get(expected.slot.kind) if expected.slot is not None else None
+    kind = INTERFACES.get(expected.slot.kind) if expected.slot is not None else None
     if candidate.detail or kind is None:
         return candidate.detail
     return described_type(candidate.text, kind, _catalog(expected, vocabulary, session))

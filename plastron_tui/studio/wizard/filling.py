@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from plastron_tui.language import Slot, SlotKind
+from plastron_tui.model.kinds import INTERFACES
 
 from .ask import Ask, Choice, Trial
 from .context import Scene
@@ -116,7 +117,7 @@ class Filler:
         return Cell("", is_new=True) if text == NEW else Cell(text)
 
     def _values(self, filled: Filled, ask: Ask) -> Cell:
-        type_ = ask.text(SlotKind.MESSAGE_TYPE, SlotKind.SERVICE_TYPE)
+        type_ = ask.text(*INTERFACES)
         found = ask.scene.resolve(type_, ask.interface, ask.version)
         if found is None:
             return Cell("none")
@@ -229,5 +230,5 @@ def _needs(form: Form, slot: Slot) -> bool:
     if declaration is None:
         return False
     own = {(each.name, each.kind) for each in form.declaration.slots}
-    typed = (SlotKind.MESSAGE_TYPE, SlotKind.SERVICE_TYPE)
-    return any((each.name, each.kind) in own for each in declaration.slots if each.kind in typed)
+    typed = (each for each in declaration.slots if each.kind in INTERFACES)
+    return any((each.name, each.kind) in own for each in typed)

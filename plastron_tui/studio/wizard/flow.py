@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from enum import Enum, auto
 
 from plastron_tui.language import Declaration, SlotKind
+from plastron_tui.model.kinds import INTERFACES
 from plastron_tui.session import Session
 
 from .ask import Choice
@@ -18,7 +19,7 @@ from .menu import RECIPES, Offer
 from .program_trial import Finding, Outcome, Placed, check, node_of
 from .values import Entry, Path
 
-SEARCHED = (SlotKind.MESSAGE_TYPE, SlotKind.SERVICE_TYPE)
+SEARCHED = tuple(INTERFACES)
 """The slots whose choices are what a search finds, not a list that is narrowed down."""
 
 MOST_CHOICES = 200
