@@ -55,6 +55,7 @@ class Resolver:
         self._words: Counter[bytes] | None = None
         self.classes = Classes(syntax, scopes)
         self._foreign: dict[Scope, list[str]] = {}
+        self._distinct_of: dict[tuple[Scope, str], list[Binding]] = {}
         self._own_foreign: dict[Scope, list[str]] = {}
         self.effort = Effort(len(syntax.text))
 
@@ -76,12 +77,23 @@ class Resolver:
             own = (name + suffix,) if name in _LIBRARIES and stars else ()
             return own + tuple(f"{module}.{name}{suffix}" for module in stars)
         targets: dict[str, None] = {}
-        for binding in found[1][:MOST_BINDINGS]:
+        for binding in self._distinct(name, *found):
             for target in self._targets(binding, name, depth):
                 targets[target + suffix] = None
         if not targets and tail and found[0].self_name == name:
             return self._held(found[0].parent, tail[::-1], depth)
         return tuple(targets)
+
+    def _distinct(self, name: str, scope: Scope, bindings: list[Binding]) -> list[Binding]:
+        """Return the bindings of a name, an import that is repeated only once."""
+        if len(bindings) == 1:
+            return bindings
+        if (scope, name) not in self._distinct_of:
+            seen = {
+                b.target if b.kind is BindingKind.IMPORT else b: b for b in bindings[:MOST_BINDINGS]
+            }
+            self._distinct_of[scope, name] = list(seen.values())
+        return self._distinct_of[scope, name]
 
     def _held(self, owner: Scope | None, path: list[str], depth: int) -> tuple[str, ...]:
         """Return what `self.library.name` stands for, where the attribute has one value."""
