@@ -149,7 +149,7 @@ def _own_node(node: Node, original: SourceUnit) -> Node:
         if endpoint.span is not None or is_extended(endpoint):
             asked.add((kind, name))
         elif name not in names[kind]:
-            del own.by_kind[kind][name]
+            own.take(kind, name)
     for each in original.endpoints:
         if (each.kind, each.name) not in asked and each.name is not None:
             call_again(own, each, each.name)

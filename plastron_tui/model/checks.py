@@ -48,6 +48,7 @@ class Checks:
         self._setting = setting
         self._workspace = workspace
         self._consequences = consequences
+        self._versions: dict[str | None, int] = {}
 
     def new_variable(self, statement: Statement, variable: str) -> None:
         """Check that a statement may give a variable its meaning."""
@@ -120,7 +121,13 @@ class Checks:
 
     def version_of(self, node: Node) -> int:
         """Return the generation of ROS that a node is for."""
-        return self._setting.ros_version(node.library)
+        return self._versions.get(node.library) or self.version(node.library)
+
+    def version(self, library: str | None) -> int:
+        """Return the generation of ROS of a client library, None for that of the program."""
+        if library not in self._versions:
+            self._versions[library] = self._setting.ros_version(library)
+        return self._versions[library]
 
     def name(self, statement: Statement, slot: str, name: str, version: int) -> None:
         """Check that a slot has a name that a generation of ROS takes."""
@@ -184,12 +191,11 @@ class Checks:
         editing = kind.editing
         slot = editing.name_slot
         name: str = getattr(statement, slot)
-        endpoints = node.by_kind[kind]
-        if endpoints.pop(name, None) is None:
+        if not node.take(kind, name):
             if self._consequences.explains(node, name):
                 raise Mistake
             where = statement.span_of(slot)
-            remedy, fix = guess(name, endpoints, where, is_quoted=True)
+            remedy, fix = guess(name, node.by_kind[kind], where, is_quoted=True)
             message = f"`{node.variable}` does not {editing.infinitive} `{name}`"
             raise Mistake(Diagnostic(editing.not_there, message, where, help=remedy, fix=fix))
         node.removed[name] = statement.span

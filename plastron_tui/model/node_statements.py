@@ -15,7 +15,7 @@ def create_node(run: Run, statement: st.CreateNode) -> None:
     """Make a node."""
     run.checks.new_variable(statement, statement.variable)
     library = run.checks.library(statement)
-    run.checks.name(statement, "name", statement.name, run.setting.ros_version(library))
+    run.checks.name(statement, "name", statement.name, run.checks.version(library))
     earlier = run.node_names.get(statement.name)
     if earlier is not None:
         raise Mistake(

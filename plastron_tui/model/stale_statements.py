@@ -44,7 +44,7 @@ def late_changes(program: Program, workspace: Workspace) -> Iterator[Diagnostic]
     for statement in program.statements:
         type_: Any = type(statement)  # which mypy takes for not hashable
         named = _named(type_)
-        generation = next(_generations(statement, named, last), None)
+        generation = _generation(statement, named, last)
         if generation is None:
             continue
         variable = generation.node.variable
@@ -62,14 +62,15 @@ def late_changes(program: Program, workspace: Workspace) -> Iterator[Diagnostic]
         )
 
 
-def _generations(
+def _generation(
     statement: Statement, named: _Named, last: Mapping[str, Generation]
-) -> Iterator[Generation]:
-    """Yield the last time that a node was written before a statement changes it."""
+) -> Generation | None:
+    """Return the last time that a node was written before a statement changes it."""
     for name in named.nodes:
         generation = last.get(getattr(statement, name))
         if generation is not None and generation.span.start <= statement.span.start:
-            yield generation
+            return generation
+    return None
 
 
 def _moved(statement: Statement, generation: Generation) -> Fix | None:

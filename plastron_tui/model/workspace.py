@@ -6,6 +6,7 @@ that targets, panels and graphs see one kind of node.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -40,7 +41,7 @@ class Node:
         library: the client library that it names.
         source: the file that a loaded node came from, None for one that was created.
         by_kind: its endpoints, by kind and then by graph name as it is written, in the order in
-            which they came.
+            which they came; `put` and `take` change them.
         removed: which statement took a name away last.
     """
 
@@ -52,13 +53,17 @@ class Node:
     by_kind: dict[EndpointKind, dict[str, Endpoint]] = field(default_factory=_none)
     removed: dict[str, Span] = field(default_factory=dict)
 
-    def of(self, type_: type[EndpointType]) -> dict[str, EndpointType]:
+    def of(self, type_: type[EndpointType]) -> Mapping[str, EndpointType]:
         """Return the endpoints of one class by name: `node.of(Publisher)`."""
         return self.by_kind[kind_of(type_)]  # type: ignore[return-value]
 
     def put(self, endpoint: Endpoint) -> None:
         """Give the node an endpoint, in place of the one of its kind and name."""
         self.by_kind[kind_of(type(endpoint))][endpoint.name] = endpoint
+
+    def take(self, kind: EndpointKind, name: str) -> bool:
+        """Take an endpoint away from the node, and tell whether it had one."""
+        return self.by_kind[kind].pop(name, None) is not None
 
     @property
     def is_idle(self) -> bool:

@@ -8,9 +8,8 @@ never an exception.
 from __future__ import annotations
 
 from collections.abc import Callable, Container
-from dataclasses import dataclass
 from pathlib import Path
-from typing import ClassVar, TypeVar
+from typing import ClassVar, NamedTuple, TypeVar
 
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import FileSet, SourceUnit
@@ -28,16 +27,14 @@ def if_it_fails(answer: object) -> Callable[[_Method], _Method]:
     return declare
 
 
-@dataclass(frozen=True, slots=True)
-class Rendered:
+class Rendered(NamedTuple):
     """The files of a node, or why there are none (`files` is then None)."""
 
     files: FileSet | None
     diagnostics: tuple[Diagnostic, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class ReadResult:
+class ReadResult(NamedTuple):
     """What a file holds; `source` is None when the language cannot read the file at all."""
 
     source: SourceUnit | None

@@ -107,13 +107,13 @@ def nodes(draw: st.DrawFn, library: str, names: st.SearchStrategy[str] = NAMES) 
             Publication(Message("m", each, SPAN), draw(st.sampled_from([10.0, 0.5, 1 / 3, 100.0])))
             for each in values
         )
-        node.of(Publisher)[topic] = Publisher(topic, type_, sent, SPAN)
+        node.put(Publisher(topic, type_, sent, SPAN))
     for topic in draw(some):
-        node.of(Subscription)[topic] = Subscription(topic, draw(messages), draw(functions), SPAN)
+        node.put(Subscription(topic, draw(messages), draw(functions), SPAN))
     for service in draw(some):
-        node.of(Service)[service] = Service(service, draw(services), None, SPAN)
+        node.put(Service(service, draw(services), None, SPAN))
     for service in draw(some):
         type_ = draw(services)
         requests = draw(st.lists(message(library, type_, InterfaceKind.SERVICE), max_size=2))
-        node.of(Client)[service] = Client(service, type_, tuple(requests), SPAN)
+        node.put(Client(service, type_, tuple(requests), SPAN))
     return node

@@ -116,16 +116,16 @@ def tame(node: Node) -> Node:
             for each in publisher.publications
         )
         topic = words(publisher.name)
-        tame_node.of(Publisher)[topic] = publisher._replace(name=topic, publications=sent)
+        tame_node.put(publisher._replace(name=topic, publications=sent))
     for subscription in node.of(Subscription).values():
         topic = words(subscription.name)
-        tame_node.of(Subscription)[topic] = subscription._replace(name=topic)
+        tame_node.put(subscription._replace(name=topic))
     for service in node.of(Service).values():
-        tame_node.of(Service)[words(service.name)] = service._replace(name=words(service.name))
+        tame_node.put(service._replace(name=words(service.name)))
     for client in node.of(Client).values():
         requests = tuple(tamed(each) for each in client.requests)
         name = words(client.name)
-        tame_node.of(Client)[name] = client._replace(name=name, requests=requests)
+        tame_node.put(client._replace(name=name, requests=requests))
     return tame_node
 
 
@@ -163,7 +163,7 @@ def test_a_string_is_exactly_what_was_written(library: str, text: str) -> None:
     type_ = InterfaceName("std_msgs", "String")
     node = Node("talker", "node", SPAN)
     sent = Publication(Message("m", MessageValue(type_, {"data": text}), SPAN), 10.0)
-    node.of(Publisher)["chatter"] = Publisher("chatter", type_, (sent,), SPAN)
+    node.put(Publisher("chatter", type_, (sent,), SPAN))
     tree = ast.parse(render(node, library))
     found = [
         each for each in ast.walk(tree) if isinstance(each, ast.keyword) and each.arg == "data"
@@ -200,7 +200,7 @@ def test_every_type_of_the_catalog_can_be_written(library: str) -> None:
     for name in catalog(library).names(InterfaceKind.MESSAGE):
         sent = Publication(Message("m", MessageValue(name, {}), SPAN), 10.0)
         topic = f"{name.package}/{name.name}"
-        node.of(Publisher)[topic] = Publisher(topic, name, (sent,), SPAN)
+        node.put(Publisher(topic, name, (sent,), SPAN))
     with tempfile.TemporaryDirectory() as folder:
         write(Path(folder, "file.py"), render(node, library))
         assert ruff(folder, "format", "--diff") == ""

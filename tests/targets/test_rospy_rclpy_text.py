@@ -42,7 +42,7 @@ def publishing(type_: str, *sent: tuple[dict[str, Value], float]) -> Node:
     publications = tuple(
         Publication(Message("m", MessageValue(name, fields), SPAN), rate) for fields, rate in sent
     )
-    node.of(Publisher)["out"] = Publisher("out", name, publications, SPAN)
+    node.put(Publisher("out", name, publications, SPAN))
     return node
 
 
@@ -114,8 +114,8 @@ def test_a_time_that_was_given_stays() -> None:
 def test_callbacks_have_names_of_their_own() -> None:
     node = new()
     for topic in ("arm/x", "arm_x", "/arm/x", "1st", "~class", "given"):
-        node.of(Subscription)[topic] = Subscription(topic, STRING, None, SPAN)
-    node.of(Subscription)["given"] = Subscription("given", STRING, "on_arm_x", SPAN)
+        node.put(Subscription(topic, STRING, None, SPAN))
+    node.put(Subscription("given", STRING, "on_arm_x", SPAN))
     source = text(node, "rospy")
     for name in ("on_arm_x", "on_arm_x_2", "on_arm_x_3", "on_arm_x_4", "on_number_1st", "on_class"):
         assert source.count(f"def {name}(self, message):") == 1
@@ -125,7 +125,7 @@ def test_callbacks_have_names_of_their_own() -> None:
 def test_two_subscriptions_may_share_a_callback() -> None:
     node = new()
     for topic in ("a", "b"):
-        node.of(Subscription)[topic] = Subscription(topic, STRING, "hear", SPAN)
+        node.put(Subscription(topic, STRING, "hear", SPAN))
     source = text(node, "rclpy")
     assert source.count("def hear(self, message):") == 1
     assert source.count("self.hear, 10)") == 2
@@ -133,8 +133,8 @@ def test_two_subscriptions_may_share_a_callback() -> None:
 
 def test_types_of_one_name_are_told_apart() -> None:
     node = new()
-    node.of(Subscription)["a"] = Subscription("a", InterfaceName("std_msgs", "Empty"), None, SPAN)
-    node.of(Service)["b"] = Service("b", InterfaceName("std_srvs", "Empty"), None, SPAN)
+    node.put(Subscription("a", InterfaceName("std_msgs", "Empty"), None, SPAN))
+    node.put(Service("b", InterfaceName("std_srvs", "Empty"), None, SPAN))
     source = text(node, "rospy")
     assert "from std_msgs.msg import Empty as StdMsgsEmpty\n" in source
     assert "from std_srvs.srv import Empty as StdSrvsEmpty\n" in source
@@ -146,7 +146,7 @@ def test_a_node_that_only_calls_ends_after_its_calls() -> None:
     type_ = InterfaceName("std_srvs", "SetBool")
     node = new()
     request = MessageValue(type_, {"data": True})
-    node.of(Client)["set"] = Client("set", type_, (request, request), SPAN)
+    node.put(Client("set", type_, (request, request), SPAN))
     for library in ("rospy", "rclpy"):
         source = text(node, library)
         assert "spin(" not in source
@@ -156,21 +156,21 @@ def test_a_node_that_only_calls_ends_after_its_calls() -> None:
 def test_a_type_that_was_renamed_has_its_name_of_the_distribution() -> None:
     node = new()
     old = InterfaceName("beginner_tutorials", "AddTwoInts")
-    node.of(Service)["add"] = Service("add", old, None, SPAN)
+    node.put(Service("add", old, None, SPAN))
     assert "from beginner_tutorials.srv import AddTwoInts" in text(node, "rospy")
     assert "from example_interfaces.srv import AddTwoInts\n" in text(node, "rclpy")
 
 
 def with_subscription(type_: InterfaceName | None, callback: str | None = None) -> Node:
     node = new()
-    node.of(Subscription)["in"] = Subscription("in", type_, callback, SPAN)
+    node.put(Subscription("in", type_, callback, SPAN))
     return node
 
 
 def with_shared_handler() -> Node:
     node = with_subscription(STRING, "both")
     type_ = InterfaceName("std_srvs", "Empty")
-    node.of(Service)["s"] = Service("s", type_, "both", SPAN)
+    node.put(Service("s", type_, "both", SPAN))
     return node
 
 

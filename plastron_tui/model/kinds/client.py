@@ -27,5 +27,7 @@ def request(run: Run, statement: ClientRequests) -> None:
     node = run.checks.node(statement)
     name, type_ = run.interface(statement, node, "service", InterfaceKind.SERVICE)
     value = run.types.fit(statement, type_, run.checks.version_of(node))
-    client = node.of(Client).get(name) or Client(name, type_.name, (), statement.span)
-    run.add(statement, node, client._replace(requests=(*client.requests, value)))
+    client = node.of(Client).get(name)
+    requests = (value,) if client is None else (*client.requests, value)
+    span = statement.span if client is None else client.span
+    run.add(statement, node, Client(name, type_.name, requests, span))

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from functools import cache
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from plastron_tui.diagnostics import Code
 from plastron_tui.language.declaration import DECLARATIONS, Declaration, SlotKind, Statement
@@ -22,17 +22,16 @@ INTERFACES = {
 """The slots that name a type, and the kind of interface that it is of."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Facts:
+class Facts(NamedTuple):
     """What holds for every endpoint of a kind.
 
     Attributes:
         verb: what a node does with one, before its name: `publishes to`.
-        role: what a node is called that has one: `publisher`.
-        does: what it does, alone: `publishes`.
         named: what its name is the name of: `topic`, `service`, `action`, `name`; None where
             the kind has no names.
         interface: the kind of interface that types it, None for what has no type.
+        role: what a node is called that has one: `publisher`.
+        does: what it does, alone: `publishes`.
         sends: whether the node begins: it publishes, or it calls.
         check_name: says what is wrong with a name of the kind, for a generation of ROS.
         calls_back: whether it has a function of the node called.
@@ -42,10 +41,10 @@ class Facts:
     """
 
     verb: str
-    role: str = ""
-    does: str = ""
     named: str | None
     interface: InterfaceKind | None
+    role: str = ""
+    does: str = ""
     check_name: Callable[[str, int], NameProblem | None] = check_topic_name
     sends: bool = False
     calls_back: bool = False
@@ -54,8 +53,7 @@ class Facts:
     editing: Editing | None = None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Editing:
+class Editing(NamedTuple):
     """How statements make endpoints of a kind, and end them.
 
     Attributes:
@@ -77,9 +75,8 @@ class Editing:
     @property
     def name_slot(self) -> str:
         """The slot of both statements that has the endpoint's name."""
-        kinds = (SlotKind.TOPIC, SlotKind.SERVICE)
-        slots = DECLARATIONS[self.ended_by].slots
-        return next(slot.name for slot in slots if slot.kind in kinds)
+        ended_by: Any = self.ended_by  # which mypy takes for not hashable
+        return _name_slot(ended_by)
 
     @property
     def making(self) -> Declaration:
@@ -90,3 +87,9 @@ class Editing:
     def ending(self) -> Declaration:
         """The declaration of the statement that ends one."""
         return DECLARATIONS[self.ended_by]
+
+
+@cache
+def _name_slot(statement: type[Statement]) -> str:
+    kinds = (SlotKind.TOPIC, SlotKind.SERVICE)
+    return next(slot.name for slot in DECLARATIONS[statement].slots if slot.kind in kinds)

@@ -23,8 +23,6 @@ class Subscription(NamedTuple):
 
 def subscribe(run: Run, statement: Subscribe) -> None:
     """Let a node listen to a topic."""
-    from .service import Service
-
     checks = run.checks
     node = checks.node(statement)
     topic, type_ = run.interface(statement, node, "topic", InterfaceKind.MESSAGE)
@@ -32,5 +30,7 @@ def subscribe(run: Run, statement: Subscribe) -> None:
         what = f"`{node.variable}` subscribes to"
         raise checks.exists_already(statement, "topic", node, codes.ALREADY_SUBSCRIBED, what)
     if statement.function is not None:
+        from .service import Service  # which imports this file
+
         checks.function(statement, node, node.of(Service).values())
     run.add(statement, node, Subscription(topic, type_.name, statement.function, statement.span))

@@ -61,8 +61,10 @@ def _source_node(maker: NodeSite | None, sites: list[Site]) -> SourceNode:
 
 def _owned(makers: list[NodeSite], analysis: Analysis) -> list[list[Site]]:
     """Return the call sites of each node."""
+    if len(makers) < 2:
+        return [analysis.sites for _ in makers]
     owned: list[list[Site]] = [[] for _ in makers]
     owners = Owners(makers, analysis)
-    for site in analysis.sites if makers else ():
+    for site in analysis.sites:
         owned[owners.owner(site)].append(site)
     return owned

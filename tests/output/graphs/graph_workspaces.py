@@ -53,19 +53,19 @@ class Maker:
             for name, rate in sent
         )
         span = publications[0].span if publications else None
-        node.of(Publisher)[topic] = Publisher(topic, type_, publications, span)
+        node.put(Publisher(topic, type_, publications, span))
 
     def subscribe(
         self, node: Node, topic: str, callback: str | None = None, type_: InterfaceName = STRING
     ) -> None:
-        node.of(Subscription)[topic] = Subscription(topic, type_, callback, self.span())
+        node.put(Subscription(topic, type_, callback, self.span()))
 
     def provide(self, node: Node, name: str, handler: str | None = None) -> None:
-        node.of(Service)[name] = Service(name, TRIGGER, handler, self.span())
+        node.put(Service(name, TRIGGER, handler, self.span()))
 
     def call(self, node: Node, name: str, *fields: dict[str, object]) -> None:
         requests = tuple(MessageValue(TRIGGER, each) for each in fields)  # type: ignore[arg-type]
-        node.of(Client)[name] = Client(name, TRIGGER, requests, self.span())
+        node.put(Client(name, TRIGGER, requests, self.span()))
 
 
 def tour() -> Workspace:
