@@ -43,3 +43,9 @@ def test_no_class_is_long() -> None:
         return own + sum(map(length, bases))
 
     assert {name: length(name) for name in classes if length(name) > LONGEST_CLASS} == {}
+
+
+def test_each_package_is_in_the_wheel() -> None:
+    listed = (ROOT / "pyproject.toml").read_text()
+    packages = {".".join(path.parent.relative_to(ROOT).parts) for path in MODULES}
+    assert [name for name in sorted(packages) if f'  "{name}",\n' not in listed] == []
