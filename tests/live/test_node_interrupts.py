@@ -40,6 +40,22 @@ if number:
     sys.setprofile(count)
 exec(compile(ast.Module([guard], []), path, "exec"), names)
 """
+# Where Ctrl-C breaks off what Python does for a lock, another error takes the interrupt's place.
+BROKEN_OFF = """\
+import ast, sys
+from pathlib import Path
+*definitions, guard = ast.parse(Path(sys.argv[1]).read_text()).body
+names = {"__name__": "__main__"}
+exec(compile(ast.Module(definitions, []), "node", "exec"), names)
+def main():
+    try:
+        names["rospy"].init_node("broken_off", disable_signals=True)
+        raise KeyboardInterrupt
+    finally:
+        raise RuntimeError("release unlocked lock")
+names["main"] = main
+exec(compile(ast.Module([guard], []), "node", "exec"), names)
+"""
 PROGRAM = """\
 create_node 'busy' as busy
 create_message words of message_type String and input "hello"
@@ -145,6 +161,13 @@ def test_ctrl_c_at_many_calls(graph: Graph, tmp_path: Path) -> None:
     calls = MORE_CALLS[graph.target]
     for index in range(0, len(calls), 3):
         interrupt_at_calls(graph, tmp_path, calls[index : index + 3])
+
+
+def test_an_error_that_ctrl_c_made(ros1: Graph, tmp_path: Path) -> None:
+    start, file = busy_node(ros1, tmp_path)
+    start.write_text(BROKEN_OFF)
+    node = ros1.run_with(start, str(file))
+    assert_ended(ros1, node, node.wait(60), "in a lock")
 
 
 def test_ctrl_c_while_a_node_starts(graph: Graph, tmp_path: Path) -> None:
