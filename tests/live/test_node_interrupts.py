@@ -18,35 +18,37 @@ from plastron_tui.runtime.master import master_pid
 
 pytestmark = pytest.mark.live
 
-# What a file imports and defines cannot be guarded by it: that is over when this says "go". Then
-# comes what makes the node, interrupted at the call of a function (`*`: any) that has the number.
-START = """\
+# What a file imports and defines cannot be guarded by it: that comes first.
+DEFINED = """\
 import ast, os, signal, sys
 from pathlib import Path
-path, function, number = sys.argv[1], sys.argv[2], int(sys.argv[3])
-*definitions, guard = ast.parse(Path(path).read_text()).body
+*definitions, guard = ast.parse(Path(sys.argv[1]).read_text()).body
 names = {"__name__": "__main__"}
-exec(compile(ast.Module(definitions, []), path, "exec"), names)
+exec(compile(ast.Module(definitions, []), sys.argv[1], "exec"), names)
+"""
+GUARDED = """\
+exec(compile(ast.Module([guard], []), sys.argv[1], "exec"), names)
+"""
+# It is over when this says "go". Then comes what makes the node, interrupted at the call of a
+# function (`*`: any) that has the number.
+START = f"""\
+{DEFINED}
+function, number = sys.argv[2], int(sys.argv[3])
 called = 0
 def count(frame, event, argument):
     global called
     if event == "call" and function in ("*", frame.f_code.co_name):
         called += 1
         if called == number:
-            print(f"interrupted in {frame.f_code.co_name}", flush=True)
+            print("interrupted in", frame.f_code.co_name, flush=True)
             os.kill(os.getpid(), signal.SIGINT)
 print("go", flush=True)
 if number:
     sys.setprofile(count)
-exec(compile(ast.Module([guard], []), path, "exec"), names)
-"""
+{GUARDED}"""
 # Where Ctrl-C breaks off what Python does for a lock, another error takes the interrupt's place.
-BROKEN_OFF = """\
-import ast, sys
-from pathlib import Path
-*definitions, guard = ast.parse(Path(sys.argv[1]).read_text()).body
-names = {"__name__": "__main__"}
-exec(compile(ast.Module(definitions, []), "node", "exec"), names)
+BROKEN_OFF = f"""\
+{DEFINED}
 def main():
     try:
         names["rospy"].init_node("broken_off", disable_signals=True)
@@ -54,8 +56,7 @@ def main():
     finally:
         raise RuntimeError("release unlocked lock")
 names["main"] = main
-exec(compile(ast.Module([guard], []), "node", "exec"), names)
-"""
+{GUARDED}"""
 PROGRAM = """\
 create_node 'busy' as busy
 create_message words of message_type String and input "hello"

@@ -54,8 +54,8 @@ class Resolver:
         self._calls_of: dict[str, list[Node]] | None = None
         self._words: Counter[bytes] | None = None
         self.classes = Classes(syntax, scopes)
-        self._foreign: dict[Scope, list[str]] = {}
         self._distinct_of: dict[tuple[Scope, str], list[Binding]] = {}
+        self._foreign: dict[Scope, list[str]] = {}
         self._own_foreign: dict[Scope, list[str]] = {}
         self.effort = Effort(len(syntax.text))
 
