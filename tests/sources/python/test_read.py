@@ -55,6 +55,21 @@ def test_a_topic_is_what_the_file_says_or_nothing(expression, name, default):
     assert publisher.expression == expression
 
 
+@pytest.mark.parametrize(
+    ("imports", "package"),
+    [
+        ("from a_msgs.msg import Scan\n", "a_msgs"),
+        ("from a_msgs.msg import Scan\n" * 2, "a_msgs"),
+        ("from a_msgs.msg import Scan\nfrom b_msgs.msg import Scan\n", None),
+        ("from b_msgs.msg import Scan\n" + "from a_msgs.msg import Scan\n" * 2, None),
+    ],
+)
+def test_a_type_is_certain_where_all_imports_of_its_name_agree(imports, package):
+    source = read(f"import rospy\n{imports}rospy.init_node('n')\nrospy.Publisher('t', Scan)\n")
+    (publisher,) = source.endpoints
+    assert (publisher.type.package if publisher.type else None) == package
+
+
 def test_a_block_without_its_colon_keeps_what_is_in_it():
     text = "import rospy\nfrom std_msgs.msg import String\nN = 'a'\n\n\ndef talk(x)\n    N = 'b'\n"
     source = read(f"{text}    rospy.Publisher(N, String)\n")
