@@ -73,6 +73,7 @@ def hostile(here: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return here
 
 
+@pytest.mark.long
 def test_no_command_writes_what_a_terminal_obeys(hostile: Path) -> None:
     found = {}
     for command in COMMANDS:

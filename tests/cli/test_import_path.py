@@ -107,7 +107,11 @@ FEW = [("check", "a.plastron"), ("generate", "a.plastron"), ("run", "a.plastron"
 
 
 @pytest.mark.parametrize(
-    ("start", "commands"), [(SCRIPT, COMMANDS), (MODULE, FEW)], ids=["plastron", "-m"]
+    ("start", "commands"),
+    [
+        pytest.param(SCRIPT, COMMANDS, marks=pytest.mark.long, id="plastron"),
+        pytest.param(MODULE, FEW, id="-m"),
+    ],
 )
 def test_no_command_imports_from_the_current_folder(
     traps: Path, start: list[str], commands: list[tuple[str, ...]]

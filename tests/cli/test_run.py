@@ -186,7 +186,7 @@ def test_a_client_that_gets_no_answer_has_failed(ros: Ros) -> None:
 
 
 @pytest.mark.live
-@pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rospy"]), indirect=True)
+@pytest.mark.long
 def test_a_node_that_never_starts(ros: Ros) -> None:
     ros.write("p.plastron", TALKER + LISTENER)
     assert ros.plastron("generate", "p.plastron", "--target", ros.library).returncode == 0

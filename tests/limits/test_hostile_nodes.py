@@ -123,7 +123,7 @@ NODES: dict[str, str | bytes] = {
     "unicode": (NODE + "rospy.Publisher('" + "\u202e" * 100_000 + "', String)\n").encode(),
 }
 
-_QUICK = {"nested", "doubled text", "power", "calls", "comments"}
+_QUICK = {"nested", "doubled text", "power", "comments"}
 _QUICK |= {"comments, short run", "underscores", "base classes", "nodes of functions"}
 
 

@@ -79,6 +79,7 @@ def test_the_server_answers_every_call_of_the_client(graph: Graph, tmp_path: Pat
     assert not own_tracebacks(answerer.output + asker.output)
 
 
+@pytest.mark.parametrize("graph", mostly_long(["ros1", "ros2"], ["ros2"]), indirect=True)
 def test_a_node_does_all_four_things(graph: Graph, tmp_path: Path) -> None:
     nodes = generate("mixture", tmp_path / "output", graph.target)
     mixture = graph.run(nodes["mixture_node.py"])

@@ -100,7 +100,7 @@ CASES = [
         prints=("/fleet/add: success: False",),
     ),
 ]  # fmt: skip
-QUICK = {"fleet.py", "lamp.py"}
+QUICK = {"fleet.py"}
 
 
 @pytest.mark.parametrize("case", mostly_long(CASES, QUICK, lambda case: case.file))

@@ -197,7 +197,7 @@ def run_ported(graph: Graph, file: Path, text: str) -> Process:
     return graph.run(file.parent / "output" / file.name)
 
 
-@pytest.mark.parametrize("graph", mostly_long(["ros1", "ros2"], ["ros2"]), indirect=True)
+@pytest.mark.long
 def test_a_ported_node_sends_what_rospy_makes_messages_of(graph: Graph, tmp_path: Path) -> None:
     node = run_ported(graph, tmp_path / "plain.py", PLAIN)
     topics = {

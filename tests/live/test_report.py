@@ -20,7 +20,7 @@ TOPICS = {
 }
 
 
-@pytest.mark.parametrize("graph", mostly_long(["ros1", "ros2"], ["ros2"]), indirect=True)
+@pytest.mark.long
 def test_the_publisher_sends_its_five_messages_at_ten_hertz(graph: Graph, tmp_path: Path) -> None:
     nodes = generate("publisher", tmp_path / "output", graph.target)
     node = graph.run(nodes["publisher_pub.py"])

@@ -30,6 +30,7 @@ def test_killed_at_each_call_of_saving(tmp_path: Path) -> None:
     assert broken(tmp_path, "save", "kill") == 15
 
 
+@pytest.mark.long
 def test_killed_at_each_rename(tmp_path: Path) -> None:
     """Three nodes, the manifest, the journal."""
     assert broken(tmp_path, "fresh", "kill", "replace", "rename") == 5

@@ -187,7 +187,7 @@ def test_nodes_run_for_a_time(ros: Ros) -> None:
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-@pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rclpy"]), indirect=True)
+@pytest.mark.long
 def test_the_watch_shows_topics_and_calls(ros: Ros) -> None:
     def is_told(said: str) -> bool:
         told = [line.partition("| ")[2] for line in _lines(said, "watch")]

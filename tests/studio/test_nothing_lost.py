@@ -11,7 +11,6 @@ import time
 from pathlib import Path
 
 import pytest
-from machine import mostly_long
 from studio_driver import PROGRAM, SIZES, fail, leave_behind, studio
 
 from plastron_tui.studio.config import load_remembered
@@ -136,7 +135,8 @@ def test_a_journal_of_an_impossible_time_is_read(tmp_path: Path, when: str) -> N
     assert [kept.text for kept in kept_texts(tmp_path)] == [b"text"]
 
 
-@pytest.mark.parametrize("seed", mostly_long(range(2), [0]))
+@pytest.mark.long
+@pytest.mark.parametrize("seed", range(2))
 async def test_the_window_changes_its_size_at_any_moment(program: Path, seed: int) -> None:
     chance = random.Random(seed)
     keys = ["f1", "f6", "f7", "f10", "ctrl+f", "ctrl+t", "escape", "escape", "alt+6", "alt+5",

@@ -15,6 +15,7 @@ import time
 from pathlib import Path
 
 import pytest
+from machine import mostly_long
 from test_terminal import Terminal, is_running, start, terminal  # noqa: F401 - a fixture
 
 pytestmark = pytest.mark.skipif(shutil.which("tmux") is None, reason="there is no tmux")
@@ -72,7 +73,7 @@ def read_until(descriptor: int, wanted: bytes) -> None:
 
 
 # A terminal that goes also continues who it stops: Textual then starts to draw anew, on nothing.
-@pytest.mark.parametrize("number", [signal.SIGCONT, None])
+@pytest.mark.parametrize("number", mostly_long([signal.SIGCONT, None], [None]))
 def test_a_terminal_that_goes_ends_the_studio(tmp_path: Path, number: int | None) -> None:
     (tmp_path / "mine.plastron").touch()
     for _ in range(3):

@@ -42,6 +42,7 @@ def read(widget: Widget) -> Iterator[tuple[str, Style]]:
                 yield segment.text.strip(), segment.style
 
 
+@pytest.mark.long
 async def test_every_theme_can_be_read_and_the_editor_follows(program: Path) -> None:
     program.write_text(PROGRAM + "subscrib listener\n")
     async with studio(program, (200, 60)) as driver:

@@ -101,7 +101,8 @@ async def test_by_mouse_alone(declaration: Declaration, file: Path) -> None:
         assert not it.is_open
 
 
-@some_in_quick
+@pytest.mark.long
+@pytest.mark.parametrize("declaration", ALL, ids=keyword)
 async def test_back_from_every_step_keeps_what_was_entered(
     declaration: Declaration, file: Path
 ) -> None:
@@ -137,7 +138,7 @@ async def test_back_from_every_step_keeps_what_was_entered(
         assert it.statements == statements
 
 
-@pytest.mark.parametrize("steps", mostly_long(range(6), [0, 3, 5]))
+@pytest.mark.parametrize("steps", mostly_long(range(6), [3]))
 async def test_escape_leaves_without_a_trace(file: Path, steps: int) -> None:
     async with wizard(file) as it:
         for _ in range(steps):
