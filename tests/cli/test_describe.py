@@ -56,6 +56,7 @@ def test_a_graph_that_is_not_there(tmp_path: Path) -> None:
 
 
 @pytest.mark.live
+@pytest.mark.long
 def test_a_graph_without_nodes(tmp_path: Path) -> None:
     done = make_ros("rclpy", tmp_path).plastron("describe", "--ros", "2")
     assert done.returncode == 0, done.stderr

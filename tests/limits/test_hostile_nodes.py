@@ -124,7 +124,7 @@ NODES: dict[str, str | bytes] = {
 }
 
 _QUICK = {"nested", "doubled text", "power", "comments"}
-_QUICK |= {"comments, short run", "underscores", "base classes", "nodes of functions"}
+_QUICK |= {"underscores", "base classes"}
 
 
 @pytest.mark.parametrize("name", mostly_long(NODES, _QUICK))

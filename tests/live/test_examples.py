@@ -94,10 +94,8 @@ def test_every_example_that_loads_a_file_is_run() -> None:
     assert loading == {name for name, *_ in CHANGED}
 
 
-@pytest.mark.parametrize(
-    ("name", "ros", "sent", "node", "heard", "service"),
-    [CHANGED[0], *(pytest.param(*each, marks=pytest.mark.long) for each in CHANGED[1:])],
-)
+@pytest.mark.long
+@pytest.mark.parametrize(("name", "ros", "sent", "node", "heard", "service"), CHANGED)
 def test_a_node_that_was_changed_runs(
     name: str,
     ros: str,

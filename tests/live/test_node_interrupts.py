@@ -11,7 +11,7 @@ from xmlrpc.client import ServerProxy
 
 import pytest
 from graph import Graph
-from machine import free_port, wait_until
+from machine import free_port, mostly_long, wait_until
 from processes import Process, generate, own_tracebacks
 
 from plastron_tui.runtime.master import master_pid
@@ -280,6 +280,7 @@ PATIENCE = re.compile(r"(join\(|timeout_sec=)SERVICE_TIMEOUT\)")
 """Where a node says how long it waits for an answer."""
 
 
+@pytest.mark.parametrize("graph", mostly_long(["ros1", "ros2"], ["ros1"]), indirect=True)
 def test_ctrl_c_while_a_service_does_not_answer(graph: Graph, tmp_path: Path) -> None:
     program = tmp_path / "waits.plastron"
     program.write_text(

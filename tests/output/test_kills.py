@@ -26,6 +26,7 @@ def broken(folder: Path, scene: str, event: str, *calls: str) -> int:
     return int(result["calls"])
 
 
+@pytest.mark.long
 def test_killed_at_each_call_of_saving(tmp_path: Path) -> None:
     assert broken(tmp_path, "save", "kill") == 15
 

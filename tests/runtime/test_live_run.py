@@ -170,6 +170,7 @@ def _heard(output: str, name: str = "listener") -> list[str]:
     return [line for line in _lines(output, name) if "hello" in line]
 
 
+@pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rclpy"]), indirect=True)
 def test_nodes_talk_and_stop(ros: Ros) -> None:
     said = ros.run_until(lambda said: len(_heard(said)) > 20, ros.generate(TALKING, "nodes"))
     # rospy closes its topics before a timer of its own can know, and says so.
@@ -219,7 +220,7 @@ def test_a_description_run_again_is_the_same_graph(ros: Ros) -> None:
         assert ros.described(names) == before
 
 
-@pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rospy"]), indirect=True)
+@pytest.mark.long
 def test_a_node_that_crashes_at_its_start(ros: Ros) -> None:
     nodes = ros.generate(TALKING, "nodes")
     (nodes / "crasher_pub.py").write_text("import no_such_module\n")
@@ -263,6 +264,7 @@ def test_a_killed_run_takes_its_master_along(ros1: Ros) -> None:
     all_gone(pid)
 
 
+@pytest.mark.long
 def test_a_master_that_answers_is_used_and_stays(ros1: Ros) -> None:
     uri = ros1.environ["ROS_MASTER_URI"]
     nodes = ros1.generate(TALKING, "nodes")

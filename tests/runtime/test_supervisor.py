@@ -76,6 +76,7 @@ def test_the_time_is_up(nodes: Nodes) -> None:
     all_gone(*(nodes.pid(name) for name in ("one", "two", "helper")))
 
 
+@pytest.mark.long
 def test_a_node_that_heeds_no_signal_is_killed(nodes: Nodes) -> None:
     done = run([nodes.stubborn("one")], 0.5)
     assert (done.returncode, done.stdout) == (0, "")
@@ -89,6 +90,7 @@ def test_what_a_dead_node_started_does_not_stay(nodes: Nodes) -> None:
     all_gone(nodes.pid("helper"))
 
 
+@pytest.mark.long
 def test_output_without_end_from_elsewhere_keeps_no_run_from_ending(nodes: Nodes) -> None:
     """What a node started in a session of its own is out of reach, and holds the pipe."""
     code = "subprocess.Popen(['yes'], start_new_session=True)\ntime.sleep(0.3)"

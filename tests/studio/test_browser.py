@@ -78,6 +78,7 @@ async def test_a_statement_typed_in_a_browser_shows_its_node(tmp_path: Path) -> 
         }
 
 
+@pytest.mark.long
 async def test_without_the_token_a_browser_is_told_why(tmp_path: Path) -> None:
     async with served(tmp_path) as url, browser(tmp_path) as page:
         parts = urlsplit(url)
@@ -92,6 +93,7 @@ async def test_without_the_token_a_browser_is_told_why(tmp_path: Path) -> None:
         await page.until("no nodes yet")
 
 
+@pytest.mark.long
 async def test_other_pages_in_the_browser_stay_out(tmp_path: Path) -> None:
     async with (
         served(tmp_path) as url,

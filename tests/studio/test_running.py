@@ -116,6 +116,7 @@ async def test_the_messages_arrive_and_stop_ends_all(talking: Path, tmp_path: Pa
     not Path("/usr/lib/python3/dist-packages/rospy").is_dir() and not os.environ.get("CI"),
     reason="Debian's ROS 1 is missing: apt-get install python3-rospy python3-roslaunch",
 )
+@pytest.mark.long
 async def test_they_arrive_on_ros_1_too(talking: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with socket.socket() as listener:
         listener.bind(("127.0.0.1", 0))
@@ -131,6 +132,7 @@ async def test_they_arrive_on_ros_1_too(talking: Path, monkeypatch: pytest.Monke
 
 
 @needs_ros2
+@pytest.mark.long
 async def test_leaving_ends_the_nodes(talking: Path, tmp_path: Path) -> None:
     async with studio(talking) as driver:
         await driver.press("f5")
@@ -170,6 +172,7 @@ async def test_a_program_with_mistakes_is_not_run(talking: Path) -> None:
 
 
 @needs_ros2
+@pytest.mark.long
 async def test_what_prints_without_end_leaves_the_studio_responsive(
     talking: Path, tmp_path: Path
 ) -> None:

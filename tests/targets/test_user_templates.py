@@ -51,6 +51,7 @@ def refusal(folder: Path, template: str | None = None) -> str:
             "{% for a in range(99999) %}{% for b in range(99999) %}{% endfor %}{% endfor %}",
             "it works for more than 2 s",
             id="loops",
+            marks=pytest.mark.long,
         ),
         pytest.param('{{ "a" * 3000000000 }}', "it needs more than 512 MB of memory", id="repeat"),
         pytest.param('{{ "a"|center(3000000000) }}', "it needs more than 512 MB", id="filter"),
@@ -115,6 +116,7 @@ def test_what_a_template_misses_is_no_template(folder: Path) -> None:
         ('{{ "a" * 3000000000 }}', "512 MB"),
     ],
 )
+@pytest.mark.long
 def test_a_template_that_was_stopped_is_not_begun_again(
     folder: Path, monkeypatch: pytest.MonkeyPatch, template: str, reason: str
 ) -> None:

@@ -23,6 +23,7 @@ HEARD = "chatter: std_msgs.msg.String(data='hello')"
 @pytest.mark.skipif(
     not HAS_ROS2 and not os.environ.get("CI"), reason="ROS 2 is missing: ./dev setup dev"
 )
+@pytest.mark.long
 async def test_run_from_the_wizard_shows_the_message_arriving(
     here: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

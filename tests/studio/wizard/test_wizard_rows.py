@@ -76,6 +76,7 @@ async def test_a_node_that_is_not_there_yet_has_a_page_of_its_own(two: Path) -> 
         )
 
 
+@pytest.mark.long
 async def test_a_message_that_is_there_needs_no_page(two: Path) -> None:
     async with wizard(two) as it:
         await it.go(MORE, SEND)
@@ -106,6 +107,7 @@ def shown(row: Row) -> str:
     return str(row.query_one(Checkbox).render()).strip()
 
 
+@pytest.mark.long
 async def test_the_values_are_a_form_with_a_row_a_field(here: Path) -> None:
     async with wizard() as it:
         await it.pick(MESSAGE)
