@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from plastron_tui.cli.fmt import command as fmt
+from plastron_tui.cli.group import cli
 from plastron_tui.studio.files import open_file, save_file
 from plastron_tui.studio.recipes import Recipe, place_files
 from plastron_tui.trust import TrustStore
@@ -46,7 +46,7 @@ def link_to(repository: Path, name: str) -> Path:
 @pytest.mark.parametrize(("name", "is_inside"), LINKS.values(), ids=LINKS)
 def test_fmt_writes_through_no_link_out(repository: Path, name: str, is_inside: bool) -> None:
     path = link_to(repository, name)
-    result = CliRunner().invoke(fmt, [str(path)])
+    result = CliRunner().invoke(cli, ["fmt", str(path)])
     assert (path.read_bytes() == TIDY) is is_inside
     assert (result.exit_code == 0) is is_inside
     assert ("error[outside-project]" in result.output) is not is_inside
@@ -63,12 +63,12 @@ def test_the_studio_saves_through_no_link_out(repository: Path, name: str, is_in
 
 def test_what_is_named_itself_or_trusted_is_written(repository: Path) -> None:
     outside = repository.parent / "home" / ".profile"
-    assert CliRunner().invoke(fmt, [str(outside)]).exit_code == 0
+    assert CliRunner().invoke(cli, ["fmt", str(outside)]).exit_code == 0
     assert outside.read_bytes() == TIDY
     outside.write_bytes(UNTIDY)
     path = link_to(repository, "home/.profile")
     TrustStore().add(repository)
-    assert CliRunner().invoke(fmt, [str(path)]).exit_code == 0
+    assert CliRunner().invoke(cli, ["fmt", str(path)]).exit_code == 0
     assert outside.read_bytes() == TIDY
 
 
