@@ -33,7 +33,7 @@ from plastron_tui.model.kinds import (
     Service,
     Subscription,
 )
-from plastron_tui.model.source import Add, Change, EndpointKind, FileSet, Remove, SourceUnit
+from plastron_tui.model.source import Add, Change, EndpointKind, FileSet, Remove, Rename, SourceUnit
 from plastron_tui.model.values import MessageValue
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceName
@@ -230,7 +230,7 @@ def _callback(source: SourceUnit) -> str | None:
 
 
 def _name_of(change: Change) -> str:
-    return change.name if isinstance(change, Remove) else change.endpoint.name
+    return change.name if isinstance(change, Remove | Rename) else change.endpoint.name
 
 
 def _removal(change: Add) -> Remove:

@@ -182,6 +182,7 @@ module.exports = grammar({
       $.stop_request_statement,
       $.provides_service_statement,
       $.stop_service_statement,
+      $.rename_statement,
       $.generate_node_statement,
     ),
 
@@ -261,6 +262,12 @@ module.exports = grammar({
     // variable "stop_service" name
     stop_service_statement: $ => nodeStatement($, [
       'stop_service', field('service', $.ros_name),
+    ]),
+
+    // variable "renames" kind name "to" name
+    rename_statement: $ => nodeStatement($, [
+      'renames', field('what', alias($.identifier, $.name_kind)),
+      field('old', $.ros_name), 'to', field('new', $.ros_name),
     ]),
 
     // "generate_node" variable [ "using" client_library ]

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.model.kinds import is_sending
 from plastron_tui.model.loading import add_found
 from plastron_tui.model.source import Add, Change, FileSet, SourceUnit
 from plastron_tui.model.workspace import Node
@@ -14,7 +15,7 @@ from plastron_tui.output.patch_stack import Layer
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources.base import Rendered
 
-from .node_diff import call_again, changes_of, is_extended, names_in
+from .node_diff import call_again, changes_of, names_in
 from .user_edits import files_on_disk
 
 if TYPE_CHECKING:
@@ -146,7 +147,8 @@ def _own_node(node: Node, original: SourceUnit) -> Node:
     names = names_in(original)
     asked = set()
     for (kind, name), endpoint in node.endpoints.items():
-        if endpoint.span is not None or is_extended(endpoint):
+        is_asked = endpoint.span is not None or (kind, name) in node.renamed
+        if is_asked or is_sending(endpoint):
             asked.add((kind, name))
         elif name not in names[kind]:
             own.take(kind, name)

@@ -2,64 +2,105 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
 
 from plastron_tui.model.kinds import (
     EDITABLE,
-    Client,
     Endpoint,
     EndpointKind,
-    Publisher,
     Service,
     Subscription,
+    callback_of,
+    is_sending,
 )
-from plastron_tui.model.source import Add, Change, Remove, SourceEndpoint, SourceUnit, Update
+from plastron_tui.model.source import (
+    Add,
+    Change,
+    Remove,
+    Rename,
+    SourceEndpoint,
+    SourceUnit,
+    Update,
+)
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.interfaces import InterfaceName
 
+_Manner = tuple[InterfaceName | None, str | None]
+"""What tells endpoints of a kind apart besides their names: the type, and the callback."""
+
 
 def changes_of(node: Node) -> tuple[Change, ...]:
-    """Return what a program changed in a node that it loaded."""
+    """Return what a program changed in a node that it loaded; what it renamed comes first."""
     if node.source is None:
         return ()
-    present = names_in(node.source)
-    return tuple(
+    renames = _renames(node, node.source)
+    present = {
+        kind: {name: name for name in names} for kind, names in names_in(node.source).items()
+    }
+    for each in renames:
+        del present[each.kind][each.name]
+    for each in renames:
+        present[each.kind][each.to] = each.name
+    changed = (
         change for kind in EDITABLE for change in _changes(node, node.source, kind, present[kind])
     )
+    return (*renames, *changed)
+
+
+def _renames(node: Node, source: SourceUnit) -> list[Rename]:
+    present = names_in(source)
+    return [
+        Rename(kind, old, new, span, source.label)
+        for (kind, new), (old, span) in node.renamed.items()
+        if old != new and old in present[kind]
+    ]
 
 
 def _changes(
-    node: Node, source: SourceUnit, kind: EndpointKind, present: set[str]
+    node: Node, source: SourceUnit, kind: EndpointKind, present: dict[str, str]
 ) -> Iterator[Change]:
+    """Yield what differs of a kind; `present` has the file's names by what they are renamed to."""
     wanted = node.by_kind[kind]
-    gone = sorted(present - wanted.keys())
-    new = [name for name in wanted if name not in present]
-    earlier = {name: name for name in present}
-    if len(gone) == len(new) == 1 and _types(source, kind, gone[0]) == {wanted[new[0]].type}:
-        # Of the same type, it is the same endpoint under another name.
-        earlier[new[0]] = gone.pop()
-    for name in gone:
+    new = {name: each for name, each in wanted.items() if name not in present}
+    gone: dict[str, list[SourceEndpoint]] = {name: [] for name in present if name not in wanted}
+    if gone:
+        names = {old: name for name, old in present.items()}
+        for each in source.of_kind(kind):
+            if (name := names.get(each.name or "")) in gone:
+                gone[name].append(each)
+    same = _same(gone, new) if gone and new else {}
+    for name in sorted(gone.keys() - same.values()):
         yield Remove(kind, name, node.removed.get(name), source.label)
     for name, endpoint in wanted.items():
-        if endpoint.span is not None and name in earlier:
-            was = earlier[name]
+        was = same.get(name, name)
+        if endpoint.span is not None and was in present:
             yield Update(kind, was, endpoint, node.removed.get(was), source.label)
-        elif endpoint.span is not None or is_extended(endpoint):
+        elif endpoint.span is not None or is_sending(endpoint):
             yield Add(endpoint, source.label)
 
 
-def _types(source: SourceUnit, kind: EndpointKind, name: str) -> set[InterfaceName | None]:
-    """Return the types that a file says of a name."""
-    return {each.type for each in source.endpoints if (each.kind, each.name) == (kind, name)}
+def _same(gone: Mapping[str, list[SourceEndpoint]], new: Mapping[str, Endpoint]) -> dict[str, str]:
+    """Return which of the new endpoints is one of those that are gone, under another name.
 
-
-def is_extended(endpoint: Endpoint) -> bool:
-    """Tell whether the program sends more through an endpoint that it found in the file."""
-    match endpoint:
-        case Publisher(publications=more) | Client(requests=more):
-            return bool(more)
-        case _:
-            return False
+    It is of the same type, and calls the same function, or no other one can be meant.
+    """
+    same: dict[str, str] = {}
+    for has_callback in (True, False):
+        olds: dict[_Manner, list[str]] = defaultdict(list)
+        news: dict[_Manner, list[str]] = defaultdict(list)
+        for name, found in gone.items():
+            called = {(each.type, each.callback if has_callback else None) for each in found}
+            if name not in same.values() and len(called) == 1:
+                olds[called.pop()].append(name)
+        for name, endpoint in new.items():
+            if name not in same:
+                callback = callback_of(endpoint) if has_callback else None
+                news[endpoint.type, callback].append(name)
+        for key, names in news.items():
+            if len(names) == len(olds[key]) == 1 and (not has_callback or key[1] is not None):
+                same[names[0]] = olds[key][0]
+    return same
 
 
 def names_in(source: SourceUnit) -> dict[EndpointKind, set[str]]:

@@ -57,6 +57,9 @@ class SlotKind(Enum):
     SERVICE = "'SERVICE_NAME'", "a service name in single quotes", Form.QUOTED
     MESSAGE_TYPE = "MESSAGE_TYPE", "a message type", Form.TYPE
     SERVICE_TYPE = "SERVICE_TYPE", "a service type", Form.TYPE
+    NAMED = "topic | service | action | parameter", "what is renamed, such as `topic`", Form.WORD
+    OLD_NAME = "'OLD_NAME'", "a name in single quotes", Form.QUOTED
+    NEW_NAME = "'NEW_NAME'", "a name in single quotes", Form.QUOTED
     INPUT = "VALUES | none", "values, or `none`", Form.VALUES
     RATE = "NUMBER", "a number", Form.NUMBER
     FUNCTION = "FUNCTION", "the name of a function", Form.WORD

@@ -23,8 +23,8 @@ MOST_WORDS = 10_000
 """How many words of a line count; what a machine wrote can have millions, and nobody reads them."""
 
 WORD_KINDS = frozenset(
-    {"identifier", "variable", "module", "function", "client_library", "field_name", "boolean"}
-    | {"none"}
+    {"identifier", "variable", "module", "function", "client_library", "name_kind", "field_name"}
+    | {"boolean", "none"}
     | KEYWORDS
 )
 QUOTED_KINDS = frozenset({"ros_name", "path"})

@@ -129,9 +129,16 @@ class Checks:
             self._versions[library] = self._setting.ros_version(library)
         return self._versions[library]
 
-    def name(self, statement: Statement, slot: str, name: str, version: int) -> None:
+    def name(
+        self,
+        statement: Statement,
+        slot: str,
+        name: str,
+        version: int,
+        check: Callable[[str, int], NameProblem | None] | None = None,
+    ) -> None:
         """Check that a slot has a name that a generation of ROS takes."""
-        problem = _CHECKS[slot](name, version)
+        problem = (check or _CHECKS[slot])(name, version)
         if problem is None:
             return
         whole = statement.span_of(slot)

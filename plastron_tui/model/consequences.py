@@ -9,6 +9,8 @@ from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
 
 from .workspace import Node
 
+_NAMES = (SlotKind.TOPIC, SlotKind.SERVICE, SlotKind.OLD_NAME, SlotKind.NEW_NAME)
+
 
 class Consequences:
     """What statements with a mistake, and lines that are no statements, were to make."""
@@ -30,7 +32,7 @@ class Consequences:
         declaration = DECLARATIONS[type(statement)]
         filled = [(slot.kind, getattr(statement, slot.name)) for slot in declaration.slots]
         self._declared.update(text for kind, text in filled if kind.makes is not None)
-        names = [text for kind, text in filled if kind in (SlotKind.TOPIC, SlotKind.SERVICE)]
+        names = [text for kind, text in filled if kind in _NAMES]
         if names and declaration.undoes is None:
             nodes = [text for kind, text in filled if kind is SlotKind.NODE]
             self._endpoints.update(product(nodes, names))

@@ -19,6 +19,7 @@ from .context import Setting
 from .kinds import EDITABLE, EndpointKind
 from .mistake import Mistake
 from .node_statements import create_node, generate_node, load
+from .rename import rename
 from .run import Run
 from .stale_statements import late_changes
 from .value_check import Fitter
@@ -72,6 +73,7 @@ HANDLERS: dict[type[Statement], Callable[[Run, Any], None]] = {
     st.Load: load,
     st.CreateMessage: lambda run, statement: run.messages.create(statement),
     st.GenerateNode: generate_node,
+    st.Rename: rename,
     **{kind.editing.made_by: kind.editing.make for kind in EDITABLE},
     **{kind.editing.ended_by: partial(_end, kind) for kind in EDITABLE},
 }

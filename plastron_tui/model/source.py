@@ -184,6 +184,10 @@ class SourceUnit(NamedTuple):
         """The endpoints of all its nodes, in the order of the files."""
         return (endpoint for node in self.nodes for endpoint in node.endpoints)
 
+    def of_kind(self, kind: EndpointKind) -> Iterator[SourceEndpoint]:
+        """Yield the endpoints of one kind, in the order of the files."""
+        return (endpoint for endpoint in self.endpoints if endpoint.kind is kind)
+
     def only(self, label: str | None) -> SourceUnit:
         """Return the unit with one of its nodes alone, or as it is for None."""
         if label is None:
@@ -251,4 +255,25 @@ class Update(NamedTuple):
         return remove, Add(self.endpoint, self.node)
 
 
-Change = Add | Remove | Update
+class Rename(NamedTuple):
+    """Ask an editor to give an endpoint of a node another name, and to change nothing else.
+
+    Every call site of that name gets it. All renames of a list of changes are made at once and
+    before the others, which speak of endpoints by their new names: so two may change places.
+
+    Attributes:
+        kind: the kind of the endpoint, which may be one that no statement makes.
+        name: its name in the file.
+        to: the name that it gets.
+        span: the statement that asked, for a refusal to point at.
+        node: the label of the node that has it, None for the file's only one.
+    """
+
+    kind: EndpointKind
+    name: str
+    to: str
+    span: Span | None = None
+    node: str | None = None
+
+
+Change = Add | Remove | Update | Rename

@@ -6,7 +6,7 @@ that targets, panels and graphs see one kind of node.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -30,6 +30,13 @@ def _none() -> dict[EndpointKind, dict[str, Endpoint]]:
     return {kind: {} for kind in EDITABLE}
 
 
+class Renamed(NamedTuple):
+    """What something was called before a program gave it another name, and where it did so."""
+
+    name: str
+    span: Span
+
+
 @dataclass(slots=True)
 class Node:
     """A node, as the program has it so far.
@@ -43,6 +50,7 @@ class Node:
         by_kind: its endpoints, by kind and then by graph name as it is written, in the order in
             which they came; `put` and `take` change them.
         removed: which statement took a name away last.
+        renamed: what was given another name, by its kind and that name.
     """
 
     name: str
@@ -52,6 +60,7 @@ class Node:
     source: SourceUnit | None = None
     by_kind: dict[EndpointKind, dict[str, Endpoint]] = field(default_factory=_none)
     removed: dict[str, Span] = field(default_factory=dict)
+    renamed: dict[EndpointKey, Renamed] = field(default_factory=dict)
 
     def of(self, type_: type[EndpointType]) -> Mapping[str, EndpointType]:
         """Return the endpoints of one class by name: `node.of(Publisher)`."""
@@ -63,7 +72,27 @@ class Node:
 
     def take(self, kind: EndpointKind, name: str) -> bool:
         """Take an endpoint away from the node, and tell whether it had one."""
+        self.renamed.pop((kind, name), None)
         return self.by_kind[kind].pop(name, None) is not None
+
+    def rename(self, kind: EndpointKind, old: str, new: str, span: Span) -> None:
+        """Give what the node has of a kind another name; it keeps its place among its like."""
+        earlier = self.renamed.pop((kind, old), None)
+        self.renamed[kind, new] = Renamed(old if earlier is None else earlier.name, span)
+        if kind in self.by_kind:
+            self.by_kind[kind] = {
+                name if name != old else new: each if name != old else each._replace(name=new)
+                for name, each in self.by_kind[kind].items()
+            }
+
+    def names(self, kind: EndpointKind) -> Collection[str]:
+        """Return the names that the node has of a kind, as far as its file says them."""
+        if kind in self.by_kind:
+            return self.by_kind[kind].keys()
+        there = () if self.source is None else self.source.endpoints
+        names = dict.fromkeys(each.name for each in there if each.kind is kind and each.name)
+        new = {each.name: now for (of, now), each in self.renamed.items() if of is kind}
+        return [new.get(name, name) for name in names]
 
     @property
     def is_idle(self) -> bool:
@@ -90,7 +119,14 @@ class Node:
         # `dataclasses.replace` takes four times as long, and a program may have thousands.
         by_kind = {kind: dict(found) for kind, found in self.by_kind.items()}
         return Node(
-            self.name, self.variable, self.span, self.library, self.source, by_kind, self.removed
+            self.name,
+            self.variable,
+            self.span,
+            self.library,
+            self.source,
+            by_kind,
+            self.removed,
+            dict(self.renamed),
         )
 
 

@@ -27,6 +27,7 @@ _TOPIC = {
     ),
 }
 _NODE = {1: re.compile(r"[A-Za-z]\w*", re.ASCII), 2: re.compile(r"[A-Za-z_]\w*", re.ASCII)}
+_PARAMETER = re.compile(r"\w[\w/]*(?:\.\w[\w/]*)*", re.ASCII)
 _SUBSTITUTION = re.compile(r"\{([^{}/]*)\}")
 _SUBSTITUTIONS = ("node", "ns", "namespace")
 _BAD_CHARACTER = re.compile(r"[^A-Za-z0-9_/~]+")
@@ -57,6 +58,19 @@ def check_topic_name(name: str, ros_version: int) -> NameProblem | None:
 def check_service_name(name: str, ros_version: int) -> NameProblem | None:
     """Return what is wrong with the name of a service, None when nothing is."""
     return _check_graph_name(name, ros_version, "service")
+
+
+def check_parameter_name(name: str, ros_version: int) -> NameProblem | None:
+    """Return what is wrong with the name of a parameter, None when nothing is.
+
+    ROS 1 looks parameters up by graph names; ROS 2 takes any, and has dots between their parts
+    (`rcl_interfaces`: "alphanumerics, underscores and slashes", besides "." for nesting).
+    """
+    if ros_version == 1:
+        return _check_graph_name(name, ros_version, "parameter")
+    if len(name) <= MAX_NAME_LENGTH[2] and _PARAMETER.fullmatch(name):
+        return None
+    return NameProblem(f"`{name}` cannot be the name of a parameter", 0, len(name))
 
 
 def check_node_name(name: str, ros_version: int) -> NameProblem | None:

@@ -18,7 +18,7 @@ from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources.base import Language, ReadResult, Rendered
 
-API_VERSION = 2
+API_VERSION = 3
 """The version of this interface; a target says for which one it was written."""
 
 

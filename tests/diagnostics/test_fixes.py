@@ -14,7 +14,7 @@ TALKING = f"{TALKER}{GREETING}talker publish greeting to 'chatter' of message_ty
 # What has no remedy that is right whatever is meant: somebody has to choose a name or a value.
 WITHOUT = {
     "keyword-as-variable", "too-deep", "variable-exists", "node-exists", "ambiguous-type",
-    "function-conflict", "idle-node", "service-provided-twice", "file-not-found",
+    "function-conflict", "name-taken", "idle-node", "service-provided-twice", "file-not-found",
     "wrong-number-of-values", "unknown-field", "duplicate-field", "value-after-named",
     "value-out-of-range", "wrong-array-length", "invalid-text", "invalid-rate",
     "unsupported-target", "service-type-conflict",

@@ -41,5 +41,9 @@ STATEMENTS: dict[str, list[str]] = {
         "n1 provides_service 'add' of service_type AddTwoInts calling _handle_add",
     ],
     "stop_service_statement": ["n1 stop_service 'add'"],
+    "rename_statement": [
+        "n1 renames topic 'scan' to 'front/scan'",
+        "n1 renames parameter '~rate' to 'rate'",
+    ],
     "generate_node_statement": ["generate_node n1", "generate_node n1 using rclpy"],
 }

@@ -75,6 +75,7 @@ CASES = {
         "f",
     ),
     "n stop_service 's'": ("StopService", "n", "s"),
+    "n renames topic 's' to 'a/s'": ("Rename", "n", "topic", "s", "a/s"),
     "generate_node n": ("GenerateNode", "n", None),
     "generate_node n using rospy": ("GenerateNode", "n", "rospy"),
 }

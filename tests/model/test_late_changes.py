@@ -49,6 +49,7 @@ n client_requests 'd' of service_type Trigger with input none
 n stop_request 'c'
 n provides_service 't' of service_type Trigger
 n stop_service 's'
+n renames topic 'b' to 'e'
 """
 
 

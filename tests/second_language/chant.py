@@ -24,6 +24,7 @@ from plastron_tui.model.source import (
     Add,
     EndpointKind,
     FileSet,
+    Rename,
     SourceEndpoint,
     SourceNode,
     SourceUnit,
@@ -139,7 +140,7 @@ def _verse(callback, node):
 
 
 class ChantTarget(Target):
-    api_version = 2
+    api_version = 3
     name = "roschant"
     ros_version = 2
     language = Chant()
@@ -161,13 +162,28 @@ class ChantTarget(Target):
         return Rendered(FileSet((("chorus.txt", listed.encode()),)))
 
     def edit(self, source, changes, catalog):
-        files = source.files
-        for change in changes:
+        files = self._renamed(source.files, [each for each in changes if isinstance(each, Rename)])
+        for change in (each for each in changes if not isinstance(each, Rename)):
             edited = self._edited(source._replace(files=files), change)
             if isinstance(edited, Diagnostic):
                 return Rendered(None, (edited,))
             files = edited
         return Rendered(files)
+
+    def _renamed(self, files, renames):
+        """Give names to what is in the header, all at once."""
+        header, found = files.get(HEADER), []
+        for change in renames:
+            for block in _blocks(header):
+                if change.node not in (None, block.name):
+                    continue
+                for match in block.lines:
+                    what = (_WORDS[match[1].decode()], match[2].decode())
+                    if what == (change.kind, change.name):
+                        found.append((match.start(2), match.end(2), change.to.encode()))
+        for start, end, name in sorted(found, reverse=True):
+            header = header[:start] + name + header[end:]
+        return files.with_text(HEADER, header)
 
     def _edited(self, source, change):
         files, header = source.files, source.files.get(HEADER)

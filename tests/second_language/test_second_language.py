@@ -202,6 +202,17 @@ def test_update_in_place(choir: Bench, statement: str, line: str) -> None:
     assert choir.files()["choir.chanth"] == CHOIR["choir.chanth"].replace(low, line)
 
 
+def test_two_names_change_places(choir: Bench) -> None:
+    renames = "".join(
+        f"bass renames topic '{old}' to '{new}'\n"
+        for old, new in (("low", "x"), ("hum", "low"), ("x", "hum"))
+    )
+    choir.write("b.plastron", f"{LOAD}{renames}generate_node bass\n")
+    assert choir.generate("b.plastron") == ""
+    header = CHOIR["choir.chanth"].replace("hears low", "hears x").replace("hears hum", "hears low")
+    assert choir.files()["choir.chanth"] == header.replace("hears x", "hears hum")
+
+
 LOOK_TWICE = """\
 from pathlib import Path
 from plastron_tui.model.kinds import Subscription

@@ -3,7 +3,7 @@
 [
   "create_node" "load" "create_message" "subscribe" "unsubscribe" "publish"
   "stop_publishing" "client_requests" "stop_request" "provides_service"
-  "stop_service" "generate_node"
+  "stop_service" "renames" "generate_node"
 ] @keyword.function
 
 [
@@ -28,6 +28,7 @@
 (function) @function
 (module) @module
 (client_library) @module
+(name_kind) @type.builtin
 (type package: (identifier) @module)
 (type kind: (identifier) @module)
 (type name: (identifier) @type)

@@ -15,4 +15,5 @@
 (stop_request_statement node: (variable) @local.reference)
 (provides_service_statement node: (variable) @local.reference)
 (stop_service_statement node: (variable) @local.reference)
+(rename_statement node: (variable) @local.reference)
 (generate_node_statement node: (variable) @local.reference)

@@ -15,6 +15,7 @@
 (stop_request_statement node: (variable) @name) @reference.class
 (provides_service_statement node: (variable) @name) @reference.class
 (stop_service_statement node: (variable) @name) @reference.class
+(rename_statement node: (variable) @name) @reference.class
 (generate_node_statement node: (variable) @name) @reference.class
 (publish_statement message: (variable) @name) @reference.constant
 (type name: (identifier) @name) @reference.type

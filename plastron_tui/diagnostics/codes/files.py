@@ -178,6 +178,14 @@ OTHER_TYPE = Code(
     severity=Severity.WARNING,
 )
 
+WRITTEN_ANEW = Code(
+    "written-anew",
+    "A statement takes something out of a loaded file and another one writes it anew, under "
+    "another name or with another message; what its lines said besides goes with them. "
+    "`renames` changes the name and nothing else.",
+    severity=Severity.WARNING,
+)
+
 MERGED_BY_HAND = Code(
     "merged-by-hand",
     "A generated file was changed by hand. It is kept, and what changed in the "

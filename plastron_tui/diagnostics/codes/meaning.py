@@ -51,6 +51,29 @@ NOT_PROVIDING = Code(
     good=f"{ADDER}adder stop_service 'add'\n",
 )
 
+NOTHING_TO_RENAME = Code(
+    "nothing-to-rename",
+    "A node is to call something by another name that it does not have, or whose name its file "
+    "does not say.",
+    bad=f"{LISTENER}listener renames topic 'chater' to 'gossip'\n",
+    good=f"{LISTENER}listener renames topic 'chatter' to 'gossip'\n",
+)
+
+NAME_TAKEN = Code(
+    "name-taken",
+    "Something of a node is to get a name that another one of its kind has.",
+    bad=f"{LISTENER}subscribe listener to 'gossip' of message_type String\n"
+    "listener renames topic 'chatter' to 'gossip'\n",
+    good=f"{LISTENER}listener renames topic 'chatter' to 'gossip'\n",
+)
+
+UNKNOWN_NAME_KIND = Code(
+    "unknown-name-kind",
+    "What `renames` gives a name to is a topic, a service, an action or a parameter.",
+    bad=f"{LISTENER}listener renames topik 'chatter' to 'gossip'\n",
+    good=f"{LISTENER}listener renames topic 'chatter' to 'gossip'\n",
+)
+
 NOT_REQUESTING = Code(
     "not-requesting",
     "A node is to give up a service that it does not request.",

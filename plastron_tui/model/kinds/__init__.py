@@ -13,7 +13,7 @@ from typing import TypeVar
 from plastron_tui.diagnostics import codes
 from plastron_tui.language import statements as st
 from plastron_tui.ros.interfaces import InterfaceKind
-from plastron_tui.ros.names import check_service_name
+from plastron_tui.ros.names import check_parameter_name, check_service_name
 
 from .client import Client, request
 from .facts import INTERFACES, Editing, Facts
@@ -48,6 +48,7 @@ __all__ = [
     "Service",
     "Subscription",
     "callback_of",
+    "is_sending",
     "kind_of",
 ]
 
@@ -176,7 +177,15 @@ class EndpointKind(str, Enum):
         ),
     )
     TIMER = "timers", Facts(verb="has a timer of", named=None, interface=None, calls_back=True)
-    PARAMETER = "parameters", Facts(verb="uses the parameter", named="name", interface=None)
+    PARAMETER = (
+        "parameters",
+        Facts(
+            verb="uses the parameter",
+            named="name",
+            check_name=check_parameter_name,
+            interface=None,
+        ),
+    )
 
     @property
     def word(self) -> str:
@@ -202,6 +211,15 @@ _KINDS = {kind.editing.endpoint: kind for kind in EDITABLE}
 def kind_of(endpoint: type[Endpoint]) -> EndpointKind:
     """Return the kind that a class of endpoints is of."""
     return _KINDS[endpoint]
+
+
+def is_sending(endpoint: Endpoint) -> bool:
+    """Tell whether the program sends something through an endpoint."""
+    match endpoint:
+        case Publisher(publications=sent) | Client(requests=sent):
+            return bool(sent)
+        case _:
+            return False
 
 
 def callback_of(endpoint: Endpoint) -> str | None:

@@ -12,6 +12,7 @@ from plastron_tui.model.kinds import (
     Service,
     Subscription,
     callback_of,
+    is_sending,
     kind_of,
 )
 from plastron_tui.model.source import EndpointKind
@@ -81,8 +82,7 @@ def plan_addition(
     if place is None:
         message = f"the file has no line behind which it could create `{name}`"
         raise CannotAddError(codes.EDIT_REFUSED, message, endpoint.span)
-    sends = isinstance(endpoint, Publisher) and bool(endpoint.publications)
-    if sends or (isinstance(endpoint, Client) and endpoint.requests):
+    if is_sending(endpoint):
         place = running_place(node, place)
     added = Addition.at(place, analysis, kind, endpoint, catalog, dialect)
     writer = added.writer

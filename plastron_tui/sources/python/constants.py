@@ -65,17 +65,25 @@ class Names(Protocol):
 
 
 class Constants:
-    """Folds the expressions of one file."""
+    """Folds the expressions of one file.
 
-    def __init__(self, names: Names, syntax: Syntax, scopes: ScopeTree) -> None:
+    `trace` gets the expressions that were folded on the way, but for the names of parameters.
+    """
+
+    def __init__(
+        self, names: Names, syntax: Syntax, scopes: ScopeTree, trace: list[Node] | None = None
+    ) -> None:
         self._names = names
         self._syntax = syntax
         self._scopes = scopes
+        self._trace = trace
 
     def fold(self, node: Node | None, scope: Scope, depth: int = 0) -> Folded:
         """Return the constant that an expression is."""
         if node is None or depth > MOST_DEEP or not self._names.effort.spend():
             return None
+        if self._trace is not None:
+            self._trace.append(node)
         handler = _FOLDERS.get(node.type)
         return handler(self, node, scope, depth + 1) if handler is not None else None
 
@@ -215,9 +223,14 @@ class Constants:
             is_call = inner is not None and inner.type == "call"
             return self._parameter_value(inner, scope, depth) if inner and is_call else None
         if name == "get_parameter":
-            wanted = self.fold(arguments.get(Argument(0, "name")), scope, depth)
+            wanted = self._name(arguments, scope, depth)
             return self._declared_default(wanted, depth) if wanted is not None else None
         return None
+
+    def _name(self, arguments: Arguments, scope: Scope, depth: int) -> Folded:
+        """Return the name of a parameter."""
+        plain = self if self._trace is None else Constants(self._names, self._syntax, self._scopes)
+        return plain.fold(arguments.get(Argument(0, "name")), scope, depth)
 
     def _declared_default(self, wanted: Known | Defaulted, depth: int) -> Folded:
         found: set[Folded] = set()
@@ -226,7 +239,7 @@ class Constants:
                 return None
             scope = self._scopes.at(call.start_byte)
             arguments = Arguments.of(call, self._syntax)
-            if self.fold(arguments.get(Argument(0, "name")), scope, depth) == wanted:
+            if self._name(arguments, scope, depth) == wanted:
                 found.add(self.fold(arguments.get(Argument(1, "value")), scope, depth))
         return _defaulted(found.pop()) if len(found) == 1 else None
 

@@ -2,24 +2,36 @@
 
 from __future__ import annotations
 
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
-from plastron_tui.model.kinds import Client, Endpoint, Publisher, Service, Subscription
-from plastron_tui.model.source import Add, Change, Remove, Update
+from plastron_tui.model.kinds import (
+    Client,
+    Endpoint,
+    EndpointKind,
+    Publisher,
+    Service,
+    Subscription,
+    callback_of,
+    is_sending,
+    kind_of,
+)
+from plastron_tui.model.source import Add, Change, Remove, Rename, Update
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceName
 
 from .adding import plan_addition
-from .analysis import Analysis
+from .analysis import Analysis, Site
 from .dialect import Dialect
 from .imports import unused_imports
+from .lost import options_of, written_anew
 from .messages import CannotAddError
 from .nodes import group, labels_of, part_of
 from .removal import find_sites, plan_removal
+from .renaming import NotNamedError, plan_names
 from .replacing import NotInPlaceError
 from .sites import analyze
 from .splices import apply, delete_statements
@@ -75,6 +87,16 @@ def _manner(endpoint: Endpoint) -> _Manner:
     return _Manner(type(endpoint), endpoint.type, callback is not None, messages)
 
 
+_Type = tuple[EndpointKind, InterfaceName | None]
+
+
+class _Dropped(NamedTuple):
+    """What the calls of an endpoint said that was taken out."""
+
+    name: str
+    options: list[str]
+
+
 @dataclass(slots=True)
 class Edits:
     """Changes on their way into a file.
@@ -99,6 +121,7 @@ class Edits:
     _work: int = 0
     _alike: set[_Manner] = field(default_factory=set)
     _last: tuple[Analysis, Writer] | None = None
+    _dropped: dict[_Type, list[_Dropped]] = field(default_factory=lambda: defaultdict(list))
 
     def make(self, changes: Sequence[Change]) -> None:
         """Make changes, in their order.
@@ -108,6 +131,9 @@ class Edits:
             RefusedError: an endpoint is in use, or the changes take too long.
             UnicodeEncodeError: the file's encoding has not what is to be written.
         """
+        renames = [change for change in changes if isinstance(change, Rename)]
+        if renames:
+            self._rename(renames)
         at = 0
         while at < len(changes):
             change = changes[at]
@@ -118,10 +144,35 @@ class Edits:
             at += 1
             if isinstance(change, Remove):
                 self._remove(change)
-            else:
+            elif isinstance(change, Update):
                 self._update(change)
 
+    def _rename(self, changes: Sequence[Rename]) -> None:
+        """Give endpoints other names, all at once."""
+        before, wanted = self.analysis, {}
+        for change in changes:
+            sites = find_sites(part_of(before, change.node), change)
+            if not sites:
+                raise _not_there(change)
+            wanted.update(dict.fromkeys(sites, change.to))
+        try:
+            renaming = plan_names(before, wanted)
+        except NotNamedError as error:
+            raise _not_named(error.site, changes) from None
+        labels = labels_of(before)
+        for site, name in zip(renaming.lost, renaming.names, strict=True):
+            kind, _, type_, callback = key_of(site.endpoint)
+            label = labels.get(site, "")
+            self.expected.subtract([(label, key_of(site.endpoint))])
+            self.expected[label, (kind, name, type_, callback)] += 1
+        self._read(before.syntax.text)
+        self.analysis = analyze(apply(before.syntax.text, renaming.splices), before.library)
+
     def _remove(self, change: Remove) -> None:
+        for site in find_sites(part_of(self.analysis, change.node), change):
+            if options := options_of(self.analysis, site):
+                dropped = _Dropped(change.name, options)
+                self._dropped[change.kind, site.endpoint.type].append(dropped)
         text = _removed(self.analysis, change, self.expected)
         self._read(text)
         self.analysis = analyze(text, self.analysis.library)
@@ -136,13 +187,23 @@ class Edits:
         label = self._label(change)
         for writer in writers:
             self.expected.update((label, key) for key in writer.endpoints)
+        self._tell_dropped(change.endpoint)
         self._read(text)
         self.analysis = analyze(text, self.analysis.library)
         return len(writers)
 
+    def _tell_dropped(self, endpoint: Endpoint) -> None:
+        """Tell what was said of an endpoint that another one seems to take the place of."""
+        for name, options in self._dropped.pop((kind_of(type(endpoint)), endpoint.type), ()):
+            listed = ", ".join(f"`{option}`" for option in options)
+            message = f"{listed} of `{name}` is not kept for `{endpoint.name}`"
+            self.notes.append(written_anew(message, endpoint, name))
+
     def _update(self, change: Update) -> None:
         """Change an endpoint in place; take it out and write it anew where that cannot be."""
         before, expected = self.analysis, self.expected.copy()
+        if self._differs_in_name(change) and self._has_renamed(change):
+            return
         try:
             self._update_in_place(change)
         except (CannotAddError, NotInPlaceError):
@@ -150,6 +211,26 @@ class Edits:
             remove, add = change.apart
             self._remove(remove)
             self._add(add)
+
+    def _differs_in_name(self, change: Update) -> bool:
+        """Whether all call sites of an endpoint are as it shall be, but for the name."""
+        endpoint, callback = change.endpoint, callback_of(change.endpoint)
+        sites = find_sites(part_of(self.analysis, change.node), change)
+        return (
+            endpoint.name != change.name
+            and not is_sending(endpoint)
+            and all(site.endpoint.type == endpoint.type for site in sites)
+            and all(callback in (None, site.endpoint.callback) for site in sites)
+        )
+
+    def _has_renamed(self, change: Update) -> bool:
+        """Change the name alone, and tell whether that could be done."""
+        rename = Rename(change.kind, change.name, change.endpoint.name, change.span, change.node)
+        try:
+            self._rename([rename])
+        except RefusedError:
+            return False
+        return True
 
     def _update_in_place(self, change: Update) -> None:
         before = self.analysis
@@ -235,13 +316,27 @@ class Edits:
             raise RefusedError(Diagnostic(codes.EDIT_REFUSED, message, help=remedy))
 
 
+def _not_there(change: Remove | Rename) -> RefusedError:
+    message = f"the file has no {change.kind.word} `{change.name}`"
+    return RefusedError(Diagnostic(codes.EDIT_REFUSED, message, change.span))
+
+
+def _not_named(site: Site, changes: Sequence[Rename]) -> RefusedError:
+    kind, name = site.endpoint.kind, site.endpoint.name or site.endpoint.default
+    spans = [each.span for each in changes if (each.kind, each.name) == (kind, name)]
+    message = f"line {site.endpoint.line} does not say the name of the {kind.word} `{name}` itself"
+    remedy = f"change by hand what `{site.endpoint.expression}` is"
+    return RefusedError(
+        Diagnostic(codes.EDIT_REFUSED, message, next(iter(spans), None), help=remedy)
+    )
+
+
 def _removed(analysis: Analysis, change: Remove, expected: Found) -> bytes:
     """Return the text without an endpoint."""
     kind = change.kind.word
     sites = find_sites(part_of(analysis, change.node), change)
     if not sites:
-        message = f"the file has no {kind} `{change.name}`"
-        raise RefusedError(Diagnostic(codes.EDIT_REFUSED, message, change.span))
+        raise _not_there(change)
     removal = plan_removal(analysis, sites)
     if removal.lines:
         listed = sorted(removal.lines)

@@ -53,6 +53,7 @@ class Resolver:
         self._calls = calls
         self._calls_of: dict[str, list[Node]] | None = None
         self._words: Counter[bytes] | None = None
+        self._trace: list[Node] | None = None
         self.classes = Classes(syntax, scopes)
         self._distinct_of: dict[tuple[Scope, str], list[Binding]] = {}
         self._foreign: dict[Scope, list[str]] = {}
@@ -295,7 +296,18 @@ class Resolver:
     def fold(self, node: Node | None, scope: Scope, depth: int = 0) -> Folded:
         """Return the constant that an expression is."""
         # Not kept: each would hold the other, and only the cycle collector would free them.
-        return Constants(self, self._syntax, self._scopes).fold(node, scope, depth)
+        constants = Constants(self, self._syntax, self._scopes, self._trace)
+        return constants.fold(node, scope, depth)
+
+    def read_for(self, node: Node, scope: Scope) -> list[Node]:
+        """Return the expressions that decide which constant an expression is."""
+        trace: list[Node] = []
+        self._trace = trace
+        try:
+            self.fold(node, scope)
+        finally:
+            self._trace = None
+        return trace
 
     def calls_of(self, name: str) -> list[Node]:
         """Return the calls whose callee ends in a name."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tree_sitter import Node
 
-from plastron_tui.model.source import EndpointKind, Remove, Update
+from plastron_tui.model.source import EndpointKind, Remove, Rename, Update
 
 from .analysis import Analysis, Site
 from .arguments import Arguments
@@ -25,9 +25,10 @@ from .references import (
 )
 from .scopes import BindingKind, Scope
 from .splices import Splice, delete_statements
+from .unused_locals import unused_locals
 
 
-def find_sites(analysis: Analysis, change: Remove | Update) -> list[Site]:
+def find_sites(analysis: Analysis, change: Remove | Update | Rename) -> list[Site]:
     """Return the call sites of the endpoint that a change names."""
     of_kind = [site for site in analysis.sites if site.endpoint.kind is change.kind]
     named = [site for site in of_kind if site.endpoint.name == change.name]
@@ -46,6 +47,8 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
     if removal.lines:
         return removal
     removal.statements += [statement for statement, _ in waits(analysis, sites)]
+    gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
+    removal.statements += unused_locals(analysis, gone)
     gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
     callbacks = stub_callbacks(analysis, removal.sites, gone)
     removal.statements += callbacks

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from tree_sitter import Node
 
-from plastron_tui.model.kinds import Client, Publication, Publisher
+from plastron_tui.model.kinds import Client, Publication, Publisher, is_sending
 from plastron_tui.model.values import MessageValue
 from plastron_tui.ros.interfaces import Interface
 
@@ -16,6 +16,7 @@ from .addition import Addition
 from .analysis import Analysis, Site
 from .creation import Removal, remove_creation
 from .generated import is_docstring, is_own_call
+from .lost import is_computed, written_anew
 from .rates import Pace, is_shared, loop_pace, timer_pace
 from .references import Reference, Use, Variable, identifiers, references
 from .removal import remove_uses, timers_of
@@ -23,6 +24,7 @@ from .replacing import NotInPlaceError, Replacement
 from .sending import is_loop, is_sleep
 from .splices import delete_statements
 from .syntax import parts_of
+from .unused_locals import unused_locals
 from .writing import key_of
 
 _CALLS = frozenset({"call", "call_async"})
@@ -37,8 +39,7 @@ def resend(update: Replacement, interface: Interface) -> None:
         NotInPlaceError: something is done with the endpoint that nobody can take back.
     """
     endpoint = update.added.endpoint
-    is_sending = isinstance(endpoint, Publisher) and bool(endpoint.publications)
-    if not is_sending and not (isinstance(endpoint, Client) and endpoint.requests):
+    if not is_sending(endpoint):
         return
     variable, uses = _uses(update)
     if isinstance(endpoint, Publisher):
@@ -46,8 +47,12 @@ def resend(update: Replacement, interface: Interface) -> None:
     else:
         assert isinstance(endpoint, Client), "only publishers and clients send"
         is_done = _request(update, variable, interface, endpoint.requests)
+    if isinstance(endpoint, Publisher):
+        _tell_computed(update, variable)
     if not is_done:
-        update.splices += delete_statements(update.analysis.syntax.text, uses.statements)
+        text, analysis = update.analysis.syntax.text, update.analysis
+        unused = unused_locals(analysis, delete_statements(text, uses.statements))
+        update.splices += delete_statements(text, [*uses.statements, *unused])
         update.lost += uses.sites[1:]
         update.is_silent = True
 
@@ -66,6 +71,19 @@ def _uses(update: Replacement) -> tuple[Variable, Removal]:
     created = {statement.id for statement in creation.statements}
     uses.statements = [each for each in uses.statements if each.id not in created]
     return variables[0], uses
+
+
+def _tell_computed(update: Replacement, variable: Variable) -> None:
+    """Tell that what the node worked out is sent no more."""
+    analysis, old = update.analysis, update.site.endpoint
+    for reference in references(variable, analysis):
+        call = reference.node.parent.parent if reference.node.parent is not None else None
+        given = _only_argument(call) if reference.use is Use.PUBLISH else None
+        if given is not None and is_computed(analysis, given):
+            endpoint = update.added.endpoint
+            written = " ".join(analysis.syntax.slice(given).split())
+            message = f"`{endpoint.name}` no longer sends `{written}`, which the node works out"
+            update.notes.append(written_anew(message, endpoint, old.name or old.default or ""))
 
 
 class _Sent(NamedTuple):
@@ -92,9 +110,12 @@ def _publish(update: Replacement, variable: Variable, publications: Sequence[Pub
             return False
     if not _repace(update, sent, publications):
         return False
+    before = len(update.splices)
     for each, publication in zip(sent, publications, strict=True):
         _stand(added, each.expression)
         update.put(each.expression, added.messages.message(publication.message.value))
+    unused = unused_locals(analysis, update.splices[before:])
+    update.splices += delete_statements(analysis.syntax.text, unused)
     added.stand(is_nested=True)
     return True
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from tree_sitter import Node
 
 from plastron_tui.diagnostics import Diagnostic, codes
@@ -19,14 +17,12 @@ from .conventions import target_name
 from .dialect import Dialect
 from .generated import body_of, is_stub
 from .insertion_point import beside
-from .removal import callback_scope, find_sites, stub_callbacks, waits
+from .removal import callback_scope, find_sites, stub_callbacks
+from .renaming import NotNamedError, plan_names
 from .replacing import NotInPlaceError, Replacement
 from .scopes import BindingKind, Scope
 from .sent_messages import resend
 from .splices import Splice, delete_statements
-
-# What stands in a string as it is, whatever its quotes and its prefix.
-_PLAIN = re.compile(r"[A-Za-z0-9_/~.\-]+")
 
 
 def plan_update(
@@ -75,25 +71,12 @@ def _rename(update: Replacement, name: str) -> str:
     wanted, found = update.added.name, update.site.endpoint
     if wanted == name:
         return found.expression if found.name is None else found.name
-    given = [update.site.arguments.get(update.site.shape.name)]
-    # A node that waited for a service of the old name would wait for ever.
-    given += [argument for _, argument in waits(update.analysis, [update.site])]
-    for node in given:
-        if node is None or not _PLAIN.fullmatch(wanted):
-            raise NotInPlaceError
-        _put_in_string(update, node, name, wanted)
-    return wanted
-
-
-def _put_in_string(update: Replacement, node: Node, old: str, new: str) -> None:
-    """Replace what a literal holds; its quotes stay."""
-    syntax = update.analysis.syntax
-    if node.type != "string" or node.child_count < 2:
-        raise NotInPlaceError
-    start, end = node.children[0].end_byte, node.children[-1].start_byte
-    if syntax.between(start, end) != old:
-        raise NotInPlaceError
-    update.splices.append(Splice(start, end, syntax.encode(new)))
+    try:
+        renaming = plan_names(update.analysis, {update.site: wanted})
+    except NotNamedError:
+        raise NotInPlaceError from None
+    update.splices += renaming.splices
+    return renaming.names[0]
 
 
 def _retype(update: Replacement, interface: Interface) -> None:

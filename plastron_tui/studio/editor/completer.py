@@ -8,10 +8,11 @@ from plastron_tui.diagnostics import Span
 from plastron_tui.language.expectations import Expectation
 from plastron_tui.language.lowering import lower
 
-from .completion import Vocabulary, candidates, candidates_by_purpose, detail_of
+from .completion import candidates, candidates_by_purpose, detail_of
 from .history import Selection
 from .state import TextState
 from .view import EditorView
+from .vocabulary import Vocabulary
 
 if TYPE_CHECKING:
     from plastron_tui.session import Session

@@ -4,23 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import islice
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
-from plastron_tui.language import Program, SlotKind
-from plastron_tui.language import statements as st
+from plastron_tui.language import SlotKind
 from plastron_tui.language.expectations import Expectation
 from plastron_tui.language.keywords import BY_KEYWORD
-from plastron_tui.model.kinds import EDITABLE, INTERFACES
+from plastron_tui.model.kinds import INTERFACES
 from plastron_tui.ros.interfaces import Field, InterfaceKind
 from plastron_tui.session import Session
 from plastron_tui.targets import LIBRARIES, languages, ros_version
 
+from .vocabulary import Vocabulary
+
 if TYPE_CHECKING:
     from plastron_tui.model.types import TypeResolver
-    from plastron_tui.model.workspace import Workspace
     from plastron_tui.ros.catalog import Catalog
 
 MOST_OFFERED = 200
@@ -41,100 +40,6 @@ class Candidate:
     text: str
     detail: str = ""
     after: str = ""
-
-
-class Vocabulary:
-    """The names of a program, as it was when it was last understood."""
-
-    def __init__(self, program: Program, workspace: Workspace) -> None:
-        self._program = program
-        self._workspace = workspace
-
-    @cached_property
-    def _names(self) -> Mapping[str, dict[str, str]]:
-        nodes: dict[str, str] = {}
-        messages: dict[str, str] = {}
-        topics: dict[str, str] = {}
-        services: dict[str, str] = {}
-        libraries: dict[str, str] = {}
-        known_topics, known_services = self._known
-        for statement in self._program.statements:
-            match statement:
-                case st.CreateNode(name=name, variable=variable, library=library):
-                    nodes[variable] = f"node '{name}'"
-                    if library is not None:
-                        libraries[variable] = library
-                case st.Load(source=source, variable=variable):
-                    nodes[variable] = f"node from {source}"
-                case st.CreateMessage(variable=variable, type=type_):
-                    messages[variable] = type_
-                case st.Subscribe(topic=topic, type=type_) | st.Publish(topic=topic, type=type_):
-                    if _agrees(type_, known_topics.get(topic)):
-                        topics.setdefault(topic, type_)
-                case (
-                    st.ProvidesService(service=service, type=type_)
-                    | st.ClientRequests(service=service, type=type_)
-                ):
-                    if _agrees(type_, known_services.get(service)):
-                        services.setdefault(service, type_)
-        topics = {**known_topics, **topics}
-        services = {**known_services, **services}
-        return {
-            "nodes": nodes,
-            "messages": messages,
-            "topics": topics,
-            "services": services,
-            "libraries": libraries,
-        }
-
-    @property
-    def _known(self) -> tuple[dict[str, str], dict[str, str]]:
-        """The topics and the services that have effect, by their full types."""
-        topics: dict[str, str] = {}
-        services: dict[str, str] = {}
-        for node in self._workspace.nodes.values():
-            for kind, found in node.by_kind.items():
-                known = topics if kind.facts.interface is InterfaceKind.MESSAGE else services
-                for name, endpoint in found.items():
-                    known.setdefault(name, str(endpoint.type or ""))
-        return topics, services
-
-    @property
-    def nodes(self) -> dict[str, str]:
-        """The variables of nodes, and what each is."""
-        return self._names["nodes"]
-
-    @property
-    def messages(self) -> dict[str, str]:
-        """The variables of messages, and the type of each as it is written."""
-        return self._names["messages"]
-
-    @property
-    def topics(self) -> dict[str, str]:
-        """The topics, and the type of each as it is written, empty where it is unknown."""
-        return self._names["topics"]
-
-    @property
-    def services(self) -> dict[str, str]:
-        """The services, and the type of each as it is written, empty where it is unknown."""
-        return self._names["services"]
-
-    def library(self, variable: str) -> str | None:
-        """Return the client library that a node names."""
-        return self._names["libraries"].get(variable)
-
-    def endpoints(self, variable: str, keyword: str) -> Iterable[str]:
-        """Return what a statement that takes something away from a node may name."""
-        node = self._workspace.nodes.get(variable)
-        if node is None:
-            return ()
-        ended = (kind for kind in EDITABLE if kind.editing.ending.keyword == keyword)
-        return next((node.by_kind[kind] for kind in ended), ())
-
-
-def _agrees(written: str, known: str | None) -> bool:
-    """Tell whether a type as it is written is the one that is known; a half-typed one is not."""
-    return not known or written.rpartition("/")[2] == known.rpartition("/")[2]
 
 
 def candidates(expected: Expectation, vocabulary: Vocabulary, session: Session) -> list[Candidate]:
@@ -207,6 +112,13 @@ def _of_slot(
             yield from _graph_names(expected, vocabulary, vocabulary.services, "service_type")
         case SlotKind.MESSAGE_TYPE | SlotKind.SERVICE_TYPE:
             yield from _types(expected, vocabulary, session, INTERFACES[kind])
+        case SlotKind.NAMED:
+            yield from (Candidate(word) for word in vocabulary.renamable(_node_of(expected)))
+        case SlotKind.OLD_NAME:
+            names = vocabulary.named(_node_of(expected), expected.filled.get("what", ""))
+            yield from (Candidate(f"'{name}'", "", " to") for name in names)
+        case SlotKind.NEW_NAME:
+            yield from _other_names(expected, vocabulary)
         case SlotKind.LIBRARY:
             yield from (Candidate(name, f"ROS {ros_version(name)}") for name in LIBRARIES)
         case SlotKind.FILE:
@@ -239,6 +151,19 @@ def _graph_names(
     for name, type_ in sorted(names.items(), key=lambda entry: entry[1] != message):
         after = f" of {word} {type_}" if wants_type and type_ else ""
         yield Candidate(f"'{name}'", type_, after)
+
+
+def _node_of(expected: Expectation) -> str:
+    """Return the variable of the node that a statement is about, as far as it is written."""
+    return expected.filled.get("node", "")
+
+
+def _other_names(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate]:
+    """Offer the names at which others may be met, but for those that the node has itself."""
+    what = expected.filled.get("what", "")
+    known = {"topic": vocabulary.topics, "service": vocabulary.services}.get(what, {})
+    own = vocabulary.named(_node_of(expected), what)
+    yield from (Candidate(f"'{name}'", type_) for name, type_ in known.items() if name not in own)
 
 
 def _catalog(expected: Expectation, vocabulary: Vocabulary, session: Session) -> Catalog:

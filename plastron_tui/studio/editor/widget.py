@@ -21,7 +21,6 @@ from ..delay import Delay
 from . import line_commands, text_commands
 from .commands import BY_NAME, COMMANDS
 from .completer import Completer
-from .completion import Vocabulary
 from .finder import Finder
 from .highlights import LONGEST
 from .history import Selection
@@ -30,6 +29,7 @@ from .popup import Popup
 from .state import TextState
 from .statement_help import help_of
 from .view import EditorView
+from .vocabulary import Vocabulary
 
 if TYPE_CHECKING:
     from plastron_tui.language import Program

@@ -24,6 +24,7 @@ from .goals import maker_of
 from .kind import Kind
 from .libraries import LibraryKind
 from .node_files import FileKind, NodeOfFileKind
+from .rename_kinds import NamedKind, NewNameKind, OldNameKind
 from .type_kinds import TypeKind, name_for_type
 
 MOST_TRIALS = 12
@@ -349,5 +350,8 @@ KINDS: Mapping[SlotKind, Kind] = {
     SlotKind.LIBRARY: LibraryKind(),
     SlotKind.FILE: FileKind(),
     SlotKind.NODE_OF_FILE: NodeOfFileKind(),
+    SlotKind.NAMED: NamedKind(),
+    SlotKind.OLD_NAME: OldNameKind(),
+    SlotKind.NEW_NAME: NewNameKind(),
 }
 """What each kind of slot offers."""

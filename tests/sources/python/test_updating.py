@@ -230,19 +230,35 @@ SMALL = {
         "-        self.call(c, SetBoolRequest(data=True))\n"
         "+        self.call(c, SetBoolRequest(data=False))",
     ),
+    "a name that is put together": (
+        "rospy.Subscriber('' + 'a', String, queue_size=3)\n",
+        TOPIC,
+        "-rospy.Subscriber('' + 'a', String, queue_size=3)\n"
+        "+rospy.Subscriber('' + 'b', String, queue_size=3)",
+    ),
+    "a name that a constant says": (
+        "A = 'a'\nrospy.Subscriber(A, String, queue_size=3)\n", TOPIC, "-A = 'a'\n+A = 'b'",
+    ),
+    "a name that a constant says to others too": (
+        "A = 'a'\nrospy.Subscriber(A, String, queue_size=3)\nprint(A)\n",
+        TOPIC,
+        "-rospy.Subscriber(A, String, queue_size=3)\n"
+        "+rospy.Subscriber('b', String, queue_size=3)",
+    ),
+    "a name that a caller gives": (
+        "def make(name):\n    return rospy.Subscriber(name, String)\nmake('a')\n",
+        TOPIC,
+        "-make('a')\n+make('b')",
+    ),
+    "several calls of one name get another": (
+        "rospy.Subscriber('a', String, f)\nrospy.Subscriber('a', String, f, queue_size=3)\n",
+        f"{TOPIC} calling f",
+        "-rospy.Subscriber('a', String, f)\n-rospy.Subscriber('a', String, f, queue_size=3)\n"
+        "+rospy.Subscriber('b', String, f)\n+rospy.Subscriber('b', String, f, queue_size=3)",
+    ),
 }  # fmt: skip
 
 ANEW = {
-    "a name that is computed": (
-        "rospy.Subscriber(ns + 'a', String, queue_size=3)\n".replace("ns", "''"),
-        TOPIC,
-        f"{ON_B}\n-rospy.Subscriber('' + 'a', String, queue_size=3)",
-    ),
-    "a name that a constant says": (
-        "A = 'a'\nrospy.Subscriber(A, String, queue_size=3)\nprint(A)\n",
-        TOPIC,
-        f"{ON_B}\n-rospy.Subscriber(A, String, queue_size=3)",
-    ),
     "a type that a constant says": (
         "T = String\nrospy.Subscriber('a', T, queue_size=3)\n",
         TYPE,
@@ -276,9 +292,6 @@ ANEW = {
 }  # fmt: skip
 
 REFUSED = {
-    "what a wrapper makes": (
-        "def make(name):\n    return rospy.Subscriber(name, String)\nmake('a')\n", TOPIC,
-    ),
     "what is used": ("p = rospy.Publisher('a', String)\nprint(p.impl)\np.publish('a')\n", SEND),
 }  # fmt: skip
 

@@ -8,7 +8,8 @@ from textual.geometry import Offset
 
 from plastron_tui.language.expectations import expected_at
 from plastron_tui.session import Session
-from plastron_tui.studio.editor.completion import Candidate, Vocabulary, candidates, detail_of
+from plastron_tui.studio.editor.completion import Candidate, candidates, detail_of
+from plastron_tui.studio.editor.vocabulary import Vocabulary
 
 PROGRAM = """\
 create_node 'talker' as talker

@@ -1,0 +1,99 @@
+"""Giving something of a node another name, with everything else about it as it is."""
+
+from __future__ import annotations
+
+from plastron_tui.diagnostics import Diagnostic, Label, codes, guess
+from plastron_tui.language import statements as st
+
+from .kinds import EndpointKind, kind_of
+from .mistake import Mistake
+from .run import Run
+from .workspace import Node
+
+RENAMED: dict[str, tuple[EndpointKind, ...]] = {
+    word: tuple(kind for kind in EndpointKind if word in (kind.facts.named, kind.word))
+    for word in ("topic", "service", "action", "parameter")
+}
+"""The words of `renames`, and the kinds of endpoints whose names each is for."""
+
+
+def rename(run: Run, statement: st.Rename) -> None:
+    """Give a topic, service, action or parameter of a node another name, on both its sides."""
+    node = run.checks.node(statement)
+    kinds, version = _kinds(statement), run.checks.version_of(node)
+    old, new = statement.old, statement.new
+    run.checks.name(statement, "new", new, version, kinds[0].facts.check_name)
+    having = [kind for kind in kinds if old in node.names(kind)]
+    if not having:
+        raise _not_there(run, statement, node, kinds)
+    _check_free(run, statement, node, having)
+    _move(run, statement, node, having)
+    for kind in having:
+        node.rename(kind, old, new, statement.span)
+
+
+def _move(run: Run, statement: st.Rename, node: Node, kinds: list[EndpointKind]) -> None:
+    """Let a node use the new name instead of the old one, if that is of the same type to all."""
+    version, agreements = run.checks.version_of(node), run.agreements
+    found = (node.by_kind.get(kind, {}).get(statement.old) for kind in kinds)
+    typed = [each for each in found if each is not None and each.type is not None]
+    for each in typed:
+        agreements.leave(node, version, kind_of(type(each)), statement.old)
+    named = [each._replace(name=statement.new) for each in typed]
+    conflicts = [agreements.join(node, version, each, statement) for each in named]
+    conflict = next((each for each in conflicts if each is not None), None)
+    if conflict is not None:
+        for each in typed:
+            agreements.leave(node, version, kind_of(type(each)), statement.new)
+            agreements.join(node, version, each, statement)
+        raise Mistake(conflict._replace(span=statement.span_of("new"), fix=None))
+
+
+def _kinds(statement: st.Rename) -> tuple[EndpointKind, ...]:
+    kinds = RENAMED.get(statement.what)
+    if kinds is not None:
+        return kinds
+    where = statement.span_of("what")
+    remedy, fix = guess(statement.what, RENAMED, where)
+    raise Mistake(
+        Diagnostic(
+            codes.UNKNOWN_NAME_KIND,
+            f"`{statement.what}` is nothing that has a name in ROS",
+            where,
+            help=remedy or f"there are {', '.join(RENAMED)}",
+            fix=fix,
+        )
+    )
+
+
+def _not_there(
+    run: Run, statement: st.Rename, node: Node, kinds: tuple[EndpointKind, ...]
+) -> Mistake:
+    if run.consequences.explains(node, statement.old):
+        return Mistake()
+    where = statement.span_of("old")
+    names = dict.fromkeys(name for kind in kinds for name in node.names(kind))
+    remedy, fix = guess(statement.old, names, where, is_quoted=True)
+    message = f"`{node.variable}` has no {statement.what} `{statement.old}`"
+    return Mistake(Diagnostic(codes.NOTHING_TO_RENAME, message, where, help=remedy, fix=fix))
+
+
+def _check_free(run: Run, statement: st.Rename, node: Node, kinds: list[EndpointKind]) -> None:
+    """Check that a node has nothing of the new name and the same kind."""
+    new = statement.new
+    taken = next((kind for kind in kinds if new in node.names(kind)), None)
+    if taken is None:
+        return
+    if run.consequences.explains(node, new):
+        raise Mistake
+    endpoint = node.by_kind.get(taken, {}).get(new)
+    span = None if endpoint is None else endpoint.span
+    raise Mistake(
+        Diagnostic(
+            codes.NAME_TAKEN,
+            f"`{node.variable}` {taken.facts.verb} `{new}` already",
+            statement.span_of("new"),
+            help="one of the two has to get another name, or to go",
+            labels=() if span is None else (Label(span, "here"),),
+        )
+    )

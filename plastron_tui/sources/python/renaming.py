@@ -1,0 +1,187 @@
+"""Giving endpoints other names, where the file says the names they have."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from tree_sitter import Node
+
+from .analysis import Analysis, Site
+from .constants import Known
+from .conventions import conventions_of
+from .references import Use, references, variable_of
+from .removal import waits
+from .scopes import BindingKind, Scope
+from .splices import Splice, apply
+
+# What stands in a string as it is, whatever its quotes and its prefix.
+_PLAIN = re.compile(r"[A-Za-z0-9_/~.\-]+")
+
+
+class NotNamedError(Exception):
+    """A call site whose name the file decides in a way that no edit can follow."""
+
+    def __init__(self, site: Site) -> None:
+        super().__init__()
+        self.site = site
+
+
+class Renaming(NamedTuple):
+    """Other names on their way into a file.
+
+    Attributes:
+        splices: what writes them.
+        lost: the call sites that a reader no longer finds as they were.
+        names: what a reader finds as the name of each instead.
+    """
+
+    splices: list[Splice]
+    lost: list[Site]
+    names: list[str]
+
+
+@dataclass(frozen=True, slots=True)
+class _Said:
+    """An expression that gives a call site its name, or one that waits for it.
+
+    Attributes:
+        site: the call site.
+        node: the expression.
+        new: the name that it is to give.
+        is_own: whether the expression may say the name itself instead: no parameter, of the node
+            or of a function, decides it.
+        literals: the strings that decide it.
+        handed: the variables that hand it on, where they do so.
+    """
+
+    site: Site
+    node: Node
+    new: str
+    is_own: bool
+    literals: tuple[Node, ...]
+    handed: tuple[Node, ...]
+
+
+def plan_names(analysis: Analysis, wanted: Mapping[Site, str]) -> Renaming:
+    """Plan other names for call sites.
+
+    The strings that decide a name are changed where nothing else of the file uses them; elsewhere
+    the call says the new name itself.
+
+    Raises:
+        NotNamedError: a name comes from a parameter, and its default serves others as well.
+    """
+    said = [each for site, new in wanted.items() for each in _said(analysis, site, new)]
+    own = _deciding_alone(analysis, said)
+    texts: dict[tuple[int, int], bytes] = {}
+    for each in said:
+        is_literal = each in own
+        if not is_literal and not each.is_own:
+            raise NotNamedError(each.site)
+        for node in each.literals if is_literal else (each.node,):
+            texts[node.start_byte, node.end_byte] = _written(analysis, node, each.new, is_literal)
+    splices = [Splice(start, end, text) for (start, end), text in texts.items()]
+    names = [_found_as(analysis, site, new, splices) for site, new in wanted.items()]
+    return Renaming(splices, list(wanted), names)
+
+
+def _said(analysis: Analysis, site: Site, new: str) -> Iterable[_Said]:
+    given = site.arguments.get(site.shape.name)
+    places = [(given, site.scope)]
+    # A node that waited for a service of the old name would wait for ever.
+    places += [(node, analysis.scopes.at(node.start_byte)) for _, node in waits(analysis, [site])]
+    for node, scope in places:
+        if node is None:
+            raise NotNamedError(site)
+        yield _traced(analysis, site, new, node, scope)
+
+
+def _traced(analysis: Analysis, site: Site, new: str, node: Node, scope: Scope) -> _Said:
+    folded = analysis.resolver.fold(node, scope)
+    if folded is None or not isinstance(folded.value, str):
+        raise NotNamedError(site)
+    read = {each.id: each for each in analysis.resolver.read_for(node, scope)}.values()
+    strings = [each for each in read if each.type == "string"]
+    handed = tuple(each for each in read if _is_variable(each))
+    is_given = any(_is_parameter(analysis, each) for each in handed)
+    return _Said(
+        site,
+        node,
+        new,
+        isinstance(folded, Known) and not is_given,
+        tuple(each for each in strings if _content(analysis, each) == folded.value),
+        handed,
+    )
+
+
+def _is_variable(node: Node) -> bool:
+    """Whether an expression that was read is a variable, and not the value of a parameter."""
+    holder = node.child_by_field_name("object")
+    return node.type == "identifier" or (
+        node.type == "attribute" and holder is not None and holder.type != "call"
+    )
+
+
+def _is_parameter(analysis: Analysis, node: Node) -> bool:
+    found = analysis.scopes.at(node.start_byte).lookup(analysis.syntax.slice(node))
+    return found is not None and any(b.kind is BindingKind.PARAMETER for b in found[1])
+
+
+def _deciding_alone(analysis: Analysis, said: Sequence[_Said]) -> list[_Said]:
+    """Return those whose strings give nothing else its name, nor another one to each other."""
+    names: dict[int, set[str]] = defaultdict(set)
+    for each in said:
+        for literal in each.literals:
+            names[literal.id].add(each.new)
+    read = {node.id for each in said for node in (*each.handed, each.node)}
+    return [
+        each
+        for each in said
+        if each.literals
+        and all(len(names[literal.id]) == 1 for literal in each.literals)
+        and all(_is_used_only(analysis, variable, read) for variable in each.handed)
+    ]
+
+
+def _is_used_only(analysis: Analysis, node: Node, read: set[int]) -> bool:
+    """Whether a variable is used in some expressions alone."""
+    variable = variable_of(node, analysis)
+    return variable is not None and all(
+        use.use in (Use.BINDING, Use.NOTHING) or use.node.id in read
+        for use in references(variable, analysis)
+    )
+
+
+def _content(analysis: Analysis, string: Node) -> str | None:
+    if string.child_count < 2 or any(child.type == "interpolation" for child in string.children):
+        return None
+    return analysis.syntax.between(string.children[0].end_byte, string.children[-1].start_byte)
+
+
+def _written(analysis: Analysis, node: Node, new: str, is_literal: bool) -> bytes:
+    """Return an expression with the new name; the quotes of a literal stay."""
+    encode, between = analysis.syntax.encode, analysis.syntax.between
+    if is_literal and _PLAIN.fullmatch(new):
+        start, end = node.children[0], node.children[-1]
+        opening = between(node.start_byte, start.end_byte)
+        return encode(f"{opening}{new}{between(end.start_byte, node.end_byte)}")
+    return encode(conventions_of(analysis).string(new))
+
+
+def _found_as(analysis: Analysis, site: Site, new: str, splices: list[Splice]) -> str:
+    """Return what a reader finds as the name: the expression, where a default is in it."""
+    given = site.arguments.get(site.shape.name)
+    if site.endpoint.name is not None or given is None:
+        return new
+    syntax = analysis.syntax
+    inside = [
+        Splice(each.start - given.start_byte, each.end - given.start_byte, each.text)
+        for each in splices
+        if given.start_byte <= each.start and each.end <= given.end_byte
+    ]
+    text = syntax.text[given.start_byte : given.end_byte]
+    return apply(text, inside).decode(syntax.encoding)

@@ -1,0 +1,154 @@
+"""Names that change in a file: the strings that decide them, and nothing else."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from updates import Outcome
+
+from plastron_tui.output.writer import write
+from plastron_tui.session import Options, Session
+
+HEAD = "import rospy\nfrom std_msgs.msg import String\nfrom std_srvs.srv import Empty\n"
+TOPIC = "n renames topic 'a' to 'b/c'"
+ROSPY = {
+    "options": (
+        "rospy.Subscriber('a', String, f, (1, 2), queue_size=q, buff_size=9)  # fast\n",
+        TOPIC,
+        {"'a'": "'b/c'"},
+    ),
+    "by keyword, in the quotes that there are": (
+        'rospy.Publisher(data_class=String, name=r"a", latch=True, queue_size=1)\n',
+        TOPIC,
+        {'r"a"': 'r"b/c"'},
+    ),
+    "both sides of a topic": (
+        "p = rospy.Publisher('a', String)\nrospy.Subscriber('a', String, p.publish)\n",
+        TOPIC,
+        {"'a'": "'b/c'"},
+    ),
+    "what it sends": (
+        "p = rospy.Publisher('a', String)\nwhile not rospy.is_shutdown():\n    p.publish(work())\n",
+        TOPIC,
+        {"'a'": "'b/c'"},
+    ),
+    "a constant of both": (
+        "A = 'a'\np = rospy.Publisher(A, String)\nrospy.Subscriber(A, String, f)\n",
+        TOPIC,
+        {"'a'": "'b/c'"},
+    ),
+    "an attribute": (
+        "class C:\n    def __init__(self):\n        self.topic = 'a'\n"
+        "        rospy.Subscriber(self.topic, String, f)\n",
+        TOPIC,
+        {"'a'": "'b/c'"},
+    ),
+    "a constant of others too": (
+        "A = 'a'\nrospy.Subscriber(A, String, f)\nprint('on', A)\n",
+        TOPIC,
+        {"Subscriber(A": "Subscriber('b/c'"},
+    ),
+    "what is handed over": (
+        "class C:\n    def __init__(self, topic):\n"
+        "        rospy.Subscriber(topic, String, f)\n\n\nC('a')\n",
+        TOPIC,
+        {"'a'": "'b/c'"},
+    ),
+    "a default": (
+        "t = rospy.get_param('~topic', 'a')\nrospy.Subscriber(t, String, f)\n",
+        "n renames parameter '~topic' to '~in'",
+        {"'~topic'": "'~in'"},
+    ),
+    "all that waits for a service": (
+        "rospy.wait_for_service('a')\nc = rospy.ServiceProxy('a', Empty, persistent=True)\nc()\n",
+        "n renames service 'a' to 'b/c'",
+        {"'a'": "'b/c'"},
+    ),
+    "two change places": (
+        "rospy.Subscriber('a', String, f)\nrospy.Subscriber('b', String, g)\n",
+        "n renames topic 'a' to 'x'\nn renames topic 'b' to 'a'\nn renames topic 'x' to 'b'",
+        {"'a', String, f": "'b', String, f", "'b', String, g": "'a', String, g"},
+    ),
+    "there and back": (
+        "rospy.Subscriber('a', String, f)\n",
+        "n renames topic 'a' to 'x'\nn renames topic 'x' to 'a'",
+        {},
+    ),
+}
+
+
+@pytest.mark.parametrize("name", ROSPY)
+def test_the_name_alone_changes(tmp_path: Path, name: str) -> None:
+    body, statements, replaced = ROSPY[name]
+    outcome = Outcome(tmp_path, "rospy", HEAD + body, statements)
+    expected = body
+    for old, new in replaced.items():
+        assert old in expected
+        expected = expected.replace(old, f"\0{new}")
+    assert outcome.text == HEAD + expected.replace("\0", "")
+    assert outcome.found == []
+
+
+def test_a_name_that_is_handed_over_and_used_is_refused(tmp_path: Path) -> None:
+    body = "def make(t):\n    print(t)\n    rospy.Subscriber(t, String, f)\n\n\nmake('a')\n"
+    outcome = Outcome(tmp_path, "rospy", HEAD + body, TOPIC)
+    assert outcome.text == HEAD + body
+    (found,) = outcome.found
+    assert found.code == "edit-refused"
+    assert "line 6 does not say the name of the subscription `a` itself" in found.message
+
+
+RCLPY_HEAD = """\
+from rclpy.action import ActionClient
+from rclpy.node import Node
+from std_msgs.msg import String
+from our_msgs.action import Dock
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__("robot")
+"""
+RCLPY = {
+    "quality of service": (
+        'self.s = self.create_subscription(String, "a", self.f, qos_profile=qos, callback_group=g)',
+        TOPIC,
+        {'"a"': '"b/c"'},
+    ),
+    "an action": (
+        "self.dock = ActionClient(self, Dock, 'a')",
+        "n renames action 'a' to 'b/c'",
+        {"'a'": "'b/c'"},
+    ),
+    "a parameter, where it is declared and where it is read": (
+        "self.declare_parameter('a', 1)\n        self.get_parameter('a').value",
+        "n renames parameter 'a' to 'b.c'",
+        {"'a'": "'b.c'"},
+    ),
+}
+
+
+@pytest.mark.parametrize("name", RCLPY)
+def test_the_name_alone_changes_in_rclpy(tmp_path: Path, name: str) -> None:
+    body, statements, replaced = RCLPY[name]
+    outcome = Outcome(tmp_path, "rclpy", f"{RCLPY_HEAD}        {body}\n", statements)
+    for old, new in replaced.items():
+        body = body.replace(old, new)
+    assert outcome.text == f"{RCLPY_HEAD}        {body}\n"
+    assert outcome.found == []
+
+
+def test_among_nodes_of_one_file(tmp_path: Path) -> None:
+    make = "class {0}(Node):\n    def __init__(self):\n        super().__init__('{1}')\n"
+    make += "        self.create_subscription(String, 'a', self.f, 10)\n\n\n"
+    head = "from rclpy.node import Node\nfrom std_msgs.msg import String\n\n\n"
+    text = head + make.format("One", "one") + make.format("Two", "two")
+    file = tmp_path / "nodes.py"
+    file.write_text(text)
+    program = f"load 'nodes.py' node 'two' as n\n{TOPIC}\ngenerate_node n\n"
+    options = Options("rclpy", tmp_path / "output", in_place=True)
+    session = Session(program.encode(), tmp_path / "a.plastron", options, environ={})
+    write(session.plan()[0])
+    first, second = text.split("class Two")
+    assert file.read_text() == first + "class Two" + second.replace("'a'", "'b/c'")
