@@ -148,12 +148,19 @@ def _named(analysis: Analysis, sent: _Sent) -> _Sent | None:
         value = assignment.child_by_field_name("right")
         target = assignment.child_by_field_name("left")
         written = analysis.syntax.slice(target) if target is not None else ""
-        if written == name and value is not None and value.type == "call":
+        if written == name and value is not None and _makes_message(analysis, value):
             return _Sent(sent.reference, value, tuple(statements), len(statements) > 2)
         if written != f"{name}.header.stamp":
             return None
         before = before.prev_named_sibling
     return None
+
+
+def _makes_message(analysis: Analysis, value: Node) -> bool:
+    """Whether an expression makes a message, and does nothing besides."""
+    callee = value.child_by_field_name("function")
+    scope = analysis.scopes.at(value.start_byte)
+    return value.type == "call" and analysis.resolver.interface(callee, scope) is not None
 
 
 def _is_used_elsewhere(analysis: Analysis, variable: Node, statements: Sequence[Node]) -> bool:

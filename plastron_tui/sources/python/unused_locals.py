@@ -10,6 +10,7 @@ from .analysis import Analysis
 from .references import identifiers, is_member, statement_of
 from .scopes import BindingKind, Scope
 from .splices import Splice
+from .syntax import parts_of
 
 _PURE_BUILTINS = frozenset(
     {"abs", "bool", "dict", "float", "int", "len", "list", "max", "min", "range", "round", "set"}
@@ -48,8 +49,9 @@ def unused_locals(analysis: Analysis, gone: Sequence[Splice]) -> list[Node]:
     for _ in range(_MOST_ROUNDS):
         more: dict[int, Node] = {}
         for scope, name in _locals_in(analysis, ranges):
-            for statement in _only_filling(analysis, scope, name, ranges) or ():
-                more[statement.id] = statement
+            filling = _only_filling(analysis, scope, name, ranges) or []
+            if not _empties_block(filling, ranges):
+                more.update({statement.id: statement for statement in filling})
         more = {key: each for key, each in more.items() if key not in found}
         if not more:
             break
@@ -101,6 +103,20 @@ def _only_filling(
             return None
         found.append(statement)
     return found
+
+
+def _empties_block(statements: Sequence[Node], ranges: Iterable[tuple[int, int]]) -> bool:
+    """Whether nothing would be left of a block, whose owner somebody wrote for them."""
+    gone = {statement.id for statement in statements}
+    blocks = {each.parent.id: each.parent for each in statements if each.parent is not None}
+    return any(
+        block.type == "block"
+        and all(
+            each.id in gone or any(start <= each.start_byte < end for start, end in ranges)
+            for each in parts_of(block)
+        )
+        for block in blocks.values()
+    )
 
 
 def _fills(analysis: Analysis, statement: Node, variable: Node) -> bool:

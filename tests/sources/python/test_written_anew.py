@@ -1,0 +1,103 @@
+"""What goes when an endpoint is written anew, or sends something else: it is told."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from updates import Outcome
+
+HEAD = "import rospy\nfrom std_msgs.msg import Int32, String\nrospy.init_node('n')\n"
+LOOP = "p = rospy.Publisher('a', Int32, queue_size=1, latch=True)\n{0}"
+TAKE = "n stop_publishing to 'a'\nn publish two to 'b' of message_type Int32"
+
+
+def told(tmp_path: Path, body: str, statements: str) -> tuple[str, list[str]]:
+    outcome = Outcome(tmp_path, "rospy", HEAD + body, statements)
+    assert {each.code for each in outcome.found} <= {"written-anew"}
+    assert all((each.help or "").startswith("`renames topic 'a' to '") for each in outcome.found)
+    return outcome.text.removeprefix(HEAD), [each.message for each in outcome.found]
+
+
+OPTIONS = {
+    "two that may be meant": (
+        "rospy.Subscriber('a', String, f, queue_size=1, tcp_nodelay=True)\n"
+        "rospy.Subscriber('c', String, f, queue_size=1)\n",
+        "unsubscribe n from 'a'\nunsubscribe n from 'c'\n"
+        "subscribe n to 'b' of message_type String\nsubscribe n to 'd' of message_type String",
+        ["`tcp_nodelay=True` of `a` is not kept for `b`"],
+    ),
+    "a length of a queue is no option": (
+        "rospy.Subscriber('a', String, f, queue_size=1)\n"
+        "rospy.Subscriber('c', String, f, queue_size=None)\n",
+        "unsubscribe n from 'a'\nunsubscribe n from 'c'\n"
+        "subscribe n to 'b' of message_type String\nsubscribe n to 'd' of message_type String",
+        [],
+    ),
+    "nothing that takes its place": (
+        "rospy.Subscriber('a', String, f, tcp_nodelay=True)\nrospy.Subscriber('c', Int32, f)\n",
+        "unsubscribe n from 'a'",
+        [],
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", OPTIONS)
+def test_options(tmp_path: Path, name: str) -> None:
+    body, statements, expected = OPTIONS[name]
+    assert told(tmp_path, body, statements)[1] == expected
+
+
+# What the file does until it sends, and what of that is left.
+SENT = {
+    "a constant": ("p.publish(Int32(5))\n", "p.publish(Int32(data=2))\n", []),
+    "a computed message": (
+        "m = Int32()\nm.data = len(x)\nprint(m)\np.publish(m)\n",
+        "m = Int32()\nm.data = len(x)\nprint(m)\np.publish(Int32(data=2))\n",
+        ["`b` no longer sends `m`, which the node works out"],
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SENT)
+def test_what_was_sent(tmp_path: Path, name: str) -> None:
+    before, after, expected = SENT[name]
+    frame = "x = []\nwhile not rospy.is_shutdown():\n{0}    rospy.sleep(1)\n"
+
+    def indented(text: str) -> str:
+        return "".join(f"    {line}\n" for line in text.splitlines())
+
+    body = LOOP.format(frame.format(indented(before)))
+    text, messages = told(tmp_path, body, TAKE)
+    assert text == body.replace("'a'", "'b'").replace(indented(before), indented(after))
+    assert messages == expected
+
+
+LOCALS = {
+    "m = Int32()\nm.data = x\np.publish(m)": "p.publish(Int32(data=2))",
+    "m = Int32(data=float(x))\np.publish(m)": "m = Int32(data=2)\np.publish(m)",
+    "m = Int32()\nfor each in range(x):\n    m.data = each\np.publish(m)": (
+        "m = Int32()\nfor each in range(x):\n    m.data = each\np.publish(Int32(data=2))"
+    ),
+    "m = Int32()\nm.data = measure(x)\np.publish(m)": (
+        "m = Int32()\nm.data = measure(x)\np.publish(Int32(data=2))"
+    ),
+    "y = x + 1\nz = y * 2\np.publish(z)": "p.publish(Int32(data=2))",
+    "y = x + 1\nz = y * 2\np.publish(z)\nprint(y)": "y = x + 1\np.publish(Int32(data=2))\nprint(y)",
+    "y = next(x)\np.publish(y)": "y = next(x)\np.publish(Int32(data=2))",
+    "m = make()\np.publish(m)": "m = make()\np.publish(Int32(data=2))",
+    "m = Int32()\nm.header.stamp = rospy.Time.now()\np.publish(m)": "p.publish(Int32(data=2))",
+    "global m\nm = Int32(x)\np.publish(m)": "global m\nm = Int32(x)\np.publish(Int32(data=2))",
+}
+
+
+@pytest.mark.parametrize("before", LOCALS)
+def test_locals_that_served_what_is_gone(tmp_path: Path, before: str) -> None:
+    frame = "def tick(event):\n    x = rospy.get_time()\n    print(x)\n{0}\n\n\n"
+    frame += "rospy.Timer(rospy.Duration(0.1), tick)\n"
+
+    def placed(text: str) -> str:
+        return LOOP.format(frame.format("\n".join(f"    {line}" for line in text.splitlines())))
+
+    text, _ = told(tmp_path, placed(before), TAKE)
+    assert text == placed(LOCALS[before]).replace("'a'", "'b'")
