@@ -19,6 +19,7 @@ from .imports import restore_imports
 from .messages import CannotAddError
 from .sites import analyze
 from .splices import apply
+from .unresolved import lost_names, meanings
 
 
 def edit_python(
@@ -70,6 +71,9 @@ def _problem(before: Analysis, after: Analysis, expected: Found) -> str | None:
         return "change the nodes of the file"
     if syntax_error(before.syntax.text) is None and syntax_error(after.syntax.text) is not None:
         return "leave a file that does not compile"
+    lost = lost_names(meanings(after), meanings(before))
+    if lost:
+        return f"use `{lost[0]}`, which nothing in the file defines any more"
     return None
 
 

@@ -81,12 +81,15 @@ class Python(Language):
         """Tell whether a text is no Python, or breaks more of it, than each of the others."""
         from .compiling import syntax_error
         from .syntax import parse
+        from .unresolved import lost_names, meanings_in
 
         if parse(text).errors > max((parse(other).errors for other in others), default=0):
             return True
         # Tabs and blanks mixed up are no error to tree-sitter.
         is_broken = syntax_error(text) is not None
-        return is_broken and all(syntax_error(other) is None for other in others)
+        if is_broken and all(syntax_error(other) is None for other in others):
+            return True
+        return lost_names(meanings_in(text), *map(meanings_in, others)) != []
 
     def definitions(self, text: bytes, name: str) -> int:
         """Count the functions and methods of a name that a Python text defines."""

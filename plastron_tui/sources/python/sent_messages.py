@@ -76,12 +76,11 @@ def _uses(update: Replacement) -> tuple[Variable, Removal]:
 def _tell_computed(update: Replacement, variable: Variable) -> None:
     """Tell that what the node worked out is sent no more."""
     analysis, old = update.analysis, update.site.endpoint
-    for reference in references(variable, analysis):
-        call = reference.node.parent.parent if reference.node.parent is not None else None
-        given = _only_argument(call) if reference.use is Use.PUBLISH else None
-        if given is not None and is_computed(analysis, given):
+    publishing = [each for each in references(variable, analysis) if each.use is Use.PUBLISH]
+    for sent in _sent(analysis, publishing):
+        if is_computed(analysis, sent.expression):
             endpoint = update.added.endpoint
-            written = " ".join(analysis.syntax.slice(given).split())
+            written = " ".join(analysis.syntax.slice(sent.expression).split())
             message = f"`{endpoint.name}` no longer sends `{written}`, which the node works out"
             update.notes.append(written_anew(message, endpoint, old.name or old.default or ""))
 
