@@ -47,11 +47,25 @@ class Merged(NamedTuple):
         files: the files with the program's changes, None where the merge is refused.
         reason: why it is refused, to follow "the file was changed by hand, and".
         notes: warnings: where program and file now differ.
+        unsent: warnings: what is sent in the program, and not from the file.
+        lost: warnings: what was written by hand and is gone.
     """
 
     files: FileSet | None
     reason: str = ""
     notes: tuple[Diagnostic, ...] = ()
+    unsent: tuple[Diagnostic, ...] = ()
+    lost: tuple[Diagnostic, ...] = ()
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether nothing was left out, of the program or of the handwork."""
+        return self.files is None or not (self.unsent or self.lost)
+
+    @property
+    def all_notes(self) -> tuple[Diagnostic, ...]:
+        """All warnings."""
+        return (*self.notes, *self.unsent, *self.lost)
 
 
 class _RefusedError(Exception):
@@ -92,6 +106,8 @@ class _Merge:
     removes: list[Change] = field(default_factory=list)
     resends: dict[EndpointKey, SourceEndpoint] = field(default_factory=dict)
     notes: list[Diagnostic] = field(default_factory=list)
+    unsent: list[Diagnostic] = field(default_factory=list)
+    lost: tuple[Diagnostic, ...] = ()
     cut: list[SourceEndpoint] = field(default_factory=list)
 
     def result(self) -> Merged:
@@ -109,11 +125,12 @@ class _Merge:
         for key, found in self.resends.items():
             if self._is_untouched(key, base[key]):
                 sending.append(self._updated(key, wanted[key]))
-            else:
+            elif not self._is_untouched(key, wanted[key]):
                 self._tell_resend(key, found)
         files = self._edited([*self.adds, *self.updates, *sending, *self.removes])
         self._check_callbacks(files)
-        return Merged(files, notes=(*self.notes, *self._orphans(files)))
+        notes = (*self.notes, *self._orphans(files))
+        return Merged(files, "", notes, tuple(self.unsent), self.lost)
 
     def _updated(self, key: EndpointKey, wanted: Endpoint) -> Update:
         return Update(*key, wanted, node=self.source.label)
@@ -133,13 +150,22 @@ class _Merge:
         for kind in EDITABLE:
             gone = [key for key in base if key[0] is kind and key not in wanted]
             new = [key for key in wanted if key[0] is kind and key not in base]
-            if len(gone) != 1 or len(new) != 1 or new[0] in file:
-                continue
-            (old,), found, type_ = gone, file.get(gone[0], []), wanted[new[0]].type
-            is_same = len(found) == 1 and base[old].type == type_ == found[0].type
-            if is_same and (not _sends(base[old]) or self._is_untouched(old, base[old])):
-                renamed[old] = new[0]
+            said = [(old, key) for old, key in self._said(new) if old in gone]
+            if not said and len(gone) == len(new) == 1:
+                said = [(gone[0], new[0])]
+            for old, key in said:
+                found = file.get(old, [])
+                is_same = len(found) == 1 and base[old].type == wanted[key].type == found[0].type
+                is_sent = bool(_sends(base[old])) and not self._is_untouched(old, base[old])
+                if is_same and key not in file and not is_sent:
+                    renamed[old] = key
         return renamed
+
+    def _said(self, new: list[EndpointKey]) -> Iterator[tuple[EndpointKey, EndpointKey]]:
+        """Yield what the program says that it renames."""
+        for key in new:
+            if key in self.node.renamed:
+                yield (key[0], self.node.renamed[key].name), key
 
     def _rename(
         self, old: EndpointKey, base: Endpoint, wanted: Endpoint, found: SourceEndpoint
@@ -164,6 +190,7 @@ class _Merge:
     def _edited(self, changes: list[Change]) -> FileSet:
         edited = self.target.edit(self.source, changes, self.catalog)
         if edited.files is not None:
+            self.lost = tuple(each for each in edited.diagnostics if each.code != codes.OTHER_TYPE)
             return edited.files
         # What is refused in the file as it is has the lines that the user sees.
         alone = (
@@ -296,7 +323,8 @@ class _Merge:
 
     def _tell_resend(self, key: EndpointKey, found: SourceEndpoint) -> None:
         what = "calls" if key[0] is EndpointKind.CLIENT else "messages"
-        self._tell(f"the {what} of the {_name(key)} are changed in the program only", found)
+        message = f"the {what} of the {_name(key)} are changed in the program only"
+        self.unsent.append(self._note(message, found))
 
     def _tell(self, message: str, found: SourceEndpoint | None = None) -> None:
         self.notes.append(self._note(message, found))

@@ -250,12 +250,12 @@ class _Creation:
         is_clean = are_recorded(self.manifest, files.name, before)
         is_own = before in (None, files.files) or is_clean or any(x.is_clean for x in layers[:1])
         if not (self.writing.force or is_own or before is None or files.name not in self.manifest):
-            merged = self._merged(path, before)
+            merged = self._merged(path, files.files, before)
             if merged.files is None:
                 problem = unmergeable(path, merged.reason)
                 return Generated(self.generation, replace(files, problem=problem), notes)
             files = replace(files, files=merged.files, merged_from=before, has_handwork=True)
-            notes = (*notes, kept_handwork(path, files.name), *merged.notes)
+            notes = (*notes, kept_handwork(path, files.name), *merged.all_notes)
         if layers and before is not None and present is not None:
             force = self.writing.force
             covered = cover(path, layers, before, files.files, present, force=force)
@@ -280,19 +280,20 @@ class _Creation:
         is_own = present in (None, files.files) or are_recorded(self.manifest, earlier, present)
         if self.writing.force or is_own or present is None:
             return Generated(self.generation, files, notes)
-        merged = self._merged(origin, present)
+        merged = self._merged(origin, files.files, present)
         if merged.files is None:
             problem = unmergeable(origin, merged.reason)
             return Generated(self.generation, replace(files, problem=problem), notes)
         files = replace(files, files=merged.files, has_handwork=True)
-        notes = (*notes, kept_handwork(origin, files.name), *merged.notes)
+        notes = (*notes, kept_handwork(origin, files.name), *merged.all_notes)
         return Generated(self.generation, files, notes)
 
-    def _merged(self, path: Path, present: FileSet) -> Merged:
+    def _merged(self, path: Path, mine: FileSet, present: FileSet) -> Merged:
         """Merge what the program changed in a node into a file that was changed by hand."""
         from plastron_tui.targets import read_source
 
         from .endpoint_merge import Merged, merge
+        from .line_merge import Sides, merge_created
 
         seen = read_source(path, present).source
         target, catalog = self.library
@@ -302,8 +303,13 @@ class _Creation:
         if read.source is None or not read.source.nodes:
             return Merged(None, "it holds no node that can be read")
         known = self.manifest.bases.get(path.name)
-        base = None if known is None else recall(known)
-        return merge(read.source, base, self.generation.node, target, catalog)
+        base, node = None if known is None else recall(known), self.generation.node
+        merged = merge(read.source, base, node, target, catalog)
+        made = None if base is None else target.render(base, catalog).files
+        if base is None or made is None or merged.is_whole:
+            return merged
+        sides = Sides(path, made, mine, present)
+        return merge_created(merged, sides, (node, base), self.library)
 
 
 def _other_program(name: str, program: str, manifest: Manifest) -> str | None:

@@ -8,21 +8,17 @@ endpoint otherwise.
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
-from plastron_tui.model.source import FileSet, SourceUnit
-from plastron_tui.model.workspace import Node
-from plastron_tui.output.merge3 import merge_files
+from plastron_tui.model.source import FileSet
 from plastron_tui.output.node_json import remember_all
 from plastron_tui.output.patch_stack import Layer, Layers, digest_of
 
 from .apply_changes import Adaptation
 from .destination import Place, Writing, find_place, found_by
-from .language_checks import is_worse
+from .line_merge import Sides, merge_lines
 from .node_files import NodeFiles, are_recorded
 from .user_edits import cover, kept_handwork, of_other_program, unmergeable
 
@@ -191,68 +187,20 @@ class Derivation:
         if origin is not None and origin.is_torn:
             return Merged(None, f"`{origin.path}`, which it was made from, was changed as well")
         bases = [(node, self.work.base(known, node)) for node in self.work.nodes]
-        files = merge_files(known.written, mine, before)
-        if files is not None and self._is_sound(place.real, files, before, mine, bases):
+        target, catalog = self.work.library
+        sides = Sides(place.real, known.written, mine, before)
+        files = merge_lines(sides, () if self.work.is_ported else bases, target)
+        if files is not None:
             return Merged(files, notes=notes)
         if origin is not None and known.seen != new.seen:
             return Merged(None, f"`{origin.path}`, which it was made from, in the same lines")
         if self.work.is_ported:
             return Merged(None, "the program now changes the same lines")
-        target, catalog = self.work.library
         merged = Merged(before, notes=notes)
         for node, base in bases:
             read = None if merged.files is None else target.read(place.real, merged.files).source
             if read is None or node.source is None:
                 return merged._replace(files=None)
             made = merge(read.only(node.source.label), base, node, target, catalog)
-            merged = Merged(made.files, made.reason, (*merged.notes, *made.notes))
+            merged = Merged(made.files, made.reason, (*merged.notes, *made.all_notes))
         return merged
-
-    def _is_sound(
-        self,
-        path: Path,
-        files: FileSet,
-        before: FileSet,
-        mine: FileSet,
-        bases: Sequence[tuple[Node, Node | None]],
-    ) -> bool:
-        """Tell whether lines were merged into files that hold what they are to hold."""
-        target = self.work.library.target
-        sources = [target.read(path, each).source for each in (files, before, mine)]
-        if is_worse(target.language, files, before, mine):
-            return False
-        if self.work.is_ported:
-            return sources[0] is not None
-        return all(_has_what_it_is_to_have(node, base, *sources) for node, base in bases)
-
-
-def _has_what_it_is_to_have(
-    node: Node,
-    base: Node | None,
-    merged: SourceUnit | None,
-    before: SourceUnit | None,
-    mine: SourceUnit | None,
-) -> bool:
-    """Tell whether merged files have the endpoints of a node as the program and hands want them.
-
-    Args:
-        node: the node, as the program has it.
-        base: what it had when the file was written.
-        merged: the merged files.
-        before: the files as they are.
-        mine: the files as the program makes them.
-    """
-    from .endpoint_merge import call_sites
-
-    label = None if node.source is None else node.source.label
-    found, there, made = (
-        {} if each is None else call_sites(each.only(label)) for each in (merged, before, mine)
-    )
-    wanted, known = node.endpoints, {} if base is None else base.endpoints
-    has_all = all(key in found or (key in known and key not in there) for key in wanted)
-    has_no_more = all(
-        (key in wanted or (key in there and key not in known))
-        and len(sites) <= max(len(there.get(key, ())), len(made.get(key, ())))
-        for key, sites in found.items()
-    )
-    return has_all and has_no_more

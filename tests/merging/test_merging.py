@@ -219,15 +219,23 @@ def test_comment_beside_what_is_sent_stays(folder: Folder) -> None:
 @pytest.mark.parametrize(
     ("old", "new"),
     [
-        ("message = String(", "message = self.filled(  # mine\n            "),
         ("def own():", "def own(node):\n    node.a_publisher.publish(None)"),
         ("1 / 10", "1 / 20"),
     ],
 )
-def test_what_was_changed_by_hand_is_sent_as_it_is(folder: Folder, old: str, new: str) -> None:
+def test_what_is_sent_is_renewed_beside_handwork(folder: Folder, old: str, new: str) -> None:
     folder.generate(KEEP, PUBLISH)
     folder.fill()
     folder.edit(old, new)
+    text = folder.file().read_text()
+    assert len(folder.generate(KEEP, PUBLISH.replace("hello", "bye")).warnings) == 1
+    assert folder.file().read_text() == text.replace("hello", "bye")
+
+
+def test_what_was_changed_by_hand_is_sent_as_it_is(folder: Folder) -> None:
+    folder.generate(KEEP, PUBLISH)
+    folder.fill()
+    folder.edit("message = String(", "message = self.filled(  # mine\n            ")
     before = folder.file().read_bytes()
     outcome = folder.generate(KEEP, PUBLISH.replace("hello", "bye"))
     assert outcome.states == {"robot_node.py": "identical"}
@@ -281,3 +289,55 @@ def test_callback_that_the_program_names(folder: Folder) -> None:
     text = folder.file().read_text()
     assert "self.on_a" in text
     assert "hear" not in text  # a stub that nobody has touched
+
+
+OPTIONS = {
+    "rospy": {
+        "publisher": ("String, queue_size=10", "{0}, latch=True, queue_size=1, tcp_nodelay=True"),
+        "subscription": ("String, self.on_a", "{0}, self.{1}, queue_size=1, tcp_nodelay=True"),
+    },
+    "rclpy": {
+        "publisher": ('String, "a", 10', '{0}, "{2}", qos_profile_sensor_data'),
+        "subscription": ('String, "a", self.on_a, 10', '{0}, "{2}", self.{1}, QoSProfile(depth=1)'),
+    },
+}
+
+
+@pytest.mark.parametrize(
+    ("kind", "change"),
+    [
+        *(("publisher", change) for change in ("type", "message", "rate", "name")),
+        *(("subscription", change) for change in ("type", "callback", "name")),
+    ],
+)
+def test_options_that_were_written_by_hand_stay(folder: Folder, kind: str, change: str) -> None:
+    statement = KINDS[kind][0]
+    programs = {
+        "type": KINDS[kind][1],
+        "callback": f"{statement} calling stop",
+        "message": statement.replace("hello", "bye"),
+        "rate": f"{statement} at 3 hz",
+        "name": statement.replace("'a'", "'b'"),
+    }
+    old, options = OPTIONS[folder.library][kind]
+    folder.generate(KEEP, statement)
+    folder.fill()
+    folder.edit(old, options.format("String", "on_a", "a"))
+    folder.edit("import String", "import String  # mine")
+    outcome = folder.generate(KEEP, programs[change])
+    type_ = "Int32" if change == "type" else "String"
+    callback = "stop" if change == "callback" else "on_a"
+    name = "b" if change == "name" else "a"
+    assert options.format(type_, callback, name) in folder.file().read_text()
+    assert outcome.conflicts == []
+
+
+def test_two_that_the_program_renames(folder: Folder) -> None:
+    other = SUBSCRIBE.replace("'a'", "'b'")
+    folder.generate(KEEP, SUBSCRIBE, other)
+    mine = folder.fill()
+    text = folder.file().read_text()
+    renames = "n renames topic 'a' to 'c'\nn renames topic 'b' to 'd'"
+    assert folder.generate(KEEP, SUBSCRIBE, other, renames).conflicts == []
+    assert folder.file().read_text() == text.replace('"a"', '"c"').replace('"b"', '"d"')
+    check(folder, mine, [*KEPT, ("subscriptions", "c", STRING), ("subscriptions", "d", STRING)])

@@ -1,0 +1,123 @@
+"""Merging the lines of what a program makes and of what was changed by hand.
+
+Both come from one text. Where they touch the same lines, or where what comes of it is not what
+program and hands want, there is no merge by lines.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from plastron_tui.model.source import FileSet, SourceUnit
+from plastron_tui.model.workspace import Node
+from plastron_tui.output.merge3 import merge_files
+
+from .endpoint_merge import Merged, call_sites, merge
+from .language_checks import is_worse
+
+if TYPE_CHECKING:
+    from plastron_tui.targets.base import Target
+
+    from .apply_changes import Library
+
+
+class Sides(NamedTuple):
+    """What is merged.
+
+    Attributes:
+        path: the main file.
+        base: what the program made before.
+        mine: what it makes now.
+        before: what the files hold, with what was changed in them by hand.
+    """
+
+    path: Path
+    base: FileSet
+    mine: FileSet
+    before: FileSet
+
+
+def merge_lines(
+    sides: Sides, nodes: Sequence[tuple[Node, Node | None]], target: Target
+) -> FileSet | None:
+    """Merge lines, and return files that hold what they are to hold, None where that fails.
+
+    Args:
+        sides: what is merged.
+        nodes: the nodes of the files as the program has them, each with what it had before; none
+            where nothing is known but that the files can be read.
+        target: the client library.
+    """
+    path, base, mine, before = sides
+    files = merge_files(base, mine, before)
+    if files is None or is_worse(target.language, files, before, mine):
+        return None
+    merged, *others = (target.read(path, each).source for each in (files, before, mine))
+    is_sound = merged is not None and all(
+        _has_what_it_is_to_have(node, earlier, merged, *others) for node, earlier in nodes
+    )
+    return files if is_sound else None
+
+
+def merge_created(
+    merged: Merged, sides: Sides, node: tuple[Node, Node], library: Library
+) -> Merged:
+    """Merge the lines of a created node's file, where endpoints left something out.
+
+    Args:
+        merged: what endpoints made of it.
+        sides: what is merged.
+        node: the node as the program has it, and what it had before.
+        library: what it is written for.
+    """
+    target, catalog = library
+    files = merge_lines(sides, [node], target)
+    if files is None or merged.files is None:
+        return merged
+    by_lines, by_endpoints = (
+        target.read(sides.path, each).source for each in (files, merged.files)
+    )
+    if by_lines is None or _sites(by_lines) != _sites(by_endpoints):
+        return merged
+    if merge(by_lines, node[1], node[0], target, catalog).files != files:
+        return merged
+    return merged._replace(files=files, lost=(), unsent=())
+
+
+def _sites(source: SourceUnit | None) -> Counter[tuple[object, ...]]:
+    """Return what a file creates, with types and callbacks."""
+    endpoints = () if source is None else source.endpoints
+    return Counter((x.kind, x.name, x.expression, x.type, x.callback) for x in endpoints)
+
+
+def _has_what_it_is_to_have(
+    node: Node,
+    base: Node | None,
+    merged: SourceUnit | None,
+    before: SourceUnit | None,
+    mine: SourceUnit | None,
+) -> bool:
+    """Tell whether merged files have the endpoints of a node as the program and hands want them.
+
+    Args:
+        node: the node, as the program has it.
+        base: what it had when the file was written.
+        merged: the merged files.
+        before: the files as they are.
+        mine: the files as the program makes them.
+    """
+    label = None if node.source is None else node.source.label
+    found, there, made = (
+        {} if each is None else call_sites(each.only(label)) for each in (merged, before, mine)
+    )
+    wanted, known = node.endpoints, {} if base is None else base.endpoints
+    has_all = all(key in found or (key in known and key not in there) for key in wanted)
+    has_no_more = all(
+        (key in wanted or (key in there and key not in known))
+        and len(sites) <= max(len(there.get(key, ())), len(made.get(key, ())))
+        for key, sites in found.items()
+    )
+    return has_all and has_no_more
