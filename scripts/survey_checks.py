@@ -19,7 +19,7 @@ from functools import cached_property
 from pathlib import Path
 
 from plastron_tui.model.kinds import Client, Publisher, Subscription, kind_of
-from plastron_tui.model.source import Add, Change, EndpointKind, Remove, SourceUnit
+from plastron_tui.model.source import Add, Change, EndpointKind, Remove, Rename, SourceUnit
 from plastron_tui.sources.python.syntax import parse
 
 Key = tuple[EndpointKind, str, str, str]
@@ -95,6 +95,24 @@ def check(before: Text, after: Text, change: Change) -> Iterator[str]:
         yield from _check_addition(before, after, change)
     elif isinstance(change, Remove):
         yield from _check_removal(before, after, change)
+    elif isinstance(change, Rename):
+        yield from _check_rename(before, after, change)
+
+
+def _check_rename(before: Text, after: Text, change: Rename) -> Iterator[str]:
+    old = (change.kind, change.name)
+    expected = Counter(
+        {(key[0], change.to, *key[2:]) if key[:2] == old else key: n
+         for key, n in before.keys.items()}
+    )  # fmt: skip
+    if expected != after.keys:
+        yield f"has {_listed(after.keys - expected)} instead of {_listed(expected - after.keys)}"
+    texts = [each.source.files.main.splitlines() for each in (before, after)]
+    if len(texts[0]) != len(texts[1]):
+        yield "changes the number of lines"
+    for was, now in zip(*texts, strict=False):
+        if was != now and change.to.encode() not in now:
+            yield f"changes {was!r} to {now!r}"
 
 
 def _check_addition(before: Text, after: Text, change: Add) -> Iterator[str]:
@@ -139,8 +157,14 @@ def _check_removal(before: Text, after: Text, change: Remove) -> Iterator[str]:
     for old, new in _replaced(before.source.files.main, after.source.files.main):
         if not _is_within(new.replace(b"pass", b""), old):
             yield f"changes {old!r} to {new!r}"
-        elif not any(word in old for word in words) and old.strip():
-            yield f"takes {old!r}"
+        elif old.strip() and not any(word in old for word in words):
+            yield from () if _is_gone_local(old, after) else (f"takes {old!r}",)
+
+
+def _is_gone_local(line: bytes, after: Text) -> bool:
+    """Whether a line only gave a value to a variable that is nowhere any more."""
+    assigned = re.match(rb"\s+(\w+)[\w.]*\s*=", line)
+    return assigned is not None and not re.search(rb"\b%s\b" % assigned[1], after.source.files.main)
 
 
 def _is_gone_timer(key: Key, after: Text) -> bool:

@@ -138,7 +138,16 @@ class Survey:
                     tally.violations.append(f"{path}: {what}, then remove: not what it was")
                 self._compare_at_once(original, (change, removal), restored)
         for kind, name in sorted(_named(source), key=lambda key: (key[0].value, key[1])):
-            self._remove(original, kind, name)
+            if kind in EDITABLE:
+                self._remove(original, kind, name)
+            self._rename(original, kind, name)
+
+    def _rename(self, original: Text, kind: EndpointKind, name: str) -> None:
+        what = f"rename {kind.value.removesuffix('s')}"
+        renamed = self._change(original, what, Rename(kind, name, "plastron_name", _AT))
+        if renamed is not None:
+            back = Rename(kind, "plastron_name", name, _AT)
+            self._change(renamed, f"{what} and back", back)
 
     def _remove(self, original: Text, kind: EndpointKind, name: str) -> None:
         what = f"remove {kind.value.removesuffix('s')}"
@@ -205,7 +214,7 @@ def _named(source: SourceUnit) -> set[tuple[EndpointKind, str]]:
         (endpoint.kind, endpoint.name)
         for node in source.nodes
         for endpoint in node.endpoints
-        if endpoint.name is not None and endpoint.kind in EDITABLE
+        if endpoint.name is not None
     }
 
 
