@@ -20,6 +20,27 @@ _WORD = re.compile(rb"(?<!super\()\b[A-Za-z_]\w*")
 Fold = Callable[[Node | None, Scope, int], Folded]
 
 
+class Calls:
+    """The calls of a file, by the names of what they call."""
+
+    def __init__(self, calls: list[Node], syntax: Syntax) -> None:
+        self._calls = calls
+        self._syntax = syntax
+        self._by_name: dict[str, list[Node]] | None = None
+
+    def of(self, name: str) -> list[Node]:
+        """Return the calls whose callee ends in a name."""
+        if self._by_name is None:
+            self._by_name = {}
+            for call in self._calls:
+                callee = call.child_by_field_name("function")
+                if callee is not None and callee.type == "attribute":
+                    callee = callee.child_by_field_name("attribute")
+                if callee is not None and callee.type == "identifier":
+                    self._by_name.setdefault(self._syntax.slice(callee), []).append(call)
+        return self._by_name.get(name, [])
+
+
 @dataclass(frozen=True, slots=True)
 class Callers:
     """The calls in the file that may call a function."""

@@ -11,7 +11,7 @@ from tree_sitter import Node
 from plastron_tui.ros.interfaces import InterfaceName
 
 from .arguments import Arguments
-from .callers import Callers, count_words
+from .callers import Callers, Calls, count_words
 from .calls import Argument, ClientLibrary
 from .classes import Classes
 from .constants import MOST_BINDINGS, MOST_DEEP, Constants, Folded, Known, without_none
@@ -50,8 +50,7 @@ class Resolver:
         self._ros = library.distribution
         self._node_makers = library.node_classes | library.node_calls.keys()
         self._scopes = scopes
-        self._calls = calls
-        self._calls_of: dict[str, list[Node]] | None = None
+        self._calls = Calls(calls, syntax)
         self._words: Counter[bytes] | None = None
         self._trace: list[Node] | None = None
         self.classes = Classes(syntax, scopes)
@@ -311,15 +310,7 @@ class Resolver:
 
     def calls_of(self, name: str) -> list[Node]:
         """Return the calls whose callee ends in a name."""
-        if self._calls_of is None:
-            self._calls_of = {}
-            for call in self._calls:
-                callee = call.child_by_field_name("function")
-                if callee is not None and callee.type == "attribute":
-                    callee = callee.child_by_field_name("attribute")
-                if callee is not None and callee.type == "identifier":
-                    self._calls_of.setdefault(self._syntax.slice(callee), []).append(call)
-        return self._calls_of.get(name, [])
+        return self._calls.of(name)
 
     def _callers_of(self, function: Scope) -> list[Node]:
         """Return the calls in the file that may call a function."""
