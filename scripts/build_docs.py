@@ -48,7 +48,7 @@ cannot go on in the next line |
 | comment | `// to the end of the line` or `/* from here to there */` | anywhere between words |
 | variable | `talker`, `joint_1` | a letter, then letters, digits and `_`; no keyword; nodes and \
 messages share one namespace |
-| ROS name | `'chatter'`, `'/arm/joint_1'`, `'~private'` | in single quotes, and a name that ROS \
+| ROS name | `'chatter'`, `'/arm/joint_1'`, `'~/private'` | in single quotes, and a name that ROS \
 takes; a node's name has no `/` |
 | text | `"hello"` | in double quotes; {escapes.listed("`")} within |
 | number | `5`, `-5`, `0.25`, `1e-3` | |

@@ -7,13 +7,14 @@ from typing import Any
 
 from plastron_tui.diagnostics import Code, Diagnostic, Edit, Fix, Label, Span, codes, guess, write
 from plastron_tui.language import statements as st
-from plastron_tui.language.declaration import Statement
+from plastron_tui.language.declaration import DECLARATIONS, Statement
 from plastron_tui.ros.catalog import DISTRIBUTIONS
 from plastron_tui.ros.names import (
     NameProblem,
     check_node_name,
     check_service_name,
     check_topic_name,
+    spelled,
 )
 
 from .consequences import Consequences
@@ -27,7 +28,10 @@ _VERSIONS = {"ros1": 1, "ros2": 2, **DISTRIBUTIONS}
 """The generation of ROS that is meant by its name, or by a distribution's."""
 
 
-_CHECKS: dict[str, Callable[[str, int], NameProblem | None]] = {
+NameCheck = Callable[[str, int], NameProblem | None]
+"""Says what is wrong with a name in a generation of ROS."""
+
+_CHECKS: dict[str, NameCheck] = {
     "name": check_node_name,
     "topic": check_topic_name,
     "service": check_service_name,
@@ -135,25 +139,26 @@ class Checks:
         slot: str,
         name: str,
         version: int,
-        check: Callable[[str, int], NameProblem | None] | None = None,
+        check: NameCheck | None = None,
     ) -> None:
         """Check that a slot has a name that a generation of ROS takes."""
         problem = (check or _CHECKS[slot])(name, version)
-        if problem is None:
-            return
-        whole = statement.span_of(slot)
-        start = whole.start + 1  # within the quotes
-        before = len(name[: problem.offset].encode())
-        length = len(name[problem.offset : problem.offset + problem.length].encode())
-        raise Mistake(
-            Diagnostic(
-                codes.INVALID_NAME,
-                problem.message,
-                Span(start + before, start + before + length),
-                help=None if problem.suggestion is None else f"write '{problem.suggestion}'",
-                fix=None if problem.suggestion is None else write(f"'{problem.suggestion}'", whole),
-            )
-        )
+        if problem is not None:
+            raise Mistake(_wrong_name(statement, slot, name, problem))
+
+    def wrong_name(self, statement: Statement) -> Diagnostic | None:
+        """Return what is wrong with the name of a topic or service, whatever else is."""
+        slot = next((slot for slot in ("topic", "service") if hasattr(statement, slot)), None)
+        node = self._workspace.nodes.get(getattr(statement, "node", ""))
+        if slot is None or DECLARATIONS[type(statement)].undoes is not None:
+            return None
+        # A node that is not there may be for either ROS.
+        name: str = getattr(statement, slot)
+        versions = (1, 2) if node is None else (self.version_of(node),)
+        problems = [_CHECKS[slot](name, version) for version in versions]
+        if problems[0] is None or None in problems:
+            return None
+        return _wrong_name(statement, slot, name, problems[0])
 
     def function(
         self,
@@ -197,7 +202,7 @@ class Checks:
         """Take an endpoint away from a node, and return its name, or say that there is none."""
         editing = kind.editing
         slot = editing.name_slot
-        name: str = getattr(statement, slot)
+        name = spelled(getattr(statement, slot))
         if not node.take(kind, name):
             if self._consequences.explains(node, name):
                 raise Mistake
@@ -212,10 +217,24 @@ class Checks:
         self, statement: Any, slot: str, node: Node, code: Code, what: str
     ) -> Mistake:
         """Make the mistake of an endpoint that the node has already."""
-        name: str = getattr(statement, slot)
+        name = spelled(getattr(statement, slot))
         if self._consequences.explains(node, name):
             return Mistake()
         fix = Fix("take the statement away", (Edit(statement.span, ""),))
         return Mistake(
             Diagnostic(code, f"{what} `{name}` already", statement.span_of(slot), fix=fix)
         )
+
+
+def _wrong_name(statement: Statement, slot: str, name: str, problem: NameProblem) -> Diagnostic:
+    whole = statement.span_of(slot)
+    start = whole.start + 1  # within the quotes
+    before = len(name[: problem.offset].encode())
+    length = len(name[problem.offset : problem.offset + problem.length].encode())
+    return Diagnostic(
+        codes.INVALID_NAME,
+        problem.message,
+        Span(start + before, start + before + length),
+        help=None if problem.suggestion is None else f"write '{problem.suggestion}'",
+        fix=None if problem.suggestion is None else write(f"'{problem.suggestion}'", whole),
+    )

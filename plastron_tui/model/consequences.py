@@ -6,6 +6,7 @@ from itertools import product
 
 from plastron_tui.language.broken_lines import Broken
 from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
+from plastron_tui.ros.names import spelled
 
 from .workspace import Node
 
@@ -32,7 +33,7 @@ class Consequences:
         declaration = DECLARATIONS[type(statement)]
         filled = [(slot.kind, getattr(statement, slot.name)) for slot in declaration.slots]
         self._declared.update(text for kind, text in filled if kind.makes is not None)
-        names = [text for kind, text in filled if kind in _NAMES]
+        names = [spelled(text) for kind, text in filled if kind in _NAMES]
         if names and declaration.undoes is None:
             nodes = [text for kind, text in filled if kind is SlotKind.NODE]
             self._endpoints.update(product(nodes, names))

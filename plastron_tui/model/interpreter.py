@@ -119,7 +119,6 @@ class Interpreter:
             try:
                 HANDLERS[type(statement)](run, statement)
             except Mistake as mistake:  # noqa: PERF203 - each statement has its own
-                found = mistake.diagnostic or run.types.unknown(statement)
-                if found is not None:
+                for found in run.all_wrong(statement, mistake):
                     run.report(statement, found)
                 run.consequences.add(statement)

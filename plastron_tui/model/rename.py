@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from plastron_tui.diagnostics import Diagnostic, Label, codes, guess
 from plastron_tui.language import statements as st
+from plastron_tui.ros.names import spelled
 
 from .kinds import EndpointKind, kind_of
 from .mistake import Mistake
@@ -21,8 +22,8 @@ def rename(run: Run, statement: st.Rename) -> None:
     """Give a topic, service, action or parameter of a node another name, on both its sides."""
     node = run.checks.node(statement)
     kinds, version = _kinds(statement), run.checks.version_of(node)
-    old, new = statement.old, statement.new
-    run.checks.name(statement, "new", new, version, kinds[0].facts.check_name)
+    new = run.name(statement, "new", version, kinds[0].facts.check_name)
+    old = spelled(statement.old)
     having = [kind for kind in kinds if old in node.names(kind)]
     if not having:
         raise _not_there(run, statement, node, kinds)
@@ -35,16 +36,17 @@ def rename(run: Run, statement: st.Rename) -> None:
 def _move(run: Run, statement: st.Rename, node: Node, kinds: list[EndpointKind]) -> None:
     """Let a node use the new name instead of the old one, if that is of the same type to all."""
     version, agreements = run.checks.version_of(node), run.agreements
-    found = (node.by_kind.get(kind, {}).get(statement.old) for kind in kinds)
+    old, new = spelled(statement.old), spelled(statement.new)
+    found = (node.by_kind.get(kind, {}).get(old) for kind in kinds)
     typed = [each for each in found if each is not None and each.type is not None]
     for each in typed:
-        agreements.leave(node, version, kind_of(type(each)), statement.old)
-    named = [each._replace(name=statement.new) for each in typed]
+        agreements.leave(node, version, kind_of(type(each)), old)
+    named = [each._replace(name=new) for each in typed]
     conflicts = [agreements.join(node, version, each, statement) for each in named]
     conflict = next((each for each in conflicts if each is not None), None)
     if conflict is not None:
         for each in typed:
-            agreements.leave(node, version, kind_of(type(each)), statement.new)
+            agreements.leave(node, version, kind_of(type(each)), new)
             agreements.join(node, version, each, statement)
         raise Mistake(conflict._replace(span=statement.span_of("new"), fix=None))
 
@@ -69,7 +71,7 @@ def _kinds(statement: st.Rename) -> tuple[EndpointKind, ...]:
 def _not_there(
     run: Run, statement: st.Rename, node: Node, kinds: tuple[EndpointKind, ...]
 ) -> Mistake:
-    if run.consequences.explains(node, statement.old):
+    if run.consequences.explains(node, spelled(statement.old)):
         return Mistake()
     where = statement.span_of("old")
     names = dict.fromkeys(name for kind in kinds for name in node.names(kind))
@@ -80,7 +82,7 @@ def _not_there(
 
 def _check_free(run: Run, statement: st.Rename, node: Node, kinds: list[EndpointKind]) -> None:
     """Check that a node has nothing of the new name and the same kind."""
-    new = statement.new
+    new = spelled(statement.new)
     taken = next((kind for kind in kinds if new in node.names(kind)), None)
     if taken is None:
         return

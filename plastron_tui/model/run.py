@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
-from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.diagnostics import Diagnostic, Span, codes, write
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.lowering import Program
 from plastron_tui.ros.interfaces import Interface, InterfaceKind
+from plastron_tui.ros.names import check_parameter_name, spelled
 
-from .checks import Checks
+from .checks import Checks, NameCheck
 from .consequences import Consequences
 from .context import Setting
 from .kinds import Endpoint, EndpointKind
@@ -77,9 +78,44 @@ class Run:
             slot: the slot that has the name.
             kind: the kind of interface that the type is of.
         """
-        name, version = getattr(statement, slot), self.checks.version_of(node)
-        self.checks.name(statement, slot, name, version)
+        version = self.checks.version_of(node)
+        name = self.name(statement, slot, version)
         return name, self.types.named(statement, statement.type, kind, version)
+
+    def name(
+        self, statement: Statement, slot: str, version: int, check: NameCheck | None = None
+    ) -> str:
+        """Return the name that a slot has, as a generation of ROS takes it, and as it is spelled.
+
+        Args:
+            statement: the statement.
+            slot: the slot that has the name.
+            version: the generation of ROS.
+            check: says what is wrong with a name, by default what the slot is called after.
+        """
+        written: str = getattr(statement, slot)
+        self.checks.name(statement, slot, written, version, check)
+        name = spelled(written)
+        # ROS 2 knows no other parameters than private ones, and has no sign for them.
+        if name != written and check is not check_parameter_name:
+            where = statement.span_of(slot)
+            self.report(
+                statement,
+                Diagnostic(
+                    codes.PRIVATE_NAME,
+                    "only ROS 1 takes a private name without a slash behind its `~`",
+                    where,
+                    help=f"write '{name}'",
+                    fix=write(f"'{name}'", where),
+                ),
+            )
+        return name
+
+    def all_wrong(self, statement: Statement, mistake: Mistake) -> Iterable[Diagnostic]:
+        """Return what is wrong with a statement: its mistake, and a name or type beside that."""
+        beside = (self.checks.wrong_name(statement), self.types.unknown(statement))
+        found = (mistake.diagnostic, *beside)
+        return {each.span: each for each in found if each is not None}.values()
 
     def add(self, statement: Statement, node: Node, endpoint: Endpoint) -> None:
         """Give a node an endpoint, if its type agrees with that of all who use the name."""

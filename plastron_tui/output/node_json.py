@@ -23,6 +23,7 @@ from plastron_tui.model.kinds import EDITABLE, Endpoint, EndpointKind, Message, 
 from plastron_tui.model.values import MessageValue, Value
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.ros.names import spelled
 
 from .manifest import Base
 
@@ -69,7 +70,8 @@ def recall(base: Base, label: str | None = None) -> Node | None:
     try:
         node = Node(_text(base["node"]), "", _NOWHERE, _text(base["library"]))
         for kind in EDITABLE:
-            for name, data in base.get(kind.value, {}).items():
+            for written, data in base.get(kind.value, {}).items():
+                name = spelled(written)
                 node.put(kind.editing.endpoint(name, _type(data["type"]), **_recalled(kind, data)))
     except (KeyError, TypeError, ValueError, AttributeError, RecursionError, OverflowError):
         return None

@@ -3,6 +3,8 @@
 Sources: the ROS 1 wiki page "Names"; for ROS 2 the design article "Topic and Service name
 mapping to DDS", and the validators of `rcl` and `rmw`. Where the generation of ROS is not
 known yet, ROS 1 is the base.
+
+A private name is spelled `~/name`, whatever the client library: see `spelled`.
 """
 
 from __future__ import annotations
@@ -82,6 +84,31 @@ def check_node_name(name: str, ros_version: int) -> NameProblem | None:
         return None
     message, offset, length = _node_mistake(name, ros_version)
     return NameProblem(message, offset, length, mended_node_name(name, ros_version))
+
+
+def spelled(name: str) -> str:
+    """Return a name of a program in the one spelling for private names: `~scan` is `~/scan`."""
+    if name.startswith("~") and name[1:2] not in ("", "/"):
+        return f"~/{name[1:]}"
+    return name
+
+
+def name_as_read(name: str, ros_version: int) -> str:
+    """Return what a client library makes of a name in a node's code, as programs spell it.
+
+    In ROS 1 `~scan` is private, and `~/scan` is `/scan`: what follows the `~` is joined to the
+    node's name unless it is global (`rospy.names.resolve_name`, `rosgraph.names.ns_join`).
+    """
+    if ros_version == 1 and name.startswith("~/") and len(name) > 2:
+        return "/" + name[1:].lstrip("/")
+    return spelled(name) if ros_version == 1 else name
+
+
+def name_as_written(name: str, ros_version: int) -> str:
+    """Return how a node's code writes a name that programs spell so."""
+    if ros_version == 1 and name.startswith("~/"):
+        return f"~{name[2:]}"
+    return name
 
 
 def resolved_name(node: str, name: str) -> str:
@@ -214,9 +241,7 @@ def mended_node_name(name: str, ros_version: int) -> str | None:
 
 def _mended(name: str, ros_version: int, what: str) -> str | None:
     text = _plain(name)
-    start = "~" if text.startswith("~") else "/" if text.startswith("/") else ""
-    if ros_version == 2 and start == "~":
-        start = "~/"
+    start = "~/" if text.startswith("~") else "/" if text.startswith("/") else ""
     parts = [re.sub("__+", "_", part).strip("_") for part in text.replace("~", "/").split("/")]
     parts = [part for part in parts if part]
     if ros_version == 2:

@@ -17,6 +17,7 @@ from plastron_tui.ros.names import (
     check_service_name,
     check_topic_name,
     resolved_name,
+    spelled,
 )
 from plastron_tui.targets import ros_version
 
@@ -90,7 +91,7 @@ def _written(program: Program, entry: Entry, old: str, new: str) -> Iterator[Edi
     same = {old, old.lstrip("/"), resolved_name(entry.node or "", old)}
     for statement in program.statements:
         for slot in DECLARATIONS[type(statement)].slots:
-            if slot.kind is kind and getattr(statement, slot.name) in same:
+            if slot.kind is kind and spelled(getattr(statement, slot.name)) in same:
                 yield Edit(statement.span_of(slot.name), f"'{new}'")
 
 

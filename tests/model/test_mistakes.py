@@ -107,6 +107,22 @@ def test_a_statement_with_a_mistake_has_no_effect(case: tuple[str, str, str, str
     assert len(after.nodes["n"].of(Publisher)["chatter"].publications) == 1
 
 
+TWO_MISTAKES = {
+    "subscribe n to 'a b' of message_type Strin": ["invalid-name", "unknown-type"],
+    "n provides_service 'a//b' of service_type Trigge": ["invalid-name", "unknown-type"],
+    "n publish zzz to 'a b' of message_type Strin": [
+        "unknown-message", "invalid-name", "unknown-type"
+    ],
+    "subscribe zzz to 'a b' of message_type String": ["unknown-node", "invalid-name"],
+    "subscribe zzz to '~b' of message_type String": ["unknown-node"],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("line", TWO_MISTAKES)
+def test_all_mistakes_of_a_statement_are_told(line: str) -> None:
+    assert codes(f"{TALKER}{line}\n") == TWO_MISTAKES[line]
+
+
 def test_a_node_is_not_called_idle_for_a_misspelt_name() -> None:
     text = NODE + "subscribe nn to 'a' of message_type String\ngenerate_node n\n"
     assert codes(text) == ["unknown-node"]

@@ -13,7 +13,7 @@ LOADED = source(
     endpoint(EndpointKind.PUBLISHER, "scan", "sensor_msgs/LaserScan"),
     endpoint(EndpointKind.PUBLISHER, "odd", None),
     endpoint(EndpointKind.ACTION_SERVER, "dock", "our_msgs/Dock"),
-    endpoint(EndpointKind.PARAMETER, "~rate"),
+    endpoint(EndpointKind.PARAMETER, "~/rate"),
     endpoint(EndpointKind.TIMER, None),
 )
 READER = FakeReader({"driver": LOADED})
@@ -75,15 +75,15 @@ def test_a_conflict_changes_nothing() -> None:
 
 
 LOAD_CASES: dict[str, tuple[list[str], set[str]]] = {
-    "d renames topic 'scan' to 'front'\n": ([], {"front", "odd", "dock", "~rate"}),
-    "d renames topic 'odd' to 'even'\n": ([], {"scan", "even", "dock", "~rate"}),
-    "d renames action 'dock' to 'park'\n": ([], {"scan", "odd", "park", "~rate"}),
-    "d renames parameter '~rate' to '~speed'\n": ([], {"scan", "odd", "dock", "~speed"}),
+    "d renames topic 'scan' to 'front'\n": ([], {"front", "odd", "dock", "~/rate"}),
+    "d renames topic 'odd' to 'even'\n": ([], {"scan", "even", "dock", "~/rate"}),
+    "d renames action 'dock' to 'park'\n": ([], {"scan", "odd", "park", "~/rate"}),
+    "d renames parameter '~rate' to '~speed'\n": ([], {"scan", "odd", "dock", "~/speed"}),
     "d renames parameter 'rate' to '~speed'\n": (
-        ["nothing-to-rename"], {"scan", "odd", "dock", "~rate"}
+        ["nothing-to-rename"], {"scan", "odd", "dock", "~/rate"}
     ),
     "d renames action 'dock' to 'x'\nd renames action 'x' to 'y'\n": (
-        [], {"scan", "odd", "y", "~rate"}
+        [], {"scan", "odd", "y", "~/rate"}
     ),
 }  # fmt: skip
 
@@ -95,6 +95,16 @@ def test_of_a_loaded_node(text: str) -> None:
     assert [each.code for each in found.diagnostics] == expected
     node = found.workspace.nodes["d"]
     assert {name for kind in EndpointKind for name in node.names(kind)} == names
+
+
+def test_a_private_name_has_one_spelling() -> None:
+    text = (
+        "create_node 'n' as n using rospy\nsubscribe n to '~a' of message_type String\n"
+        "n renames topic '~/a' to '~/b'\nunsubscribe n from '~b'\n"
+    )
+    found = run(text)
+    assert [each.code for each in found.diagnostics] == ["private-name"]
+    assert found.workspace.nodes["n"].is_idle
 
 
 @pytest.mark.parametrize(

@@ -62,9 +62,9 @@ def test_a_message_that_does_not_fit_the_other_ros_is_one_mistake() -> None:
 TYPE_CONFLICTS = {
     ("x", "/x"): True,
     ("/x", "x"): True,
-    ("~x", "/first/x"): True,
+    ("~/x", "/first/x"): True,
     ("~/x", "first/x"): True,
-    ("~x", "~x"): False,
+    ("~/x", "~/x"): False,
     ("x", "y"): False,
     ("a/x", "/a/x"): True,
 }

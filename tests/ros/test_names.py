@@ -10,6 +10,10 @@ from plastron_tui.ros.names import (
     check_node_name,
     check_service_name,
     check_topic_name,
+    name_as_read,
+    name_as_written,
+    resolved_name,
+    spelled,
 )
 
 VALID_TOPICS = {
@@ -60,7 +64,7 @@ WRONG_TOPICS = [
     ("~", 1, "~", 0, None),
     ("~", 2, "~", 0, None),
     ("a/~b", 1, "~", 2, "a/b"),
-    ("~~a", 1, "~", 1, "~a"),
+    ("~~a", 1, "~", 1, "~/a"),
     ("a\nb", 1, "\n", 1, "a_b"),
     ("a\n", 1, "\n", 1, "a"),
     ("a\n", 2, "\n", 1, "a"),
@@ -96,6 +100,37 @@ def test_the_wrong_part_of_a_topic_name_is_marked(
     assert problem is not None
     marked = name[problem.offset : problem.offset + problem.length]
     assert (marked, problem.offset, problem.suggestion) == (wrong, offset, suggestion)
+
+
+PRIVATE = [
+    # What the code has, what `rospy.names.resolve_name` makes of it in a node `/n`, how programs
+    # spell that, and how the code is written.
+    ("~scan", 1, "/n/scan", "~/scan", "~scan"),
+    ("~a/b", 1, "/n/a/b", "~/a/b", "~a/b"),
+    ("~1", 1, "/n/1", "~/1", "~1"),
+    ("~/scan", 1, "/scan", "/scan", "/scan"),
+    ("~//scan", 1, "/scan", "/scan", "/scan"),
+    ("~/scan", 2, "/n/scan", "~/scan", "~/scan"),
+    ("scan", 1, "/scan", "scan", "scan"),
+    ("/scan", 2, "/scan", "/scan", "/scan"),
+]
+
+
+@pytest.mark.parametrize(("code", "version", "full", "name", "written"), PRIVATE)
+def test_what_a_library_makes_of_a_private_name(
+    code: str, version: int, full: str, name: str, written: str
+) -> None:
+    read = name_as_read(code, version)
+    assert (read, resolved_name("n", read), name_as_written(read, version)) == (name, full, written)
+
+
+@given(st.from_regex(r"[~/]{0,3}[a-z0-9_]{0,4}(/[a-z]{1,2})?/?", fullmatch=True))
+def test_a_name_that_is_written_is_read_as_it_is_spelled(name: str) -> None:
+    for version in (1, 2):
+        if check_topic_name(name, version) is None:
+            wanted = spelled(name)
+            assert check_topic_name(wanted, version) is None
+            assert name_as_read(name_as_written(wanted, version), version) == wanted
 
 
 WRONG_NODES = [

@@ -26,7 +26,7 @@ TEXT = st.one_of(
 NAMES = st.one_of(
     WORDS,
     st.from_regex(r"/?[a-z][a-z0-9_]{0,9}(/[a-z][a-z0-9_]{0,9}){0,6}", fullmatch=True),
-    st.from_regex(r"~[a-z][a-z0-9_]{0,100}", fullmatch=True),
+    st.from_regex(r"~/[a-z][a-z0-9_]{0,100}", fullmatch=True),
 )
 EVIL = st.one_of(
     st.text(max_size=20),

@@ -216,6 +216,18 @@ TO_RCLPY = [
         "m = rospy.wait_for_message('t', String, timeout=5)",
         "m = wait_for_message(String, node, 't', time_to_wait=5)[1]",
     ),
+    (
+        "p = rospy.Publisher('~a', String, queue_size=1)",
+        "p = node.create_publisher(String, '~/a', 1)",
+    ),
+    (
+        "p = rospy.Publisher('~/a', String, queue_size=1)",
+        "p = node.create_publisher(String, '/a', 1)",
+    ),
+    (
+        "NAME = '~/a'\np = rospy.Publisher(NAME, String, queue_size=1)",
+        f"NAME = '~/a'\n{MARK}a private name\np = node.create_publisher(String, NAME, 1)",
+    ),
     ("if rospy.is_shutdown(): pass", "if not rclpy.ok(): pass"),
     ("go = not rospy.is_shutdown()", "go = rclpy.ok()"),
     ("rate = rospy.Rate(10)", "rate = node.create_rate(10)"),

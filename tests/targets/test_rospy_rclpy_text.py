@@ -238,3 +238,10 @@ def test_targets_are_found_by_name() -> None:
     assert isinstance(find_target("rospy"), RospyTarget)
     assert isinstance(find_target("rclpy"), RclpyTarget)
     assert find_target("no_such_library") is None
+
+
+@pytest.mark.parametrize(("library", "written"), [("rospy", '"~x"'), ("rclpy", '"~/x"')])
+def test_a_private_name_is_written_as_its_library_takes_it(library: str, written: str) -> None:
+    node = new()
+    node.put(Subscription("~/x", STRING, None, SPAN))
+    assert written in text(node, library)

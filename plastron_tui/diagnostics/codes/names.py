@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from plastron_tui.diagnostics.code import Code
+from plastron_tui.diagnostics.severity import Severity
 
 from .programs import LISTENER, TALKER, TALKING
 
@@ -56,6 +57,18 @@ INVALID_NAME = Code(
     "has no `/`.",
     bad="create_node 'my talker' as talker\n",
     good="create_node 'my_talker' as talker\n",
+)
+
+PRIVATE_NAME = Code(
+    "private-name",
+    "A private name has no slash behind its `~`, which ROS 2 does not take. `'~/image'` is private "
+    "for every node: Plastron writes it as its client library wants it, `~image` for rospy, where "
+    "`~/image` would mean `/image`.",
+    severity=Severity.WARNING,
+    bad="create_node 'camera' as camera using rospy\n"
+    "subscribe camera to '~trigger' of message_type std_msgs/Empty\n",
+    good="create_node 'camera' as camera using rospy\n"
+    "subscribe camera to '~/trigger' of message_type std_msgs/Empty\n",
 )
 
 UNKNOWN_TYPE = Code(

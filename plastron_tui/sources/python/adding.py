@@ -18,6 +18,7 @@ from plastron_tui.model.kinds import (
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface
+from plastron_tui.ros.names import name_as_written
 
 from . import literals
 from .addition import Addition
@@ -181,7 +182,8 @@ def _variable(added: Addition, model: Site | None) -> str:
 
 def _arguments(added: Addition, model: Site | None, class_: str, callback: str) -> str:
     """Return the arguments of the call, by position or keyword as the model has them."""
-    topic = added.writer.conventions.string(added.name)
+    name = name_as_written(added.name, added.dialect.ros_version)
+    topic = added.writer.conventions.string(name)
     shape = _shape(added)
     given = ((shape.name, topic), (shape.type, class_), (shape.callback, callback))
     values = {argument: value for argument, value in given if argument is not None and value}

@@ -49,6 +49,7 @@ class ClientLibrary:
 
     Attributes:
         module: the package whose import says that a file uses the library.
+        ros_version: the generation of ROS that it is for, 1 or 2.
         distribution: the distribution of the catalog that tells which package a message that
             comes from one of several star imports is of.
         shapes: the calls that create endpoints.
@@ -57,6 +58,7 @@ class ClientLibrary:
     """
 
     module: str
+    ros_version: int
     distribution: str
     shapes: tuple[CallShape, ...]
     node_calls: dict[str, Argument]
@@ -73,6 +75,7 @@ class ClientLibrary:
 
 ROSPY = ClientLibrary(
     module="rospy",
+    ros_version=1,
     distribution=newest_distribution(1),
     shapes=(
         CallShape(
@@ -166,6 +169,7 @@ ROSPY = ClientLibrary(
 
 RCLPY = ClientLibrary(
     module="rclpy",
+    ros_version=2,
     distribution=newest_distribution(2),
     shapes=(
         CallShape(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind, Remove, Rename, Update
+from plastron_tui.ros.names import name_as_read
 
 from .analysis import Analysis, Site
 from .arguments import Arguments
@@ -80,7 +81,9 @@ def waits(analysis: Analysis, sites: list[Site]) -> list[tuple[Node, Node]]:
         given = Arguments.of(call, analysis.syntax).get(Argument(0, "service"))
         folded = analysis.resolver.fold(given, scope)
         name = folded.value if isinstance(folded, Known) else None
-        if given is not None and name is not None and name in names:
+        if given is None or not isinstance(name, str):
+            continue
+        if name_as_read(name, analysis.library.ros_version) in names:
             found.append((statement, given))
     return found
 

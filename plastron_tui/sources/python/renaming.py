@@ -10,6 +10,8 @@ from typing import NamedTuple
 
 from tree_sitter import Node
 
+from plastron_tui.ros.names import name_as_written
+
 from .analysis import Analysis, Site
 from .constants import Known
 from .conventions import conventions_of
@@ -164,6 +166,7 @@ def _content(analysis: Analysis, string: Node) -> str | None:
 
 def _written(analysis: Analysis, node: Node, new: str, is_literal: bool) -> bytes:
     """Return an expression with the new name; the quotes of a literal stay."""
+    new = name_as_written(new, analysis.library.ros_version)
     encode, between = analysis.syntax.encode, analysis.syntax.between
     if is_literal and _PLAIN.fullmatch(new):
         start, end = node.children[0], node.children[-1]

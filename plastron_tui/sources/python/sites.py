@@ -9,6 +9,7 @@ from tree_sitter import Node
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.source import EndpointKind, SourceEndpoint
 from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.ros.names import name_as_read
 
 from .analysis import Analysis, NodeSite, Site
 from .arguments import Arguments
@@ -337,9 +338,10 @@ class _Finder:
         if name_node is not None and shape.kind is not EndpointKind.TIMER:
             folded = resolver.fold(name_node, scope)
             if isinstance(folded, Known) and isinstance(folded.value, str):
-                name = self._in_namespace(folded.value, shape, arguments, scope)
+                read = name_as_read(folded.value, self._a.library.ros_version)
+                name = self._in_namespace(read, shape, arguments, scope)
             elif isinstance(folded, Defaulted):
-                default = folded.value
+                default = name_as_read(folded.value, self._a.library.ros_version)
         type_node = arguments.get(shape.type) if shape.type is not None else None
         callback = arguments.get(shape.callback) if shape.callback is not None else None
         return SourceEndpoint(

@@ -6,11 +6,19 @@ from collections import defaultdict
 from typing import NoReturn
 
 from plastron_tui.diagnostics import Code, Diagnostic, Span, codes
-from plastron_tui.model.kinds import Client, Publication, Publisher, Service, Subscription
+from plastron_tui.model.kinds import (
+    Client,
+    Endpoint,
+    Publication,
+    Publisher,
+    Service,
+    Subscription,
+)
 from plastron_tui.model.values import MessageValue, Value
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog, moved
 from plastron_tui.ros.interfaces import FieldType, Interface, InterfaceKind, InterfaceName
+from plastron_tui.ros.names import name_as_written
 from plastron_tui.sources.python import literals, naming
 from plastron_tui.sources.python.dialect import Dialect
 from plastron_tui.sources.python.import_block import Imports
@@ -108,7 +116,7 @@ class Planner:
             name = naming.words(publisher.name)
             attribute = self._attributes.new(f"{name}_publisher")
             type_ = self._message_class(publisher.type, publisher.name, publisher.span)
-            topic = literals.string(publisher.name)
+            topic = self._name(publisher)
             plan.publishers.append(PublisherPlan(attribute, topic, type_))
             by_rate: dict[float, list[Publication]] = defaultdict(list)
             for publication in publisher.publications:
@@ -118,6 +126,10 @@ class Planner:
                 sends = tuple(self._send(publisher, each) for each in publications)
                 label = naming.label(publisher.name, "its topic")
                 plan.timers.append(TimerPlan(attribute, method, _period(rate), label, sends))
+
+    def _name(self, endpoint: Endpoint) -> str:
+        """Write the name of an endpoint as the client library takes it."""
+        return literals.string(name_as_written(endpoint.name, self._dialect.ros_version))
 
     def _send(self, publisher: Publisher, publication: Publication) -> SendPlan:
         value = publication.message.value
@@ -135,7 +147,7 @@ class Planner:
             callback = subscription.callback
             if callback is None:
                 callback = self._attributes.new(f"on_{naming.words(subscription.name)}")
-            topic = literals.string(subscription.name)
+            topic = self._name(subscription)
             plan.subscriptions.append(SubscriptionPlan(topic, type_, callback))
             if callback not in self._methods:
                 method = MethodPlan(callback, naming.label(subscription.name, callback))
@@ -148,7 +160,7 @@ class Planner:
             handler = service.callback
             if handler is None:
                 handler = self._attributes.new(f"handle_{naming.words(service.name)}")
-            name = literals.string(service.name)
+            name = self._name(service)
             response = self._dialect.response(type_, self._imports)
             plan.services.append(ServicePlan(name, self._service_class(type_), handler))
             known = self._methods.get(handler)
@@ -164,7 +176,7 @@ class Planner:
         for client in self._node.of(Client).values():
             type_ = self._service_type(client.type, client.name, client.span)
             attribute = self._attributes.new(f"{naming.words(client.name)}_client")
-            name = literals.string(client.name)
+            name = self._name(client)
             plan.clients.append(ClientPlan(attribute, name, self._service_class(type_)))
             for request in client.requests:
                 plan.calls.append(CallPlan(attribute, self._request(client, type_, request)))

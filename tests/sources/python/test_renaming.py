@@ -60,6 +60,21 @@ ROSPY = {
         "n renames parameter '~topic' to '~in'",
         {"'~topic'": "'~in'"},
     ),
+    "a private name": (
+        "rospy.Subscriber('~a', String, f)\n",
+        "n renames topic '~/a' to '~/b'",
+        {"'~a'": "'~b'"},
+    ),
+    "a name that only looks private": (
+        "rospy.Subscriber('~/a', String, f)\n",
+        "n renames topic '/a' to '~/a'",
+        {"'~/a'": "'~a'"},
+    ),
+    "a private service, and what waits for it": (
+        "rospy.wait_for_service('~a')\nc = rospy.ServiceProxy('~a', Empty)\nc()\n",
+        "n renames service '~/a' to '/a'",
+        {"'~a'": "'/a'"},
+    ),
     "all that waits for a service": (
         "rospy.wait_for_service('a')\nc = rospy.ServiceProxy('a', Empty, persistent=True)\nc()\n",
         "n renames service 'a' to 'b/c'",

@@ -161,8 +161,7 @@ def _missing(work: Work, before: Analysis, after: Analysis, source: SourceUnit) 
 
 def _key(work: Work, site: Site) -> _Key:
     endpoint = site.endpoint
-    name = endpoint.name.replace("~/", "~") if endpoint.name is not None else None
     type_ = endpoint.type
     if type_ is not None and endpoint.kind in _KINDS:
         type_ = target_type(work, type_, _KINDS[endpoint.kind][1])[0] or type_
-    return (endpoint.kind, name, str(type_))
+    return (endpoint.kind, endpoint.name, str(type_))

@@ -8,6 +8,7 @@ from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.sources.python.analysis import Site
+from plastron_tui.sources.python.constants import Known
 from plastron_tui.sources.python.scopes import Scope
 from plastron_tui.sources.python.splices import line_start
 from plastron_tui.sources.python.syntax import parts_of
@@ -28,7 +29,7 @@ def port_sites(
     Args:
         work: the file.
         writers: what writes the call of each kind.
-        private_name: writes a name that the node's own stands before.
+        private_name: writes a name that starts with `~`, which each library takes its own way.
     """
     for site in reversed(work.analysis.sites):
         if site.endpoint.kind not in writers or site.arguments.is_open:
@@ -37,7 +38,8 @@ def port_sites(
         is_typed = site.shape.type is None or site.arguments.get(site.shape.type) is not None
         if name is None or not is_typed:
             continue
-        is_private = site.endpoint.name is not None and site.endpoint.name.startswith("~")
+        folded = work.analysis.resolver.fold(name, site.scope)
+        is_private = isinstance(folded, Known) and str(folded.value).startswith("~")
         written = private_name(work, site, name) if is_private else work.text(name)
         wanted = writers[site.endpoint.kind](work, site, written)
         if wanted is not None:

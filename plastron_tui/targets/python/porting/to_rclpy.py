@@ -96,12 +96,17 @@ def _remedies(node: str) -> dict[str, str]:
     }
 
 
+_WITH_SLASH = "ROS 2 writes `~/name`, with a slash"
+
+
 def _private_name(work: Work, site: Site, name: Node) -> str:
-    """Write a private name, which has a slash behind its `~` in ROS 2."""
+    """Write a private name, which has a slash behind its `~` in ROS 2; in ROS 1 it is global."""
     written = work.text(name)
+    is_global = str(site.endpoint.name).startswith("/")
     if name.type == "string" and "~" in written:
-        return written.replace("~/", "~").replace("~", "~/", 1)
-    work.mark(site.call, "a private name", "ROS 2 writes `~/name`, with a slash")
+        return written.replace("~/", "/", 1) if is_global else written.replace("~", "~/", 1)
+    remedy = f"ROS 1 reads it as `{site.endpoint.name}`" if is_global else _WITH_SLASH
+    work.mark(site.call, "a private name", remedy)
     return written
 
 
