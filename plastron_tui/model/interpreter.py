@@ -17,13 +17,14 @@ from plastron_tui.language.lowering import Program
 
 from .context import Setting
 from .kinds import EDITABLE, EndpointKind
+from .meetings import check_meetings
 from .mistake import Mistake
 from .node_statements import create_node, generate_node, load
 from .rename import rename
 from .run import Run
 from .stale_statements import late_changes
 from .value_check import Fitter
-from .workspace import Workspace
+from .workspace import Node, Workspace
 
 
 class Interpretation(NamedTuple):
@@ -60,7 +61,9 @@ def interpret(
     diagnostics = interpreter.run(program, pulse)
     # In a program with a mistake, the statement that generates may be the mistake.
     if not has_errors(diagnostics):
-        diagnostics += tuple(late_changes(program, interpreter.workspace))
+        workspace, version_of = interpreter.workspace, interpreter.version_of
+        diagnostics += tuple(late_changes(program, workspace))
+        diagnostics += tuple(check_meetings(program, workspace, version_of))
     return Interpretation(interpreter.workspace, diagnostics, interpreter.fitters)
 
 
@@ -91,6 +94,10 @@ class Interpreter:
     def workspace(self) -> Workspace:
         """What the programs have built."""
         return self._run.workspace
+
+    def version_of(self, node: Node) -> int:
+        """Return the generation of ROS that a node is for."""
+        return self._run.checks.version_of(node)
 
     @property
     def fitters(self) -> dict[int, Fitter]:

@@ -13,7 +13,7 @@ from plastron_tui.ros.names import resolved_name
 from .kinds import Endpoint, EndpointKind, kind_of
 from .workspace import Node
 
-_CODES = {
+CONFLICTS = {
     InterfaceKind.MESSAGE: codes.TOPIC_TYPE_CONFLICT,
     InterfaceKind.SERVICE: codes.SERVICE_TYPE_CONFLICT,
 }
@@ -53,7 +53,7 @@ class Agreements:
         fix = None if facts.sends else write(str(use.type), where)
         assert facts.interface is not None
         return Diagnostic(
-            _CODES[facts.interface],
+            CONFLICTS[facts.interface],
             f"{facts.named} `{endpoint.name}` is of type `{use.type}` elsewhere in this program",
             where,
             help=f"use `{use.type}` here too, or another {facts.named}",
@@ -62,7 +62,7 @@ class Agreements:
         )
 
     def adopt(self, node: Node, version: int, statement: Statement) -> None:
-        """Note what a file holds; what does not agree there is not for the program to mend."""
+        """Note what a file holds; whether files agree is seen at the end (`meetings.py`)."""
         for endpoint in node.endpoints.values():
             if endpoint.type is not None:
                 self._add(node, version, endpoint, statement)

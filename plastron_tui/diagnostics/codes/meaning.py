@@ -108,7 +108,8 @@ MESSAGE_TYPE_MISMATCH = Code(
 
 TOPIC_TYPE_CONFLICT = Code(
     "topic-type-conflict",
-    "One topic has two types in a program. Nodes then do not hear each other.",
+    "One topic has two types in a program. Nodes then do not hear each other. Where files that "
+    "are loaded do not agree, it is a warning.",
     bad=f"{TALKING}create_node 'counter' as counter\n"
     "subscribe counter to '/chatter' of message_type Int32\n",
     good=f"{TALKING}create_node 'counter' as counter\n"
@@ -117,10 +118,23 @@ TOPIC_TYPE_CONFLICT = Code(
 
 SERVICE_TYPE_CONFLICT = Code(
     "service-type-conflict",
-    "One service has two types in a program. A call of it then fails.",
+    "One service has two types in a program. A call of it then fails. Where files that are loaded "
+    "do not agree, it is a warning.",
     bad=f"{ADDER}create_node 'caller' as caller\n"
     "caller client_requests 'add' of service_type Trigger with input none\n",
     good=ADDER + CALLER,
+)
+
+MISSPELT_NAME = Code(
+    "misspelt-name",
+    "A warning: one side alone uses a topic or a service, and the other side alone uses a name "
+    "that is one slip of the finger from it, of the same type. Names that differ in a digit, or by "
+    "words of one or two letters, are taken as they are.",
+    severity=Severity.WARNING,
+    bad=f"{TALKING}create_node 'listener' as listener\n"
+    "subscribe listener to 'chater' of message_type String\n",
+    good=f"{TALKING}create_node 'listener' as listener\n"
+    "subscribe listener to 'chatter' of message_type String\n",
 )
 
 SERVICE_PROVIDED_TWICE = Code(

@@ -1,0 +1,193 @@
+"""Whether the nodes of a finished program meet: names one slip apart, and files that disagree."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Callable, Iterator
+from itertools import pairwise
+from typing import NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Label, Severity, Span, codes
+from plastron_tui.language.lowering import Program
+from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+from plastron_tui.ros.names import resolved_name, spelled
+
+from .kinds import Endpoint, EndpointKind
+from .type_agreement import CONFLICTS
+from .workspace import Node, Workspace
+
+_LONGEST = 100
+"""The longest name that is looked at, in characters: each of them may be the slip."""
+_MOST = 1_000
+"""How many names that one side alone uses are compared at most."""
+_OPPOSITES = frozenset({frozenset({"ping", "pong"}), frozenset({"near", "rear"})})
+"""Words of a letter's difference that people name two things by."""
+_SERIES = tuple(map(frozenset, ("xyz", "rpy", "rgb", "lr", "abcd")))
+"""Letters that people tell things of a kind apart by."""
+
+_Place = tuple[InterfaceKind, int, str]
+"""A topic (or a service), in a generation of ROS, by its full name."""
+
+
+class _User(NamedTuple):
+    """A node's endpoint where others may meet it."""
+
+    node: Node
+    kind: EndpointKind
+    endpoint: Endpoint
+
+    @property
+    def place(self) -> str:
+        """The file and the line that have it, "" where a statement made it."""
+        source, (kind, name) = self.node.source, (self.kind, self.endpoint.name)
+        if source is None or self.endpoint.span is not None:
+            return ""
+        renamed = self.node.renamed.get((kind, name))
+        name = name if renamed is None else renamed.name
+        found = (each for each in source.of_kind(kind) if each.name == name)
+        return next((f"line {each.line} of `{source.path_of(each).name}`" for each in found), "")
+
+    @property
+    def span(self) -> Span:
+        """The statement that made it, or that loaded its file."""
+        return self.endpoint.span or self.node.span
+
+
+_Meetings = dict[_Place, list[_User]]
+
+
+def check_meetings(
+    program: Program, workspace: Workspace, version_of: Callable[[Node], int]
+) -> Iterator[Diagnostic]:
+    """Yield a warning for each pair of files of other types, and for names one slip apart.
+
+    Args:
+        program: the statements, none of which has a mistake.
+        workspace: what they built.
+        version_of: tells the generation of ROS that a node is for.
+    """
+    meetings = _meetings(workspace, version_of)
+    yield from _disagreements(meetings)
+    for one, other in _slips(meetings):
+        yield _misspelt(one, other, program)
+
+
+def _meetings(workspace: Workspace, version_of: Callable[[Node], int]) -> _Meetings:
+    found: _Meetings = defaultdict(list)
+    for node in workspace.nodes.values():
+        version = version_of(node)
+        for (kind, written), endpoint in node.endpoints.items():
+            assert kind.facts.interface is not None
+            place = kind.facts.interface, version, resolved_name(node.name, written)
+            found[place].append(_User(node, kind, endpoint))
+    return found
+
+
+def _disagreements(meetings: _Meetings) -> Iterator[Diagnostic]:
+    """Yield a warning for what files mean differently; of two statements that is an error."""
+    for (interface, _, name), users in meetings.items():
+        first: dict[InterfaceName, _User] = {}
+        for user in users:
+            if user.endpoint.type is not None:
+                first.setdefault(user.endpoint.type, user)
+        for one, other in pairwise(sorted(first.values(), key=lambda user: user.span)):
+            if one.node.name != other.node.name:
+                what = f"{one.kind.facts.named} `{name}`"
+                yield Diagnostic(
+                    CONFLICTS[interface],
+                    f"{what} is of type {_typed(one)}, and {_typed(other)}",
+                    other.span,
+                    help="nodes of two types do not meet: change one of the files",
+                    labels=(Label(one.span, f"`{one.endpoint.type}` here"),),
+                    severity=Severity.WARNING,
+                )
+
+
+def _typed(user: _User) -> str:
+    place = user.place
+    return f"`{user.endpoint.type}`" + (f" in {place}" if place else "")
+
+
+def _slips(meetings: _Meetings) -> Iterator[tuple[_User, _User]]:
+    """Yield who uses a name that one side alone uses, and who one that only the other side does."""
+    one_sided = [
+        (place, users)
+        for place, users in meetings.items()
+        if len({user.kind.facts.sends for user in users}) == 1 and len(place[2]) <= _LONGEST
+    ]
+    sent: dict[tuple[object, ...], list[_Place]] = defaultdict(list)
+    heard: dict[tuple[object, ...], list[_Place]] = defaultdict(list)
+    for place, users in one_sided[:_MOST]:
+        types = {user.endpoint.type for user in users}
+        if len(types) == 1 and None not in types:
+            side = sent if users[0].kind.facts.sends else heard
+            for name in _shortened(place[2]):
+                side[place[:2], name, users[0].endpoint.type].append(place)
+    pairs = (
+        (one, other) for key in sent.keys() & heard for one in sent[key] for other in heard[key]
+    )
+    for one, other in sorted(set(pairs)):
+        senders, receivers = meetings[one], meetings[other]
+        # A node that uses both names means both.
+        nodes = {user.node.name for user in senders} & {user.node.name for user in receivers}
+        if not nodes and _is_slip(one[2], other[2]):
+            yield senders[0], receivers[0]
+
+
+def _shortened(name: str) -> set[str]:
+    """Return a name, and it without each of its characters: names one slip apart share one."""
+    return {name, *(name[:at] + name[at + 1 :] for at in range(len(name)))}
+
+
+def _is_slip(one: str, other: str) -> bool:
+    """Tell whether a slip of the finger makes one name the other, and no other thing is meant."""
+    start = _common(one, other)
+    end = _common(one[start:][::-1], other[start:][::-1])
+    a, b = one[start : len(one) - end], other[start : len(other) - end]
+    is_slip = max(len(a), len(b)) == 1 or (len(a) == 2 and a == b[::-1])
+    words = set(re.split("[_/]", one)) ^ set(re.split("[_/]", other))
+    return (
+        is_slip
+        and not any(char.isdigit() for char in a + b)
+        and all(len(word) > 2 for word in words)
+        and words not in _OPPOSITES
+        and not any({a, b} <= series for series in _SERIES)
+    )
+
+
+def _common(one: str, other: str) -> int:
+    """Return how many characters two texts begin with alike."""
+    pairs = enumerate(zip(one, other, strict=False))
+    return next((at for at, (a, b) in pairs if a != b), min(len(one), len(other)))
+
+
+def _misspelt(one: _User, other: _User, program: Program) -> Diagnostic:
+    """Return the warning, at what the program says last of the two."""
+    stated = [user for user in (one, other) if user.endpoint.span is not None]
+    wrong = max(stated or (one, other), key=lambda user: user.span)
+    right = other if wrong is one else one
+    name = right.endpoint.name
+    if resolved_name(wrong.node.name, name) != resolved_name(right.node.name, name):
+        name = resolved_name(right.node.name, name)
+    slot = wrong.kind.editing.name_slot
+    places = [
+        each.span_of(slot)
+        for each in program.statements
+        if getattr(each, "node", None) == wrong.node.variable
+        and spelled(getattr(each, slot, "")) == wrong.endpoint.name
+    ]
+    fix = Fix(f"write `'{name}'`", tuple(Edit(place, f"'{name}'") for place in places))
+    return Diagnostic(
+        codes.MISSPELT_NAME,
+        f"{_use(wrong)}, and {_use(right)}",
+        places[0] if stated and places else wrong.span,
+        help=f"did you mean `{name}`?",
+        fix=fix if stated and places else None,
+        labels=(Label(right.span, "the other name"),),
+    )
+
+
+def _use(user: _User) -> str:
+    place = f" in {user.place}" if user.place else ""
+    return f"`{user.node.variable}` {user.kind.facts.verb} `{user.endpoint.name}`{place}"
