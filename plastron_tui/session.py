@@ -259,7 +259,7 @@ class Session:
         asked = self.workspace.generations if generations is None else generations
         return self._planner(asked).plan(made, is_preview=is_preview)
 
-    def _rendered(self, generation: Generation) -> tuple[Path, FileSet] | None:
+    def _rendered(self, generation: Generation) -> tuple[Path, FileSet, str] | None:
         return self._planner(()).rendered(generation)
 
     def _planner(self, generations: Sequence[Generation]) -> Planner:

@@ -151,9 +151,9 @@ with an ending that says what it does:
 | `_server.py` | only provides services |
 | `_node.py` | does several of these |
 
-So the file's name changes with what the node does: a second subscription turns `ears_sub1.py`
-into `ears_sub2.py`. What was written by hand goes along, and a warning names the old file, which
-stays.
+The ending is chosen when the node is first written, and stays: with a second subscription
+`ears_sub1.py` is still `ears_sub1.py`. With `file_names: plain` in `plastron.yaml` new files have no
+ending: `ears.py`.
 
 `load NAME` looks for `NAME.py`, then `NAME.cpp`, in the output folder, the program's folder and the
 working folder; `load 'path/to/file.py'` starts at the program's folder. A file outside of the

@@ -40,7 +40,7 @@ def test_everything_is_read(tmp_path: Path) -> None:
         (tmp_path / name).mkdir()
     text = (
         "# my project\ntarget: rclpy\ndistribution: humble\noutput: ../nodes\n"
-        "templates: templates\ntypes: [msgs, ./more]\n"
+        "file_names: plain\ntemplates: templates\ntypes: [msgs, ./more]\n"
     )
     project, mistakes = read(tmp_path, text)
     assert mistakes == []
@@ -49,6 +49,7 @@ def test_everything_is_read(tmp_path: Path) -> None:
         "rclpy",
         "humble",
         tmp_path / ".." / "nodes",
+        "plain",
         tmp_path / "templates",
         (tmp_path / "msgs", tmp_path / "more"),
     )
@@ -61,7 +62,7 @@ def test_nothing_is_said(tmp_path: Path, text: str) -> None:
     assert read(tmp_path, text) == (Project(tmp_path / FILE_NAME), [])
 
 
-KEYS = "the keys are target, distribution, output, templates, types"
+KEYS = "the keys are target, distribution, output, file_names, templates, types"
 FOLDER = "is to be the path of a folder"
 
 

@@ -12,6 +12,7 @@ from plastron_tui.model.source import FileSet
 from plastron_tui.output.manifest import Manifest
 from plastron_tui.output.patch_stack import Author, Layers, are_untouched
 
+from .file_names import FileNames
 from .user_edits import files_on_disk, layers_at
 
 
@@ -23,6 +24,7 @@ class Writing(NamedTuple):
         manifests: gives what is remembered of the files of a folder.
         author: the program: nodes of one name in two programs are two. Of one that has no file
             nothing is remembered.
+        names: how the files of created nodes are called.
         in_place: whether a loaded node is written over the file that it came from.
         force: whether files are written anew, whatever was changed by hand.
     """
@@ -30,6 +32,7 @@ class Writing(NamedTuple):
     output: Path
     manifests: Callable[[Path], Manifest]
     author: Author
+    names: FileNames
     in_place: bool = False
     force: bool = False
 

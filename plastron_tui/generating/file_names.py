@@ -1,20 +1,27 @@
-"""The names that no node file gets, because something runs files of these names by itself.
+"""The names of node files: what a created node's is, and which names no node file gets.
 
-A loaded node keeps its file's name, and its text is somebody's: under another name, or in another
-folder, the text would run without being asked for.
+A created node keeps the file that it was first written to. A loaded node keeps its file's name, and
+its text is somebody's: under another name, or in another folder, something might run it without
+being asked for.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Container
+from collections.abc import Callable, Container
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
 
 if TYPE_CHECKING:
+    from plastron_tui.model.workspace import Node
+    from plastron_tui.output.manifest import Manifest
     from plastron_tui.sources.base import Language
+    from plastron_tui.targets.base import Target
+
+_ENDINGS = ("", "_pub", "_sub1", "_sub2", "_client", "_server", "_node")
+"""What stands behind a node's name: nothing with `file_names: plain`, else what the node does."""
 
 _GIT_HOOKS = frozenset(
     {
@@ -28,6 +35,40 @@ _GIT_HOOKS = frozenset(
     }
 )  # fmt: skip
 """The hooks of githooks(5): a repository may keep them in any folder (`core.hooksPath`)."""
+
+
+class FileNames(NamedTuple):
+    """How the files of created nodes are called.
+
+    Attributes:
+        output: the output folder.
+        manifest: gives what is remembered of the files of a folder.
+        program: the name of the program's file: nodes of one name in two programs are two.
+        is_plain: whether a new file is called as its node is, without an ending.
+    """
+
+    output: Path
+    manifest: Callable[[Path], Manifest]
+    program: str
+    is_plain: bool = False
+
+    def of(self, node: Node, target: Target) -> str:
+        """Return the name of a node's main file: the one that it has, or what it is written to."""
+        suffix = target.language.suffix
+        new = f"{node.name}{suffix}" if self.is_plain else target.file_name(node)
+        names = dict.fromkeys((new, *(f"{node.name}{ending}{suffix}" for ending in _ENDINGS)))
+        return next((name for name in names if self._holds(name, node, target)), new)
+
+    def _holds(self, name: str, node: Node, target: Target) -> bool:
+        """Tell whether a file was written for a node of the program, and not replaced since."""
+        manifest = self.manifest(self.output)
+        known = manifest.bases.get(name, {})
+        written_for = (known.get("node"), known.get("library"), known.get("program"))
+        return (
+            written_for == (node.name, target.name, self.program)
+            and manifest.successor(name) is None
+            and (self.output / name).is_file()
+        )
 
 
 def refuse_name(

@@ -8,10 +8,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
-from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.source import FileSet
 from plastron_tui.model.workspace import Generation, Node
-from plastron_tui.output.manifest import Base, Manifest, Reading
+from plastron_tui.output.manifest import Manifest, Reading
 from plastron_tui.output.node_json import recall, remember
 from plastron_tui.output.patch_stack import are_untouched
 
@@ -32,14 +32,10 @@ from .user_edits import (
 
 if TYPE_CHECKING:
     from plastron_tui.sources.base import Language
-    from plastron_tui.targets.base import Target
 
     from .endpoint_merge import Merged
 
 Notes = tuple[Diagnostic, ...]
-
-# What a target puts behind a node's name tells what the node does, and changes with it.
-_PARTS = ("_pub", "_sub1", "_sub2", "_client", "_server", "_node")
 
 
 @dataclass(frozen=True, slots=True)
@@ -214,7 +210,7 @@ class _Creation:
         rendered = target.render(node, catalog)
         if rendered.files is None:
             return _refused(self.generation, rendered.diagnostics)
-        name = target.file_name(node)
+        name = self.writing.names.of(node, target)
         base = remember(node, target.name, program)
         files = NodeFiles(
             name,
@@ -229,12 +225,7 @@ class _Creation:
             # Forced too it is a conflict, so that a backup is kept.
             files = replace(files, problem=of_other_program(output / name, owner))
             return Generated(self.generation, files, rendered.diagnostics)
-        others = _other_files(name, base, target, output, manifest)
-        notes = (*rendered.diagnostics, *(_left_behind(output / other, name) for other in others))
-        earlier = _earlier(name, others, output, manifest)
-        if earlier is None:
-            return self._written(files, notes)
-        return self._moved(replace(files, supersedes=earlier), earlier, notes)
+        return self._written(files, rendered.diagnostics)
 
     def _written(self, files: NodeFiles, notes: Notes) -> Generated:
         """Write a node where it was before, or where nothing is."""
@@ -270,24 +261,6 @@ class _Creation:
             notes = (*notes, *covered.notes)
         return Generated(self.generation, files, notes)
 
-    def _moved(self, files: NodeFiles, earlier: str, notes: Notes) -> Generated:
-        """Write a node under another name than before; handwork goes along."""
-        path, origin = self.writing.output / files.name, self.writing.output / earlier
-        present = files_on_disk(origin)
-        if not self.writing.force and not _may_replace(path, self.manifest):
-            files = replace(files, problem=_stale(path, earlier))
-            return Generated(self.generation, files, notes)
-        is_own = present in (None, files.files) or are_recorded(self.manifest, earlier, present)
-        if self.writing.force or is_own or present is None:
-            return Generated(self.generation, files, notes)
-        merged = self._merged(origin, files.files, present)
-        if merged.files is None:
-            problem = unmergeable(origin, merged.reason)
-            return Generated(self.generation, replace(files, problem=problem), notes)
-        files = replace(files, files=merged.files, has_handwork=True)
-        notes = (*notes, kept_handwork(origin, files.name), *merged.all_notes)
-        return Generated(self.generation, files, notes)
-
     def _merged(self, path: Path, mine: FileSet, present: FileSet) -> Merged:
         """Merge what the program changed in a node into a file that was changed by hand."""
         from plastron_tui.targets import read_source
@@ -320,57 +293,6 @@ def _other_program(name: str, program: str, manifest: Manifest) -> str | None:
         known = layers[0].program
     is_other = isinstance(known, str) and known and program and known != program
     return known if is_other else None
-
-
-def _other_files(
-    name: str, base: Base, target: Target, output: Path, manifest: Manifest
-) -> list[str]:
-    """Return the files of other names that a program made of the same node before."""
-    names = (f"{base['node']}{part}{target.language.suffix}" for part in _PARTS)
-    same = ("node", "library", "program")
-    return [
-        other
-        for other in names
-        if other != name
-        and (known := manifest.bases.get(other)) is not None
-        and all(known.get(key) == base[key] for key in same)
-        and (output / other).is_file()
-    ]
-
-
-def _earlier(name: str, others: list[str], output: Path, manifest: Manifest) -> str | None:
-    """Return the file that held a node until its file's name became another."""
-    is_current = name in manifest and manifest.successor(name) is None
-    if not others or (is_current and (output / name).is_file()):
-        return None
-    return next((other for other in others if manifest.successor(other) is None), None)
-
-
-def _may_replace(path: Path, manifest: Manifest) -> bool:
-    """Tell whether files of an earlier generate hold nothing but what Plastron wrote."""
-    present = files_on_disk(path)
-    if present is None or path.name not in manifest:
-        return True
-    return are_recorded(manifest, path.name, present)
-
-
-def _left_behind(path: Path, name: str) -> Diagnostic:
-    return Diagnostic(
-        codes.LEFT_BEHIND,
-        f"the node of `{path.name}` is in `{name}` now, but can still be started from the old file",
-        file=path,
-        help=f"compare it with `{name}`, and remove it",
-    )
-
-
-def _stale(path: Path, current: str) -> Diagnostic:
-    return Diagnostic(
-        codes.FILE_CONFLICT,
-        f"`{path.name}` was changed by hand, and later the node went on in `{current}`",
-        file=path,
-        help=f"remove `{path.name}`, and what `{current}` holds goes there; or use "
-        "`generate --force` to overwrite it and keep a backup",
-    )
 
 
 def _refused(generation: Generation, diagnostics: Notes) -> Generated:

@@ -25,7 +25,6 @@ class NodeFiles:
         path: where to write the main file instead of the output folder.
         has_handwork: whether the files keep what was written by hand.
         base: what the program has.
-        supersedes: the main file that this one takes the place of.
         problem: why the handwork that is there cannot be merged.
         layers: what programs made of the files.
         seen: the manifests that the files were made with, each with its folder.
@@ -38,7 +37,6 @@ class NodeFiles:
     path: Path | None = None
     has_handwork: bool = False
     base: Base | None = None
-    supersedes: str | None = None
     problem: Diagnostic | None = None
     layers: Layers | None = None
     seen: tuple[tuple[Path, Manifest], ...] = ()
@@ -54,7 +52,6 @@ class NodeFiles:
             self.path,
             self.has_handwork,
             self.base,
-            self.supersedes,
             self.problem,
             self.layers,
             self.seen,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from pathlib import Path
+from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from plastron_tui.output.manifest import Manifest
 
     from .apply_changes import Library
+    from .file_names import FileNames
 
 
 class ProgramFiles(NamedTuple):
@@ -27,7 +28,7 @@ class ProgramFiles(NamedTuple):
 def program_files(
     generations: Sequence[Generation],
     library_of: Callable[[str], Library | None],
-    output: Path,
+    names: FileNames,
     manifest: Manifest,
 ) -> ProgramFiles:
     """Write the files of a program as a whole, for each client library of its nodes.
@@ -35,7 +36,7 @@ def program_files(
     Args:
         generations: all that the program generates.
         library_of: gives a client library by its name, None for one that nothing writes.
-        output: the output folder.
+        names: how the files of created nodes are called.
         manifest: what is remembered of its files.
     """
     nodes: dict[str, dict[str, Node]] = {}
@@ -44,14 +45,20 @@ def program_files(
         nodes.setdefault(each.library, {})[each.node.variable] = each.node
     files: list[NodeFiles] = []
     diagnostics: list[Diagnostic] = []
-    for name, found in nodes.items():
+    for name, used in nodes.items():
         library = library_of(name)
         if library is None:
             continue
-        made = library.target.render_program(tuple(found.values()), library.catalog)
+        found = tuple(_with_file(node, names.of(node, library.target)) for node in used.values())
+        made = library.target.render_program(found, library.catalog)
         diagnostics += made.diagnostics
         if made.files is not None:
             main = made.files.names[0]
-            seen = ((output, manifest),)
+            seen = ((names.output, manifest),)
             files.append(NodeFiles(main, made.files, is_executable=False, seen=seen))
     return ProgramFiles(tuple(files), tuple(diagnostics))
+
+
+def _with_file(node: Node, name: str) -> Node:
+    """Let a created node know its file, for a target to name it."""
+    return replace(node, file=name) if node.source is None else node

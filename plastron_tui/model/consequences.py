@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from itertools import product
 
 from plastron_tui.language.broken_lines import Broken
@@ -27,12 +28,14 @@ class Consequences:
         self._declared = set(lines.declared)
         self._endpoints: set[tuple[str, str]] = set()
         self._nodes: set[str] = set()
+        self._uncreated: set[str] = set()
 
     def add(self, statement: Statement) -> None:
         """Remember what a statement without effect was to make: it is broken, not missing."""
         declaration = DECLARATIONS[type(statement)]
         filled = [(slot.kind, getattr(statement, slot.name)) for slot in declaration.slots]
         self._declared.update(text for kind, text in filled if kind.makes is not None)
+        self._uncreated.update(text for kind, text in filled if kind is SlotKind.NODE_NAME)
         names = [spelled(text) for kind, text in filled if kind in _NAMES]
         if names and declaration.undoes is None:
             nodes = [text for kind, text in filled if kind is SlotKind.NODE]
@@ -63,6 +66,11 @@ class Consequences:
             or "" in lines.unfinished
             or (variable in lines.words and name in lines.words)
         )
+
+    def may_name(self, file: str, nodes: Mapping[str, Node]) -> bool:
+        """Tell whether a file may be that of a node which a mistake kept from what it was to be."""
+        names = {*self._uncreated, *(n.name for n in nodes.values() if self.is_unfinished(n))}
+        return any(file == name or file.startswith(f"{name}_") for name in names)
 
     def is_unfinished(self, node: Node) -> bool:
         """Tell whether a mistake kept a node from having what it was to have."""

@@ -40,6 +40,8 @@ def load(run: Run, statement: st.Load) -> None:
     run.checks.new_variable(statement, statement.variable)
     generated = tuple(run.workspace.generations)
     loaded = run.setting.read(LoadRequest(statement.source, statement.is_path, generated))
+    if loaded.source is None and run.consequences.may_name(statement.source, run.workspace.nodes):
+        raise Mistake
     where = statement.span_of("source")
     for found in loaded.diagnostics:
         fix = None if loaded.right is None else write(loaded.right, where)

@@ -51,6 +51,7 @@ class Node:
             which they came; `put` and `take` change them.
         removed: which statement took a name away last.
         renamed: what was given another name, by its kind and that name.
+        file: the main file that a created node has, "" where none was chosen yet.
     """
 
     name: str
@@ -61,6 +62,7 @@ class Node:
     by_kind: dict[EndpointKind, dict[str, Endpoint]] = field(default_factory=_none)
     removed: dict[str, Span] = field(default_factory=dict)
     renamed: dict[EndpointKey, Renamed] = field(default_factory=dict)
+    file: str = ""
 
     def of(self, type_: type[EndpointType]) -> Mapping[str, EndpointType]:
         """Return the endpoints of one class by name: `node.of(Publisher)`."""

@@ -70,7 +70,7 @@ class Manifest:
         return self.digests.get(name) == digest(text)
 
     def successor(self, name: str) -> str | None:
-        """Return the file that a node went to when its file's name became another."""
+        """Return the file that a node went to, when an older version gave its file another name."""
         found = self.bases.get(name, {}).get(_SUPERSEDED)
         return found if isinstance(found, str) else None
 
@@ -103,7 +103,6 @@ class Manifest:
         entries: Mapping[str, str],
         present: Collection[str],
         bases: Mapping[str, Base] | None = None,
-        superseded: Mapping[str, str] | None = None,
         layers: Mapping[str, Layers] | None = None,
     ) -> Manifest:
         """Return the manifest with new entries, without those of files that are gone.
@@ -112,13 +111,10 @@ class Manifest:
             entries: digests by file name.
             present: the names of the files that are in the folder now.
             bases: what the program has now, by file name.
-            superseded: the files that others take the place of, and these others.
             layers: what programs made of loaded files, by file name; none forgets what there was.
         """
         digests = {**self.digests, **entries}
         known = {**self.bases, **(bases or {})}
-        for old, new in (superseded or {}).items():
-            known[old] = {**known.get(old, {}), _SUPERSEDED: new}
         return Manifest(
             {name: value for name, value in digests.items() if name in present},
             {name: base for name, base in known.items() if name in present},
@@ -133,7 +129,6 @@ class Manifest:
         self,
         entries: Mapping[str, str],
         bases: Mapping[str, Base],
-        superseded: Mapping[str, str],
         layers: Mapping[str, Layers],
     ) -> bool:
         """Tell whether `updated` would remember nothing new."""
@@ -141,7 +136,6 @@ class Manifest:
             not self.is_foreign
             and entries.items() <= self.digests.items()
             and all(self.bases.get(name) == base for name, base in bases.items())
-            and all(self.successor(old) == new for old, new in superseded.items())
             and all(
                 self.layers.get(name, ()) == each[-MOST_LAYERS:] for name, each in layers.items()
             )

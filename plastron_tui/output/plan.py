@@ -51,8 +51,6 @@ class OutputFile:
             for it, and a symbolic link there is followed.
         has_handwork: whether the text keeps what was written by hand, in another file perhaps.
         base: what the program has, for the manifest to remember.
-        supersedes: the file that this one takes the place of, where a node's file gets another
-            name.
         problem: why the handwork that is there cannot be merged: the file is then in conflict.
         layers: what programs made of a loaded file, for the manifest of the file's folder to
             remember; empty to forget it, None to leave it.
@@ -67,7 +65,6 @@ class OutputFile:
     path: Path | None = None
     has_handwork: bool = False
     base: Base | None = None
-    supersedes: str | None = None
     problem: Diagnostic | None = None
     layers: Layers | None = None
     seen: tuple[tuple[Path, Manifest], ...] = ()
@@ -88,7 +85,6 @@ class PlannedFile:
         entry: the name under which the manifest remembers `text` once it is written; None for a
             text that holds handwork, and for a file outside the folder.
         base: what the manifest remembers of the program once it is written.
-        supersedes: the file that the manifest then notes as replaced by this one.
         problem: why a conflict is one, as the diagnostic to give where it is not forced.
         layers: what the manifest in the file's own folder then remembers of loaded text.
         seen: the manifests that text and state were made with, each with its folder, links
@@ -104,7 +100,6 @@ class PlannedFile:
     status: os.stat_result | None = None
     entry: str | None = None
     base: Base | None = None
-    supersedes: str | None = None
     problem: Diagnostic | None = None
     layers: Layers | None = None
     seen: tuple[tuple[str, Manifest], ...] = ()
@@ -216,7 +211,6 @@ def _plan_file(folder: Path, real_folder: str, file: OutputFile, manifest: Manif
         status,
         entry=file.name if is_inside and is_own else None,
         base=file.base if is_inside else None,
-        supersedes=file.supersedes if is_inside else None,
         problem=problem,
         layers=file.layers,
         seen=tuple(seen),

@@ -249,7 +249,6 @@ class _News(NamedTuple):
 
     entries: dict[str, str]
     bases: dict[str, Base]
-    superseded: dict[str, str]
     layers: dict[str, Layers]
 
 
@@ -261,10 +260,10 @@ def _manifest_step(home: str, news: _News, manifest: Manifest) -> Step | None:
     path = os.path.join(home, NAME)
     if manifest.is_up_to_date(*news):
         return None
-    known = {*manifest.digests, *manifest.bases, *manifest.layers, *news.superseded}
+    known = {*manifest.digests, *manifest.bases, *manifest.layers}
     there = {name for name in known if os.path.lexists(os.path.join(home, name))}
     present = {*there, *news.entries, *news.bases, *news.layers}
-    updated = manifest.updated(news.entries, present, news.bases, news.superseded, news.layers)
+    updated = manifest.updated(news.entries, present, news.bases, news.layers)
     text = manifest_text(updated)
     if not os.path.lexists(path):
         return Step(path, text, is_executable=False)
@@ -285,15 +284,13 @@ def _news(folder: Path, files: list[PlannedFile]) -> dict[str, _News]:
     news: dict[str, _News] = {}
 
     def at(folder: str) -> _News:
-        return news.setdefault(folder, _News({}, {}, {}, {}))
+        return news.setdefault(folder, _News({}, {}, {}))
 
     for file in files:
         if file.entry is not None:
             at(home).entries[file.entry] = digest(file.text)
         if file.base is not None:
             at(home).bases[file.name] = file.base
-        if file.supersedes is not None:
-            at(home).superseded[file.supersedes] = file.name
         if file.layers is not None:
             path = os.fspath(file.path)
             at(os.path.dirname(path)).layers[os.path.basename(path)] = file.layers

@@ -32,6 +32,9 @@ _MOST_TURNS = 100
 
 _MANIFEST = ".plastron.json"
 
+Rendered: TypeAlias = "tuple[Path, FileSet, str]"
+_Made: TypeAlias = tuple[tuple[str, str], Loaded]
+
 
 Stamps: TypeAlias = dict[Path, Stamp | None]
 """The stamps of files, by their paths; None for one that was not there."""
@@ -101,7 +104,7 @@ class NodeLoader:
         folder: Path,
         output: Path,
         boundary: Boundary,
-        rendered: Callable[[Generation], tuple[Path, FileSet] | None],
+        rendered: Callable[[Generation], Rendered | None],
         program: str = "",
         text: bytes = b"",
         files: FilesRead | None = None,
@@ -112,7 +115,8 @@ class NodeLoader:
             folder: the program's folder.
             output: the output folder.
             boundary: the project, which no `load` leaves unless it is trusted.
-            rendered: makes the files of an earlier `generate_node` of the program.
+            rendered: makes the files of an earlier `generate_node` of the program; the last is the
+                stem of the main file where the node is not written yet.
             program: the name of the program's file, "" where it has none.
             text: the program.
             files: what earlier loaders have read.
@@ -126,7 +130,7 @@ class NodeLoader:
         self._files = files or FilesRead()
         self._loaded: set[Path] = set()
         # By the object, which is kept beside: nodes have no hash.
-        self._made: dict[int, tuple[Generation, tuple[Path, Loaded] | None]] = {}
+        self._made: dict[int, tuple[Generation, _Made | None]] = {}
 
     def __call__(self, request: LoadRequest) -> Loaded:
         """Read the file that a `load` asks for."""
@@ -175,28 +179,29 @@ class NodeLoader:
             # Rendering costs more than asking for the name: a node's name starts its file's.
             if request.source.startswith(node.name if source is None else source.path.stem):
                 made = self._made_by(generation)
-                if made is not None and made[0].stem == request.source:
+                if made is not None and request.source in made[0]:
                     yield made[1]
 
-    def _made_by(self, generation: Generation) -> tuple[Path, Loaded] | None:
-        """Return the file that a `generate_node` makes, as a `load` of it gets it."""
+    def _made_by(self, generation: Generation) -> _Made | None:
+        """Return what a `load` may call the file of a `generate_node`, and what it gets."""
         key = id(generation)
         if key not in self._made:
             self._made[key] = generation, self._make(generation)
         return self._made[key][1]
 
-    def _make(self, generation: Generation) -> tuple[Path, Loaded] | None:
+    def _make(self, generation: Generation) -> _Made | None:
         rendered, source = self._rendered(generation), generation.node.source
         if rendered is None:
             return None
-        path, files = rendered
+        path, files, new = rendered
+        names = (path.stem, new)
         if source is None:
-            return path, read_node(path, files)
+            return names, read_node(path, files)
         origin = _chained(source)
         if origin.turns > _MOST_TURNS:
             reason = f"the program generates and loads it more than {_MOST_TURNS} times in turn"
-            return path, _failed(codes.UNREADABLE_FILE, f"`{path.name}` is not read: {reason}")
-        return path, _with_origin(read_node(path, files), origin)
+            return names, _failed(codes.UNREADABLE_FILE, f"`{path.name}` is not read: {reason}")
+        return names, _with_origin(read_node(path, files), origin)
 
     def _candidates(self, request: LoadRequest) -> Iterator[Path]:
         if request.is_path:

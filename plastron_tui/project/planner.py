@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from pathlib import Path
+from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Diagnostic, codes
@@ -14,6 +14,7 @@ from plastron_tui.targets import LIBRARIES, has_target
 
 if TYPE_CHECKING:
     # To check a program takes no more of this than what nothing can write.
+    from plastron_tui.generating.file_names import FileNames
     from plastron_tui.generating.generation import Generated
     from plastron_tui.model.source import FileSet
     from plastron_tui.model.workspace import Generation
@@ -68,13 +69,22 @@ class Planner:
 
         return self._generate(generation, Manifests(self._manifest), self._generations)
 
-    def rendered(self, generation: Generation) -> tuple[Path, FileSet] | None:
-        """Return the files that an earlier `generate_node` makes, for a `load` that follows it."""
+    def rendered(self, generation: Generation) -> tuple[Path, FileSet, str] | None:
+        """Return the files that an earlier `generate_node` makes, for a `load` that follows it.
+
+        The last is the stem of the main file where the node is not written yet.
+        """
         from plastron_tui.output.manifest import Manifest
 
         made = self._generate(generation, lambda _: Manifest())
         path = made.path(self._configuration.output)
-        return None if made.files is None or path is None else (path, made.files.files)
+        if made.files is None or path is None:
+            return None
+        library = self._configuration.library(generation.library)
+        node, new = generation.node, path.stem
+        if node.source is None and library is not None:
+            new = PurePath(self._names(lambda _: Manifest()).of(node, library.target)).stem
+        return path, made.files.files, new
 
     def _generate(
         self,
@@ -92,10 +102,22 @@ class Planner:
         source = generation.node.source
         own = None if source is None else configuration.library(source.library)
         writing = Writing(
-            configuration.output, manifests, self._author, options.in_place, options.force
+            configuration.output,
+            manifests,
+            self._author,
+            self._names(lambda folder: self._manifest(folder)[0]),
+            options.in_place,
+            options.force,
         )
         nodes = nodes_of_file(generation, generations)
         return generate(generation, library, writing, own=own, nodes=nodes)
+
+    def _names(self, manifest: Callable[[Path], Manifest]) -> FileNames:
+        from plastron_tui.generating.file_names import FileNames
+
+        configuration = self._configuration
+        is_plain = configuration.project.file_names == "plain"
+        return FileNames(configuration.output, manifest, self._author.name, is_plain)
 
     def plan(
         self, made: Sequence[Generated], *, is_preview: bool = False
@@ -115,7 +137,8 @@ class Planner:
         manifest, _ = self._manifest(output)
         common = ProgramFiles()
         if not is_preview:
-            common = program_files(self._generations, configuration.library, output, manifest)
+            names = self._names(lambda _: manifest)
+            common = program_files(self._generations, configuration.library, names, manifest)
         # Of two nodes of one file both say what is to be said of it.
         told = dict.fromkeys(found for generated in made for found in generated.diagnostics)
         found = [*told, *common.diagnostics]

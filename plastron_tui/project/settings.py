@@ -32,7 +32,8 @@ MOST_MISTAKES = 20
 _Node = Any
 """A node of PyYAML's tree: its `id` says whether it is a scalar, a sequence or a mapping."""
 
-_KEYS = ("target", "distribution", "output", "templates", "types")
+_KEYS = ("target", "distribution", "output", "file_names", "templates", "types")
+_FILE_NAMES = ("ending", "plain")
 _TEXT, _NULL = "tag:yaml.org,2002:str", "tag:yaml.org,2002:null"
 
 
@@ -44,6 +45,8 @@ class Project(NamedTuple):
         target: the client library of nodes that name none.
         distribution: the ROS distribution whose types count.
         output: the output folder.
+        file_names: how new files of created nodes are called: `plain`, as the node is; `ending`,
+            with what it does behind that, as where nothing is said.
         templates: a folder of templates that go before Plastron's own.
         types: folders with `.msg`, `.srv` and `.action` files.
     """
@@ -52,6 +55,7 @@ class Project(NamedTuple):
     target: str | None = None
     distribution: str | None = None
     output: Path | None = None
+    file_names: str | None = None
     templates: Path | None = None
     types: tuple[Path, ...] = ()
 
@@ -108,6 +112,7 @@ def read_project(
         reader.choice("target", values.get("target"), libraries),
         reader.choice("distribution", values.get("distribution"), DISTRIBUTIONS),
         reader.folder("output", values.get("output")),
+        reader.choice("file_names", values.get("file_names"), _FILE_NAMES),
         reader.templates(values.get("templates")),
         tuple(reader.folders("types", values.get("types"))),
     )

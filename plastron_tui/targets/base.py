@@ -40,9 +40,11 @@ class Target:
     def file_name(self, node: Node) -> str:
         """Return the name of a created node's main file (docs/language.md, "Files").
 
-        The ending tells the next reader what the node does: `_pub`, `_sub1`, `_sub2`,
-        `_client`, `_server`, or `_node` for a mixture.
+        A node keeps the file that it has. Of a new one the ending tells the next reader what it
+        does: `_pub`, `_sub1`, `_sub2`, `_client`, `_server`, or `_node` for a mixture.
         """
+        if node.file:
+            return node.file
         kinds = {
             "_pub": bool(node.of(Publisher)),
             "_sub1" if len(node.of(Subscription)) == 1 else "_sub2": bool(node.of(Subscription)),

@@ -103,7 +103,6 @@ FOLDERS = {
         (("subscribe guide to 'chatter'", "subscribe guide to 'news'"),),
         (("subscriptions", "chatter"),),
         (("subscriptions", "news"),),
-        warnings=("left-behind",),
     ),
 }
 each_folder = pytest.mark.parametrize("name", FOLDERS)
@@ -196,11 +195,3 @@ def test_without_handwork_a_file_is_as_in_a_new_folder(tmp_path: Path, name: str
     shutil.rmtree(work.path / "made")
     assert work.generate() == ({"create"}, [])
     assert work.texts() == texts
-
-
-def test_handwork_that_was_left_behind_is_not_written_over(tmp_path: Path) -> None:
-    work = Work(tmp_path, "renamed")
-    work.change_program((("guide publish five to 'count' of message_type Int32\n", ""),))
-    plan, _ = work.plan()
-    (conflict,) = plan.conflicts
-    assert "later the node went on in `guide_node.py`" in conflict.message

@@ -149,15 +149,43 @@ def test_regenerating_keeps_handwork_and_adds_what_is_new(run: Run, here: Path) 
     assert (same.returncode, b"warning[merged-by-hand]" in same.stderr) == (0, True)
     assert file.read_text() == text
     service = "listener provides_service 'reset' of service_type Empty\n"
-    # The name of the file follows what the node does, and the handwork goes along.
+    # The node keeps its file, whatever it does.
     write(here, LISTENER.replace("generate", service + "generate"))
-    moved = run("generate", "a.plastron")
-    assert (moved.returncode, moved.stdout) == (0, b"   create  output/listener_node.py\n")
-    assert b"warning[left-behind]" in moved.stderr
-    assert file.read_text() == text
-    new = here / "output" / "listener_node.py"
-    assert endpoints(run, new) == {"subscriptions": ["chatter"], "services": ["reset"]}
-    assert "self.heard = message.data  # mine" in new.read_text()
+    changed = run("generate", "a.plastron")
+    assert (changed.returncode, changed.stdout) == (0, b"  changed  output/listener_sub1.py\n")
+    assert endpoints(run, file) == {"subscriptions": ["chatter"], "services": ["reset"]}
+    assert "self.heard = message.data  # mine" in file.read_text()
+
+
+def test_plain_names_are_for_files_that_are_new(run: Run, here: Path) -> None:
+    write(here, LISTENER)
+    assert run("generate", "a.plastron").returncode == 0
+    (here / "plastron.yaml").write_text("file_names: plain\n")
+    assert run("generate", "a.plastron").stdout == b"identical  output/listener_sub1.py\n"
+    (here / "output" / "listener_sub1.py").unlink()
+    assert run("generate", "a.plastron").stdout == b"   create  output/listener.py\n"
+    (here / "plastron.yaml").write_text("file_names: ending\n")
+    assert run("generate", "a.plastron").stdout == b"identical  output/listener.py\n"
+
+
+@pytest.mark.parametrize("name", ["listener_sub1", "listener_sub2"])
+def test_a_file_is_loaded_by_its_name_or_by_that_of_a_new_one(
+    run: Run, here: Path, name: str
+) -> None:
+    write(here, LISTENER)
+    assert run("generate", "a.plastron").returncode == 0
+    second = "subscribe listener to 'x' of message_type String\n"
+    write(here, LISTENER.replace("generate", second + "generate") + f"load {name} as again\n")
+    found = run("check", "a.plastron")
+    assert (found.returncode, found.stderr) == (0, b"")
+
+
+def test_a_mistake_in_a_node_is_none_of_the_load_of_its_file(run: Run, here: Path) -> None:
+    second = "subscribe listener to 'x' of message_type Strin\n"
+    load = "load listener_sub2 as again\n"
+    write(here, LISTENER.replace("generate", second + "generate") + load)
+    found = run("check", "a.plastron")
+    assert (found.returncode, found.stderr.count(b"error[")) == (1, 1)
 
 
 def test_regenerating_merges_into_the_same_file(run: Run, here: Path) -> None:

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
+import json
 import re
-from collections import Counter
 from pathlib import Path
 
 from merging_driver import (
     EMPTY,
     KEEP,
     KEPT,
-    OWN,
     PROVIDE,
     PUBLISH,
     PUBLISH_INT,
-    STRING,
     SUBSCRIBE,
     SUBSCRIBE_INT,
     Folder,
@@ -89,68 +87,26 @@ def test_twice_created_endpoint_is_not_taken_out(folder: Folder) -> None:
     assert folder.file().read_bytes() == before
 
 
-def test_handwork_goes_along_to_another_file_name(folder: Folder) -> None:
+def test_a_node_keeps_its_file(folder: Folder) -> None:
     assert folder.generate(SUBSCRIBE).states == {"robot_sub1.py": "create"}
-    mine = folder.fill("robot_sub1.py")
-    old = folder.file("robot_sub1.py").read_bytes()
-    outcome = folder.generate(SUBSCRIBE, PROVIDE)
-    assert outcome.states == {"robot_node.py": "create"}
-    left = "left-behind: the node of `robot_sub1.py` is in `robot_node.py` now"
-    assert outcome.warnings[0].startswith(left)
-    assert outcome.warnings[1].startswith("merged-by-hand: `robot_sub1.py` was changed by hand")
-    check(folder, mine, [("subscriptions", "a", STRING), ("services", "s", EMPTY)])
-    assert folder.file().stat().st_mode & 0o100
-    assert folder.file("robot_sub1.py").read_bytes() == old
-    # What went along counts as handwork in the new file, too.
-    folder.generate(SUBSCRIBE, PROVIDE, PUBLISH)
-    three = [("subscriptions", "a", STRING), ("services", "s", EMPTY), ("publishers", "a", STRING)]
-    check(folder, mine, three)
-    again = folder.generate(SUBSCRIBE, PROVIDE, PUBLISH)
-    assert again.states == {"robot_node.py": "identical"}
-    assert again.warnings[0].startswith(left)
-    folder.file("robot_sub1.py").unlink()
-    assert len(folder.generate(SUBSCRIBE, PROVIDE, PUBLISH).warnings) == 1
-
-
-def test_going_back_to_a_file_name_does_not_lose_the_newer_handwork(folder: Folder) -> None:
-    folder.generate(SUBSCRIBE)
-    folder.fill("robot_sub1.py")
-    old = folder.file("robot_sub1.py").read_bytes()
-    folder.generate(SUBSCRIBE, PROVIDE)
-    newer = folder.fill("robot_node.py", own=OWN.replace("own", "newer"))
-    (conflict,) = folder.generate(SUBSCRIBE).conflicts
-    assert "later the node went on in `robot_node.py`" in conflict
-    assert folder.file("robot_sub1.py").read_bytes() == old
-    folder.file("robot_sub1.py").unlink()
-    assert folder.generate(SUBSCRIBE).states == {"robot_sub1.py": "create"}
-    text = folder.file("robot_sub1.py").read_text()
-    assert all(line in text.split("\n") for line in newer)
-    assert folder.endpoints("robot_sub1.py") == Counter([("subscriptions", "a", STRING)])
-
-
-def test_untouched_file_of_another_name_is_told_and_left(folder: Folder) -> None:
-    folder.generate(SUBSCRIBE)
-    old = folder.file("robot_sub1.py").read_bytes()
-    (told,) = folder.generate(SUBSCRIBE, PROVIDE).warnings
-    assert told.startswith("left-behind: ")
-    assert folder.file("robot_sub1.py").read_bytes() == old
+    assert folder.generate(SUBSCRIBE, PROVIDE) == ({"robot_sub1.py": "changed"}, [], [])
     fresh = Folder(folder.path / "other", folder.library)
     fresh.generate(SUBSCRIBE, PROVIDE)
-    assert folder.file().read_bytes() == fresh.file().read_bytes()
-    (told,) = folder.generate(SUBSCRIBE).warnings
-    assert told.startswith("left-behind: the node of `robot_node.py` is in `robot_sub1.py`")
+    assert folder.file("robot_sub1.py").read_bytes() == fresh.file().read_bytes()
+    folder.file("robot_sub1.py").unlink()
+    assert folder.generate(SUBSCRIBE, PROVIDE).states == {"robot_node.py": "create"}
 
 
-def test_refused_merge_into_another_file_name_writes_nothing(folder: Folder) -> None:
-    folder.generate(PUBLISH)
-    folder.fill("robot_pub.py")
-    folder.edit("def own():", "def own(node):\n    node.a_publisher.anything()", "robot_pub.py")
-    outcome = folder.generate(SUBSCRIBE)
-    assert outcome.states == {"robot_sub1.py": "conflict"}
-    assert "`robot_pub.py` was changed by hand, and the publisher `a`" in outcome.conflicts[0]
-    assert not folder.file("robot_sub1.py").exists()
-    folder.generate(SUBSCRIBE, force=True)
-    assert folder.endpoints("robot_sub1.py") == Counter([("subscriptions", "a", STRING)])
+def test_a_node_keeps_the_file_that_an_older_version_gave_it(folder: Folder) -> None:
+    folder.generate(SUBSCRIBE)
+    manifest = folder.path / "output" / NAME
+    known = json.loads(manifest.read_text())
+    known["files"]["robot_node.py"] = known["files"]["robot_sub1.py"]
+    old = {**known["files"]["robot_sub1.py"]["base"], "superseded_by": "robot_node.py"}
+    known["files"]["robot_sub1.py"] = {"base": old}
+    manifest.write_text(json.dumps(known))
+    folder.file("robot_node.py").write_bytes(folder.file("robot_sub1.py").read_bytes())
+    assert folder.generate(SUBSCRIBE, PROVIDE).states == {"robot_node.py": "changed"}
 
 
 def test_node_of_the_same_name_in_another_program_is_another(folder: Folder) -> None:

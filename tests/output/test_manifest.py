@@ -112,19 +112,13 @@ def test_base_of_a_merge_is_remembered_and_its_text_is_not(tmp_path: Path, plan)
 
 def test_handwork_from_another_file_is_not_remembered_as_ours(tmp_path: Path, plan) -> None:
     write(plan(tmp_path, [OutputFile("a.py", b"made", base={"node": "1"})]))
-    moved = OutputFile(
-        "b.py", b"made + mine", has_handwork=True, base={"node": "2"}, supersedes="a.py"
-    )
+    moved = OutputFile("b.py", b"made + mine", has_handwork=True, base={"node": "2"})
     write(plan(tmp_path, [moved]))
     manifest, _ = load_manifest(tmp_path)
     assert manifest.digests == {"a.py": digest(b"made")}
-    assert (manifest.successor("a.py"), manifest.successor("b.py")) == ("b.py", None)
     assert "b.py" in manifest
     again = write(plan(tmp_path, [OutputFile("b.py", b"made2")]))
     assert [found.code for found in again.diagnostics] == ["file-conflict"]
-    write(plan(tmp_path, [OutputFile("a.py", b"made2", base={"node": "3"}, supersedes="b.py")]))
-    manifest, _ = load_manifest(tmp_path)
-    assert (manifest.successor("a.py"), manifest.successor("b.py")) == (None, "a.py")
 
 
 def test_conflict_is_not_remembered(tmp_path: Path, plan) -> None:

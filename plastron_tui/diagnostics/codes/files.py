@@ -195,14 +195,6 @@ MERGED_BY_HAND = Code(
     severity=Severity.WARNING,
 )
 
-LEFT_BEHIND = Code(
-    "left-behind",
-    "A node does other things than before, so that its file has another name; the old file "
-    "is still there and can still be started. What was written in it by hand went into the "
-    "new file. Compare the two, and remove the old one.",
-    severity=Severity.WARNING,
-)
-
 HIDDEN_FILE = Code(
     "hidden-file",
     "`load NAME` finds a file in the output folder, and another of the same name in the "
