@@ -6,7 +6,6 @@ from plastron_tui.diagnostics import Diagnostic, codes, guess, write
 from plastron_tui.diagnostics.wording import listed
 from plastron_tui.language.statements import Load
 
-from .kinds import EDITABLE
 from .source import SourceEndpoint, SourceUnit
 from .workspace import Node
 
@@ -67,12 +66,3 @@ def add_found(node: Node, found: SourceEndpoint, name: str) -> None:
     if editing is not None and name not in node.by_kind[found.kind]:
         given = {"callback": found.callback} if found.kind.facts.calls_back else {}
         node.put(editing.endpoint(name, found.type, **given))
-
-
-def has_other_work(node: Node) -> bool:
-    """Tell whether a loaded node does something that the workspace does not show."""
-    if node.source is None:
-        return False
-    return any(
-        endpoint.kind not in EDITABLE or endpoint.name is None for endpoint in node.source.endpoints
-    )

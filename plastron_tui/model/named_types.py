@@ -47,6 +47,9 @@ class NamedTypes:
         found = self._resolver(version).resolve(text, kind)
         if not isinstance(found, TypeProblem):
             return found
+        used = self._used_by_file(statement, text, kind)
+        if used is not None:
+            return used
         where = statement.span_of("type")
         remedy: str | None = self._elsewhere(text, kind, version)
         fix: Fix | None = None
@@ -54,6 +57,29 @@ class NamedTypes:
             remedy = found.help
             fix = None if found.right is None else write(found.right, where)
         raise Mistake(Diagnostic(found.code, found.message, where, help=remedy, fix=fix))
+
+    def _used_by_file(
+        self, statement: Statement, text: str, kind: InterfaceKind
+    ) -> Interface | None:
+        """Return the type that a loaded file uses under a name; only values need a definition."""
+        node = self._workspace.nodes.get(getattr(statement, "node", ""))
+        if node is None or node.source is None or getattr(statement, "input", None):
+            return None
+        package, _, name = text.replace(f"/{kind.value}/", "/").rpartition("/")
+        found = {
+            each.type
+            for each in node.source.endpoints
+            if each.type is not None
+            and each.kind.facts.interface is kind
+            and (each.type.package, each.type.name) == (package or each.type.package, name)
+            and text
+            in (
+                each.type.name,
+                str(each.type),
+                f"{each.type.package}/{kind.value}/{each.type.name}",
+            )
+        }
+        return Interface.undefined(found.pop(), kind) if len(found) == 1 else None
 
     def unknown(self, statement: Any) -> Diagnostic | None:
         """Return what is wrong with a type, whatever the broken node or message beside it is."""

@@ -61,7 +61,7 @@ def generate_node(run: Run, statement: st.GenerateNode) -> None:
     """Note that a node is to be written as it is now."""
     node = run.checks.node(statement)
     library = run.checks.library(statement) or node.library or run.setting.library
-    if node.is_idle and not _has_other_work(node):
+    if node.is_idle and node.source is None:
         if run.consequences.is_unfinished(node):
             raise Mistake
         raise Mistake(
@@ -74,10 +74,3 @@ def generate_node(run: Run, statement: st.GenerateNode) -> None:
             )
         )
     run.workspace.generations.append(Generation(node.snapshot(), library, statement.span))
-
-
-def _has_other_work(node: Node) -> bool:
-    """Tell whether a loaded node does something that the workspace does not show."""
-    from .loading import has_other_work
-
-    return has_other_work(node)

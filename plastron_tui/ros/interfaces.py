@@ -84,6 +84,9 @@ class Constant(NamedTuple):
     value: Scalar
 
 
+_SECTIONS = {InterfaceKind.MESSAGE: 1, InterfaceKind.SERVICE: 2, InterfaceKind.ACTION: 3}
+
+
 @dataclass(frozen=True, slots=True)
 class Section:
     """The fields and constants between two `---` lines of a definition."""
@@ -104,6 +107,11 @@ class Interface:
     kind: InterfaceKind
     sections: tuple[Section, ...]
     comment: str = ""
+
+    @staticmethod
+    def undefined(name: InterfaceName, kind: InterfaceKind) -> Interface:
+        """Return a type of which nothing but the name is known: it has no fields to give values."""
+        return Interface(name, kind, (Section(),) * _SECTIONS[kind])
 
     @property
     def fields(self) -> tuple[Field, ...]:

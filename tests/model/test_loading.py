@@ -72,11 +72,38 @@ def test_a_loaded_node_is_a_node(text: str, expected: list[str]) -> None:
     assert codes("load driver as d\n" + text, reader=FakeReader({"driver": LOADED})) == expected
 
 
-def test_a_loaded_node_that_only_has_a_timer_is_not_idle() -> None:
+OWN = source(
+    endpoint(EndpointKind.SUBSCRIPTION, "a", "my_msgs/Wheel"),
+    endpoint(EndpointKind.SERVICE, "s", "my_msgs/Brake"),
+)
+OWN_TYPES = {
+    "subscribe d to 'b' of message_type my_msgs/Wheel\n": [],
+    "subscribe d to 'b' of message_type my_msgs/msg/Wheel\n": [],
+    "subscribe d to 'b' of message_type Wheel\n": [],
+    "subscribe d to 'b' of message_type my_msgs/Brake\n": ["unknown-type"],
+    "subscribe d to 'b' of message_type my_msgs/Whel\n": ["unknown-type"],
+    "subscribe d to 'b b' of message_type my_msgs/Wheel\n": ["invalid-name"],
+    "d provides_service 't' of service_type my_msgs/Brake\n": [],
+    "d client_requests 't' of service_type my_msgs/Brake with input none\n": [],
+    "d client_requests 't' of service_type my_msgs/Brake with input 1\n": ["unknown-type"],
+    "create_message m of message_type my_msgs/Wheel and input none\n": ["unknown-type"],
+    "create_node 'n' as n\nsubscribe n to 'b' of message_type my_msgs/Wheel\n": ["unknown-type"],
+}
+
+
+@pytest.mark.parametrize("text", OWN_TYPES)
+def test_a_type_of_the_file_needs_no_definition(text: str) -> None:
+    assert codes(f"load driver as d\n{text}", reader=FakeReader({"driver": OWN})) == OWN_TYPES[text]
+
+
+def test_a_loaded_node_may_do_nothing() -> None:
     timer = source(endpoint(EndpointKind.TIMER, None))
+    last = source(endpoint(EndpointKind.SUBSCRIPTION, "a", "std_msgs/String"))
     empty = source(name=None)
     text = "load driver as d\ngenerate_node d\n"
     assert codes(text, reader=FakeReader({"driver": timer})) == []
-    assert codes(text, reader=FakeReader({"driver": empty})) == ["idle-node"]
+    assert codes(text, reader=FakeReader({"driver": empty})) == []
+    text = "load driver as d\nunsubscribe d from 'a'\ngenerate_node d\n"
+    assert codes(text, reader=FakeReader({"driver": last})) == []
     nodes = workspace("load driver as d\n", reader=FakeReader({"driver": empty})).nodes
     assert nodes["d"].name == "driver"

@@ -236,3 +236,14 @@ def test_only_the_packages_that_are_needed_are_read() -> None:
 
 def test_the_code_of_a_bad_definition_is_listed() -> None:
     assert "bad-definition" in codes.CODES
+
+
+def test_a_type_without_a_definition_has_no_fields() -> None:
+    catalog = Catalog("noetic")
+    wheel, point = InterfaceName("my_msgs", "Wheel"), InterfaceName("geometry_msgs", "Point")
+    with_wheel = catalog.with_undefined([(MESSAGE, wheel), (MESSAGE, point)])
+    found = with_wheel.find(wheel, MESSAGE)
+    assert found is not None
+    assert found.fields == ()
+    assert with_wheel.find(point, MESSAGE) == catalog.find(point, MESSAGE)
+    assert catalog.find(wheel, MESSAGE) is None

@@ -84,7 +84,7 @@ NOT_REQUESTING = Code(
 IDLE_NODE = Code(
     "idle-node",
     "A node is generated that does nothing: it neither publishes nor subscribes, and neither "
-    "provides a service nor requests one.",
+    "provides a service nor requests one. What a loaded file does besides is its own affair.",
     bad="create_node 'listener' as listener\ngenerate_node listener\n",
     good=f"{LISTENER}generate_node listener\n",
 )

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from copy import copy
 from pathlib import Path
 
 from plastron_tui.diagnostics import Diagnostic, codes, did_you_mean
@@ -104,6 +105,19 @@ class Catalog:
         if interface is not None or self._file(name, kind) is not None:
             self._found[key] = interface
         return interface
+
+    def with_undefined(self, used: Iterable[tuple[InterfaceKind, InterfaceName]]) -> Catalog:
+        """Return a catalog that takes the types that a file uses as they are, defined or not."""
+        unknown = {
+            (kind, name): Interface.undefined(name, kind)
+            for kind, name in used
+            if self.find(name, kind) is None
+        }
+        if not unknown:
+            return self
+        other = copy(self)
+        other._found = {**self._found, **unknown}
+        return other
 
     def candidates(self, bare: str, kind: InterfaceKind) -> tuple[InterfaceName, ...]:
         """Return every interface that a bare name may mean, sorted.

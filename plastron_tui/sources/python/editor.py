@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import Change, SourceUnit
-from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.catalog import Catalog, moved
 from plastron_tui.sources.base import Rendered
 
 from .analysis import Analysis
@@ -34,6 +34,12 @@ def edit_python(
         return Rendered(source.files)
     library = LIBRARIES[source.library]
     before = analyze(source.files.main, library)
+    used = {
+        (each.kind.facts.interface, each.type)
+        for each in source.endpoints
+        if each.type is not None and moved(each.type, catalog.ros_version) is None
+    }
+    catalog = catalog.with_undefined((kind, name) for kind, name in used if kind is not None)
     edits = Edits(before, catalog, dialect, endpoints_of(before))
     try:
         edits.make(changes)
