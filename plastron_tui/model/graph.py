@@ -53,11 +53,19 @@ class Sending(NamedTuple):
 
 
 class End(NamedTuple):
-    """A node's endpoint at a topic or service."""
+    """A node's endpoint at a topic or service.
+
+    Attributes:
+        node: the node.
+        kind: the kind of the endpoint.
+        endpoint: the endpoint.
+        is_guess: whether its file is only guessed to have it, of this name and type.
+    """
 
     node: GraphNode
     kind: EndpointKind
     endpoint: Endpoint
+    is_guess: bool = False
 
     @property
     def written(self) -> str:
@@ -172,7 +180,7 @@ def graph_of(workspace: Workspace) -> Graph:
     generated = {made.node.variable: made.library for made in workspace.generations}
     nodes = []
     for node in workspace.nodes.values():
-        shown = _node(node, generated)
+        shown, guesses = _node(node, generated), node.guesses
         nodes.append(shown)
         for (kind, written), endpoint in node.endpoints.items():
             assert kind.facts.interface is not None
@@ -180,7 +188,8 @@ def graph_of(workspace: Workspace) -> Graph:
             ends = hubs.get(name)
             if ends is None:
                 ends = hubs[name] = {each: [] for each in KINDS_AT[kind.facts.interface]}
-            ends[kind].append(End(shown, kind, endpoint))
+            is_guess = endpoint.span is None and (kind, written) in guesses
+            ends[kind].append(End(shown, kind, endpoint, is_guess))
     return Graph(
         tuple(nodes),
         {

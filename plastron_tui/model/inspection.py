@@ -35,6 +35,8 @@ def _endpoint(endpoint: SourceEndpoint) -> dict[str, Any]:
         found["type"] = str(endpoint.type) if endpoint.type is not None else None
     if facts.calls_back:
         found["callback"] = endpoint.callback
+    if endpoint.is_guess:
+        found["guess"] = True
     found["line"] = endpoint.line
     return found
 
@@ -56,7 +58,9 @@ def _row(endpoint: SourceEndpoint) -> tuple[str, str, str, str]:
         f"line {endpoint.line}",
         endpoint.kind.word,
         endpoint.name or _unknown(endpoint.expression),
-        type_ + (f" calling {endpoint.callback}" if endpoint.callback else ""),
+        type_
+        + (f" calling {endpoint.callback}" if endpoint.callback else "")
+        + (" (a guess)" if endpoint.is_guess else ""),
     )
 
 

@@ -36,6 +36,7 @@ class _User(NamedTuple):
     node: Node
     kind: EndpointKind
     endpoint: Endpoint
+    is_guess: bool
 
     @property
     def place(self) -> str:
@@ -76,11 +77,12 @@ def check_meetings(
 def _meetings(workspace: Workspace, version_of: Callable[[Node], int]) -> _Meetings:
     found: _Meetings = defaultdict(list)
     for node in workspace.nodes.values():
-        version = version_of(node)
+        version, guesses = version_of(node), node.guesses
         for (kind, written), endpoint in node.endpoints.items():
             assert kind.facts.interface is not None
             place = kind.facts.interface, version, resolved_name(node.name, written)
-            found[place].append(_User(node, kind, endpoint))
+            is_guess = endpoint.span is None and (kind, written) in guesses
+            found[place].append(_User(node, kind, endpoint, is_guess))
     return found
 
 
@@ -89,7 +91,7 @@ def _disagreements(meetings: _Meetings) -> Iterator[Diagnostic]:
     for (interface, _, name), users in meetings.items():
         first: dict[InterfaceName, _User] = {}
         for user in users:
-            if user.endpoint.type is not None:
+            if user.endpoint.type is not None and not user.is_guess:
                 first.setdefault(user.endpoint.type, user)
         for one, other in pairwise(sorted(first.values(), key=lambda user: user.span)):
             if one.node.name != other.node.name:
@@ -120,7 +122,7 @@ def _slips(meetings: _Meetings) -> Iterator[tuple[_User, _User]]:
     heard: dict[tuple[object, ...], list[_Place]] = defaultdict(list)
     for place, users in one_sided[:_MOST]:
         types = {user.endpoint.type for user in users}
-        if len(types) == 1 and None not in types:
+        if len(types) == 1 and None not in types and not any(user.is_guess for user in users):
             side = sent if users[0].kind.facts.sends else heard
             for name in _shortened(place[2]):
                 side[place[:2], name, users[0].endpoint.type].append(place)

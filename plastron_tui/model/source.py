@@ -96,6 +96,9 @@ class SourceEndpoint(NamedTuple):
         span: the call.
         line: the call's line, from 1.
         file: the name of the file in its set that has the call, "" for the main file.
+        is_guess: whether the name or the type is no more than likely: the name is the default of
+            a parameter that another file may give another value, or the type is of the one module
+            imported whole that it may be of.
     """
 
     kind: EndpointKind
@@ -108,6 +111,7 @@ class SourceEndpoint(NamedTuple):
     callback: str | None = None
     default: str | None = None
     file: str = ""
+    is_guess: bool = False
 
 
 class SourceNode(NamedTuple):

@@ -102,6 +102,12 @@ class Node:
         return not any(self.by_kind.values())
 
     @property
+    def guesses(self) -> frozenset[EndpointKey]:
+        """What its file is only guessed to have."""
+        there = () if self.source is None else self.source.endpoints
+        return frozenset((each.kind, each.name) for each in there if each.is_guess and each.name)
+
+    @property
     def endpoints(self) -> dict[EndpointKey, Endpoint]:
         """The endpoints of all kinds, by kind and name."""
         return {

@@ -6,6 +6,7 @@ import pytest
 from workspaces import FakeReader, codes, endpoint, marked, run, source
 
 from plastron_tui.diagnostics import Severity
+from plastron_tui.model.graph import graph_of
 from plastron_tui.model.source import EndpointKind
 
 TALKER = (
@@ -119,3 +120,15 @@ def test_a_slip_in_a_file_is_told_with_its_line() -> None:
     assert found.code == "misspelt-name"
     assert "`b` subscribes to `scann` in line 1 of `driver.py`" in found.message
     assert found.fix is None
+
+
+def test_a_guess_is_shown_and_no_ground_for_a_warning() -> None:
+    there = endpoint(EndpointKind.SUBSCRIPTION, "scan", "std_msgs/Int32")._replace(is_guess=True)
+    files = {**READER.files, "two": source(there, name="two")}
+    found = run("load one as a\nload two as b\n", reader=FakeReader(files))
+    assert found.diagnostics == ()
+    (hub,) = graph_of(found.workspace).topics
+    assert [end.is_guess for end in hub.ends] == [False, True]
+    renamed = "load two as b\nb renames topic 'scan' to 'map'\n"
+    (hub,) = graph_of(run(renamed, reader=FakeReader(files)).workspace).topics
+    assert not any(end.is_guess for end in hub.ends)

@@ -51,7 +51,11 @@ def sendings_text(sendings: Iterable[Sending]) -> str:
 
 def ends_of(hub: Hub) -> list[tuple[GraphNode, str, str]]:
     """Return who meets at a topic or service: the node, what it does, and the details."""
-    return [(end.node, end.kind.facts.does, _details(end)) for end in hub.ends]
+    return [(end.node, end.kind.facts.does, _with_guess(end)) for end in hub.ends]
+
+
+def _with_guess(end: End) -> str:
+    return ", ".join(filter(None, (_details(end), "a guess" if end.is_guess else "")))
 
 
 def _details(end: End) -> str:

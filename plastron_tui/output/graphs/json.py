@@ -31,7 +31,8 @@ def render(graph: Graph) -> str:
     a node's name and `variable` tells two of one name apart. `type` is `package/Name` or null,
     `types` all that are in use. `missing` is the side that nobody takes (`publisher`,
     `subscriber`, `provider`, `client`), or null. `rate` is in hertz. A `span` is `[start, end]`
-    in bytes of the program, null for what was read from a file. A request is an object of its
+    in bytes of the program, null for what was read from a file. `guess` is there, and true, where
+    the name or the type that a file has is no more than likely. A request is an object of its
     fields; what is not there keeps its default. `library`, `file`, `callback` and `handler` are
     null where the program does not say.
     """
@@ -73,6 +74,7 @@ def _end(end: End) -> dict[str, Any]:
         "written": end.written,
         "type": _type(end.type),
         "span": _span(end.span),
+        **({"guess": True} if end.is_guess else {}),
         **_details(end),
     }
 

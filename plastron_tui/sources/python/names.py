@@ -73,7 +73,7 @@ class Resolver:
         suffix = "".join(f".{part}" for part in reversed(tail))
         found = scope.lookup(name)
         if found is None:
-            stars = self._star_modules(scope)
+            stars = self.star_modules(scope)
             own = (name + suffix,) if name in _LIBRARIES and stars else ()
             return own + tuple(f"{module}.{name}{suffix}" for module in stars)
         targets: dict[str, None] = {}
@@ -112,7 +112,8 @@ class Resolver:
             return ()
         return tuple(".".join((each, *rest)) for each in self._targets(bindings[0], "", depth))
 
-    def _star_modules(self, scope: Scope) -> list[str]:
+    def star_modules(self, scope: Scope) -> list[str]:
+        """Return the modules that are imported whole where a scope sees them."""
         found: list[str] = []
         current: Scope | None = scope
         while current is not None:
@@ -147,7 +148,7 @@ class Resolver:
             if len(found) == 1 and None not in found:
                 return found.pop()
         if node.type == "identifier" and scope.lookup(self._syntax.slice(node)) is None:
-            return star_interface(self._syntax.slice(node), self._star_modules(scope), self._ros)
+            return star_interface(self._syntax.slice(node), self.star_modules(scope), self._ros)
         names = {_interface_name(name) for name in self.qualified(node, scope)} - {None}
         return names.pop() if len(names) == 1 else None
 
@@ -312,7 +313,7 @@ class Resolver:
         """Return the calls whose callee ends in a name."""
         return self._calls.of(name)
 
-    def _callers_of(self, function: Scope) -> list[Node]:
+    def callers_of(self, function: Scope) -> list[Node]:
         """Return the calls in the file that may call a function."""
         owner = function.parent
         if function.name != "__init__" or owner is None:
@@ -333,7 +334,7 @@ class Resolver:
             return []
         position = binding.index - bool(function.self_name) if binding.index >= 0 else -1
         found: list[tuple[Node | None, Scope]] = []
-        for call in self._callers_of(function)[:16]:
+        for call in self.callers_of(function)[:16]:
             arguments = Arguments.of(call, self._syntax)
             value = None if arguments.is_open else arguments.get(Argument(position, name))
             found.append((value, self._scopes.at(call.start_byte)))
@@ -355,7 +356,7 @@ class Resolver:
             return None
         if self._words is None:
             self._words = count_words(self._syntax.text)
-        calls = self._callers_of(function)
+        calls = self.callers_of(function)
         if len(calls) > MOST_BINDINGS:
             return None
         known = (self._syntax, self._scopes, self.fold, self._words)

@@ -16,6 +16,7 @@ from .arguments import Arguments
 from .callbacks import callback_target
 from .calls import Argument, CallShape, ClientLibrary
 from .constants import Defaulted, Known
+from .guesses import is_default_guess, is_star_guess
 from .names import NODE, Resolver
 from .scopes import Scope, build_scopes
 from .syntax import Syntax, parse, parts_of
@@ -344,17 +345,31 @@ class _Finder:
                 default = name_as_read(folded.value, self._a.library.ros_version)
         type_node = arguments.get(shape.type) if shape.type is not None else None
         callback = arguments.get(shape.callback) if shape.callback is not None else None
+        type_ = self._interface(type_node, scope)
         return SourceEndpoint(
             kind=shape.kind,
             name=name,
             expression=self._expression(name_node, arguments),
             span=Span(call.start_byte, call.end_byte),
             line=call.start_point.row + 1,
-            type=self._interface(type_node, scope),
+            type=type_,
             type_expression=syntax.slice(type_node) if type_node is not None else "",
             callback=self.callback_name(callback, scope),
             default=default,
+            is_guess=self._is_guess(
+                None if name is None else name_node, None if type_ is None else type_node, scope
+            ),
         )
+
+    def _is_guess(self, name: Node | None, type_: Node | None, scope: Scope) -> bool:
+        """Whether another file may give an endpoint another name, or bring another type in."""
+        syntax, resolver = self._a.syntax, self._a.resolver
+        if name is not None and is_default_guess(name, scope, resolver, self._a.scopes, syntax):
+            return True
+        if type_ is None or type_.type != "identifier" or scope.lookup(syntax.slice(type_)):
+            return False
+        modules = resolver.star_modules(scope)
+        return is_star_guess(syntax.slice(type_), modules, self._a.library.distribution)
 
     def _in_namespace(
         self, name: str, shape: CallShape, arguments: Arguments, scope: Scope

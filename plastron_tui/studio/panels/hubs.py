@@ -31,7 +31,7 @@ def hub_entries(hubs: Iterable[Hub], subject: Subject) -> Iterator[Entry]:
             yield Entry(
                 f"{end.kind.word} {end.node.variable} {end.written}",
                 end.node.name,
-                end.kind.word,
+                end.kind.word + (" (a guess)" if end.is_guess else ""),
                 *SIGNS[end.kind],
                 depth=1,
                 span=end.span,

@@ -55,14 +55,16 @@ def _nodes(workspace: Workspace, libraries: dict[str, str | None]) -> Iterator[E
 
 
 def _endpoints(variable: str, node: Node) -> Iterator[Entry]:
+    guesses = node.guesses
     for kind, endpoints in node.by_kind.items():
         word, (sign, tone) = kind.word, SIGNS[kind]
         for name, endpoint in endpoints.items():
+            is_guess = endpoint.span is None and (kind, name) in guesses
             # In order and not by name: there may be thousands, and all are made at every key.
             yield Entry(
                 f"{word} {variable} {name}",
                 name,
-                type_text(endpoint.type),
+                type_text(endpoint.type) + (" (a guess)" if is_guess else ""),
                 sign,
                 tone,
                 "",

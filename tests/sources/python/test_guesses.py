@@ -1,0 +1,45 @@
+"""What is shown as a guess: another file may say otherwise."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from file_sets import one
+
+from plastron_tui.model.inspection import inspect_json, inspect_text
+from plastron_tui.sources.python.reader import read_python
+
+CLASS = (
+    "import rospy\nfrom std_msgs.msg import String\n\n\nclass Driver:\n"
+    "    def __init__(self, topic='scan'):\n        self.topic = topic\n"
+    "        rospy.Subscriber(self.topic, String, print)\n"
+)
+USE = "rospy.Publisher('a', Float32MultiArray, queue_size=1)\n"
+
+FILES = {
+    CLASS: True,
+    CLASS + "\n\nDriver()\n": False,
+    CLASS + "\n\nDriver('scan')\n": False,
+    CLASS.replace("self.topic,", "'scan',"): False,
+    f"import rospy\nfrom zephyr.msg import *\n{USE}": True,
+    f"import rospy\nfrom zephyr.msg import *\nfrom helpers import *\n{USE}": True,
+    f"import rospy\nfrom std_msgs.msg import *\nfrom helpers import *\n{USE}": False,
+    f"import rospy\nfrom std_msgs.msg import *\nfrom zephyr.msg import *\n{USE}": False,
+    f"import rospy\nfrom math import *\nfrom zephyr.msg import *\n{USE}".replace(
+        "Float32MultiArray", "Wheel"
+    ): False,
+    f"import rospy\nfrom std_msgs.msg import Float32MultiArray\n{USE}": False,
+}
+
+
+@pytest.mark.parametrize("text", FILES)
+def test_what_another_file_may_say_otherwise_is_a_guess(text: str) -> None:
+    source = read_python(Path("node.py"), one(text.encode())).source
+    assert source is not None
+    (found,) = source.endpoints
+    assert found.is_guess is FILES[text]
+    assert found.name is not None
+    assert found.type is not None
+    assert ("(a guess)" in inspect_text(source)) is FILES[text]
+    assert ('"guess": True' in str(inspect_json(source)).replace("'", '"')) is FILES[text]
