@@ -111,13 +111,15 @@ def _typed(user: _User) -> str:
     return f"`{user.endpoint.type}`" + (f" in {place}" if place else "")
 
 
-def _slips(meetings: _Meetings) -> Iterator[tuple[_User, _User]]:
+def _slips(meetings: _Meetings) -> Iterator[tuple[list[_User], list[_User]]]:
     """Yield who uses a name that one side alone uses, and who one that only the other side does."""
     one_sided = [
         (place, users)
         for place, users in meetings.items()
         if len({user.kind.facts.sends for user in users}) == 1 and len(place[2]) <= _LONGEST
     ]
+    if len({users[0].kind.facts.sends for _, users in one_sided}) < 2:
+        return
     sent: dict[tuple[object, ...], list[_Place]] = defaultdict(list)
     heard: dict[tuple[object, ...], list[_Place]] = defaultdict(list)
     for place, users in one_sided[:_MOST]:
@@ -134,7 +136,7 @@ def _slips(meetings: _Meetings) -> Iterator[tuple[_User, _User]]:
         # A node that uses both names means both.
         nodes = {user.node.name for user in senders} & {user.node.name for user in receivers}
         if not nodes and _is_slip(one[2], other[2]):
-            yield senders[0], receivers[0]
+            yield senders, receivers
 
 
 def _shortened(name: str) -> set[str]:
@@ -164,28 +166,29 @@ def _common(one: str, other: str) -> int:
     return next((at for at, (a, b) in pairs if a != b), min(len(one), len(other)))
 
 
-def _misspelt(one: _User, other: _User, program: Program) -> Diagnostic:
-    """Return the warning, at what the program says last of the two."""
-    stated = [user for user in (one, other) if user.endpoint.span is not None]
-    wrong = max(stated or (one, other), key=lambda user: user.span)
-    right = other if wrong is one else one
-    name = right.endpoint.name
-    if resolved_name(wrong.node.name, name) != resolved_name(right.node.name, name):
-        name = resolved_name(right.node.name, name)
-    slot = wrong.kind.editing.name_slot
+def _misspelt(one: list[_User], other: list[_User], program: Program) -> Diagnostic:
+    """Return the warning, at what the program says last of the two; its fix mends all of it."""
+    stated = [users for users in (one, other) if all(user.endpoint.span for user in users)]
+    wrong = max(stated or (one, other), key=lambda users: users[0].span)
+    first, right = wrong[0], (other if wrong is one else one)[0]
+    name, full = right.endpoint.name, resolved_name(right.node.name, right.endpoint.name)
+    if any(resolved_name(user.node.name, name) != full for user in wrong):
+        name = full
+    slot = first.kind.editing.name_slot
+    names = {user.node.variable: user.endpoint.name for user in wrong}
     places = [
         each.span_of(slot)
         for each in program.statements
-        if getattr(each, "node", None) == wrong.node.variable
-        and spelled(getattr(each, slot, "")) == wrong.endpoint.name
+        if names.get(getattr(each, "node", "")) == spelled(getattr(each, slot, ""))
     ]
     fix = Fix(f"write `'{name}'`", tuple(Edit(place, f"'{name}'") for place in places))
+    is_stated = bool(stated and places)
     return Diagnostic(
         codes.MISSPELT_NAME,
-        f"{_use(wrong)}, and {_use(right)}",
-        places[0] if stated and places else wrong.span,
+        f"{_use(first)}, and {_use(right)}",
+        places[0] if is_stated else first.span,
         help=f"did you mean `{name}`?",
-        fix=fix if stated and places else None,
+        fix=fix if is_stated else None,
         labels=(Label(right.span, "the other name"),),
     )
 

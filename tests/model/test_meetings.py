@@ -85,6 +85,19 @@ def test_every_statement_that_has_the_name_is_mended() -> None:
     assert len(found.fix.edits) == 3
 
 
+def test_all_nodes_that_have_the_name_are_mended() -> None:
+    text = (
+        f"{TALKER.format('chatter')}create_node 'c' as c\n"
+        f"subscribe b to 'chater' {STRING}subscribe c to '/chater' {STRING}"
+    )
+    (found,) = run(text).diagnostics
+    assert found.fix is not None
+    assert [marked(text, found._replace(span=each.span)) for each in found.fix.edits] == [
+        "'chater'",
+        "'/chater'",
+    ]
+
+
 READER = FakeReader(
     {
         "one": source(endpoint(EndpointKind.PUBLISHER, "scan", "std_msgs/String"), name="one"),
