@@ -149,16 +149,14 @@ def build_scopes(syntax: Syntax, captures: dict[str, list[Node]]) -> ScopeTree:
         for node in captures.get(tag, [])
     ]  # fmt: skip
     opening.sort(key=lambda node: (node.start_byte, -node.end_byte))
-    current = tree.module
+    around = [tree.module]
     for node in opening:
-        while current.parent is not None and current.node.end_byte <= node.start_byte:
-            current = current.parent
+        while len(around) > 1 and around[-1].node.end_byte <= node.start_byte:
+            around.pop()
         # A default value or a base class lies in the definition but outside its body.
-        outer = current
-        while outer.parent is not None and node.start_byte < outer.start:
-            outer = outer.parent
-        current = _open(syntax, node, outer, static)
-        tree.all.append(current)
+        outer = next(scope for scope in reversed(around) if scope.start <= node.start_byte)
+        around.append(_open(syntax, node, outer, static))
+        tree.all.append(around[-1])
     binder = _Binder(syntax, tree)
     binder.run(captures)
     return tree
