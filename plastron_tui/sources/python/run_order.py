@@ -79,6 +79,10 @@ class Starting:
             return When.LATER
         return When.ON_DEMAND if self._calls.get(function) else When.UNKNOWN
 
+    def is_starting(self, function: Scope) -> bool:
+        """Whether a function surely runs as the node starts; the module does."""
+        return function in self._starting
+
     def _note(self, call: Node) -> None:
         """Note which function a call runs, and whether it does so once, for sure."""
         callee = call.child_by_field_name("function")
@@ -95,7 +99,7 @@ class Starting:
         else:
             alike = [scope for scope in alike if bool(scope.self_name) is bool(holder)]
         if len(alike) == 1 and alike[0] is not caller:
-            self._calls[alike[0]].append((caller, _is_sure(call, caller)))
+            self._calls[alike[0]].append((caller, is_sure(call, caller)))
 
     def _closure(self) -> set[Scope]:
         """Return the functions that start the node, and those that they call once."""
@@ -137,9 +141,9 @@ class Starting:
         )
 
 
-def _is_sure(call: Node, caller: Scope) -> bool:
-    """Whether a function runs a call once, whatever happens."""
-    current = call.parent
+def is_sure(node: Node, caller: Scope) -> bool:
+    """Whether a function runs a part of it once, whatever happens."""
+    current = node.parent
     while current is not None and current.id != caller.node.id:
         if current.type in _CONDITIONS and not _is_main_guard(current):
             return False

@@ -16,29 +16,25 @@ from . import literals, naming
 from .addition import Addition
 from .conventions import leading_space
 from .insertion_point import function_place, method_place
-from .rates import loop_rate, timer_rate
+from .own_loop import is_sleep, own_block, statements_of
 from .removal import callback_scope
-from .scopes import Scope
 from .splices import line_end, line_start
-from .syntax import parts_of
-
-_LEAVING = ("return_statement", "break_statement", "continue_statement", "raise_statement")
 
 
 def add_publishing(added: Addition, publisher: Publisher) -> list[str]:
     """Publish a publisher's messages; return the lines that follow its creation."""
     if not publisher.publications:
         return []
-    block, own_rate = _own_block(added)
+    block = own_block(added)
     fitting: list[Publication] = []
     by_rate: dict[float, list[Publication]] = defaultdict(list)
     for publication in publisher.publications:
-        is_fitting = block is not None and _fits(publication, own_rate)
+        is_fitting = block is not None and _fits(publication, block.rate)
         (fitting if is_fitting else by_rate[publication.rate]).append(publication)
     if block is not None and fitting:
-        scope = added.analysis.scopes.at(block.start_byte)
+        scope = added.analysis.scopes.at(block.body.start_byte)
         added.stand(is_nested=scope.is_within(added.place.scope))
-        _publish_in(added, block, fitting)
+        _publish_in(added, block.body, fitting)
     if by_rate:
         added.stand(is_nested=added.is_nested)
     lines: list[str] = []
@@ -53,81 +49,12 @@ def _fits(publication: Publication, own_rate: float | None) -> bool:
     return publication.is_rate_open or is_same
 
 
-def _own_block(added: Addition) -> tuple[Node | None, float | None]:
-    """Return the body of the file's single loop or timer, where it can see the publisher.
-
-    Beside it is its rate in Hz, where the file says it literally.
-    """
-    analysis = added.analysis
-    loops = [node for node in analysis.captures.get("while", []) if is_loop(added, node)]
-    timers = [site for site in analysis.sites if site.endpoint.kind is EndpointKind.TIMER]
-    if len(loops) + len(timers) != 1:
-        return None, None
-    if loops:
-        block = loops[0].child_by_field_name("body")
-        scope = analysis.scopes.at(loops[0].start_byte)
-        function = scope.enclosing("function") or analysis.scopes.module
-        is_later = function is not added.place.scope or loops[0].start_byte >= added.place.offset
-        is_seen = is_later and _sees(added, function)
-        if block is None or not is_seen or not _is_plain(loops[0], block):
-            return None, None
-        return block, loop_rate(analysis, loops[0])
-    found = callback_scope(analysis, timers[0])
-    is_once = "oneshot" in timers[0].arguments.keywords or len(timers[0].arguments.positional) > 2
-    if found is None or is_once or found.name.startswith("publish_") or not _sees(added, found):
-        return None, None
-    if found.name.startswith("call_"):
-        return None, None
-    block = found.node.child_by_field_name("body")
-    if block is None or not _is_plain(found.node, block):
-        return None, None
-    return block, timer_rate(analysis, timers[0])
-
-
-def is_loop(added: Addition, node: Node) -> bool:
-    """Whether a `while` is the loop of a node: until ROS shuts down, or forever at a rate."""
-    condition = node.child_by_field_name("condition")
-    text = added.analysis.syntax.slice(condition) if condition is not None else ""
-    if "is_shutdown" in text or "rclpy.ok" in text:
-        return True
-    body = node.child_by_field_name("body")
-    return (
-        text in ("True", "1")
-        and body is not None
-        and any(is_sleep(added, child) for child in body.named_children)
-    )
-
-
-def is_sleep(added: Addition, statement: Node) -> bool:
-    """Whether a statement waits until a loop runs again."""
-    return statement.type == "expression_statement" and ".sleep(" in added.analysis.syntax.slice(
-        statement
-    )
-
-
-def _is_plain(owner: Node, block: Node) -> bool:
-    return bool(block.start_point.row > owner.start_point.row) and not block.has_error
-
-
-def _sees(added: Addition, function: Scope) -> bool:
-    """Whether a function can use the variable that holds the publisher."""
-    holder, dot, _ = added.variable.rpartition(".")
-    if dot:
-        return function.self_name == holder and function.parent is added.place.owner
-    return function.is_within(added.place.scope)
-
-
 def _publish_in(added: Addition, block: Node, publications: Sequence[Publication]) -> None:
     """Publish at the end of a block, before it sleeps or leaves."""
-    statements = parts_of(block)
-    while len(statements) == 1 and statements[0].type == "try_statement":
-        inner = statements[0].child_by_field_name("body")
-        if inner is None or not _is_plain(statements[0], inner):
-            break
-        statements = parts_of(inner)
+    statements = statements_of(block)
     last = statements[-1]
     text = added.analysis.syntax.text
-    leaves = last.type in _LEAVING or is_sleep(added, last)
+    leaves = last.type == "return_statement" or is_sleep(added.analysis, last)
     indent = leading_space(added.analysis, statements[0])
     offset = line_start(text, last.start_byte) if leaves else line_end(text, last.end_byte)
     lines = []
@@ -275,7 +202,8 @@ def _call_in_own_method(added: Addition, requests: list[str]) -> bool:
     if caller is None or helper is None or list(helper.bindings)[1:3] != ["client", "request"]:
         return False
     block = caller.node.child_by_field_name("body")
-    if block is None or not _is_plain(caller.node, block) or not block.named_children:
+    is_on_one_line = block is None or block.start_point.row == caller.node.start_point.row
+    if block is None or is_on_one_line or block.has_error or not block.named_children:
         return False
     self_name = next(iter(caller.bindings))
     variable = f"{self_name}.{added.variable.rpartition('.')[2]}"

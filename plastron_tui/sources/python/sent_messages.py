@@ -17,11 +17,11 @@ from .analysis import Analysis, Site
 from .creation import Removal, remove_creation
 from .generated import is_docstring, is_own_call
 from .lost import is_computed, written_anew
+from .own_loop import is_loop, is_sleep
 from .rates import Pace, is_shared, loop_pace, timer_pace
 from .references import Reference, Use, Variable, identifiers, references
 from .removal import remove_uses, timers_of
 from .replacing import NotInPlaceError, Replacement
-from .sending import is_loop, is_sleep
 from .splices import delete_statements
 from .syntax import parts_of
 from .unused_locals import unused_locals
@@ -251,7 +251,9 @@ def _does_only(added: Addition, block: Node, own: set[int]) -> bool:
         if statement.type == "try_statement" and body is not None:
             if not _does_only(added, body, own):
                 return False
-        elif not (statement.id in own or is_docstring(statement) or is_sleep(added, statement)):
+        elif not (
+            statement.id in own or is_docstring(statement) or is_sleep(added.analysis, statement)
+        ):
             return False
     return True
 
