@@ -20,7 +20,6 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface
 from plastron_tui.ros.names import name_as_written
 
-from . import literals
 from .addition import Addition
 from .analysis import Analysis, Site
 from .calls import Argument, CallShape
@@ -30,6 +29,7 @@ from .conventions import (
     variable_naming,
 )
 from .dialect import Dialect
+from .existing_callbacks import check_parameters, existing_callback
 from .insertion_point import (
     FunctionPlace,
     beside,
@@ -41,7 +41,7 @@ from .insertion_point import (
 )
 from .messages import CannotAddError
 from .removal import callback_scope
-from .scopes import BindingKind, Scope
+from .scopes import Scope
 from .sending import add_calls, add_publishing, keep_running
 from .writing import Writer
 
@@ -127,6 +127,7 @@ def _create(added: Addition) -> list[str]:
     interface = added.interface()
     class_ = added.messages.type_class(interface)
     callback = callback_for(added, interface)
+    check_parameters(added, callback)
     model = _model(added)
     arguments = _arguments(added, model, class_, callback)
     callee = _callee(added, model)
@@ -234,37 +235,15 @@ def callback_for(added: Addition, interface: Interface) -> str:
     if not isinstance(endpoint, Subscription | Service):
         return ""
     wanted = callback_of(endpoint)
-    owner = added.place.owner
-    if wanted is not None:
-        if not literals.is_name(wanted):
-            message = f"`{wanted}` cannot be a name in Python"
-            raise CannotAddError(codes.INVALID_FUNCTION, message, endpoint.span)
-        if owner is not None and _has_method(added, owner, wanted):
-            return f"{added.place.self_name}.{wanted}"
-        found = added.place.scope.lookup(wanted)
-        if found is not None and any(b.kind is BindingKind.FUNCTION for b in found[1]):
-            return wanted
-        if owner is not None and wanted.startswith("__") and wanted.endswith("__"):
-            message = f"`{wanted}` has a meaning of its own in Python"
-            raise CannotAddError(codes.INVALID_FUNCTION, message, endpoint.span)
-        if owner is not None and wanted in added.dialect.method_names:
-            message = f"`{wanted}` is a method that every {added.dialect.library} node has"
-            raise CannotAddError(codes.INVALID_FUNCTION, message, endpoint.span)
+    existing = existing_callback(added, wanted) if wanted is not None else None
+    if existing is not None:
+        return existing
     name = wanted or added.free_name(callback_naming(added.analysis, added.kind).name(added.name))
     added.writer.names.add(name)
     added.stand(is_nested=False)
     added.writer.function(callback_place(added), _stub(added, name, interface))
     added.stand(is_nested=True)
-    return f"{added.place.self_name}.{name}" if owner is not None else name
-
-
-def _has_method(added: Addition, owner: Scope, name: str) -> bool:
-    scopes = [owner, *added.analysis.resolver.classes.bases(owner)]
-    return any(
-        binding.kind is BindingKind.FUNCTION
-        for scope in scopes
-        for binding in scope.bindings.get(name, [])
-    )
+    return f"{added.place.self_name}.{name}" if added.place.owner is not None else name
 
 
 def callback_place(added: Addition) -> FunctionPlace:

@@ -16,6 +16,7 @@ from .removal import callback_scope, definition
 from .run_order import Starting, When
 from .scopes import Scope
 from .splices import line_end, line_start
+from .syntax import parts_of
 
 _KINDS = (
     EndpointKind.PUBLISHER,
@@ -144,6 +145,24 @@ def beside(analysis: Analysis, site: Site) -> Place | None:
     if statement is None:
         return None
     return _place(analysis, statement, site.scope, site.receiver, site)
+
+
+def place_behind(analysis: Analysis, place: Place, node: Node) -> Place | None:
+    """Return a place behind a definition of the same block, None where the node runs before it."""
+    block, later = place.statement.parent, statement_of(node)
+    if block is None or later.parent is None or later.parent.id != block.id:
+        return None
+    between = [each for each in parts_of(block) if place.offset <= each.start_byte]
+    before = [each for each in between if each.start_byte < later.start_byte]
+    behind = [each for each in between if each.start_byte > later.start_byte]
+    behind = [each for each in behind if not each.type.endswith("_definition")]
+    if any(each.type in _LAST or _stays(each) for each in before):
+        return None
+    text = analysis.syntax.text
+    offset = line_end(text, later.end_byte)
+    if behind:
+        offset = _before_comments(text, line_start(text, behind[0].start_byte))
+    return replace(place, offset=offset, statement=next(iter(behind), later))
 
 
 def _climb(statement: Node) -> Node | None:

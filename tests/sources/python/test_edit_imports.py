@@ -24,7 +24,7 @@ IMPORTS = [
 
 @pytest.mark.parametrize("imports", IMPORTS)
 def test_the_imports_stay(imports: str) -> None:
-    changes = (Remove(SUB, "old", AT), subscribe("new", "std_msgs/Bool", "print"))
+    changes = (Remove(SUB, "old", AT), subscribe("new", "std_msgs/Bool", "hear"))
     text = edited(imports + BODY, *changes)
     assert text.startswith(imports + "\n")
 
@@ -32,7 +32,7 @@ def test_the_imports_stay(imports: str) -> None:
 def test_names_that_are_new_come_behind() -> None:
     changes = (
         Remove(SUB, "old", AT),
-        subscribe("new", "std_msgs/Bool", "print"),
+        subscribe("new", "std_msgs/Bool", "hear"),
         publish("said", "std_msgs/String"),
     )
     text = edited(IMPORTS[0] + BODY, *changes)
@@ -41,7 +41,7 @@ def test_names_that_are_new_come_behind() -> None:
 
 def test_two_lines_of_one_module_may_become_one() -> None:
     imports = "import rospy\nfrom std_msgs.msg import Bool\nfrom std_msgs.msg import Float32\n"
-    changes = (Remove(SUB, "old", AT), subscribe("new", "std_msgs/Bool", "print"))
+    changes = (Remove(SUB, "old", AT), subscribe("new", "std_msgs/Bool", "hear"))
     text = edited(imports + BODY, *changes)
     assert text.startswith("import rospy\nfrom std_msgs.msg import Float32, Bool\n\n")
 
@@ -64,7 +64,7 @@ rospy.Subscriber('old', Bool, print)
 
 
 def test_an_import_that_may_fail_stays_with_the_others() -> None:
-    text = edited(UNDER_TRY, subscribe("new", "geometry_msgs/Point", "print"))
+    text = edited(UNDER_TRY, subscribe("new", "geometry_msgs/Point", "hear"))
     assert "    import rospy\n    from geometry_msgs.msg import Point\n    from std" in text
 
 

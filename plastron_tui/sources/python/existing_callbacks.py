@@ -1,0 +1,169 @@
+"""The function that a statement names with `calling`: whether the file has it, and it fits."""
+
+from __future__ import annotations
+
+import builtins
+import math
+from collections.abc import Iterator
+from typing import NoReturn
+
+from plastron_tui.diagnostics import codes
+from plastron_tui.model.source import EndpointKind
+
+from . import literals
+from .addition import Addition
+from .insertion_point import place_behind
+from .messages import CannotAddError
+from .removal import definition
+from .scopes import Binding, BindingKind, Scope
+from .syntax import parts_of
+
+_ANOTHER = "name another function with `calling`"
+_OPTIONAL = frozenset({"default_parameter", "typed_default_parameter"})
+_PLAIN_DECORATORS = frozenset({"@staticmethod", "@classmethod"})
+
+
+def existing_callback(added: Addition, wanted: str) -> str | None:
+    """Return the source of a function that the file has, None for one that may be written.
+
+    Raises:
+        CannotAddError: the name means something else, or nothing yet where the call stands.
+    """
+    if not literals.is_name(wanted):
+        _refuse(added, f"`{wanted}` cannot be a name in Python")
+    owner = added.place.owner
+    if owner is not None:
+        attributes = list(_attributes(added, owner, wanted))
+        _check_attribute(added, wanted, attributes)
+        if attributes:
+            return f"{added.place.self_name}.{wanted}"
+    found = added.place.scope.lookup(wanted)
+    if found is not None and any(each.kind is BindingKind.FUNCTION for each in found[1]):
+        _stand_behind(added, wanted, *found)
+        return wanted
+    _check_free(added, wanted, found[1] if found is not None else [])
+    return None
+
+
+def check_parameters(added: Addition, callback: str) -> None:
+    """Raise an error where the file's function does not take what ROS calls it with.
+
+    rospy calls a callback with a message or a request; rclpy calls that of a service with a
+    response besides, and that of a subscription with a `MessageInfo` besides where it takes two.
+    """
+    function = _function(added, callback)
+    counts = _parameters(added, function) if function is not None else None
+    if counts is None:
+        return
+    least, most = counts
+    given = 2 if added.is_rclpy and added.kind is EndpointKind.SERVICE else 1
+    ways = {given, 2} if added.is_rclpy else {given}
+    if not any(least <= each <= most for each in ways):
+        takes = least if least > given else int(most)
+        plural = "" if takes == 1 else "s"
+        name = callback.rpartition(".")[2]
+        message = f"`{name}` takes {takes} argument{plural}, and would be called with {given}"
+        _refuse(added, message)
+
+
+def _function(added: Addition, callback: str) -> Scope | None:
+    """Return the one function of the file that a callback is."""
+    holder, _, name = callback.rpartition(".")
+    owner = added.place.owner
+    if holder and owner is not None:
+        found = list(_attributes(added, owner, name))
+    else:
+        visible = added.place.scope.lookup(name)
+        found = visible[1] if visible is not None else []
+    functions = [each for each in found if each.kind is BindingKind.FUNCTION]
+    return functions[0].owner if len(found) == len(functions) == 1 else None
+
+
+def _parameters(added: Addition, function: Scope) -> tuple[int, float] | None:
+    """Return how few and how many arguments a function takes by position, `self` left out.
+
+    What a decorator makes of a function nobody knows.
+    """
+    whole, least, most = definition(function), 0, 0.0
+    decorators = {
+        added.analysis.syntax.slice(each) for each in whole.children if each.type == "decorator"
+    }
+    if decorators - _PLAIN_DECORATORS:
+        return None
+    for each in parts_of(function.node.child_by_field_name("parameters")):
+        inner = each.named_children[0].type if each.type == "typed_parameter" else each.type
+        if inner in ("keyword_separator", "list_splat_pattern"):
+            most += math.inf if inner == "list_splat_pattern" else 0
+            break
+        if inner not in ("dictionary_splat_pattern", "positional_separator"):
+            least += each.type not in _OPTIONAL
+            most += 1
+    is_bound = function.parent is not None and function.parent.kind == "class"
+    if is_bound and "@staticmethod" not in decorators:
+        return max(least - 1, 0), most - 1
+    return least, most
+
+
+def _attributes(added: Addition, owner: Scope, name: str) -> Iterator[Binding]:
+    """Yield what binds an attribute of a class's objects, in the classes around it as well."""
+    classes = added.analysis.resolver.classes
+    for scope in dict.fromkeys([owner, *classes.bases(owner), *classes.derived(owner)]):
+        yield from scope.bindings.get(name, [])
+        yield from scope.attributes.get(name, [])
+
+
+def _check_attribute(added: Addition, wanted: str, attributes: list[Binding]) -> None:
+    """Raise an error where an attribute holds something else than a method."""
+    for each in attributes:
+        if each.kind is not BindingKind.FUNCTION:
+            _refuse(added, f"line {_line(each)} sets the attribute `{wanted}` to something else")
+        if each.owner is not None and _is_property(added, each.owner):
+            _refuse(added, f"`{wanted}` is a property, and no function that can be called")
+
+
+def _is_property(added: Addition, function: Scope) -> bool:
+    return any(
+        "property" in added.analysis.syntax.slice(each)
+        for each in definition(function).children
+        if each.type == "decorator"
+    )
+
+
+def _stand_behind(added: Addition, wanted: str, scope: Scope, bindings: list[Binding]) -> None:
+    """Go behind the definition of a function, which is not there before it."""
+    place, first = added.place, bindings[0]
+    is_later = all(each.node.start_byte >= place.offset for each in bindings)
+    if scope is not place.scope or not is_later:
+        return
+    later = place_behind(added.analysis, place, first.node)
+    if later is None:
+        message = f"`{wanted}` is defined in line {_line(first)}, after the line that would use it"
+        _refuse(added, message, f"move the definition up, or {_ANOTHER}")
+    added.place = later
+    added.stand(is_nested=True)
+
+
+def _check_free(added: Addition, wanted: str, bindings: list[Binding]) -> None:
+    """Raise an error where a function of a name would take the place of something else."""
+    owner = added.place.owner
+    for each in bindings:
+        if each.kind is BindingKind.IMPORT:
+            _refuse(added, f"`{wanted}` is imported in line {_line(each)}")
+        if owner is None:
+            _refuse(added, f"`{wanted}` is something else in line {_line(each)}")
+    if not bindings and wanted in dir(builtins):
+        _refuse(added, f"`{wanted}` is a name of Python itself")
+    if owner is None:
+        return
+    if wanted.startswith("__") and wanted.endswith("__"):
+        _refuse(added, f"`{wanted}` has a meaning of its own in Python")
+    if wanted in added.dialect.method_names:
+        _refuse(added, f"`{wanted}` is a method that every {added.dialect.library} node has")
+
+
+def _line(binding: Binding) -> int:
+    return int(binding.node.start_point.row) + 1
+
+
+def _refuse(added: Addition, message: str, remedy: str = _ANOTHER) -> NoReturn:
+    raise CannotAddError(codes.INVALID_FUNCTION, message, added.endpoint.span, remedy)
