@@ -30,15 +30,8 @@ from .conventions import (
 )
 from .dialect import Dialect
 from .existing_callbacks import check_parameters, existing_callback
-from .insertion_point import (
-    FunctionPlace,
-    beside,
-    find_place,
-    function_place,
-    is_attribute_style,
-    method_place,
-    running_place,
-)
+from .function_place import FunctionPlace, function_place, method_place
+from .insertion_point import beside, find_place, is_attribute_style, running_place
 from .messages import CannotAddError
 from .removal import callback_scope
 from .scopes import Scope

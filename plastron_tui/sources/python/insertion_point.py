@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from tree_sitter import Node
@@ -12,10 +11,10 @@ from plastron_tui.model.source import EndpointKind
 from .analysis import Analysis, NodeSite, Site
 from .conventions import leading_space, target_name
 from .references import STATEMENT_PARENTS, statement_of
-from .removal import callback_scope, definition
+from .removal import callback_scope
 from .run_order import Starting, When
 from .scopes import Scope
-from .splices import line_end, line_start
+from .splices import before_comments, line_end, line_start
 from .syntax import parts_of
 
 _KINDS = (
@@ -161,7 +160,7 @@ def place_behind(analysis: Analysis, place: Place, node: Node) -> Place | None:
     text = analysis.syntax.text
     offset = line_end(text, later.end_byte)
     if behind:
-        offset = _before_comments(text, line_start(text, behind[0].start_byte))
+        offset = before_comments(text, line_start(text, behind[0].start_byte))
     return replace(place, offset=offset, statement=next(iter(behind), later))
 
 
@@ -268,121 +267,6 @@ def _ends_of_line(statement: Node) -> tuple[Node, Node] | None:
             return first, last
         first = before
     return None
-
-
-@dataclass(frozen=True, slots=True)
-class FunctionPlace:
-    """Where a new function goes: its offset, its indent, and the blank lines around it."""
-
-    offset: int
-    indent: str
-    before: int
-    after: int
-
-
-def method_place(analysis: Analysis, place: Place, near: Iterable[Scope]) -> FunctionPlace:
-    """Return where a method goes: behind one of its like, or behind the one that uses it."""
-    owner = place.owner
-    assert owner is not None
-    alike = [scope for scope in near if scope.parent is owner and scope.node.type != "lambda"]
-    behind = alike[-1] if alike else place.scope
-    text = analysis.syntax.text
-    node = definition(behind)
-    indent = leading_space(analysis, node)
-    offset = _end_with_comments(text, line_end(text, node.end_byte), indent)
-    return FunctionPlace(offset, indent, _method_gap(analysis, node), 0)
-
-
-def _method_gap(analysis: Analysis, node: Node) -> int:
-    """Return how many blank lines stand between the methods of a class."""
-    for other in (node.next_named_sibling, node):
-        previous = other.prev_named_sibling if other is not None else None
-        if other is None or previous is None or not other.type.endswith("_definition"):
-            continue
-        if previous.type.endswith("_definition"):
-            gap = int(other.start_point.row) - int(previous.end_point.row) - 1
-            return min(max(gap, 0), 2)
-    return 1
-
-
-def _end_with_comments(text: bytes, offset: int, indent: str) -> int:
-    """Step over comments that stand deeper than a definition: they are of its body."""
-    at = found = offset
-    while at < len(text):
-        end = line_end(text, at)
-        line = text[at:end].rstrip()
-        stripped = line.lstrip()
-        if stripped and not (stripped.startswith(b"#") and len(line) - len(stripped) > len(indent)):
-            break
-        if stripped:
-            found = end
-        at = end
-    return found
-
-
-def function_place(
-    analysis: Analysis, place: Place, near: Iterable[Scope], gap: int
-) -> FunctionPlace:
-    """Return where a function goes: at the top of the file, before what uses it."""
-    text = analysis.syntax.text
-    top = place.statement
-    module = analysis.scopes.module
-    top = _top_level(top)
-    alike = [
-        definition(scope)
-        for scope in near
-        if scope.parent is module and scope.node.type == "function_definition"
-    ]
-    alike = [node for node in alike if node.end_byte <= top.start_byte]
-    if not alike and place.scope is module:
-        # In a script, functions stand before everything that runs.
-        running = [site.call for site in analysis.sites if site.scope is module]
-        running += [node.call for node in analysis.nodes if node.scope is module and node.call]
-        top = min([top, *map(_top_level, running)], key=lambda node: node.start_byte)
-    behind = alike[-1] if alike else _last_definition(top)
-    if behind is None:
-        at = _before_comments(text, line_start(text, top.start_byte))
-        is_first = not text[:at].strip()
-        return FunctionPlace(at, "", 0 if is_first else _missing_before(text, at, gap), gap)
-    at = _end_with_comments(text, line_end(text, behind.end_byte), "")
-    following = text[at : line_end(text, at)].strip()
-    return FunctionPlace(at, "", gap, gap if following else 0)
-
-
-def _top_level(node: Node) -> Node:
-    while node.parent is not None and node.parent.type != "module":
-        node = node.parent
-    return node
-
-
-def _last_definition(top: Node) -> Node | None:
-    """Return the last definition or import at the top of the file before a statement."""
-    node = top.prev_named_sibling
-    while node is not None:
-        is_import = node.type in ("import_statement", "import_from_statement")
-        if is_import or node.type.endswith("_definition"):
-            return node
-        if node.type == "try_statement" and b"import" in (node.text or b""):
-            return node
-        node = node.prev_named_sibling
-    return None
-
-
-def _before_comments(text: bytes, at: int) -> int:
-    while at > 0:
-        previous = line_start(text, at - 1)
-        line = text[previous:at].strip()
-        if not line.startswith(b"#") or line.startswith(b"#!") or previous >= at:
-            break
-        at = previous
-    return at
-
-
-def _missing_before(text: bytes, at: int, gap: int) -> int:
-    """Return how many blank lines a definition still needs before it."""
-    before = text[:at].replace(b"\r", b"")
-    blank = len(before) - len(before.rstrip(b"\n")) - 1
-    return max(gap - max(blank, 0), 0)
 
 
 def is_attribute_style(analysis: Analysis, place: Place, kind: EndpointKind) -> bool:

@@ -15,7 +15,7 @@ from plastron_tui.ros.interfaces import InterfaceKind
 from . import literals, naming
 from .addition import Addition
 from .conventions import leading_space
-from .insertion_point import function_place, method_place
+from .function_place import function_place, method_place
 from .own_loop import is_sleep, own_block, statements_of
 from .removal import callback_scope
 from .splices import line_end, line_start

@@ -43,6 +43,17 @@ def line_end(text: bytes, offset: int) -> int:
     return len(text) if end < 0 else end + 1
 
 
+def before_comments(text: bytes, at: int) -> int:
+    """Step back over the comments in the lines before the start of a line."""
+    while at > 0:
+        previous = line_start(text, at - 1)
+        line = text[previous:at].strip()
+        if not line.startswith(b"#") or line.startswith(b"#!") or previous >= at:
+            break
+        at = previous
+    return at
+
+
 def delete_statements(text: bytes, statements: Sequence[Node]) -> list[Splice]:
     """Delete statements with their trailing comments; a block that they empty gets a `pass`."""
     splices: list[Splice] = []

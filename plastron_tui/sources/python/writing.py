@@ -9,7 +9,7 @@ from plastron_tui.model.source import EndpointKind, SourceEndpoint
 
 from .analysis import Analysis
 from .conventions import Conventions
-from .insertion_point import FunctionPlace
+from .function_place import FunctionPlace
 from .splices import Splice
 
 _WORD = re.compile(r"\w+")
