@@ -72,19 +72,64 @@ def find_place(analysis: Analysis, kind: EndpointKind) -> Place | None:
         rank = (site.endpoint.kind is not kind, starting.when(site))
         if rank not in last and (place := beside(analysis, site)) is not None:
             last[rank] = place
-    ready = [rank for rank in last if rank[1] <= When.UNKNOWN]
+    ready = [rank for rank in last if rank[1] <= When.SETTING_UP]
     if ready:
         return _once_named(analysis, last[min(ready)])
+    later = sorted(last, key=lambda rank: (rank[1], rank[0]))
+    for rank in later:
+        made = _in_constructor(analysis, last[rank], starting)
+        if made is not None:
+            return made
     for node in analysis.nodes:
         behind = _behind_node(analysis, node)
         if behind is not None:
             return behind
-    if last:
-        return last[min(last, key=lambda rank: (rank[1], rank[0]))]
+    if later:
+        return last[later[0]]
     for site in reversed(analysis.sites):
-        if site.endpoint.kind in _KINDS and (place := beside(analysis, site)) is not None:
-            return place
+        if site.endpoint.kind in _KINDS and not _is_in_callback(site, callbacks):
+            place = beside(analysis, site)
+            if place is not None:
+                return place
     return None
+
+
+def _in_constructor(analysis: Analysis, place: Place, starting: Starting) -> Place | None:
+    """Return a place where the object is made that a method gives endpoints when it is called.
+
+    What the method lets go of is not the object's.
+    """
+    target = target_name(analysis, place.beside) if place.beside is not None else None
+    is_let_go = target is not None and "." not in target
+    owner = None if is_let_go else place.owner
+    found = owner.bindings.get("__init__", []) if owner is not None else []
+    made = found[0].owner if len(found) == 1 else None
+    if made is None or not made.self_name or not starting.is_starting(made):
+        return None
+    for node in analysis.nodes:
+        if node.call is not None and node.scope.enclosing("function") is made:
+            return _behind_node(analysis, node)
+    holder, _, name = place.receiver.partition(".")
+    if place.receiver and (holder != place.self_name or not _is_set_in(made, name)):
+        return None
+    statement = None
+    for each in parts_of(made.node.child_by_field_name("body")):
+        if _stays(each):
+            break
+        statement = each
+        if each.type in _LAST:
+            break
+    if statement is None:
+        return None
+    receiver = place.receiver.replace(holder, made.self_name, 1)
+    return _place(analysis, statement, made, receiver, None)
+
+
+def _is_set_in(made: Scope, name: str) -> bool:
+    """Whether a constructor sets an attribute that other methods use."""
+    owner = made.parent
+    found = owner.attributes.get(name, []) if owner is not None else []
+    return any(each.scope is made for each in found)
 
 
 def _once_named(analysis: Analysis, place: Place) -> Place:
@@ -130,12 +175,16 @@ def _is_setup(analysis: Analysis, site: Site, callbacks: set[int]) -> bool:
         return False
     if statement_of(site.call).type == "return_statement":
         return False
+    return not _is_in_callback(site, callbacks)
+
+
+def _is_in_callback(site: Site, callbacks: set[int]) -> bool:
     scope: Scope | None = site.scope
     while scope is not None:
         if scope.kind == "lambda" or scope.node.id in callbacks:
-            return False
+            return True
         scope = scope.parent
-    return True
+    return False
 
 
 def beside(analysis: Analysis, site: Site) -> Place | None:

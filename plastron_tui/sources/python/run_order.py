@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
 from enum import IntEnum
 
@@ -16,6 +17,17 @@ from .syntax import parts_of
 
 # Functions that run as a node starts, whoever calls them.
 _STARTING = frozenset({"__init__", "main", "on_configure", "setUp"})
+# Functions that run as a node starts if another file calls them.
+_SETTING_UP = re.compile(r"_*(on_?)?(init|set_?up|configure|ros_|main|run$)", re.IGNORECASE)
+_REPEATED = frozenset(
+    {
+        "for_statement",
+        "list_comprehension",
+        "set_comprehension",
+        "dictionary_comprehension",
+        "generator_expression",
+    }
+)
 # What runs never, or more than once, or later than what is around it.
 _CONDITIONS = frozenset(
     {
@@ -39,9 +51,10 @@ class When(IntEnum):
     """When a call site runs, the best time for another one beside it first."""
 
     START = 0
-    UNKNOWN = 1
-    LATER = 2
-    ON_DEMAND = 3
+    SETTING_UP = 1
+    ELSEWHERE = 2
+    LATER = 3
+    ON_DEMAND = 4
 
 
 class Starting:
@@ -55,9 +68,17 @@ class Starting:
                 self._named[scope.name].append(scope)
         makers = (node.scope.enclosing("function") for node in analysis.nodes if node.call)
         self._makers = {scope for scope in makers if scope is not None}
+        self._constructors = {
+            scope.parent.name: scope
+            for scope in self._named["__init__"]
+            if scope.parent is not None and scope.parent.kind == "class"
+        }
+        self._repeated: set[Scope] = set()
         self._calls: dict[Scope, list[tuple[Scope, bool]]] = defaultdict(list)
         for call in analysis.captures.get("call", []):
             self._note(call)
+        owners = {node.owner for node in analysis.nodes}
+        self._repeated = {scope for scope in self._repeated if scope.parent not in owners}
         self._starting = self._closure()
 
     def when(self, site: Site) -> When:
@@ -77,7 +98,9 @@ class Starting:
         if site.endpoint.kind is EndpointKind.CLIENT:
             # Such a function connects, and waits for the service, or gives up.
             return When.LATER
-        return When.ON_DEMAND if self._calls.get(function) else When.UNKNOWN
+        if self._calls.get(function) or function in self._repeated:
+            return When.ON_DEMAND
+        return When.SETTING_UP if _SETTING_UP.match(function.name) else When.ELSEWHERE
 
     def is_starting(self, function: Scope) -> bool:
         """Whether a function surely runs as the node starts; the module does."""
@@ -89,10 +112,12 @@ class Starting:
         if callee is None or callee.type not in ("identifier", "attribute"):
             return
         holder, _, name = self._analysis.syntax.slice(callee).rpartition(".")
+        scope = self._analysis.scopes.at(call.start_byte)
+        if not holder and name in self._constructors and _is_repeated(call):
+            self._repeated.add(self._constructors[name])
         alike = self._named.get(name)
         if alike is None:
             return
-        scope = self._analysis.scopes.at(call.start_byte)
         caller = scope.enclosing("function") or self._analysis.scopes.module
         if caller.self_name and holder == caller.self_name:
             alike = [scope for scope in alike if scope.parent is caller.parent] or alike
@@ -117,7 +142,8 @@ class Starting:
         return found
 
     def _is_root(self, function: Scope) -> bool:
-        return function.name in _STARTING or function in self._makers
+        is_starting = function.name in _STARTING and function not in self._repeated
+        return is_starting or function in self._makers
 
     def _is_let_go(self, site: Site, function: Scope) -> bool:
         """Whether the endpoint is held by a name that is gone when the function returns.
@@ -139,6 +165,16 @@ class Starting:
             each.type == "identifier" and self._analysis.syntax.slice(each) not in outer
             for each in names
         )
+
+
+def _is_repeated(call: Node) -> bool:
+    """Whether a call is made for each of some things."""
+    current = call.parent
+    while current is not None and current.type != "function_definition":
+        if current.type in _REPEATED:
+            return True
+        current = current.parent
+    return False
 
 
 def is_sure(node: Node, caller: Scope) -> bool:

@@ -113,7 +113,75 @@ CONNECTED_IN_A_LIBRARY = (
     "        return scan()\n"
 )
 
+WHEN_ASKED = (
+    f"{ROSPY}class Wrench(Transport):\n    def __init__(self):\n"
+    "        super(Wrench, self).__init__()\n        self.frame = rospy.get_param('~frame')\n\n"
+    "    def subscribe(self):\n"
+    "        self.sub = rospy.Subscriber('in', String, self.on_in)\n\n"
+    "    def on_in(self, msg):\n        pass\n\n\n"
+    "if __name__ == '__main__':\n    rospy.init_node('wrench')\n    Wrench()\n    rospy.spin()\n"
+)
+ACTION_WHEN_ASKED = (
+    f"{RCLPY}from rclpy.action import ActionClient\n\n\nclass Actions(Node):\n"
+    "    def __init__(self, bus):\n        super().__init__('actions')\n        self.bus = bus\n\n"
+    "    def send_goal(self, name, type_):\n"
+    "        self.clients[name] = ActionClient(self, type_, name)\n"
+)
+LENT = (
+    f"{RCLPY}class Helper:\n    def __init__(self, node):\n        self.node = node\n\n"
+    "    def listen(self, topic):\n"
+    "        self.sub = self.node.create_subscription(String, topic, self.on_it, 1)\n\n"
+    "    def on_it(self, msg):\n        pass\n"
+)
+SPINS_ITSELF = (
+    f"{ROSPY}class Arm:\n    def __init__(self):\n        self.n = 1\n"
+    "        rospy.spin()\n\n"
+    "    def reach(self):\n        self.pub = rospy.Publisher('a', String, queue_size=1)\n\n\n"
+    "rospy.init_node('arm')\nArm()\n"
+)
+SET_UP = (
+    f"{ROSPY}class Arm:\n    def __init__(self):\n        self.n = 1\n\n"
+    "    def setup_ros(self):\n        self.pub = rospy.Publisher('a', String, queue_size=1)\n"
+)
+MADE_FOR_EACH = (
+    f"{ROSPY}class Leg:\n    def __init__(self, name):\n"
+    "        self.pub = rospy.Publisher(name, String, queue_size=1)\n\n\n"
+    "rospy.init_node('legs')\nlegs = [Leg(name) for name in ('a', 'b')]\nrospy.spin()\n"
+)
+
 PLACES = {
+    "where an object is made that subscribes when asked": (
+        WHEN_ASKED,
+        publish("out"),
+        "get_param('~frame')\n"
+        "        self.out_pub = rospy.Publisher('out', String, queue_size=10)\n",
+    ),
+    "where a node is made that sends goals when asked": (
+        ACTION_WHEN_ASKED,
+        publish("out"),
+        "__init__('actions')\n        self.out_pub = self.create_publisher(String, 'out', 10)\n",
+    ),
+    "where an object gets its node": (
+        LENT,
+        publish("out"),
+        '= node\n        self.out_pub = self.node.create_publisher(String, "out", 10)\n',
+    ),
+    "where an object is made, before it spins": (
+        SPINS_ITSELF,
+        publish("out"),
+        "self.n = 1\n        self.out_pub = rospy.Publisher('out', String, queue_size=1)\n",
+    ),
+    "where a node sets up what it has": (
+        SET_UP,
+        publish("out"),
+        "        self.pub = rospy.Publisher('a', String, queue_size=1)\n"
+        "        self.out_pub = rospy.Publisher('out', String, queue_size=1)\n",
+    ),
+    "behind the node, not in what is made for each of some names": (
+        MADE_FOR_EACH,
+        publish("out"),
+        "init_node('legs')\nout_pub = rospy.Publisher('out', String, queue_size=1)\n",
+    ),
     "a service, not beside a client on demand": (
         CLIENT_ON_DEMAND,
         provide("stop"),
