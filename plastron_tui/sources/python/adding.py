@@ -161,17 +161,22 @@ def _callee(added: Addition, model: Site | None) -> str:
 
 
 def _variable(added: Addition, model: Site | None) -> str:
-    """Return the variable that holds the endpoint, named as the file names its others."""
+    """Return the variable that holds the endpoint, named as the file names its others.
+
+    rospy and rclpy hold subscriptions and services themselves: a local variable is of no use.
+    """
     is_sender = added.kind in (EndpointKind.PUBLISHER, EndpointKind.CLIENT)
+    is_attribute = is_attribute_style(added.analysis, added.place, added.kind)
     if not is_sender:
-        is_held = target_name(added.analysis, model) is not None if model else added.is_rclpy
+        is_held = added.is_rclpy and is_attribute
+        if model is not None:
+            is_local = not is_attribute and added.place.scope.parent is not None
+            is_held = not is_local and target_name(added.analysis, model) is not None
         if not is_held:
             return ""
     wanted = variable_naming(added.analysis, added.kind).name(added.name)
     name = added.free_name(wanted)
-    if is_attribute_style(added.analysis, added.place, added.kind):
-        return f"{added.place.self_name}.{name}"
-    return name
+    return f"{added.place.self_name}.{name}" if is_attribute else name
 
 
 def _arguments(added: Addition, model: Site | None, class_: str, callback: str) -> str:

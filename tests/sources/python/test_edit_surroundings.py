@@ -192,8 +192,8 @@ CASES = {
         [
             ("import rclpy\n", "import rclpy\nfrom std_msgs.msg import String as StdMsgsString\n"
                                "\n\ndef on_in(message):\n    print(f'in: {message}')\n"),
-            ("'a', 10)\n", "'a', 10)\n    in_sub = "
-                           "node.create_subscription(StdMsgsString, 'in', on_in, 10)\n"),
+            ("'a', 10)\n", "'a', 10)\n"
+                           "    node.create_subscription(StdMsgsString, 'in', on_in, 10)\n"),
         ],
     ),
     "a name that a star import may bring is not hidden": (

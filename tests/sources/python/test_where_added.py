@@ -216,7 +216,7 @@ PLACES = {
         ASKED_TWICE,
         subscribe("in"),
         "    node = rclpy.create_node('scene')\n"
-        "    in_sub = node.create_subscription(String, 'in', on_in, 1)\n",
+        "    node.create_subscription(String, 'in', on_in, 1)\n",
     ),
     "behind the node, not in one of its tests": (
         TESTS,
