@@ -32,6 +32,7 @@ from .dialect import Dialect
 from .existing_callbacks import check_parameters, existing_callback
 from .function_place import FunctionPlace, function_place, method_place
 from .insertion_point import beside, find_place, is_attribute_style, running_place
+from .lifecycle import destroy_created, is_transition
 from .messages import CannotAddError
 from .removal import callback_scope
 from .scopes import Scope
@@ -91,6 +92,7 @@ def plan_addition(
         lines += add_calls(added, endpoint)
     if not isinstance(endpoint, Client):
         keep_running(added)
+    destroy_created(added, lines)
     functions, writer.splices = writer.splices, []
     if lines:
         writer.lines(added.place.offset, added.place.indent, lines)
@@ -163,11 +165,14 @@ def _callee(added: Addition, model: Site | None) -> str:
 def _variable(added: Addition, model: Site | None) -> str:
     """Return the variable that holds the endpoint, named as the file names its others.
 
-    rospy and rclpy hold subscriptions and services themselves: a local variable is of no use.
+    rospy and rclpy hold subscriptions and services themselves: a local variable is of no use, and
+    an attribute is where a lifecycle node has to destroy them.
     """
     is_sender = added.kind in (EndpointKind.PUBLISHER, EndpointKind.CLIENT)
     is_attribute = is_attribute_style(added.analysis, added.place, added.kind)
-    if not is_sender:
+    if is_transition(added.analysis, added.place):
+        is_attribute = True
+    elif not is_sender:
         is_held = added.is_rclpy and is_attribute
         if model is not None:
             is_local = not is_attribute and added.place.scope.parent is not None

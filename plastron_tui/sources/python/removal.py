@@ -23,6 +23,7 @@ from .references import (
     is_member,
     references,
     statement_of,
+    variable_of,
 )
 from .scopes import BindingKind, Scope
 from .splices import Splice, delete_statements
@@ -106,7 +107,11 @@ def remove_uses(
             continue
         if reference.use is Use.PUBLISH:
             publishing.append(reference)
-        elif reference.use is Use.BARE or is_own_call(analysis, reference):
+        elif (
+            reference.use is Use.BARE
+            or is_own_call(analysis, reference)
+            or _is_destroyed(analysis, reference)
+        ):
             removal.statements.append(reference.statement)
         elif reference.use is Use.BINDING:
             rebound.add(line_of(reference.node))
@@ -145,12 +150,42 @@ def _remove_calling(analysis: Analysis, uses: list[Reference], removal: Removal)
             continue
         removal.sites += timers
         removal.statements += [statement, definition(function)]
+        removal.statements += _destroying(analysis, timers[0])
     gone = [function.node for function in functions.values()]
     return [
         reference
         for reference in uses
         if not any(node.start_byte <= reference.node.start_byte < node.end_byte for node in gone)
     ]
+
+
+def _is_destroyed(analysis: Analysis, reference: Reference) -> bool:
+    """Whether a statement is `self.destroy_publisher(self.publisher)`, or of another kind."""
+    arguments, statement = reference.node.parent, reference.statement
+    call = arguments.parent if arguments is not None else None
+    callee = call.child_by_field_name("function") if call is not None else None
+    if arguments is None or call is None or callee is None or arguments.named_child_count != 1:
+        return False
+    name = analysis.syntax.slice(callee).rpartition(".")[2]
+    is_alone = call.parent is not None and call.parent.id == statement.id
+    return is_alone and name.startswith("destroy_") and statement.type == "expression_statement"
+
+
+def _destroying(analysis: Analysis, timer: Site) -> list[Node]:
+    """Return the statements that destroy a timer, none where something else is done with it."""
+    parent = timer.call.parent
+    target = parent.child_by_field_name("left") if parent and parent.type == "assignment" else None
+    variable = variable_of(target, analysis) if target is not None else None
+    uses = references(variable, analysis) if variable is not None else []
+    uses = [each for each in uses if each.use not in (Use.BINDING, Use.NOTHING)]
+    destroying = [each.statement for each in uses if _is_destroyed(analysis, each)]
+    function = callback_scope(analysis, timer)
+    inside = [
+        each
+        for each in uses
+        if function is not None and analysis.scopes.at(each.node.start_byte).is_within(function)
+    ]
+    return destroying if len(destroying) + len(inside) == len(uses) else []
 
 
 def timers_of(analysis: Analysis, function: Scope) -> list[Site]:
@@ -177,15 +212,17 @@ def _remove_publishing(
         timers = timers_of(analysis, function)
         statements = [site.call.parent for site in timers]
         uses = function_uses(analysis, function)
+        destroying = _destroying(analysis, timers[0]) if len(timers) == 1 else []
         is_own = (
             len(timers) == 1
             and statements[0] is not None
-            and statements[0].type == "expression_statement"
+            and (statements[0].type == "expression_statement" or bool(destroying))
             and len(uses) == 1
         )
         if is_own and statements[0] is not None:
             removal.sites += timers
-            removal.statements += [statements[0], definition(function)]
+            removal.statements += [statement_of(timers[0].call), definition(function)]
+            removal.statements += destroying
         else:
             removal.statements += [
                 reference.statement

@@ -16,6 +16,7 @@ from . import literals, naming
 from .addition import Addition
 from .conventions import leading_space
 from .function_place import function_place, method_place
+from .lifecycle import is_transition
 from .own_loop import is_sleep, own_block, statements_of
 from .removal import callback_scope
 from .splices import line_end, line_start
@@ -90,7 +91,11 @@ def _timer(added: Addition, rate: float, publications: list[Publication]) -> lis
     callback, lines = _function(added, method, "" if added.is_rclpy else "event", body)
     period = _period(rate)
     added.writer.endpoints.append((EndpointKind.TIMER, _timer_name(added, period), "None", method))
-    return [*lines, f"{_timer_call(added, period, callback)})"]
+    holder = ""
+    if is_transition(added.analysis, added.place):
+        timer = added.free_name(f"{naming.words(added.name)}_timer")
+        holder = f"{added.place.self_name}.{timer} = "
+    return [*lines, f"{holder}{_timer_call(added, period, callback)})"]
 
 
 def _timer_call(added: Addition, period: str, callback: str) -> str:

@@ -1,0 +1,87 @@
+"""Endpoints of lifecycle nodes: what a transition creates, the one that undoes it destroys."""
+
+from __future__ import annotations
+
+import pytest
+from edits import AT, edited, provide, publish, request, subscribe
+
+from plastron_tui.model.kinds import kind_of
+from plastron_tui.model.source import Remove
+
+HEAD = (
+    "import rclpy\nfrom rclpy.lifecycle import LifecycleNode\nfrom std_msgs.msg import String\n\n\n"
+    "class Cell(LifecycleNode):\n"
+)
+CONFIGURE = (
+    "    def on_configure(self, state):\n"
+    "        self.a_pub = self.create_publisher(String, 'a', 10)\n"
+    "        self.b_sub = self.create_subscription(String, 'b', print, 10)\n"
+    "        return super().on_configure(state)\n"
+)
+TAIL = "\n\nrclpy.init()\nrclpy.spin(Cell('cell'))\n"
+DESTROYS = (
+    "\n    def on_cleanup(self, state):\n        self.destroy_subscription(self.b_sub)\n"
+    "        self.destroy_publisher(self.a_pub)\n        return super().on_cleanup(state)\n"
+)
+FORGETS = (
+    "\n    def on_cleanup(self, state):\n        self.b_sub = None\n"
+    "        return super().on_cleanup(state)\n"
+)
+HELPS = (
+    "\n    def on_cleanup(self, state):\n        self.close()\n"
+    "        return super().on_cleanup(state)\n\n"
+    "    def close(self):\n        if self.a_pub is not None:\n"
+    "            self.destroy_publisher(self.a_pub)\n"
+)
+NODES = {
+    "one that destroys": HEAD + CONFIGURE + DESTROYS + TAIL,
+    "one that forgets": HEAD + CONFIGURE + FORGETS + TAIL,
+    "one with a helper": HEAD + CONFIGURE + HELPS + TAIL,
+    "one without": HEAD + CONFIGURE + TAIL,
+}
+MANAGED = NODES["one that destroys"].replace("create_publisher", "create_lifecycle_publisher")
+CHANGES = {
+    "a publisher": (publish("x"), ["self.destroy_publisher(self.x_pub)"]),
+    "messages": (
+        publish("x", rate=2.0, data="hi"),
+        ["self.destroy_publisher(self.x_pub)", "self.destroy_timer(self.x_timer)"],
+    ),
+    "a subscription": (subscribe("x"), ["self.destroy_subscription(self.x_sub)"]),
+    "a service": (provide("x"), ["self.destroy_service(self.x_service)"]),
+    "a call": (
+        request("x", "std_srvs/Trigger"),
+        ["self.destroy_client(self.x_client)", "self.destroy_timer(self.x_timer)"],
+    ),
+}
+
+
+@pytest.mark.parametrize("node", NODES)
+@pytest.mark.parametrize("change", CHANGES)
+def test_what_a_transition_creates_is_destroyed(node: str, change: str) -> None:
+    changed, destroying = CHANGES[change]
+    after = edited(NODES[node], changed)
+    undone = after.partition("def close(" if node == "one with a helper" else "def on_cleanup(")[2]
+    for line in destroying:
+        assert undone.partition("\n    def ")[0].count(f"        {line}\n") == 1
+        holder = line.partition("(")[2].rstrip(")")
+        assert f"        {holder} = self.create_" in after
+
+
+def test_a_publisher_is_one_of_the_lifecycle_as_the_others_are() -> None:
+    after = edited(MANAGED, publish("x"))
+    assert "self.x_pub = self.create_lifecycle_publisher(String, 'x', 10)" in after
+    assert "self.destroy_lifecycle_publisher(self.x_pub)" in after
+
+
+def test_what_the_constructor_creates_stays() -> None:
+    made = "    def __init__(self):\n        super().__init__('cell')\n\n"
+    text = HEAD + made + CONFIGURE.replace("configure", "ready") + TAIL
+    assert "destroy_" not in edited(text, publish("x", rate=2.0, data="hi"))
+
+
+@pytest.mark.parametrize("node", [each for each in NODES if each != "one without"])
+@pytest.mark.parametrize("change", CHANGES)
+def test_what_was_added_goes_again(node: str, change: str) -> None:
+    changed, _ = CHANGES[change]
+    remove = Remove(kind_of(type(changed.endpoint)), "x", AT)
+    assert edited(edited(NODES[node], changed), remove) == NODES[node]
