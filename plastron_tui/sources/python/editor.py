@@ -16,6 +16,7 @@ from .compiling import syntax_error
 from .dialect import Dialect
 from .edits import Edits, Found, RefusedError, endpoints_of
 from .imports import restore_imports
+from .keeps_running import never_called
 from .messages import CannotAddError
 from .sites import analyze
 from .splices import apply
@@ -55,6 +56,9 @@ def edit_python(
     if problem is not None:
         message = f"the change of `{source.path.name}` would {problem}"
         return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message),))
+    silent = never_called(before, analysis)
+    if silent is not None:
+        return Rendered(None, (silent,))
     return Rendered(source.files.with_main(analysis.syntax.text), tuple(edits.notes))
 
 

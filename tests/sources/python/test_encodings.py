@@ -52,7 +52,7 @@ def edited(text: bytes, data: str) -> Rendered:
 
 
 def test_an_edit_is_in_the_encoding_that_the_file_names() -> None:
-    text = edited(b"# coding: latin-1\n" + NODE, "caf\xe9").files
+    text = edited(b"# coding: latin-1\n" + NODE + b"rospy.spin()\n", "caf\xe9").files
     assert text is not None
     assert b"caf\xe9" in text.main
     ast.parse(text.main)

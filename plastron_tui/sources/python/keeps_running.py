@@ -1,0 +1,68 @@
+"""Whether a node of a file goes on, and hears what comes, once it has started."""
+
+from __future__ import annotations
+
+import re
+
+from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.model.source import EndpointKind
+
+from .analysis import Analysis
+
+# rclpy calls nothing unless something spins: a function, an executor, or a navigator's methods.
+_SPINNING = re.compile(r"spin|executor|add_node|navigator", re.IGNORECASE)
+# rospy calls in threads of its own, for as long as the main thread does anything.
+_STAYING = re.compile(
+    r"spin|shutdown|sleep|wait|loop|exec_?$|show|run|start|join|serve|input|pause|listen|main",
+    re.IGNORECASE,
+)
+_CALLED = (
+    EndpointKind.SUBSCRIPTION,
+    EndpointKind.SERVICE,
+    EndpointKind.TIMER,
+    EndpointKind.ACTION_SERVER,
+)
+
+
+def never_called(before: Analysis, after: Analysis) -> Diagnostic | None:
+    """Return what is wrong with callbacks of a changed file, None where they are called.
+
+    A file that starts ROS itself has to spin, or to stay. One that had callbacks before is taken
+    to know how.
+    """
+    if any(site.endpoint.kind in _CALLED for site in before.sites) or not _starts(after):
+        return None
+    callback = next((s.endpoint.callback for s in after.sites if s.endpoint.kind in _CALLED), None)
+    # What is new may wait in a callback, and may spin.
+    names = {*_called(before), *(name for name in _called(after) if name.startswith("spin"))}
+    if callback is None:
+        return None
+    if after.library.node_classes:
+        runs = any(_SPINNING.search(name) for name in names)
+        what, remedy = "never spins", "let the node spin first, with `rclpy.spin(node)`"
+    else:
+        has_loop = after.captures.get("while") or after.captures.get("loop")
+        runs = bool(has_loop) or any(_STAYING.search(name) for name in names)
+        what, remedy = "ends at once", "let the node go on first, with `rospy.spin()`"
+    if runs:
+        return None
+    message = f"the file {what}, so that `{callback}` would not be called"
+    return Diagnostic(codes.EDIT_REFUSED, message, help=remedy)
+
+
+def _called(analysis: Analysis) -> list[str]:
+    """Return the names of the functions and classes that a file calls."""
+    callees = (call.child_by_field_name("function") for call in analysis.captures.get("call", []))
+    texts = (analysis.syntax.slice(each) for each in callees if each is not None)
+    return [text.rpartition(".")[2] for text in texts]
+
+
+def _starts(analysis: Analysis) -> bool:
+    """Whether a file starts ROS, rather than being a part of what another one starts."""
+    start = "rclpy.init" if analysis.library.node_classes else "rospy.init_node"
+    for call in analysis.captures.get("call", []):
+        callee = call.child_by_field_name("function")
+        scope = analysis.scopes.at(call.start_byte)
+        if start in analysis.resolver.qualified(callee, scope):
+            return True
+    return False

@@ -1,0 +1,80 @@
+"""What would never be called is not added: the node has to spin, or to stay."""
+
+from __future__ import annotations
+
+import pytest
+from edits import edit, edited, provide, publish, request, subscribe
+
+NODES = {
+    "rospy": "import rospy\nfrom std_msgs.msg import String\nrospy.init_node('n')\n"
+    "pub = rospy.Publisher('a', String, queue_size=1)\npub.publish('once')\n",
+    "rclpy": "import rclpy\nfrom std_msgs.msg import String\nrclpy.init()\n"
+    "node = rclpy.create_node('n')\npub = node.create_publisher(String, 'a', 1)\n"
+    "pub.publish(String(data='once'))\n",
+}
+LOOP = (
+    "import time\n{}while rclpy.ok():\n    pub.publish(String(data='again'))\n    time.sleep(0.5)\n"
+).format(NODES["rclpy"])
+CALLED = {
+    "a subscription": subscribe("x"),
+    "a service": provide("x"),
+    "messages at a rate": publish("x", rate=3.0, data="hi"),
+    "a call": request("x", "std_srvs/Trigger"),
+}
+RUNNING = {
+    "rospy": (
+        "rospy.spin()\n",
+        "rospy.sleep(5)\n",
+        "while True:\n    pass\n",
+        "window.mainloop()\n",
+        "for each in steps():\n    print(each)\n",
+    ),
+    "rclpy": (
+        "rclpy.spin(node)\n",
+        "rclpy.spin_once(node)\n",
+        "rclpy.executors.SingleThreadedExecutor().add_node(node)\n",
+        "helpers.start_spinning(node)\n",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", CALLED)
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        (NODES["rospy"], "the file ends at once, so that `"),
+        (NODES["rclpy"], "the file never spins, so that `"),
+        (LOOP, "the file never spins, so that `"),
+    ],
+)
+def test_what_is_never_called_is_not_added(case: str, text: str, why: str) -> None:
+    (found,) = edit(text, CALLED[case]).diagnostics
+    assert found.code == "edit-refused"
+    assert found.message.startswith(why)
+    assert found.help is not None
+    assert "spin" in found.help
+
+
+@pytest.mark.parametrize("case", CALLED)
+@pytest.mark.parametrize(
+    ("library", "line"), [(each, line) for each, lines in RUNNING.items() for line in lines]
+)
+def test_what_a_node_that_runs_is_given(case: str, library: str, line: str) -> None:
+    assert edited(NODES[library] + line, CALLED[case])
+
+
+@pytest.mark.parametrize("case", CALLED)
+@pytest.mark.parametrize("library", NODES)
+def test_a_part_of_a_node_is_run_by_another_file(case: str, library: str) -> None:
+    text = NODES[library].replace("rclpy.init()\n", "")
+    text = text.replace("rospy.init_node('n')\n", "")
+    assert edited(text, CALLED[case])
+
+
+@pytest.mark.parametrize("library", NODES)
+def test_a_publisher_alone_needs_nothing(library: str) -> None:
+    assert edited(NODES[library], publish("x"))
+
+
+def test_messages_go_into_a_loop_that_does_not_spin() -> None:
+    assert "publish_x" not in edited(LOOP, publish("x", data="hi"))
