@@ -93,7 +93,8 @@ AMBIGUOUS_TYPE = Code(
 INVALID_FUNCTION = Code(
     "invalid-function",
     "A callback or handler has a name that a function cannot have: a keyword of Python, or a "
-    "method that every node has.",
+    "method that every node has. Or it names what a hand-written file has, and ROS cannot call: "
+    "an import, an attribute, or a function with other parameters.",
     bad=f"{LISTENER}subscribe listener to 'orders' of message_type String calling class\n",
     good=f"{LISTENER}subscribe listener to 'orders' of message_type String calling obey\n",
 )
