@@ -75,8 +75,9 @@ def plan_addition(
     ]
     place = find_place(node, kind)
     if place is None:
-        message = f"the file has no line behind which it could create `{name}`"
-        raise CannotAddError(codes.EDIT_REFUSED, message, endpoint.span)
+        message = f"the file has no line behind which it could create `{name}` once, as it starts"
+        remedy = "add it to the file that makes the node"
+        raise CannotAddError(codes.EDIT_REFUSED, message, endpoint.span, remedy)
     if is_sending(endpoint):
         place = running_place(node, place)
     added = Addition.at(place, analysis, kind, endpoint, catalog, dialect)

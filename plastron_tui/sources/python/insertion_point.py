@@ -85,7 +85,7 @@ def find_place(analysis: Analysis, kind: EndpointKind) -> Place | None:
         if behind is not None:
             return behind
     if later:
-        return last[later[0]]
+        return last[later[0]] if later[0][1] < When.ON_DEMAND else None
     for site in reversed(analysis.sites):
         if site.endpoint.kind in _KINDS and not _is_in_callback(site, callbacks):
             place = beside(analysis, site)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from edits import edited, provide, publish, request, subscribe
+from edits import edit, edited, provide, publish, request, subscribe
 
 ROSPY = "import rospy\nfrom std_msgs.msg import String\nfrom std_srvs.srv import Trigger\n\n\n"
 RCLPY = "import rclpy\nfrom rclpy.node import Node\nfrom std_msgs.msg import String\n\n\n"
@@ -277,3 +277,27 @@ PLACES = {
 def test_places(case):
     before, change, expected = PLACES[case]
     assert expected in edited(before, change)
+
+
+NO_PLACES = {
+    "a client that a function makes for one call": (
+        f"{RCLPY}def call(node, name):\n    client = node.create_client(Trigger, name)\n"
+        "    return client.call(Trigger.Request())\n"
+    ),
+    "a timer that a function waits for": (
+        f"{RCLPY}def sleep(node, seconds):\n    timer = node.create_timer(seconds, print)\n"
+        "    rclpy.spin_once(node)\n    timer.cancel()\n"
+    ),
+    "a callback": (
+        f"{ROSPY}def on_name(msg):\n    pub = rospy.Publisher(msg.data, String, queue_size=1)\n\n\n"
+        "def listen(name):\n    return rospy.wait_for_message(name, String)\n"
+    ),
+}
+
+
+@pytest.mark.parametrize("case", NO_PLACES)
+@pytest.mark.parametrize("change", [publish("out"), subscribe("in"), provide("stop")])
+def test_nothing_is_created_at_every_call(case, change):
+    (found,) = edit(NO_PLACES[case], change).diagnostics
+    assert found.code == "edit-refused"
+    assert "once, as it starts" in found.message
