@@ -8,9 +8,12 @@ from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import EndpointKind
 
 from .analysis import Analysis
+from .own_loop import is_endless
 
 # rclpy calls nothing unless something spins: a function, an executor, or a navigator's methods.
 _SPINNING = re.compile(r"spin|executor|add_node|navigator", re.IGNORECASE)
+# These spin for a while, so that they have to be in a loop.
+_BRIEF = frozenset({"spin_once", "spin_until_future_complete"})
 # rospy calls in threads of its own, for as long as the main thread does anything.
 _STAYING = re.compile(
     r"spin|shutdown|sleep|wait|loop|exec_?$|show|run|start|join|serve|input|pause|listen|main",
@@ -38,16 +41,26 @@ def never_called(before: Analysis, after: Analysis) -> Diagnostic | None:
     if callback is None:
         return None
     if after.library.node_classes:
-        runs = any(_SPINNING.search(name) for name in names)
-        what, remedy = "never spins", "let the node spin first, with `rclpy.spin(node)`"
+        spinning = {name for name in names if _SPINNING.search(name)}
+        runs = bool(spinning - _BRIEF) or (bool(spinning) and _is_repeated(before))
+        what, remedy = "does not keep spinning", "let the node spin first, with `rclpy.spin(node)`"
     else:
-        has_loop = after.captures.get("while") or after.captures.get("loop")
+        has_loop = before.captures.get("while") or before.captures.get("loop")
         runs = bool(has_loop) or any(_STAYING.search(name) for name in names)
         what, remedy = "ends at once", "let the node go on first, with `rospy.spin()`"
     if runs:
         return None
     message = f"the file {what}, so that `{callback}` would not be called"
     return Diagnostic(codes.EDIT_REFUSED, message, help=remedy)
+
+
+def _is_repeated(analysis: Analysis) -> bool:
+    """Whether a file has a loop that may go on, or one around what spins for a while."""
+    loops = [*analysis.captures.get("while", []), *analysis.captures.get("loop", [])]
+    return any(
+        is_endless(analysis, loop) or any(each in analysis.syntax.slice(loop) for each in _BRIEF)
+        for loop in loops
+    )
 
 
 def _called(analysis: Analysis) -> list[str]:

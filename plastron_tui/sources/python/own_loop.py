@@ -98,6 +98,13 @@ def is_loop(added: Addition, node: Node) -> bool:
     )
 
 
+def is_endless(analysis: Analysis, loop: Node) -> bool:
+    """Whether the condition of a loop holds until ROS shuts down."""
+    condition = loop.child_by_field_name("condition")
+    text = analysis.syntax.slice(condition) if condition is not None else ""
+    return _UNTIL_SHUTDOWN.fullmatch(text) is not None
+
+
 def is_sleep(analysis: Analysis, statement: Node) -> bool:
     """Whether a statement waits until a loop runs again."""
     return statement.type == "expression_statement" and ".sleep(" in analysis.syntax.slice(
@@ -119,10 +126,8 @@ def statements_of(block: Node) -> list[Node]:
 def _is_main(added: Addition, loop: Node) -> bool:
     """Whether a loop starts with the node, ends with it, and sleeps once in each round."""
     analysis = added.analysis
-    condition, body = loop.child_by_field_name("condition"), loop.child_by_field_name("body")
-    if condition is None or body is None:
-        return False
-    if _UNTIL_SHUTDOWN.fullmatch(analysis.syntax.slice(condition)) is None:
+    body = loop.child_by_field_name("body")
+    if body is None or not is_endless(analysis, loop):
         return False
     is_paced = sum(is_sleep(analysis, each) for each in statements_of(body)) == 1
     return is_paced and _is_started(added, loop) and _runs_through(analysis, body)

@@ -15,6 +15,7 @@ NODES = {
 LOOP = (
     "import time\n{}while rclpy.ok():\n    pub.publish(String(data='again'))\n    time.sleep(0.5)\n"
 ).format(NODES["rclpy"])
+BRIEF = "while not ready():\n    pass\nrclpy.spin_until_future_complete(node, pub.wait())\n"
 CALLED = {
     "a subscription": subscribe("x"),
     "a service": provide("x"),
@@ -31,7 +32,7 @@ RUNNING = {
     ),
     "rclpy": (
         "rclpy.spin(node)\n",
-        "rclpy.spin_once(node)\n",
+        "while rclpy.ok():\n    rclpy.spin_once(node)\n",
         "rclpy.executors.SingleThreadedExecutor().add_node(node)\n",
         "helpers.start_spinning(node)\n",
     ),
@@ -43,8 +44,9 @@ RUNNING = {
     ("text", "why"),
     [
         (NODES["rospy"], "the file ends at once, so that `"),
-        (NODES["rclpy"], "the file never spins, so that `"),
-        (LOOP, "the file never spins, so that `"),
+        (NODES["rclpy"], "the file does not keep spinning, so that `"),
+        (NODES["rclpy"] + BRIEF, "the file does not keep spinning, so that `"),
+        (LOOP, "the file does not keep spinning, so that `"),
     ],
 )
 def test_what_is_never_called_is_not_added(case: str, text: str, why: str) -> None:
