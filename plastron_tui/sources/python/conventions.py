@@ -129,7 +129,7 @@ def _blank_lines(analysis: Analysis) -> int:
 
 def variable_naming(analysis: Analysis, kind: EndpointKind) -> Naming:
     """Return how the file names the variables that hold endpoints of a kind."""
-    for wanted in (kind, *(_WORDS.keys() - {kind})):
+    for wanted in (kind, *(each for each in _WORDS if each is not kind)):
         for site in reversed(analysis.sites):
             if site.endpoint.kind is not wanted or (name := target_name(analysis, site)) is None:
                 continue
