@@ -188,10 +188,15 @@ def _is_in_callback(site: Site, callbacks: set[int]) -> bool:
 
 
 def beside(analysis: Analysis, site: Site) -> Place | None:
-    """Return the place behind the statement of a call site."""
+    """Return the place behind the statement of a call site, and behind what waits for it."""
     statement = _climb(statement_of(site.call))
     if statement is None:
         return None
+    waiting = f"{target_name(analysis, site)}.wait_for_".encode()
+    while (following := statement.next_named_sibling) is not None and (
+        following.text or b""
+    ).startswith(waiting):
+        statement = following
     return _place(analysis, statement, site.scope, site.receiver, site)
 
 

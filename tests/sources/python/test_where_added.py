@@ -148,8 +148,19 @@ MADE_FOR_EACH = (
     "        self.pub = rospy.Publisher(name, String, queue_size=1)\n\n\n"
     "rospy.init_node('legs')\nlegs = [Leg(name) for name in ('a', 'b')]\nrospy.spin()\n"
 )
+WAITED_FOR = (
+    f"{ROSPY}class Arm:\n    def __init__(self):\n"
+    "        self.home = rospy.ServiceProxy('home', Trigger)\n"
+    "        self.home.wait_for_service()\n        self.is_home = False\n"
+)
 
 PLACES = {
+    "behind what waits for a service": (
+        WAITED_FOR,
+        publish("out"),
+        "        self.home.wait_for_service()\n"
+        "        self.out_pub = rospy.Publisher('out', String, queue_size=10)\n",
+    ),
     "where an object is made that subscribes when asked": (
         WHEN_ASKED,
         publish("out"),
