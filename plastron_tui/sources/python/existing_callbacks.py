@@ -41,7 +41,23 @@ def existing_callback(added: Addition, wanted: str) -> str | None:
     if found is not None and any(each.kind is BindingKind.FUNCTION for each in found[1]):
         _stand_behind(added, wanted, *found)
         return wanted
+    beside = _called_beside(added, wanted)
+    if beside is not None:
+        return beside
     _check_free(added, wanted, found[1] if found is not None else [])
+    return None
+
+
+def _called_beside(added: Addition, wanted: str) -> str | None:
+    """Return the method of another object that an endpoint created before in the function calls."""
+    module = added.analysis.scopes.module
+    for site in added.analysis.sites:
+        given = site.arguments.get(site.shape.callback) if site.shape.callback else None
+        is_method = given is not None and given.type == "attribute"
+        function = site.scope.enclosing("function") or module
+        is_seen = function is added.place.scope and site.call.end_byte <= added.place.offset
+        if given is not None and is_method and is_seen and site.endpoint.callback == wanted:
+            return added.analysis.syntax.slice(given)
     return None
 
 
@@ -70,6 +86,8 @@ def _function(added: Addition, callback: str) -> Scope | None:
     """Return the one function of the file that a callback is."""
     holder, _, name = callback.rpartition(".")
     owner = added.place.owner
+    if holder and (owner is None or holder != added.place.self_name):
+        return None
     if holder and owner is not None:
         found = list(_attributes(added, owner, name))
     else:

@@ -40,7 +40,7 @@ def destroy_created(added: Addition, lines: list[str]) -> None:
     created = [found for line in lines if (found := _CREATION.match(line)) is not None]
     if not created or not is_transition(added.analysis, added.place):
         return
-    calls = [(f"destroy_{each[2]}", each[1]) for each in created]
+    calls = [(_destroying_method(added.analysis, each[2]), each[1]) for each in created]
     undoing = _destroying(added) or _undoing(added)
     for function, statement in undoing.items():
         holder = function.self_name
@@ -57,6 +57,14 @@ def destroy_created(added: Addition, lines: list[str]) -> None:
             f"\treturn super().{transition}(state)",
         ]
         added.writer.function(method_place(added.analysis, added.place, ()), lines)
+
+
+def _destroying_method(analysis: Analysis, noun: str) -> str:
+    """Return the method that destroys what `create_…` makes, as the file does it."""
+    method, plain = f"destroy_{noun}", f"destroy_{noun.removeprefix('lifecycle_')}"
+    is_plain = f"{plain}(".encode() in analysis.syntax.text
+    is_own = f"{method}(".encode() in analysis.syntax.text
+    return plain if is_plain and not is_own else method
 
 
 def _destroys(analysis: Analysis, callee: Node) -> bool:

@@ -149,3 +149,11 @@ def test_what_a_script_has_not_yet_is_told(library: str, name: str, text: str) -
 def test_a_script_uses_a_function_behind_its_definition(library: str) -> None:
     after = edited(SCRIPTS[library], subscribe("x", callback="later"))
     assert after.index("def later") < after.index("'x'") < after.index(".spin(")
+
+
+@pytest.mark.parametrize("library", SCRIPTS)
+def test_the_method_of_another_object_is_called_as_it_is(library: str) -> None:
+    text = SCRIPTS[library].replace("print", "robot.arm.hear")
+    after = edited(text, subscribe("x", callback="hear"))
+    assert after.count("robot.arm.hear") == 2
+    assert "def hear" not in after

@@ -39,7 +39,6 @@ NODES = {
     "one with a helper": HEAD + CONFIGURE + HELPS + TAIL,
     "one without": HEAD + CONFIGURE + TAIL,
 }
-MANAGED = NODES["one that destroys"].replace("create_publisher", "create_lifecycle_publisher")
 CHANGES = {
     "a publisher": (publish("x"), ["self.destroy_publisher(self.x_pub)"]),
     "messages": (
@@ -67,10 +66,19 @@ def test_what_a_transition_creates_is_destroyed(node: str, change: str) -> None:
         assert f"        {holder} = self.create_" in after
 
 
-def test_a_publisher_is_one_of_the_lifecycle_as_the_others_are() -> None:
-    after = edited(MANAGED, publish("x"))
+@pytest.mark.parametrize(
+    ("node", "method"),
+    [
+        ("one that destroys", "destroy_publisher"),
+        ("one that forgets", "destroy_lifecycle_publisher"),
+        ("one without", "destroy_lifecycle_publisher"),
+    ],
+)
+def test_a_publisher_is_one_of_the_lifecycle_as_the_others_are(node: str, method: str) -> None:
+    text = NODES[node].replace("create_publisher", "create_lifecycle_publisher")
+    after = edited(text, publish("x"))
     assert "self.x_pub = self.create_lifecycle_publisher(String, 'x', 10)" in after
-    assert "self.destroy_lifecycle_publisher(self.x_pub)" in after
+    assert f"self.{method}(self.x_pub)" in after
 
 
 def test_what_the_constructor_creates_stays() -> None:
