@@ -26,7 +26,7 @@ def is_interface_module(target: str) -> bool:
 def unused_imports(
     analysis: Analysis, gone: list[Splice], freed: Container[str] = ()
 ) -> tuple[list[Node], list[Splice]]:
-    """Find the imports of interface types whose every use lies in what is deleted.
+    """Find the imports of interface types, and of rclpy, whose every use lies in what is deleted.
 
     Args:
         analysis: the file.
@@ -74,7 +74,7 @@ def _is_removable(binding: Binding, analysis: Analysis) -> bool:
     is_module = binding.scope.parent is None
     if parent is None or (is_module and parent.type != "module" and not _is_one_tried(parent)):
         return False
-    if is_interface_module(binding.target):
+    if is_interface_module(binding.target) or binding.target.startswith("rclpy."):
         return True
     # `import std_msgs.msg` binds `std_msgs`.
     names = binding.node.children_by_field_name("name")

@@ -27,7 +27,14 @@ from .references import (
 )
 from .scopes import BindingKind, Scope
 from .splices import Splice, delete_statements
-from .unused_locals import unused_locals
+from .syntax import parts_of
+from .unused_locals import empty_conditions, unused_locals
+
+# What ends an endpoint: its own methods, and those of an rclpy node.
+_ENDING = frozenset({"destroy", "shutdown", "unregister"})
+_DESTROYING = frozenset(
+    {"destroy_client", "destroy_publisher", "destroy_service", "destroy_subscription"}
+)
 
 
 def find_sites(analysis: Analysis, change: Remove | Update | Rename) -> list[Site]:
@@ -49,6 +56,7 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
     if removal.lines:
         return removal
     removal.statements += [statement for statement, _ in waits(analysis, sites)]
+    removal.statements += empty_conditions(analysis, removal.statements)
     gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
     removal.statements += unused_locals(analysis, gone)
     gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
@@ -110,7 +118,7 @@ def remove_uses(
         elif (
             reference.use is Use.BARE
             or is_own_call(analysis, reference)
-            or _is_destroyed(analysis, reference)
+            or _ends_endpoint(analysis, reference)
         ):
             removal.statements.append(reference.statement)
         elif reference.use is Use.BINDING:
@@ -132,6 +140,24 @@ def remove_uses(
         if inside:
             removal.lines.add(line_of(reference.node))
     _remove_publishing(analysis, variable, publishing, removal)
+
+
+def _ends_endpoint(analysis: Analysis, reference: Reference) -> bool:
+    """Whether a statement does nothing but end an endpoint, which is no more."""
+    parent = reference.node.parent
+    call = reference.statement.named_children[0] if reference.statement.named_children else None
+    if parent is None or call is None or call.type != "call" or len(parts_of(call.parent)) != 1:
+        return False
+    callee, arguments = (call.child_by_field_name(each) for each in ("function", "arguments"))
+    name = callee.child_by_field_name("attribute") if callee is not None else None
+    if callee is None or arguments is None or name is None:
+        return False
+    ending = analysis.syntax.slice(name)
+    if parent.id == callee.id:
+        return ending in _ENDING and not parts_of(arguments)
+    return ending in _DESTROYING and [part.id for part in parts_of(arguments)] == [
+        reference.node.id
+    ]
 
 
 def _remove_calling(analysis: Analysis, uses: list[Reference], removal: Removal) -> list[Reference]:
@@ -159,18 +185,6 @@ def _remove_calling(analysis: Analysis, uses: list[Reference], removal: Removal)
     ]
 
 
-def _is_destroyed(analysis: Analysis, reference: Reference) -> bool:
-    """Whether a statement is `self.destroy_publisher(self.publisher)`, or of another kind."""
-    arguments, statement = reference.node.parent, reference.statement
-    call = arguments.parent if arguments is not None else None
-    callee = call.child_by_field_name("function") if call is not None else None
-    if arguments is None or call is None or callee is None or arguments.named_child_count != 1:
-        return False
-    name = analysis.syntax.slice(callee).rpartition(".")[2]
-    is_alone = call.parent is not None and call.parent.id == statement.id
-    return is_alone and name.startswith("destroy_") and statement.type == "expression_statement"
-
-
 def _destroying(analysis: Analysis, timer: Site) -> list[Node]:
     """Return the statements that destroy a timer, none where something else is done with it."""
     parent = timer.call.parent
@@ -178,7 +192,7 @@ def _destroying(analysis: Analysis, timer: Site) -> list[Node]:
     variable = variable_of(target, analysis) if target is not None else None
     uses = references(variable, analysis) if variable is not None else []
     uses = [each for each in uses if each.use not in (Use.BINDING, Use.NOTHING)]
-    destroying = [each.statement for each in uses if _is_destroyed(analysis, each)]
+    destroying = [each.statement for each in uses if _ends_endpoint(analysis, each)]
     function = callback_scope(analysis, timer)
     inside = [
         each

@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from tree_sitter import Node
 
 from .syntax import parts_of
+
+# A ruler, the end of a text, and what linters, formatters and type checkers read.
+_NO_WORDS = re.compile(
+    rb"([^\w\s.])\1{2}|^#!|^#\s*(coding|fmt|flake8|isort|mypy|noqa|pragma|pylint|ruff|type|yapf)\b"
+)
+_BLANKS = re.compile(rb"[ \t]*")
+_HEADER = re.compile(rb"(?:\xef\xbb\xbf)?(?:[ \t]*(?:#[^\n]*)?\r?\n)*")
+_CODE = re.compile(rb"\w\(|=|^(from|import|if|for|while|return|del|pass)\b")
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -58,9 +67,11 @@ def delete_statements(text: bytes, statements: Sequence[Node]) -> list[Splice]:
     """Delete statements with their trailing comments; a block that they empty gets a `pass`."""
     splices: list[Splice] = []
     blocks: dict[int, tuple[Node, list[Node]]] = {}
-    for statement in {node.id: node for node in statements}.values():
-        parent = statement.parent
-        if parent is not None:
+    end = 0
+    for statement in sorted(statements, key=lambda node: (node.start_byte, -node.end_byte)):
+        parent, is_within = statement.parent, statement.end_byte <= end
+        end = max(end, statement.end_byte)
+        if parent is not None and not is_within:
             blocks.setdefault(parent.id, (parent, []))[1].append(statement)
     for block, gone in blocks.values():
         gone.sort(key=lambda node: node.start_byte)
@@ -69,19 +80,7 @@ def delete_statements(text: bytes, statements: Sequence[Node]) -> list[Splice]:
             first = gone.pop(0)
             splices.append(Splice(first.start_byte, first.end_byte, b"pass"))
         splices += [_delete(text, node, gone) for node in gone]
-    starts = {splice.start for splice in splices}
-    return [_over_blank_lines(text, splice, starts) for splice in splices]
-
-
-def _over_blank_lines(text: bytes, splice: Splice, starts: set[int]) -> Splice:
-    """Delete the blank lines between two statements that are both deleted."""
-    end = splice.end
-    while not splice.text and end < len(text) and end not in starts:
-        following = line_end(text, end)
-        if text[end:following].strip():
-            return splice
-        end = following
-    return Splice(splice.start, end) if end in starts and end > splice.end else splice
+    return _close_gaps(text, splices)
 
 
 def _delete(text: bytes, statement: Node, gone: Sequence[Node]) -> Splice:
@@ -91,8 +90,7 @@ def _delete(text: bytes, statement: Node, gone: Sequence[Node]) -> Splice:
     if after.startswith(b";") and after[1:].strip()[:1] in (b"", b"#"):
         after = b""
     if not before.strip() and (not after or after.startswith(b"#")):
-        is_definition = statement.type in ("function_definition", "decorated_definition")
-        return Splice(_blank_lines_before(text, first) if is_definition else first, last)
+        return Splice(first, last)
     following = statement.next_named_sibling
     if after.startswith(b";") and following is not None:
         return Splice(start, following.start_byte)
@@ -102,14 +100,96 @@ def _delete(text: bytes, statement: Node, gone: Sequence[Node]) -> Splice:
     return Splice(start, end, b"pass")
 
 
-def _blank_lines_before(text: bytes, start: int) -> int:
-    """Return where the blank lines before a definition begin; those after it separate enough."""
+def _close_gaps(text: bytes, splices: Sequence[Splice]) -> list[Splice]:
+    """Let deleted lines take the blank lines and the comment with them that only they needed."""
+    found: list[Splice] = []
+    for splice in sorted(splices):
+        last = found[-1] if found else None
+        if last is None or not (_is_lines(text, last) and _is_lines(text, splice)):
+            found.append(splice)
+        elif not text[last.end : splice.start].strip():
+            found[-1] = Splice(last.start, splice.end)
+        else:
+            found.append(splice)
+    return [_close_gap(text, each) if _is_lines(text, each) else each for each in found]
+
+
+def _is_lines(text: bytes, splice: Splice) -> bool:
+    """Whether a splice deletes whole lines."""
+    is_end = splice.end == len(text) or text[splice.end - 1 : splice.end] == b"\n"
+    return not splice.text and is_end and line_start(text, splice.start) == splice.start
+
+
+def _close_gap(text: bytes, lines: Splice) -> Splice:
+    """Keep the larger one of the gaps before and behind deleted lines; none at a block's ends."""
+    start, end = _over_comment(text, lines), lines.end
+    before, after = _blank_before(text, start), _blank_after(text, end)
+    first = before[-1] if before else start
+    if (after[-1] if after else end) == len(text):
+        return Splice(first, end)
+    if line_start(text, first) == line_start(text, 0) or (
+        not before and text[:start][-200:].rstrip().endswith(b":")
+    ):
+        return Splice(start, after[-1] if after else end)
+    shorter = min(len(before), len(after))
+    return Splice(before[shorter - 1] if shorter else start, end)
+
+
+def _blank_before(text: bytes, start: int) -> list[int]:
+    """Return where the blank lines before a line begin, the last line first."""
+    found: list[int] = []
     while start > 0:
         previous = line_start(text, start - 1)
         if text[previous:start].strip() or previous >= start:
             break
+        found.append(previous)
         start = previous
-    return start
+    return found
+
+
+def _blank_after(text: bytes, end: int) -> list[int]:
+    """Return where the blank lines from an offset on end."""
+    found: list[int] = []
+    while end < len(text) and not text[end : line_end(text, end)].strip():
+        end = line_end(text, end)
+        found.append(end)
+    return found
+
+
+def _over_comment(text: bytes, lines: Splice) -> int:
+    """Return where deleted lines begin, with the comment above them that speaks of them alone.
+
+    A comment that a statement still follows may speak of that one. What heads the file, draws a
+    line, tells a tool something, or is code, stays.
+    """
+    indent = _indent(text, lines.start)
+    following = text[lines.end : line_end(text, lines.end)]
+    is_followed = bool(following.strip()) and not following.lstrip().startswith(b"#")
+    if is_followed and len(_indent(text, lines.end)) >= len(indent):
+        return lines.start
+    start = lines.start
+    while start > 0:
+        previous = line_start(text, start - 1)
+        line = text[previous:start].strip()
+        if previous >= start or _indent(text, previous) != indent or not line.startswith(b"#"):
+            break
+        if not _is_prose(line):
+            return lines.start
+        start = previous
+    header = _HEADER.match(text)
+    return lines.start if header is not None and header.end() >= start else start
+
+
+def _indent(text: bytes, start: int) -> bytes:
+    found = _BLANKS.match(text, start)
+    return found[0] if found is not None else b""
+
+
+def _is_prose(comment: bytes) -> bool:
+    """Whether a comment is made of words: no code, no ruler, and nothing that tools read."""
+    said = comment.lstrip(b"#").strip()
+    is_code = _CODE.search(said) is not None or said.endswith((b")", b":", b",", b"]", b"}"))
+    return bool(said) and _NO_WORDS.search(comment) is None and not is_code
 
 
 def delete_item(text: bytes, items: Sequence[Node], item: Node) -> Splice:

@@ -19,6 +19,7 @@ _PURE_BUILTINS = frozenset(
 _PURE_FUNCTIONS = frozenset(
     {"rospy.Time.now", "rospy.get_rostime", "rospy.get_time", "rospy.Time", "rospy.Duration"}
     | {"rospy.Time.from_sec", "rospy.Duration.from_sec", "time.time"}
+    | {"rclpy.duration.Duration", "rclpy.qos.QoSProfile"}
 )
 # What a node's clock is asked; nothing else of these names changes anything either.
 _PURE_METHODS = frozenset({"get_clock", "now", "to_msg", "to_sec", "format", "copy", "tolist"})
@@ -58,6 +59,26 @@ def unused_locals(analysis: Analysis, gone: Sequence[Splice]) -> list[Node]:
         found.update(more)
         ranges += [(each.start_byte, each.end_byte) for each in more.values()]
     return list(found.values())
+
+
+def empty_conditions(analysis: Analysis, gone: Sequence[Node]) -> list[Node]:
+    """Return the `if` statements that have nothing to decide once statements are gone."""
+    known = {statement.id for statement in gone}
+    found: list[Node] = []
+    pending = list(gone)
+    while pending:
+        block = pending.pop().parent
+        owner = block.parent if block is not None else None
+        if owner is None or owner.type != "if_statement" or owner.id in known:
+            continue
+        condition = owner.child_by_field_name("condition")
+        is_empty = all(part.id in known for part in parts_of(block))
+        is_whole = not owner.children_by_field_name("alternative")
+        if is_empty and is_whole and condition is not None and _is_pure(analysis, condition):
+            known.add(owner.id)
+            found.append(owner)
+            pending.append(owner)
+    return found
 
 
 def _locals_in(analysis: Analysis, ranges: Iterable[tuple[int, int]]) -> set[tuple[Scope, str]]:

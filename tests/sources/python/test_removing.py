@@ -50,8 +50,8 @@ REMOVALS = {
     ),
     "the last statement of a block": (
         PUB,
-        f"{HEAD}{MORE}if x:\n    rospy.Publisher('t', Int32)\n{TAIL}y = String\n",
-        f"{HEAD}{MORE}if x:\n    pass\n{TAIL}y = String\n",
+        f"{HEAD}{MORE}if x():\n    rospy.Publisher('t', Int32)\n{TAIL}y = String\n",
+        f"{HEAD}{MORE}if x():\n    pass\n{TAIL}y = String\n",
     ),
     "between semicolons": (
         PUB,
@@ -60,8 +60,8 @@ REMOVALS = {
     ),
     "behind a colon": (
         PUB,
-        f"{HEAD}{MORE}if x: rospy.Publisher('t', Int32)\n{TAIL}y = String\n",
-        f"{HEAD}{MORE}if x: pass\n{TAIL}y = String\n",
+        f"{HEAD}{MORE}if x(): rospy.Publisher('t', Int32)\n{TAIL}y = String\n",
+        f"{HEAD}{MORE}if x(): pass\n{TAIL}y = String\n",
     ),
     "one of a tuple": (
         PUB,
@@ -83,7 +83,7 @@ REMOVALS = {
     "a stub callback goes": (
         SUB,
         f"{HEAD}{MORE}\ndef cb(msg):\n    pass\n\nrospy.Subscriber('t', String, cb)\n{TAIL}",
-        f"import rospy\nfrom std_msgs.msg import Int32\n{MORE}{TAIL}",
+        f"import rospy\nfrom std_msgs.msg import Int32\n{MORE}\n{TAIL}",
     ),
     "a callback with code stays": (
         SUB,
@@ -145,8 +145,75 @@ def test_removing(case):
     assert edited(windows, Remove(kind, "t", AT)) == after.replace("\n", "\r\n")
 
 
+# What goes with `{}`, and what is left of the lines.
+LINES = {
+    "the larger gap stays": ("a = 1\n\n{}\n\nb = 2\n", "a = 1\n\n\nb = 2\n"),
+    "one gap of two": ("a = 1\n\n{}\nb = 2\n", "a = 1\n\nb = 2\n"),
+    "no gap": ("a = 1\n{}b = 2\n", "a = 1\nb = 2\n"),
+    "no gap at the start of a block": ("if f():\n    {}\n    b = 2\n", "if f():\n    b = 2\n"),
+    "no gap at the end": ("a = 1\n\n{}", "a = 1\n"),
+    "its comment": ("a = 1\n\n# Greet people\n{}\nb = 2\n", "a = 1\n\nb = 2\n"),
+    "a comment above another one": ("# Greet\n{}# Add\nb = 2\n", "# Add\nb = 2\n"),
+    "its comment at the end of a block": (
+        "def f():\n    a = 1\n    # Greet\n    {}\n\nb = 2\n",
+        "def f():\n    a = 1\n\n\nb = 2\n",
+    ),
+    "a comment of more lines": ("# Greet, add\n{}b = 2\n", "# Greet, add\nb = 2\n"),
+    "code in a comment": ("# p = None\n{}\nb = 2\n", "# p = None\n\nb = 2\n"),
+    "a ruler": ("# ---- Greet ----\n{}\nb = 2\n", "# ---- Greet ----\n\nb = 2\n"),
+    "what tools read": ("# fmt: off\n{}\nb = 2\n", "# fmt: off\n\nb = 2\n"),
+    "a comment further left": (
+        "if f():\n# Greet\n    {}    b = 2\n", "if f():\n# Greet\n    b = 2\n"
+    ),
+    "a condition": ("if x and not y:\n    {}b = 2\n", "b = 2\n"),
+    "a condition within another": ("if x:\n    if y > 1:\n        {}b = 2\n", "b = 2\n"),
+    "a condition with an else": (
+        "if x:\n    {}else:\n    b = 2\n", "if x:\n    pass\nelse:\n    b = 2\n"
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", LINES)
+def test_lines_around_what_is_removed(case):
+    before, after = (f"{HEAD}x = y = String, Int32\n{each}" for each in LINES[case])
+    if not case.endswith("end"):
+        before, after = before + TAIL, after + TAIL
+    before = before.replace("{}", "rospy.Publisher('t', String)\n")
+    assert edited(f"{MORE}{before}", Remove(PUB, "t", AT)) == f"{MORE}{after}"
+
+
+def test_what_ends_an_endpoint_goes_with_it():
+    head = f"{HEAD}{MORE}x = String, Int32\n"
+    before = f"{head}p = rospy.Publisher('t', String)\n{TAIL}p.unregister()\n"
+    assert edited(before, Remove(PUB, "t", AT)) == head + TAIL
+
+
+def test_what_only_served_an_endpoint_goes_with_it():
+    text = (
+        "from rclpy.node import Node\n"
+        "from rclpy.qos import DurabilityPolicy, QoSProfile\n"
+        "from std_msgs.msg import String\n\n\n"
+        "class A(Node):\n"
+        "    def __init__(self):\n"
+        "        super().__init__('a')\n"
+        "        profile = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)\n"
+        "        self.p = self.create_publisher(String, 't', profile)\n\n"
+        "    def close(self):\n"
+        "        self.destroy_publisher(self.p)\n"
+        "        self.destroy_node()\n"
+    )
+    assert edited(text, Remove(PUB, "t", AT)) == (
+        "from rclpy.node import Node\n\n\n"
+        "class A(Node):\n"
+        "    def __init__(self):\n"
+        "        super().__init__('a')\n\n"
+        "    def close(self):\n"
+        "        self.destroy_node()\n"
+    )
+
+
 IN_USE = {
-    "unregistered": ("s = rospy.Subscriber('t', String)\ns.unregister()\n", [4]),
+    "unregistered on the way": ("s = rospy.Subscriber('t', String)\nf(s.unregister())\n", [4]),
     "asked for listeners": ("p = rospy.Publisher('t', String)\nif p.get_num_connections():\n"
                             "    p.publish('x')\n", [4]),
     "returned": ("def f():\n    return rospy.Publisher('t', String)\n", [4]),
