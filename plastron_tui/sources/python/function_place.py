@@ -90,8 +90,7 @@ def function_place(
         is_first = not text[:at].strip()
         return FunctionPlace(at, "", 0 if is_first else _missing_before(text, at, gap), gap)
     at = _end_with_comments(text, line_end(text, behind.end_byte), "")
-    following = text[at : line_end(text, at)].strip()
-    return FunctionPlace(at, "", gap, gap if following else 0)
+    return FunctionPlace(at, "", gap, _missing_after(text, at, gap))
 
 
 def _top_level(node: Node) -> Node:
@@ -118,3 +117,10 @@ def _missing_before(text: bytes, at: int, gap: int) -> int:
     before = text[:at].replace(b"\r", b"")
     blank = len(before) - len(before.rstrip(b"\n")) - 1
     return max(gap - max(blank, 0), 0)
+
+
+def _missing_after(text: bytes, at: int, gap: int) -> int:
+    """Return how many blank lines a definition still needs after it."""
+    following = text[at:].lstrip(b" \t\r\n")
+    blank = text[at : len(text) - len(following)].count(b"\n")
+    return max(gap - blank, 0) if following else 0
