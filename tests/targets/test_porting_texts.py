@@ -204,9 +204,8 @@ TO_RCLPY = [
     ("p = rospy.ServiceProxy('s', Trigger)", "p = node.create_client(Trigger, 's')"),
     (
         "rospy.Service('s', Trigger, lambda r: (True, ''))",
-        "node.create_service(Trigger, 's', "
-        "lambda request, response: "
-        "(lambda r: Trigger.Response(success=True, message=''))(request))",
+        "node.create_service(\n    Trigger,\n    's',\n    lambda request, response: "
+        "(lambda r: Trigger.Response(success=True, message=''))(request),\n)",
     ),
     (
         "rospy.Timer(rospy.Duration(secs=2), lambda e: print(e))",

@@ -21,15 +21,27 @@ from .messages import CannotAddError
 from .sites import analyze
 from .splices import apply
 from .unresolved import lost_names, meanings
+from .wrapping import line_limit, wrap_new_lines
 
 
 def edit_python(
-    source: SourceUnit, changes: Sequence[Change], catalog: Catalog, dialect: Dialect
+    source: SourceUnit,
+    changes: Sequence[Change],
+    catalog: Catalog,
+    dialect: Dialect,
+    line_length: int | None = None,
 ) -> Rendered:
     """Change a Python file; what no change asks for stays byte for byte.
 
     The result was read again: it parses no worse, and holds exactly the endpoints that were
     asked for. Otherwise there is no text, and a diagnostic says why.
+
+    Args:
+        source: the file, and what was read of it.
+        changes: what is asked for.
+        catalog: the interface types.
+        dialect: the client library.
+        line_length: how long a line may be, None for what the file, or its ROS, keeps to.
     """
     if not changes:
         return Rendered(source.files)
@@ -53,6 +65,14 @@ def edit_python(
     if restored != analysis.syntax.text:
         analysis = analyze(restored, library)
     problem = _problem(before, analysis, edits.expected)
+    if problem is None:
+        text = analysis.syntax.text
+        limit = line_limit(before.syntax.text, source.library, line_length)
+        wrapped = wrap_new_lines(before.syntax.text, text, limit)
+        if wrapped != text:
+            again = analyze(wrapped, library)
+            if _problem(before, again, edits.expected) is None:
+                analysis = again
     if problem is not None:
         message = f"the change of `{source.path.name}` would {problem}"
         return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message),))

@@ -1,7 +1,7 @@
-"""Break long lines of Python source as `ruff format` does.
+"""Break long lines of Python source, as `ruff format` does or as a file has its others.
 
-Templates write each statement on one line; `fit` breaks those that are longer than a line
-may be. It knows what templates need: brackets, commas and strings.
+Templates and edits write each statement on one line; `fit` breaks those that are longer than a
+line may be. It knows what they need: brackets, commas and strings.
 """
 
 from __future__ import annotations
@@ -16,8 +16,10 @@ from . import literals
 LINE_LENGTH = 88
 """The default of `ruff format`."""
 
-_INDENT = 4
 _CLOSING = {"(": ")", "[": "]", "{": "}"}
+# What has names with commas between them, and what ends these.
+_ENDS = {"lambda": ":", "for": "in"}
+_WORDS = frozenset({*_ENDS, *_ENDS.values()})
 _TOKEN = re.compile(
     r"""(?P<string>[A-Za-z]{0,2}(?:"(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*'))"""
     r"""|(?P<open>[(\[{])|(?P<close>[)\]}])|(?P<comma>,\ ?)|(?P<other>[A-Za-z0-9_.]+|[^"'])"""
@@ -25,15 +27,39 @@ _TOKEN = re.compile(
 _STRING_ITEM = re.compile(r"""(?P<name>(?:[A-Za-z_]\w*=)?)(?P<literal>["'].*["'])""")
 
 
-def fit(source: str) -> str:
+@dataclass(frozen=True, slots=True)
+class Brackets:
+    """How brackets are broken that are too long for a line; by default as `ruff format` does.
+
+    Attributes:
+        limit: how long a line may be.
+        indent: one level of indent.
+        is_visual: whether what follows stands below what is behind the opening bracket.
+        is_closed_apart: whether the closing bracket has a line of its own.
+        is_each_apart: whether every item has a line of its own, even if all fit on one.
+        has_comma: whether a comma is behind the last of items on lines of their own.
+        splits_strings: whether a text may be broken into several.
+    """
+
+    limit: int = LINE_LENGTH
+    indent: str = "    "
+    is_visual: bool = False
+    is_closed_apart: bool = True
+    is_each_apart: bool = False
+    has_comma: bool = True
+    splits_strings: bool = True
+
+
+def fit(source: str, brackets: Brackets = Brackets()) -> str:
     """Break the lines of `source` that are too long; the others are left as they are."""
     lines: list[str] = []
     for line in source.split("\n"):
-        parts = _scan(line.lstrip()) if width(line) > LINE_LENGTH else None
+        parts = _scan(line.lstrip()) if width(line) > brackets.limit else None
         if parts is None:
             lines.append(line)
         else:
-            lines += _break(parts, len(line) - len(line.lstrip()), "")
+            margin = line[: len(line) - len(line.lstrip())]
+            lines += _break(parts, margin, "", brackets)
     return "\n".join(lines)
 
 
@@ -73,7 +99,7 @@ def _scan(text: str) -> list[_Part] | None:
                     return None
                 stack.pop()
                 current = stack[-1].items[-1] if stack else top
-            case "comma" if stack:
+            case "comma" if stack and not _is_begun(current):
                 stack[-1].items.append([])
                 current = stack[-1].items[-1]
             case _:
@@ -81,43 +107,68 @@ def _scan(text: str) -> list[_Part] | None:
     return None if stack else top
 
 
-def _break(parts: list[_Part], indent: int, tail: str) -> list[str]:
+def _is_begun(item: list[_Part]) -> bool:
+    """Whether the names of a `lambda` or a `for` are still to end, so that a comma parts them."""
+    words = [part for part in item if isinstance(part, str) and part in _WORDS]
+    return bool(words) and words[-1] in _ENDS
+
+
+def _break(parts: list[_Part], margin: str, tail: str, style: Brackets) -> list[str]:
     """Lay out parts from a column on; `tail` follows them on their last line."""
-    margin = " " * indent
     flat = margin + _flat(parts) + tail
-    if width(flat) <= LINE_LENGTH:
+    if width(flat) <= style.limit:
         return [flat]
     at = next((i for i in reversed(range(len(parts))) if _is_breakable(parts[i])), None)
     if at is None:
-        return _break_string(_flat(parts), indent, tail) or [flat]
+        pieces = _break_string(_flat(parts), margin, tail, style) if style.splits_strings else []
+        return pieces or [flat]
     group = parts[at]
     assert isinstance(group, _Group)
     head = margin + _flat(parts[:at]) + group.opening
-    foot = margin + _CLOSING[group.opening] + _flat(parts[at + 1 :]) + tail
-    return [head, *_break_items(group, indent + _INDENT), foot]
+    foot = _CLOSING[group.opening] + _flat(parts[at + 1 :]) + tail
+    if style.is_visual and (lines := _align(group, head, foot, style)):
+        return lines
+    if style.is_closed_apart:
+        return [head, *_break_items(group, margin + style.indent, "", style), margin + foot]
+    return [head, *_break_items(group, margin + style.indent, foot, style)]
 
 
-def _break_items(group: _Group, indent: int) -> list[str]:
+def _break_items(group: _Group, margin: str, foot: str, style: Brackets) -> list[str]:
     """Lay out a bracket's items: a call's on one line when they fit, else one a line."""
     if len(group.items) == 1:
-        return _break(group.items[0], indent, "")
-    together = " " * indent + ", ".join(map(_flat, group.items))
-    if group.opening == "(" and width(together) <= LINE_LENGTH:
+        return _break(group.items[0], margin, foot, style)
+    together = margin + ", ".join(map(_flat, group.items)) + foot
+    if group.opening == "(" and width(together) <= style.limit and not style.is_each_apart:
         return [together]
-    return [line for item in group.items for line in _break(item, indent, ",")]
+    *others, last = group.items
+    end = foot or ("," if style.has_comma and not _flat(last).startswith("*") else "")
+    lines = [line for item in others for line in _break(item, margin, ",", style)]
+    return [*lines, *_break(last, margin, end, style)]
 
 
-def _break_string(text: str, indent: int, tail: str) -> list[str]:
+def _align(group: _Group, head: str, foot: str, style: Brackets) -> list[str]:
+    """Lay out a bracket's items below its first one; nothing when one of them is too long."""
+    *others, last = map(_flat, group.items)
+    first, *following = [*(f"{each}," for each in others), last + foot]
+    lines = [head + first]
+    for item in following:
+        if width(f"{lines[-1]} {item}") <= style.limit and not style.is_each_apart:
+            lines[-1] += f" {item}"
+        else:
+            lines.append(" " * len(head) + item)
+    return lines if all(width(each) <= style.limit for each in lines) else []
+
+
+def _break_string(text: str, margin: str, tail: str, style: Brackets) -> list[str]:
     """Lay out a long string in parentheses, in pieces; nothing when it is no text of words."""
     found = _STRING_ITEM.fullmatch(text)
     if found is None or " " not in found["literal"]:
         return []
     value = str(literals.value_of(found["literal"]))
-    margin = " " * indent
-    room = LINE_LENGTH - indent - _INDENT
+    room = style.limit - len(margin) - len(style.indent)
     whole = literals.string(value)
     pieces = [whole] if width(whole) <= room else _pieces(value, room)
-    body = [f"{margin}{' ' * _INDENT}{piece}" for piece in pieces]
+    body = [f"{margin}{style.indent}{piece}" for piece in pieces]
     return [f"{margin}{found['name']}(", *body, f"{margin}){tail}"]
 
 

@@ -12,6 +12,7 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources import find_language
 from plastron_tui.sources.base import Language, Rendered
 from plastron_tui.sources.python.dialect import Dialect
+from plastron_tui.sources.python.line_length import find_line_length
 from plastron_tui.targets.base import Target
 
 from .rendering import render_python
@@ -37,7 +38,8 @@ class PythonTarget(Target):
         """Change a Python file by splices."""
         from plastron_tui.sources.python import edit_python  # loads tree-sitter-python
 
-        return edit_python(source, changes, catalog, self.dialect)
+        line_length = find_line_length(source.path)
+        return edit_python(source, changes, catalog, self.dialect, line_length)
 
     def port(self, node: Node, source: SourceUnit, catalog: Catalog) -> Rendered:
         """Bring a node that was loaded from a Python file of the other ROS."""
@@ -45,4 +47,4 @@ class PythonTarget(Target):
             return super().port(node, source, catalog)
         from .porting import port_python  # loads tree-sitter-python
 
-        return port_python(source, catalog, self.name)
+        return port_python(source, catalog, self.name, find_line_length(source.path))

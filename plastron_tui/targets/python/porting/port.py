@@ -14,6 +14,7 @@ from plastron_tui.sources.python.calls import LIBRARIES
 from plastron_tui.sources.python.compiling import syntax_error
 from plastron_tui.sources.python.editor import not_encodable
 from plastron_tui.sources.python.sites import analyze
+from plastron_tui.sources.python.wrapping import line_limit, wrap_new_lines
 
 from .port_state import COMMENT, SEPARATOR, Mark, Work
 from .to_rclpy import port_to_rclpy
@@ -31,7 +32,9 @@ _KINDS = {
 _Key = tuple[EndpointKind, str | None, str]
 
 
-def port_python(source: SourceUnit, catalog: Catalog, library: str) -> Rendered:
+def port_python(
+    source: SourceUnit, catalog: Catalog, library: str, line_length: int | None = None
+) -> Rendered:
     """Bring a file to another client library.
 
     The result was read again: an endpoint that it does not show is a warning, and a file that
@@ -41,6 +44,7 @@ def port_python(source: SourceUnit, catalog: Catalog, library: str) -> Rendered:
         source: the file.
         catalog: the types of the distribution that it goes to.
         library: the client library that it goes to.
+        line_length: how long a line may be, None for what the file, or its ROS, keeps to.
     """
     before = analyze(source.files.main, LIBRARIES[source.library])
     if before.syntax.errors:
@@ -49,12 +53,13 @@ def port_python(source: SourceUnit, catalog: Catalog, library: str) -> Rendered:
             None, (Diagnostic(codes.EDIT_REFUSED, message, help="mend the file first"),)
         )
     try:
-        return _ported(source, Work(before, catalog), library)
+        limit = line_limit(source.files.main, library, line_length)
+        return _ported(source, Work(before, catalog), library, limit)
     except UnicodeEncodeError as error:
         return Rendered(None, (not_encodable(source, error),))
 
 
-def _ported(source: SourceUnit, work: Work, library: str) -> Rendered:
+def _ported(source: SourceUnit, work: Work, library: str, limit: int) -> Rendered:
     """Rewrite the file, and read the result.
 
     Raises:
@@ -66,7 +71,7 @@ def _ported(source: SourceUnit, work: Work, library: str) -> Rendered:
         if site.endpoint.name is None and site.endpoint.kind in _KINDS and site.endpoint.expression:
             work.mark(site.call, f"the name {_one_line(site.endpoint.expression)}", _CHECK)
         _mark_type(work, site)
-    text = work.result()
+    text = wrap_new_lines(source.files.main, work.result(limit), limit)
     lines = _comment_lines(text)
     found = [_listed(mark, source, library, lines) for mark in _in_order(work.marks)]
     after = analyze(text, LIBRARIES[library])
@@ -111,11 +116,15 @@ def _in_order(marks: list[Mark]) -> list[Mark]:
 def _comment_lines(text: bytes) -> dict[str, list[int]]:
     """Return the lines below the comments of a ported file, by what the comments name."""
     lines: dict[str, list[int]] = {}
-    for row, line in enumerate(text.split(b"\n"), 2):
+    above: list[str] = []
+    for row, line in enumerate(text.split(b"\n"), 1):
         _, comment, words = line.decode("utf-8", "replace").partition(COMMENT)
         if comment:
-            for what in words.rstrip().split(SEPARATOR):
-                lines.setdefault(what, []).append(row)
+            above += words.rstrip().split(SEPARATOR)
+            continue
+        for what in above:
+            lines.setdefault(what, []).append(row)
+        above.clear()
     return lines
 
 

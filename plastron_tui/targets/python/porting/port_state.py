@@ -175,8 +175,8 @@ class Work:
         wishes = chain((wanted, f"ros_{wanted}"), numbered(f"_ros_{wanted}"))
         return next(name for name in wishes if name not in used)
 
-    def result(self) -> bytes:
-        """Return the file with all that was noted."""
+    def result(self, limit: int) -> bytes:
+        """Return the file with all that was noted; comments are no longer than a line may be."""
         syntax = self.analysis.syntax
         newline = b"\r\n" if b"\r\n" in syntax.text else b"\n"
         lines: dict[int, list[str]] = {}
@@ -191,8 +191,9 @@ class Work:
         for at, words in lines.items():
             line = syntax.text[at : line_end(syntax.text, at)]
             indent = line[: len(line) - len(line.lstrip(b" \t\f"))]
-            comment = syntax.encode(COMMENT + SEPARATOR.join(words))
-            splices.append(Splice(at, at, indent + comment + b"\n"))
+            comments = _comments(words, limit - len(indent))
+            text = b"".join(indent + syntax.encode(each) + b"\n" for each in comments)
+            splices.append(Splice(at, at, text))
         fitted = [
             Splice(each.start, each.end, each.text.replace(b"\r\n", b"\n").replace(b"\n", newline))
             for each in splices
@@ -201,6 +202,19 @@ class Work:
 
     def _put(self, start: int, end: int, text: str) -> None:
         self._splices.append(Splice(start, end, self.analysis.syntax.encode(text)))
+
+
+def _comments(words: list[str], room: int) -> list[str]:
+    """Return the comments that name what is to be ported by hand, as many as it takes."""
+    first, *others = words
+    found = [COMMENT + first]
+    for word in others:
+        longer = found[-1] + SEPARATOR + word
+        if len(longer) <= room:
+            found[-1] = longer
+        else:
+            found.append(COMMENT + word)
+    return found
 
 
 def comment_place(node: Node, text: bytes) -> Node:

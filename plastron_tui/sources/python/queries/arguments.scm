@@ -1,0 +1,4 @@
+; What tells how a file breaks its calls.
+
+(call
+  arguments: (argument_list) @arguments)

@@ -1,0 +1,157 @@
+"""Breaking the lines that an edit made too long, as the file breaks its others."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from difflib import SequenceMatcher
+
+from tree_sitter import Node
+
+from .layout import Brackets, fit
+from .line_length import ROS_1, ROS_2
+from .references import statement_of
+from .splices import Splice, apply, line_start
+from .syntax import Syntax, parse, parts_of
+
+# So many broken calls tell how a file breaks them.
+_MOST_CALLS = 200
+_MOST_LINES = 200
+_MOST_LETTERS = 200
+_ALIKE = 0.8
+
+_BLOCK = re.compile(rb"^([ \t]*)[^\s#][^\n]*:[ \t]*\r?\n\1([ \t]+)[^\s#]", re.M)
+
+
+def line_limit(text: bytes, library: str, said: int | None) -> int:
+    """Return how long the lines of a file may be: as its settings say, or as it keeps to."""
+    if said is not None:
+        return said
+    return ROS_2 if library == "rclpy" else _longest(text)
+
+
+def wrap_new_lines(before: bytes, after: bytes, limit: int) -> bytes:
+    """Break the lines of a text that are too long, and were not before an edit.
+
+    Args:
+        before: the text before it was edited.
+        after: the text now.
+        limit: how long a line may be.
+    """
+    known = {line.rstrip() for line in before.splitlines()}
+    syntax = parse(after)
+    splices: list[Splice] = []
+    gone: list[str] | None = None
+    style: Brackets | None = None
+    at = 0
+    for line in after.splitlines(keepends=True):
+        start, at = at, at + len(line)
+        written = line.rstrip()
+        text = syntax.between(start, start + len(written))
+        if len(text) <= limit or written in known:
+            continue
+        if gone is None:
+            gone = _long_lines(known - {each.rstrip() for each in after.splitlines()}, limit)
+        if not any(_is_like(text, each) for each in gone):
+            style = style or _brackets(syntax, limit)
+            splices += _wrap(syntax, start, start + len(written), style)
+    return apply(after, splices) if splices else after
+
+
+def _long_lines(lines: set[bytes], limit: int) -> list[str]:
+    decoded = (line.decode("utf-8", "replace") for line in lines)
+    return [line for line in decoded if len(line) > limit][:_MOST_LINES]
+
+
+def _is_like(line: str, other: str) -> bool:
+    """Whether two lines are the same but for a word or two."""
+    match = SequenceMatcher(None, line[:_MOST_LETTERS], other[:_MOST_LETTERS], autojunk=False)
+    return match.quick_ratio() > _ALIKE and match.ratio() > _ALIKE
+
+
+def _longest(text: bytes) -> int:
+    """Return the length of the longest line of code; PEP 8 allows no less."""
+    code = (line.rstrip() for line in text.splitlines() if not line.lstrip().startswith(b"#"))
+    return max(ROS_1, max((len(line.decode("utf-8", "replace")) for line in code), default=0))
+
+
+def _wrap(syntax: Syntax, start: int, end: int, style: Brackets) -> list[Splice]:
+    text = syntax.between(start, end)
+    first = start + len(text) - len(text.lstrip())
+    newline = "\r\n" if syntax.text[end : end + 2] == b"\r\n" else "\n"
+    node = syntax.root.descendant_for_byte_range(first, first + 1)
+    if node is None or node.type == "comment" or _is_in_string(node, first):
+        return []
+    statement = statement_of(node)
+    if statement.type == "import_from_statement" and "(" not in text and "\\" not in text:
+        head, _, names = text.partition(" import ")
+        text = f"{head} import ({names})"
+    if statement.start_byte == first:
+        broken = fit(text, style)
+        if broken != text:
+            return [Splice(start, end, syntax.encode(broken.replace("\n", newline)))]
+    return _break_before_last(syntax, start, end, newline)
+
+
+def _is_in_string(node: Node, start: int) -> bool:
+    """Whether a line begins within a text of several lines."""
+    return (
+        node.type.startswith("string")
+        and node.type != "string_start"
+        and node.start_byte < (start + 1)
+    )
+
+
+def _break_before_last(syntax: Syntax, start: int, end: int, newline: str) -> list[Splice]:
+    """Put the last argument of a line on the next one, below those that stand above it."""
+    node = syntax.root.descendant_for_byte_range(end - 1, end)
+    while node is not None and node.type != "argument_list":
+        node = node.parent
+    items = parts_of(node)
+    own = [item for item in items if start <= item.start_byte < end]
+    if node is None or len(own) < 2:
+        return []
+    first = items[0]
+    begin = line_start(syntax.text, first.start_byte)
+    before = syntax.between(begin, first.start_byte)
+    margin = before[: len(before) - len(before.lstrip())]
+    margin += " " * (len(before) - len(margin))
+    written = syntax.encode(newline + margin)
+    return [Splice(own[-2].end_byte + 1, own[-1].start_byte, written)]
+
+
+def _brackets(syntax: Syntax, limit: int) -> Brackets:
+    """Find out how a file breaks its calls."""
+    found: Counter[Brackets] = Counter()
+    indent = _indent(syntax)
+    lists = syntax.captures("arguments").get("arguments", [])
+    for arguments in [each for each in lists if _is_broken(each)][:_MOST_CALLS]:
+        items = parts_of(arguments)
+        rows = [item.start_point.row for item in items]
+        last = items[-1]
+        found[
+            Brackets(
+                limit,
+                indent,
+                is_visual=rows[0] == arguments.start_point.row and "\t" not in indent,
+                is_closed_apart=last.end_point.row < arguments.end_point.row,
+                is_each_apart=len(items) > 2 and len(set(rows)) == len(rows),
+                has_comma=syntax.text[last.end_byte : last.end_byte + 1] == b",",
+                splits_strings=False,
+            )
+        ] += 1
+    usual = Brackets(limit, indent, splits_strings=False)
+    return found.most_common(1)[0][0] if found else usual
+
+
+def _is_broken(arguments: Node) -> bool:
+    """Whether a call has arguments on several lines, or on the line behind its bracket."""
+    items = parts_of(arguments)
+    rows = {arguments.start_point.row, *(item.start_point.row for item in items)}
+    return bool(items) and len(rows) > 1
+
+
+def _indent(syntax: Syntax) -> str:
+    """Return one level of indent, as most blocks of a file have it."""
+    found = Counter(each[2] for each in _BLOCK.finditer(syntax.text))
+    return found.most_common(1)[0][0].decode() if found else "    "

@@ -1,0 +1,165 @@
+"""Lines that an edit writes: as long as the file's linter allows, broken as the file breaks its."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from edits import AT, CATALOGS, DIALECTS, SUB, edited, subscribe
+from file_sets import one
+
+from plastron_tui.model.kinds import Subscription
+from plastron_tui.model.source import Update
+from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.sources.python import edit_python, read_python
+from plastron_tui.sources.python.line_length import find_line_length, said_line_length
+from plastron_tui.sources.python.wrapping import wrap_new_lines
+
+NODE = """\
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class A(Node):
+    def __init__(self):
+        super().__init__('a')
+{}
+    def on_text(self, message):
+        pass
+"""
+LONG = "a_topic_of_long_name"
+
+HABITS = {
+    "one line within brackets": (
+        "        self.sub = self.create_subscription(\n"
+        "            String, 't', self.on_text, 10\n        )\n",
+        "(\n            String, '{}', self.on_text, 10\n        )\n",
+    ),
+    "a closing bracket behind the last": (
+        "        self.sub = self.create_subscription(\n"
+        "            String, 't', self.on_text, 10)\n",
+        "(\n            String, '{}', self.on_text, 10)\n",
+    ),
+    "a line each": (
+        "        self.sub = self.create_subscription(\n            String,\n"
+        "            't',\n            self.on_text,\n            10\n        )\n",
+        "(\n            String,\n            '{}',\n"
+        "            self.on_text,\n            10\n        )\n",
+    ),
+    "a line each and a comma": (
+        "        self.sub = self.create_subscription(\n            String,\n"
+        "            't',\n            self.on_text,\n            10,\n        )\n",
+        "(\n            String,\n            '{}',\n"
+        "            self.on_text,\n            10,\n        )\n",
+    ),
+    "below the first": (
+        "        self.sub = self.create_subscription(String, 't', self.on_text,\n"
+        "                                            10)\n",
+        "(String, '{}',\n{margin}self.on_text, 10)\n",
+    ),
+    "no habit": (
+        "        self.sub = self.create_subscription(String, 't', self.on_text, 10)\n",
+        "(\n            String, '{}', self.on_text, 10\n        )\n",
+    ),
+}
+
+
+@pytest.mark.parametrize("habit", HABITS)
+def test_a_long_call_is_broken_as_the_others_are(habit):
+    before, after = HABITS[habit]
+    text = edited(NODE.format(before), subscribe(LONG, callback="on_text"))
+    call = f"        self.{LONG}_sub = self.create_subscription"
+    assert f"{call}{after.format(LONG, margin=' ' * (len(call) + 1))}" in text
+
+
+def edit_within(limit: int, text: str, *changes):
+    source = read_python(Path("node.py"), one(text.encode())).source
+    target = CATALOGS["rclpy"], DIALECTS["rclpy"]
+    return edit_python(source, changes, *target, limit).files.main.decode()
+
+
+@pytest.mark.parametrize("limit", [60, 79, 99, 120])
+def test_no_new_line_is_longer_than_it_may_be(limit):
+    text = edit_within(limit, NODE.format(""), subscribe("text", callback="on_text"))
+    assert max(map(len, text.splitlines())) <= limit
+    whole = "self.text_sub = self.create_subscription(String, 'text', self.on_text, 10)"
+    assert (whole in text) == (len(whole) + 8 <= limit)
+
+
+def test_a_replaced_argument_goes_on_a_line_of_its_own():
+    calls = (
+        "        self.s = self.create_subscription(String, 't',\n"
+        + " " * 42
+        + "self.on_text, 10)\n"
+    )
+    endpoint = Subscription("t" * 30, InterfaceName("std_msgs", "String"), None, AT)
+    text = edit_within(79, NODE.format(calls), Update(SUB, "t", endpoint))
+    margin = " " * 42
+    assert f"(String,\n{margin}'{'t' * 30}',\n{margin}self.on_text, 10)\n" in text
+
+
+def test_a_line_that_was_too_long_stays_one():
+    line = "sub = node.create_subscription(String, {}, callback_with_a_long_name, queue_of_ten)\n"
+    before, after = (line.format(f"'{name}'").encode() for name in ("text", "texts"))
+    assert wrap_new_lines(before, after, 60) == after
+    assert wrap_new_lines(b"", after, 60) != after
+
+
+TEXTS = ["s = '''\n{}(a, b)\n'''\n", "# {}(a, b)\n", "x = '{}'\n"]
+
+
+@pytest.mark.parametrize("text", TEXTS)
+def test_what_is_no_code_is_not_broken(text):
+    after = text.format("word" * 20).encode()
+    assert wrap_new_lines(b"", after, 60) == after
+
+
+LISTS = ["lambda a, b: a", "c for b, c in d", "*a"]
+
+
+@pytest.mark.parametrize("item", LISTS)
+def test_a_comma_of_an_item_parts_nothing(item):
+    after = f"function({'x' * 40}, [{item}])\n".encode()
+    assert wrap_new_lines(b"", after, 30) == (
+        f"function(\n    {'x' * 40},\n    [{item}],\n)\n".encode()
+    )
+
+
+def test_a_long_import_is_broken():
+    names = ", ".join(f"Name{number}" for number in range(8))
+    after = f"from package.msg import {names}\n".encode()
+    broken = wrap_new_lines(b"", after, 70)
+    assert broken == f"from package.msg import (\n    {names}\n)\n".encode()
+
+
+SETTINGS = {
+    ".flake8": ("[flake8]\nmax-line-length = 87\n", 87),
+    "setup.cfg": ("[develop]\nline-length = 1\n[flake8]\nmax_line_length=88 # wide\n", 88),
+    "tox.ini": ("[tox]\nenvlist = x\n[pycodestyle]\nmax-line-length: 100\n", 100),
+    "pyproject.toml": ("[tool.black]\nline-length = 90\n[tool.ruff]\nline-length = 91\n", 91),
+    "ruff.toml": ("line-length = 120\n", 120),
+}
+
+
+@pytest.mark.parametrize("name", SETTINGS)
+def test_settings_say_the_length(name, tmp_path):
+    text, length = SETTINGS[name]
+    assert said_line_length(text, name) == length
+    package = tmp_path / "package"
+    folder = package / "scripts"
+    folder.mkdir(parents=True)
+    (package / "package.xml").touch()
+    (tmp_path / name).write_text(text)
+    assert find_line_length(folder / "node.py") is None, "above the package"
+    (tmp_path / ".git").mkdir()
+    assert find_line_length(folder / "node.py") == length
+    (folder / ".flake8").write_text("[flake8]\nmax-line-length = 70\n")
+    assert find_line_length(folder / "node.py") == 70
+
+
+def test_settings_that_cannot_be_read_say_nothing(tmp_path):
+    (tmp_path / "setup.cfg").mkdir()
+    (tmp_path / "tox.ini").write_bytes(b"\xff\x00[flake8\nmax-line-length = 9\n")
+    (tmp_path / "pyproject.toml").write_text("[tool.ruff]\nline-length = 'wide'\n")
+    (tmp_path / ".flake8").write_text("[flake8]\nmax-line-length = 70\n" + " " * 70_000)
+    assert find_line_length(tmp_path / "node.py") is None
