@@ -30,6 +30,12 @@ _USUAL = {
 _BEFORE = frozenset({"on", "handle", "process"})
 _CALLBACK_WORDS = ("callback", "cb", "handler", "handle", "on", "process", "received")
 
+# A text on one line; comments and docstrings, which are written otherwise, are no group.
+_STRING = re.compile(
+    rb"""#[^\n]*|\"{3}[\s\S]*?\"{3}|'{3}[\s\S]*?'{3}"""
+    rb"""|(?P<quote>["'])(?:(?!(?P=quote))[^\\\n]|\\.)*(?P=quote)"""
+)
+
 
 @dataclass(frozen=True, slots=True)
 class Naming:
@@ -79,7 +85,7 @@ def conventions_of(analysis: Analysis) -> Conventions:
         if node.type == "string"
     )
     if not quotes:
-        quotes = Counter({b"'": text.count(b"'"), b'"': text.count(b'"') - 3 * text.count(b'"""')})
+        quotes = Counter(found["quote"] for found in _STRING.finditer(text) if found["quote"])
     quote = "'" if quotes[b"'"] > quotes[b'"'] else '"'
     return Conventions(newline, _indent(analysis), quote, _blank_lines(analysis))
 

@@ -76,12 +76,12 @@ class Imports:
 
 def _from(module: str, names: Mapping[str, str]) -> Iterator[str]:
     """Write the imports from one module; an alias has a statement of its own."""
-    bare = sorted((name for name, used in names.items() if name == used), key=_member)
+    bare = sorted((name for name, used in names.items() if name == used), key=member_key)
     statements = [
-        (_member(name), [f"{name} as {names[name]}"]) for name in names if name not in bare
+        (member_key(name), [f"{name} as {names[name]}"]) for name in names if name not in bare
     ]
     if bare:
-        statements.append((_member(bare[0]), bare))
+        statements.append((member_key(bare[0]), bare))
     for _, members in sorted(statements):
         line = f"from {module} import {', '.join(members)}"
         if len(line) <= LINE_LENGTH:
@@ -90,7 +90,7 @@ def _from(module: str, names: Mapping[str, str]) -> Iterator[str]:
             yield from (f"from {module} import (", *(f"    {each}," for each in members), ")")
 
 
-def _member(name: str) -> _Key:
+def member_key(name: str) -> _Key:
     """Sort constants before classes before the rest, as isort's `order-by-type` does."""
     is_constant = len(name) > 1 and name.isupper()
     rank = 0 if is_constant else 1 if name[:1].isupper() else 2

@@ -9,6 +9,7 @@ from collections.abc import Container, Iterable
 from tree_sitter import Node
 
 from .analysis import Analysis
+from .import_block import member_key
 from .references import identifiers, is_member
 from .scopes import Binding, BindingKind, Scope
 from .splices import Splice, delete_item
@@ -147,8 +148,8 @@ def _delete_names(statement: Node, items: list[Node], analysis: Analysis) -> lis
 def restore_imports(before: Analysis, after: Analysis) -> list[Splice]:
     """Write the imports as they were, where an edit took names out that it needed again.
 
-    Where the edit needed other names too, they stand behind those that were there, and a line
-    that it moved stays where it is.
+    Where the edit needed other names too, they stand where they sort, or else behind those that
+    were there, and a line that it moved stays where it is.
     """
     old, new = _top_imports(before), _top_imports(after)
     old_meanings = [_meaning(each, before) for each in old]
@@ -173,7 +174,18 @@ def restore_imports(before: Analysis, after: Analysis) -> list[Splice]:
 
 
 def _rewritten(now: Node, was: Node, more: list[bytes]) -> Splice:
-    return Splice(now.start_byte, now.end_byte, b", ".join([was.text or b"", *more]))
+    names = [each.text or b"" for each in was.children_by_field_name("name")]
+    written = was.text or b""
+    if more and names == _sorted(names):
+        start = was.children_by_field_name("name")[0].start_byte - was.start_byte
+        return Splice(
+            now.start_byte, now.end_byte, written[:start] + b", ".join(_sorted([*names, *more]))
+        )
+    return Splice(now.start_byte, now.end_byte, b", ".join([written, *more]))
+
+
+def _sorted(names: list[bytes]) -> list[bytes]:
+    return sorted(names, key=lambda name: member_key(name.decode("utf-8", "replace")))
 
 
 def _top_imports(analysis: Analysis) -> list[Node]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator
 
 from tree_sitter import Node
@@ -13,7 +14,7 @@ from . import naming
 from .analysis import Analysis
 from .constants import without_none
 from .conventions import Conventions, leading_space
-from .import_block import Imports
+from .import_block import Imports, member_key
 from .imports import is_interface_module
 from .references import identifiers, is_member
 from .scopes import Binding, BindingKind, Scope
@@ -172,9 +173,13 @@ class FileImports(Imports):
     def splices(self) -> list[Splice]:
         """Return what adds the new imports to the file."""
         splices = []
-        for (home, module), names in self._new.items():
+        for (home, module), every in self._new.items():
+            names = sorted(every, key=lambda symbol: member_key(symbol[0]))
             statement = self._extendable(home, module)
-            if statement is not None:
+            if self._has_line_each(home):
+                lines = [f"from {module} import {item}" for item in map(_import_item, names)]
+                splices += [self._line(home, module, line) for line in lines]
+            elif statement is not None:
                 splices += [self._extend(statement, name, bound) for name, bound in names]
             else:
                 listed = ", ".join(map(_import_item, names))
@@ -204,7 +209,7 @@ class FileImports(Imports):
 
     def _has_ros(self, block: Node) -> bool:
         return any(
-            is_interface_module(module) or module.partition(".")[0] in ("rospy", "rclpy")
+            is_interface_module(module) or _is_library(module)
             for statement in _imports_in(block)
             if block.type == "module" or statement.end_byte <= self._offset
             for module in [self._module_of(statement)]
@@ -224,19 +229,57 @@ class FileImports(Imports):
                 return statement
         return None
 
+    def _has_line_each(self, home: int) -> bool:
+        """Whether every name has an import of its own, as isort's `force_single_line` wants it."""
+        count = Counter(
+            self._module_of(statement)
+            for statement in _imports_in(self._homes[home])
+            if len(statement.children_by_field_name("name")) == 1
+            and statement.type == "import_from_statement"
+        )
+        return any(number > 1 for number in count.values())
+
     def _extend(self, statement: Node, name: str, bound: str) -> Splice:
-        last = statement.children_by_field_name("name")[-1]
+        """Import a name too: behind those that it sorts behind, or all where they do not sort."""
+        names = statement.children_by_field_name("name")
         item = _import_item((name, bound))
         text = self._analysis.syntax.text
+        keys = [member_key(self._analysis.syntax.slice(each)) for each in names]
+        is_sorted = keys == sorted(keys)
+        place = sum(key < member_key(item) for key in keys) if is_sorted else len(names)
+        last = names[max(place - 1, 0)]
         start = line_start(text, last.start_byte)
         before = text[start : last.start_byte]
         is_listed = b"(" in text[statement.start_byte : last.start_byte]
+        gap = " "
         if is_listed and not before.strip():
-            indent = before.decode("ascii", "replace")
-            new = f",{self._conventions.newline}{indent}{item}"
-        else:
-            new = f", {item}"
-        return Splice(last.end_byte, last.end_byte, self._analysis.syntax.encode(new))
+            gap = self._conventions.newline + before.decode("ascii", "replace")
+        encode = self._analysis.syntax.encode
+        if not place:
+            return Splice(last.start_byte, last.start_byte, encode(f"{item},{gap}"))
+        return Splice(last.end_byte, last.end_byte, encode(f",{gap}{item}"))
+
+    def _sorted_place(self, imports: list[Node], module: str, *, is_from: bool) -> int | None:
+        """Return where an import sorts among those of ROS, None where these do not sort."""
+        text = self._analysis.syntax.text
+        groups = _groups(imports)
+        for is_wanted in (is_interface_module, _is_library):
+            for group in reversed(groups):
+                modules = [self._module_of(node).lower() for node in group]
+                if len(group) < 2 or not any(map(is_wanted, modules)):
+                    continue
+                kinds = [node.type == "import_from_statement" for node in group]
+                for new, keys in (
+                    ((is_from, module.lower()), list(zip(kinds, modules, strict=True))),
+                    ((False, module.lower()), [(False, each) for each in modules]),
+                ):
+                    if keys == sorted(keys):
+                        place = sum(key <= new for key in keys)
+                        end = line_end(text, group[place - 1].end_byte)
+                        if place and (end == len(text) or text[end - 1 : end] != b"\n"):
+                            return None
+                        return end if place else line_start(text, group[0].start_byte)
+        return None
 
     def _line(self, home: int, module: str, line: str) -> Splice:
         """Place a new import: among those of interface types, or behind the last import."""
@@ -245,8 +288,11 @@ class FileImports(Imports):
             line = leading_space(self._analysis, imports[-1]) + line
         text = self._analysis.syntax.text
         newline = self._conventions.newline
-        alike = [node for node in imports if is_interface_module(self._module_of(node))]
         encode = self._analysis.syntax.encode
+        is_from = line.lstrip().startswith("from")
+        if (at := self._sorted_place(imports, module, is_from=is_from)) is not None:
+            return Splice(at, at, encode(line + newline))
+        alike = [node for node in imports if is_interface_module(self._module_of(node))]
         modules = [self._module_of(node) for node in alike]
         if is_interface_module(module) and alike and modules == sorted(modules):
             before = [node for node in alike if self._module_of(node) <= module]
@@ -302,6 +348,21 @@ def _imports_in(block: Node) -> list[Node]:
         for child in block.named_children
         if child.type in ("import_statement", "import_from_statement")
     ]
+
+
+def _groups(imports: list[Node]) -> list[list[Node]]:
+    """Return the imports that stand together, with no blank line or comment between."""
+    groups: list[list[Node]] = []
+    for node in imports:
+        if groups and groups[-1][-1].end_point.row + 1 == node.start_point.row:
+            groups[-1].append(node)
+        else:
+            groups.append([node])
+    return groups
+
+
+def _is_library(module: str) -> bool:
+    return module.partition(".")[0] in ("rospy", "rclpy")
 
 
 def _import_item(symbol: tuple[str, str]) -> str:

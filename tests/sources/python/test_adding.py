@@ -40,7 +40,7 @@ ADDITIONS = {
         CLASS,
         subscribe("other", "std_msgs/Int32"),
         [
-            ("import String\n", "import String, Int32\n"),
+            ("import String\n", "import Int32, String\n"),
             ("self.in_cb)\n", "self.in_cb)\n"
                              "        rospy.Subscriber('other', Int32, self.other_cb)\n"),
             ("publish(msg)\n", "publish(msg)\n\n    def other_cb(self, message):\n"
@@ -165,3 +165,18 @@ def test_spaces_before_a_tab_count_for_nothing_in_python_2():
     assert '("pit")\n\trospy.Service("stop", Trigger, handle_stop)\n' in after
     assert after.startswith(node[: node.index("Trigger\n")])
     assert node[node.index("class Pit") : node.index("def main")] in after
+
+
+QUOTES = [("'", "say('it')\n"), ('"', 'say("it")\n'), ('"', 'say(\'a\', "b", "c")\n')]
+
+
+@pytest.mark.parametrize(("quote", "code"), QUOTES)
+def test_quotes_are_those_of_the_code(quote, code):
+    other = "'" if quote == '"' else '"'
+    head = (
+        f"# It's {other}so{other} {other}so{other}\n{other * 3}A {other}node{other}.{other * 3}\n"
+    )
+    text = edited(
+        f"{head}import rospy\n{code}rospy.init_node(NAME)\n", subscribe("t", callback="x")
+    )
+    assert f"rospy.Subscriber({quote}t{quote}, " in text

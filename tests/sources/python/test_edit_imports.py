@@ -43,7 +43,7 @@ def test_two_lines_of_one_module_may_become_one() -> None:
     imports = "import rospy\nfrom std_msgs.msg import Bool\nfrom std_msgs.msg import Float32\n"
     changes = (Remove(SUB, "old", AT), subscribe("new", "std_msgs/Bool", "hear"))
     text = edited(imports + BODY, *changes)
-    assert text.startswith("import rospy\nfrom std_msgs.msg import Float32, Bool\n\n")
+    assert text.startswith("import rospy\nfrom std_msgs.msg import Bool, Float32\n\n")
 
 
 def test_a_name_that_is_not_needed_again_goes() -> None:
@@ -104,7 +104,7 @@ main()
 def test_a_class_in_a_function_sees_what_the_function_imports() -> None:
     text = edited(CLASS_IN_FUNCTION, publish("at", "geometry_msgs/Point", x=1.0))
     assert text.startswith("import logging\n\n\ndef main():\n    import rclpy\n")
-    assert "    from geometry_msgs.msg import Point\n    from std_msgs.msg import Bool\n" in text
+    assert "    import rclpy\n    from geometry_msgs.msg import Point\n    from rclpy.node" in text
     assert text.count("import Point") == 1
 
 
@@ -118,3 +118,54 @@ def test_what_a_method_imports_its_callbacks_do_not_see() -> None:
     )
     assert text.startswith("from geometry_msgs.msg import Point\n")
     assert text.count("import Point") == 1
+
+
+ORDERS = {
+    "plain imports first": (
+        "import math\n\nimport rospy\nfrom geometry_msgs.msg import Point\nfrom tf import x\n",
+        "import math\n\nimport rospy\nfrom geometry_msgs.msg import Point\n"
+        "from std_msgs.msg import String\nfrom tf import x\n",
+    ),
+    "by the modules alone": (
+        "from geometry_msgs.msg import Point\nimport rospy\nimport tf\nfrom turtle import x\n",
+        "from geometry_msgs.msg import Point\nimport rospy\n"
+        "from std_msgs.msg import String\nimport tf\nfrom turtle import x\n",
+    ),
+    "the library's group": (
+        "import rospy\nimport yaml\n\nimport mine\n",
+        "import rospy\nimport yaml\nfrom std_msgs.msg import String\n\nimport mine\n",
+    ),
+    "no order": (
+        "import rospy\nfrom tf.msg import a\nfrom geometry_msgs.msg import Point\nimport tf\n",
+        "import rospy\nfrom tf.msg import a\nfrom geometry_msgs.msg import Point\n"
+        "from std_msgs.msg import String\nimport tf\n",
+    ),
+    "names that sort": (
+        "import rospy\nfrom std_msgs.msg import Bool, Float32, UInt8\n",
+        "import rospy\nfrom std_msgs.msg import Bool, Float32, String, UInt8\n",
+    ),
+    "names on lines that sort": (
+        "import rospy\nfrom std_msgs.msg import (\n    UInt8,\n    UInt16,\n)\n",
+        "import rospy\nfrom std_msgs.msg import (\n    String,\n    UInt8,\n    UInt16,\n)\n",
+    ),
+    "names that do not sort": (
+        "import rospy\nfrom std_msgs.msg import UInt8, Bool\n",
+        "import rospy\nfrom std_msgs.msg import UInt8, Bool, String\n",
+    ),
+    "a line each": (
+        "import rospy\nfrom std_msgs.msg import Bool\nfrom std_msgs.msg import Float32\n",
+        "import rospy\nfrom std_msgs.msg import Bool\nfrom std_msgs.msg import Float32\n"
+        "from std_msgs.msg import String\n",
+    ),
+    "whole modules": (
+        "import rospy\nimport geometry_msgs.msg\nimport tf\n",
+        "import rospy\nimport geometry_msgs.msg\nimport std_msgs.msg\nimport tf\n",
+    ),
+}
+
+
+@pytest.mark.parametrize("order", ORDERS)
+def test_an_import_goes_where_it_sorts(order: str) -> None:
+    before, after = ORDERS[order]
+    text = edited(f"{before}\nrospy.init_node('n')\n", subscribe("text", callback="print"))
+    assert text.startswith(f"{after}\n")

@@ -22,13 +22,13 @@ CASES = {
         "unsubscribe n from 'goal'\nsubscribe n to 'goal' of message_type Float32 calling on_goal",
         """
 -from std_msgs.msg import Int32, String
-+from std_msgs.msg import Int32, String, Float32
++from std_msgs.msg import Float32, Int32, String
 -            String,
 +            Float32,
 """,
         """
 -from std_msgs.msg import Int32, String
-+from std_msgs.msg import Int32, String, Float32
++from std_msgs.msg import Float32, Int32, String
 -            String,
 +            Float32,
 """,
@@ -88,7 +88,7 @@ CASES = {
         "n stop_publishing to 'beat'\nn publish half to 'beat' of message_type Float32",
         """
 -from std_msgs.msg import Int32, String
-+from std_msgs.msg import String, Float32
++from std_msgs.msg import Float32, String
 -        self.beat = rospy.Publisher('beat', data_class=Int32, latch=True, queue_size=7)  # slow
 +        self.beat = rospy.Publisher('beat', data_class=Float32, latch=True, queue_size=7)  # slow
 -        self.beat.publish(Int32(data=1))  # alive
@@ -96,7 +96,7 @@ CASES = {
 """,
         """
 -from std_msgs.msg import Int32, String
-+from std_msgs.msg import String, Float32
++from std_msgs.msg import Float32, String
 -        self.beat = self.create_publisher(msg_type=Int32, topic="beat", qos_profile=latched)  #
 +        self.beat = self.create_publisher(msg_type=Float32, topic="beat", qos_profile=latched)  #
 -        self.beat.publish(Int32(data=1))  # alive
