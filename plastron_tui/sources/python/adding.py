@@ -51,6 +51,8 @@ _CLASSES = {
     EndpointKind.SERVICE: "Service",
     EndpointKind.CLIENT: "ServiceProxy",
 }
+# A group that is made anew in each call is one of its own.
+_GROUP = re.compile(r"[\w.]+")
 _QUEUE = re.compile(r"[1-9]\d{0,5}$")
 
 
@@ -207,7 +209,21 @@ def _arguments(added: Addition, model: Site | None, class_: str, callback: str) 
         if model is not None and keyword in model.arguments.keywords:
             is_named = True
         parts.append(f"{keyword}={queue}" if is_named else queue)
+    if group := _callback_group(added):
+        parts.append(f"callback_group={group}")
     return ", ".join(parts)
+
+
+def _callback_group(added: Addition) -> str:
+    """Return the callback group that all endpoints of the kind beside the new one are in."""
+    given = {
+        added.analysis.syntax.slice(group) if group is not None else ""
+        for site in added.analysis.sites
+        if site.endpoint.kind is added.kind and site.scope is added.place.scope
+        for group in [site.arguments.keywords.get("callback_group")]
+    }
+    found = given.pop() if len(given) == 1 else ""
+    return found if added.is_rclpy and _GROUP.fullmatch(found) else ""
 
 
 def _shape(added: Addition) -> CallShape:

@@ -180,3 +180,28 @@ def test_quotes_are_those_of_the_code(quote, code):
         f"{head}import rospy\n{code}rospy.init_node(NAME)\n", subscribe("t", callback="x")
     )
     assert f"rospy.Subscriber({quote}t{quote}, " in text
+
+
+GROUPS = [
+    (["callback_group=self.group"], True),
+    (["callback_group=self.group", "callback_group=self.group"], True),
+    (["callback_group=self.group", "callback_group=self.other"], False),
+    (["callback_group=self.group", ""], False),
+    (["callback_group=Group()"], False),
+]
+
+
+@pytest.mark.parametrize(("given", "is_taken"), GROUPS)
+def test_a_callback_group_that_all_have_is_taken_over(given, is_taken):
+    calls = "".join(
+        f"        self.create_subscription(String, 't{number}', self.on_t, 5, {each})\n"
+        for number, each in enumerate(given)
+    )
+    text = edited(
+        "from rclpy.node import Node\nfrom std_msgs.msg import String\n\n\n"
+        f"class A(Node):\n    def __init__(self):\n        super().__init__('a')\n{calls}\n"
+        "    def on_t(self, message):\n        pass\n",
+        subscribe("new", callback="on_t"),
+    )
+    end = ", callback_group=self.group)" if is_taken else ")"
+    assert f"self.create_subscription(String, 'new', self.on_t, 5{end}\n" in text
