@@ -51,8 +51,8 @@ _CLASSES = {
     EndpointKind.SERVICE: "Service",
     EndpointKind.CLIENT: "ServiceProxy",
 }
-# A group that is made anew in each call is one of its own.
-_GROUP = re.compile(r"[\w.]+")
+# What is made anew in each call is of that call alone.
+_NAME = re.compile(r"[\w.]+")
 _QUEUE = re.compile(r"[1-9]\d{0,5}$")
 
 
@@ -216,14 +216,19 @@ def _arguments(added: Addition, model: Site | None, class_: str, callback: str) 
 
 def _callback_group(added: Addition) -> str:
     """Return the callback group that all endpoints of the kind beside the new one are in."""
-    given = {
-        added.analysis.syntax.slice(group) if group is not None else ""
+    given = set(_given_beside(added, Argument(-1, "callback_group")))
+    found = given.pop() if len(given) == 1 else ""
+    return found if added.is_rclpy and _NAME.fullmatch(found) else ""
+
+
+def _given_beside(added: Addition, argument: Argument) -> list[str]:
+    """Return what the endpoints of the kind beside the new one say, "" for those that do not."""
+    return [
+        added.analysis.syntax.slice(given) if given is not None else ""
         for site in added.analysis.sites
         if site.endpoint.kind is added.kind and site.scope is added.place.scope
-        for group in [site.arguments.keywords.get("callback_group")]
-    }
-    found = given.pop() if len(given) == 1 else ""
-    return found if added.is_rclpy and _GROUP.fullmatch(found) else ""
+        for given in [site.arguments.get(argument)]
+    ]
 
 
 def _shape(added: Addition) -> CallShape:
@@ -238,12 +243,13 @@ def _queue(added: Addition, model: Site | None) -> str:
         return ""
     keyword = "qos_profile" if added.is_rclpy else "queue_size"
     position = 3 if added.kind is EndpointKind.SUBSCRIPTION else 2
-    given = None
-    if model is not None:
-        at = Argument(position if added.is_rclpy else -1, keyword)
-        given = model.arguments.get(at)
+    at = Argument(position if added.is_rclpy else -1, keyword)
+    given = model.arguments.get(at) if model is not None else None
     text = added.analysis.syntax.slice(given) if given is not None else ""
     if _QUEUE.match(text):
+        return text
+    beside = _given_beside(added, at)
+    if len(beside) > 1 and set(beside) == {text} and _NAME.fullmatch(text):
         return text
     is_needed = added.is_rclpy or added.kind is EndpointKind.PUBLISHER
     return "10" if is_needed else ""

@@ -30,6 +30,8 @@ _USUAL = {
 _BEFORE = frozenset({"on", "handle", "process"})
 _CALLBACK_WORDS = ("callback", "cb", "handler", "handle", "on", "process", "received")
 
+_CAMEL = re.compile(r"_*[a-z]+[a-z0-9]*[A-Z]\w*")
+
 # A text on one line; comments and docstrings, which are written otherwise, are no group.
 _STRING = re.compile(
     rb"""#[^\n]*|\"{3}[\s\S]*?\"{3}|'{3}[\s\S]*?'{3}"""
@@ -198,7 +200,11 @@ def callback_naming(analysis: Analysis, kind: EndpointKind) -> Naming:
             found = _split(name, _CALLBACK_WORDS)
             if found is not None:
                 return _joined(*found)
-    return Naming("handle_" if kind is EndpointKind.SERVICE else "on_", "")
+    word = "handle" if kind is EndpointKind.SERVICE else "on"
+    functions = [scope.name for scope in analysis.scopes.all if scope.kind == "function"]
+    camel = sum(_CAMEL.fullmatch(name) is not None for name in functions)
+    is_camel = camel > sum("_" in name.strip("_") for name in functions)
+    return Naming(word if is_camel else f"{word}_", "", is_camel)
 
 
 def target_name(analysis: Analysis, site: Site) -> str | None:

@@ -205,3 +205,42 @@ def test_a_callback_group_that_all_have_is_taken_over(given, is_taken):
     )
     end = ", callback_group=self.group)" if is_taken else ")"
     assert f"self.create_subscription(String, 'new', self.on_t, 5{end}\n" in text
+
+
+PROFILES = [
+    (["latched", "latched"], "latched"),
+    (["latched"], "10"),
+    (["latched", "sensed"], "10"),
+    (["QoSProfile(depth=3)"] * 2, "10"),
+    (["sensed", "7"], "7"),
+]
+
+
+@pytest.mark.parametrize(("given", "taken"), PROFILES)
+def test_a_profile_that_several_agree_on_is_taken_over(given, taken):
+    calls = "".join(
+        f"        self.create_subscription(String, 't{number}', self.on_t, {each})\n"
+        for number, each in enumerate(given)
+    )
+    text = edited(
+        "from rclpy.node import Node\nfrom std_msgs.msg import String\n"
+        "from mine import QoSProfile, latched, sensed\n\n\n"
+        f"class A(Node):\n    def __init__(self):\n        super().__init__('a')\n{calls}\n"
+        "    def on_t(self, message):\n        pass\n",
+        subscribe("new", callback="on_t"),
+    )
+    assert f"self.create_subscription(String, 'new', self.on_t, {taken})\n" in text
+
+
+METHODS = {"doIt sayIt go": "onNewWord", "do_it sayIt": "on_new_word", "go": "on_new_word"}
+
+
+@pytest.mark.parametrize("methods", METHODS)
+def test_a_callback_is_named_as_the_methods_are(methods):
+    body = "".join(f"\n    def {name}(self):\n        pass\n" for name in methods.split())
+    text = edited(
+        "from rclpy.node import Node\n\n\nclass A(Node):\n    def __init__(self):\n"
+        f"        super().__init__('a')\n{body}",
+        subscribe("new_word"),
+    )
+    assert f"    def {METHODS[methods]}(self, message):\n" in text
