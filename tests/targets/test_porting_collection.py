@@ -104,7 +104,7 @@ def check_marks(read: SourceUnit, text: bytes, diagnostics: tuple[Diagnostic, ..
 REWRITTEN = re.compile(
     r"Publisher\(|Subscriber\(|Service\(|ServiceProxy\(|Timer\(|create_|wait_for_m|import"
     r"|\.publish\(|log(debug|info|warn|err|fatal)\(|\.get_logger\(|\.get_clock\(|Time\.now\("
-    r"|is_shutdown\(|\.ok\(|get_name\(|get_time\(|^return |\b[A-Z]\w+\(."
+    r"|^\w+(\.\w+)+ = |is_shutdown\(|\.ok\(|get_name\(|get_time\(|^return |\b[A-Z]\w+\(."
 )
 
 

@@ -50,7 +50,8 @@ PUBLISHED = [
     ("number.publish(5.5)", "number.publish(Float64(data=5.5))"),
     ("number.publish(0x10)", "number.publish(Float64(data=float(0x10)))"),
     ("number.publish(2 * x)", "number.publish(Float64(data=float(2 * x)))"),
-    ("number.publish(0.5 * x)", "number.publish(Float64(data=0.5 * x))"),
+    ("number.publish(0.5 * x)", "number.publish(Float64(data=float(0.5 * x)))"),
+    ("number.publish(0.5 * len(x))", "number.publish(Float64(data=0.5 * len(x)))"),
     ("number.publish(int(x))", "number.publish(Float64(data=float(int(x))))"),
     ("number.publish(data=5)", "number.publish(Float64(data=5.0))"),
     ("whole.publish(5)", "whole.publish(Int32(data=5))"),
@@ -72,7 +73,7 @@ PUBLISHED = [
     ),
     (
         "numbers.publish(data=[each for each in x])",
-        f"{PUBLISH}numbers.publish(data=[each for each in x])",
+        "numbers.publish(Float32MultiArray(data=[float(each) for each in x]))",
     ),
     # Nobody knows what it is, or it is no message of the topic's type in rospy either.
     ("text.publish(message)", "text.publish(message)"),
@@ -102,15 +103,61 @@ PUBLISHED = [
     ("x = Float64(5)", "x = Float64(data=5.0)"),
     ("x = Header(0, now, 'map')", f"{MARK}Header takes keywords only\nx = Header(0, now, 'map')"),
     ("x = Header(seq=0)", f"{MARK}seq of Header\nx = Header(seq=0)"),
-    ("x = Float64(data=unknown)", "x = Float64(data=unknown)"),
-    ("x = Point(x=1, y=unknown)", "x = Point(x=1.0, y=unknown)"),
+    # rclpy reads the memory of a `float` and of a `bool`, whatever a field of such holds.
+    ("x = Float64(data=unknown)", "x = Float64(data=float(unknown))"),
+    ("x = Float64(data=max(1, 2))", "x = Float64(data=float(max(1, 2)))"),
+    ("x = Float64(data=SPEED['fast'])", "x = Float64(data=float(SPEED['fast']))"),
+    ("x = Bool(data=unknown)", "x = Bool(data=bool(unknown))"),
+    ("x = Int32(data=unknown)", "x = Int32(data=unknown)"),
+    ("x = Point(x=1, y=unknown)", "x = Point(x=1.0, y=float(unknown))"),
+    ("x = Float64()\nx.data = steps()", "x = Float64()\nx.data = float(steps())"),
+    ("x = Float64()\nsetattr(x, 'data', 1)", "x = Float64()\nsetattr(x, 'data', 1.0)"),
+    ("x = Point()\nsetattr(x, name, y)", "x = Point()\nsetattr(x, name, float(y))"),
+    (
+        "x = PointStamped()\nsetattr(x.point, 'z', max(1, 2))",
+        "x = PointStamped()\nsetattr(x.point, 'z', float(max(1, 2)))",
+    ),
+    ("setattr(unknown, 'data', 1)", "setattr(unknown, 'data', 1)"),
+    ("x = Point()\nx.x, x.y = 1, y", "x = Point()\nx.x, x.y = 1.0, float(y)"),
+    ("x = Point()\nx.x, x.y = pair", "x = Point()\nx.x, x.y = map(float, pair)"),
+    ("x = Point()\nx.x, y = pair", f"x = Point()\n{MARK}fields of numbers\nx.x, y = pair"),
+    (
+        "x = Float32MultiArray()\nx.data = values",
+        "x = Float32MultiArray()\nx.data = [float(each) for each in values]",
+    ),
+    (
+        "x = Float32MultiArray()\nx.data = [1, y]",
+        "x = Float32MultiArray()\nx.data = [1.0, float(y)]",
+    ),
+    (
+        "x = Float32MultiArray(data=[i for i in range(3)])",
+        "x = Float32MultiArray(data=[float(i) for i in range(3)])",
+    ),
+    (
+        "x = Float32MultiArray(data=z)\ny = Float32MultiArray(data=x.data)",
+        "x = Float32MultiArray(data=[float(each) for each in z])\n"
+        "y = Float32MultiArray(data=x.data)",
+    ),
+    (
+        "x = Float32MultiArray()\ny = Float64(data=x.data[0])",
+        "x = Float32MultiArray()\ny = Float64(data=x.data[0])",
+    ),
+    (
+        "def drive(twist, speed):\n    twist.linear.x = speed",
+        "def drive(twist, speed):\n    twist.linear.x = float(speed)",
+    ),
+    (
+        "def drive(twist: Twist, speed):\n    twist.linear.x = speed",
+        "def drive(twist: Twist, speed):\n    twist.linear.x = float(speed)",
+    ),
     ("x = Twist()", "x = Twist()"),
     ("x = Twist()\nx.linear.x = 1", "x = Twist()\nx.linear.x = 1.0"),
     ("x = Twist()\nx.linear.x = x.linear.y = -1", "x = Twist()\nx.linear.x = x.linear.y = -1.0"),
     ("x = Twist()\nx.linear.x = 2 * y", "x = Twist()\nx.linear.x = float(2 * y)"),
-    ("x = Twist()\nx.linear.x = y", "x = Twist()\nx.linear.x = y"),
+    ("x = Twist()\nx.linear.x = y", "x = Twist()\nx.linear.x = float(y)"),
     ("x = Int32()\nx.data = 1", "x = Int32()\nx.data = 1"),
-    ("x = make()\nx.linear.x = 1", "x = make()\nx.linear.x = 1"),
+    ("x = make()\nx.linear.x = 1", "x = make()\nx.linear.x = 1.0"),
+    ("x = make()\nx.x = 1", "x = make()\nx.x = 1"),
 ]
 
 

@@ -11,7 +11,8 @@ from plastron_tui.sources.python import literals
 from plastron_tui.sources.python.splices import Splice
 from plastron_tui.sources.python.syntax import parts_of
 
-from .kinds import LIST, MESSAGE, PLAIN, is_plain, kind_of, some_plain
+from .kinds import LIST, MESSAGE, PLAIN, REAL, is_plain, kind_of, some_plain
+from .message_types import typed
 from .port_state import Work
 from .types import target_type
 
@@ -73,6 +74,7 @@ def write_value(
 ) -> list[Splice] | None:
     """Make a value of the type that a field has; None where it may not be what it takes."""
     is_open = not is_sure and not some_plain(work, value) and value.type not in ("list", "tuple")
+    is_open = is_open and not _is_unchecked(type_)
     found = _AS_IT_IS if is_open else _value(work, value, type_)
     if found is None:
         return None if is_sure else []
@@ -83,6 +85,15 @@ def write_value(
         *inside,
         Splice(value.end_byte, value.end_byte, encode(behind)),
     ]
+
+
+def _is_unchecked(type_: FieldType) -> bool:
+    """Tell whether rclpy reads whatever a field holds as the memory of a `float` or a `bool`.
+
+    Source: the `convert_from_py` of `rosidl_generator_py`; a setter checks only where
+    `ROS_PYTHON_CHECK_FIELDS` is set.
+    """
+    return type_.package is None and (type_.name == "bool" or type_.name.startswith("float"))
 
 
 _Written = tuple[str, list[Splice], str]
@@ -109,7 +120,7 @@ def _value(work: Work, value: Node, type_: FieldType) -> _Written | None:
         return _AS_IT_IS if kind == "bool" else _wrapped("bool", kind)
     if type_.name in ("string", "wstring"):
         return _AS_IT_IS if kind in ("str", None, PLAIN) else None
-    return _AS_IT_IS if kind not in ("str", "float", "bytes", "dict", LIST) else None
+    return _AS_IT_IS if kind not in ("str", "float", REAL, "bytes", "dict", LIST) else None
 
 
 def _wrapped(function: str, kind: str | None) -> _Written | None:
@@ -139,6 +150,8 @@ def _octet(work: Work, value: Node) -> _Written | None:
 def _array(work: Work, value: Node, type_: FieldType) -> _Written | None:
     """Write the elements of a list; what is no literal is left where its elements may be right."""
     kind = kind_of(work, value)
+    if typed(work, value) == type_:
+        return _AS_IT_IS
     element = type_._replace(is_array=False, length=None, bound=None)
     if value.type in ("list", "tuple"):
         inside: list[Splice] = []
@@ -151,6 +164,20 @@ def _array(work: Work, value: Node, type_: FieldType) -> _Written | None:
             inside += found[1]
             inside.append(Splice(each.end_byte, each.end_byte, encode(found[2])))
         return "", inside, ""
+    if type_.name.startswith("float") and kind in (None, LIST, PLAIN, REAL):
+        return _each_a_float(work, value)
     is_exact = type_.package is not None or type_.name in ("string", "uint8", "char")
     is_integer = type_.name.startswith(("int", "uint"))
     return _AS_IT_IS if kind in (None, LIST, "bytes") and (is_exact or is_integer) else None
+
+
+def _each_a_float(work: Work, values: Node) -> _Written:
+    """Write a list of values as one of `float`s."""
+    made = values.child_by_field_name("body") if values.type == "list_comprehension" else None
+    if made is None:
+        return "[float(each) for each in ", [], "]"
+    encode = work.analysis.syntax.encode
+    found = _float(work, made, kind_of(work, made)) or _AS_IT_IS
+    start, end = made.start_byte, made.end_byte
+    inside = [Splice(start, start, encode(found[0])), *found[1], Splice(end, end, encode(found[2]))]
+    return "", inside, ""

@@ -2,28 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from tree_sitter import Node
 
-from plastron_tui.model.source import EndpointKind
-from plastron_tui.ros.interfaces import FieldType, InterfaceKind, InterfaceName, Section
-from plastron_tui.sources.python.analysis import Site
+from plastron_tui.ros.interfaces import FieldType, Section
 from plastron_tui.sources.python.constants import without_none
-from plastron_tui.sources.python.scopes import Binding, BindingKind, Scope
+from plastron_tui.sources.python.scopes import Binding, BindingKind
 from plastron_tui.sources.python.syntax import parts_of
 
+from .message_types import constructed, typed
 from .port_state import Work
-from .types import target_type
 
 MESSAGE = "a message"
 PLAIN = "plain"
 """A value of Python that is no message, and nothing more is known of it."""
 
 NUMBER = "number"
+REAL = "real"
+"""A number with a fraction, which may be one of numpy's instead of a `float`."""
+
 LIST = "list"
-_NUMBERS = frozenset({"int", "float", "bool", NUMBER})
-_SIDES = ("Request", "Response")
+_NUMBERS = frozenset({"int", "float", "bool", NUMBER, REAL})
 
 _LITERALS = {
     "concatenated_string": "str",
@@ -64,11 +62,6 @@ _FUNCTIONS = {
 }
 _OF_TEXT = frozenset({"format", "join", "upper", "lower", "strip", "lstrip", "rstrip", "replace"})
 _OF_TEXT |= {"title", "capitalize", "zfill", "ljust", "rjust"}
-# Each endpoint that calls a function with a message, and which part of its type that is.
-_HANDED = {
-    EndpointKind.SUBSCRIPTION: InterfaceKind.MESSAGE,
-    EndpointKind.SERVICE: InterfaceKind.SERVICE,
-}
 
 
 def is_plain(kind: str | None) -> bool:
@@ -79,7 +72,8 @@ def is_plain(kind: str | None) -> bool:
 def kind_of(work: Work, node: Node | None) -> str | None:
     """Return what an expression gives, None where the file does not say it.
 
-    It is `str`, `bytes`, `int`, `float`, `bool`, `dict`, `NUMBER`, `LIST`, `MESSAGE` or `PLAIN`.
+    It is `str`, `bytes`, `int`, `float`, `bool`, `dict`, `NUMBER`, `REAL`, `LIST`, `MESSAGE` or
+    `PLAIN`.
     """
     if node is None:
         return None
@@ -101,7 +95,7 @@ def _kind(work: Work, node: Node) -> str | None:
             return kind_of(work, node.named_children[0])
         case "unary_operator":
             kind = kind_of(work, node.child_by_field_name("argument"))
-            return kind if kind in ("int", "float") else NUMBER
+            return kind if kind in ("int", "float", REAL) else NUMBER
         case "conditional_expression" | "boolean_operator":
             parts = parts_of(node)
             return _common([kind_of(work, each) for each in (parts[0], parts[-1])])
@@ -111,7 +105,19 @@ def _kind(work: Work, node: Node) -> str | None:
             return _of_call(work, node)
         case "identifier" | "attribute":
             return _of_name(work, node)
+        case "subscript":
+            return _of_subscript(work, node)
     return None
+
+
+def _of_subscript(work: Work, node: Node) -> str | None:
+    """Return what an element of a sequence of floats is; that of a fixed array is numpy's."""
+    items, index = (node.child_by_field_name(each) for each in ("value", "subscript"))
+    type_ = typed(work, items) if items is not None else None
+    if not isinstance(type_, FieldType) or index is None or index.type == "slice":
+        return None
+    is_sequence = type_.is_array and type_.length is None
+    return "float" if is_sequence and type_.name.startswith("float") else None
 
 
 def _common(kinds: list[str | None]) -> str | None:
@@ -138,8 +144,8 @@ def _of_operator(work: Work, node: Node) -> str:
         return "str"
     if "str" in (left, right) or LIST in (left, right):
         return PLAIN
-    if sign in "+-*/" and ("float" in (left, right) or sign == "/"):
-        return "float"
+    if sign in "+-*/" and ({"float", REAL} & {left, right} or sign == "/"):
+        return "float" if {left, right} <= {"int", "float", "bool"} else REAL
     if {left, right} <= {"int", "bool"} and sign in ("+", "-", "*", "//", "%"):
         return "int"
     return NUMBER if left in _NUMBERS and right in _NUMBERS else PLAIN
@@ -222,91 +228,3 @@ def some_plain(work: Work, node: Node) -> bool:
         parts = parts_of(node)
         return any(is_plain(kind_of(work, each)) for each in (parts[0], parts[-1]))
     return False
-
-
-def constructed(work: Work, callee: Node) -> tuple[InterfaceName, InterfaceKind, str] | None:
-    """Return what a class of rospy makes: an interface, its kind, and a service's side."""
-    for name in work.qualified(callee):
-        package, _, rest = name.partition(".")
-        kind, _, type_name = rest.partition(".")
-        if not package or not type_name[:1].isupper() or "." in type_name:
-            continue
-        if kind == "msg":
-            return InterfaceName(package, type_name), InterfaceKind.MESSAGE, ""
-        for side in _SIDES if kind == "srv" else ():
-            if type_name.endswith(side) and type_name != side:
-                base = type_name[: -len(side)]
-                return InterfaceName(package, base), InterfaceKind.SERVICE, side
-    return None
-
-
-def typed(work: Work, node: Node) -> Section | FieldType | None:
-    """Return the fields of a message that the file knows, or the type of a field of it."""
-    if node.id not in work.types:
-        work.types[node.id] = None
-        work.types[node.id] = _type(work, node)
-    return work.types[node.id]
-
-
-def _type(work: Work, node: Node) -> Section | FieldType | None:
-    if node.type == "attribute":
-        holder, part = node.child_by_field_name("object"), node.child_by_field_name("attribute")
-        if holder is None or part is None:
-            return None
-        outer = typed(work, holder)
-        if isinstance(outer, FieldType):
-            if outer.message is None or outer.is_array:
-                return None
-            outer = _section(work, outer.message, InterfaceKind.MESSAGE, "")
-        if outer is not None:
-            fields = {each.name: each.type for each in outer.fields}
-            return fields.get(work.slice(part))
-        bindings = work.analysis.resolver.attribute_bindings(node, work.scope(node))
-    elif node.type == "identifier":
-        found = work.scope(node).lookup(work.slice(node))
-        bindings = found[1] if found is not None else []
-    else:
-        return None
-    types = [_of_bound(work, each) for each in without_none(bindings)]
-    return types[0] if types and all(each == types[0] for each in types) else None
-
-
-def _of_bound(work: Work, binding: Binding) -> Section | None:
-    """Return the message that a name is bound to: one that came in, or one that is made."""
-    if binding.kind is BindingKind.PARAMETER and binding.owner is not None:
-        return _of_parameter(work, binding, binding.owner)
-    if binding.value is None:
-        return None
-    callee = binding.value.child_by_field_name("function")
-    if callee is not None:
-        made = constructed(work, callee)
-        return _section(work, *made) if made is not None else None
-    found = typed(work, binding.value)
-    if isinstance(found, FieldType) and found.message is not None and not found.is_array:
-        return _section(work, found.message, InterfaceKind.MESSAGE, "")
-    return found if isinstance(found, Section) else None
-
-
-def _of_parameter(work: Work, binding: Binding, function: Scope) -> Section | None:
-    if binding.index != bool(function.self_name):
-        return None
-    callers = _callers(work, function)
-    types = {(site.endpoint.type, _HANDED[site.endpoint.kind]) for site in callers}
-    if len(types) != 1:
-        return None
-    [(name, kind)] = types
-    return _section(work, name, kind, "") if name is not None else None
-
-
-def _callers(work: Work, function: Scope) -> Iterator[Site]:
-    for site in work.analysis.sites:
-        if site.endpoint.kind in _HANDED and work.callback_of(site) is function:
-            yield site
-
-
-def _section(work: Work, name: InterfaceName, kind: InterfaceKind, side: str) -> Section | None:
-    """Return the fields of a message, or of a service's side, in ROS 1."""
-    target, _ = target_type(work, name, kind)
-    new = work.catalog.find(target, kind) if target is not None else None
-    found = work.before.find(name, kind) or new
-    return found.sections[int(side == "Response")] if found is not None else None

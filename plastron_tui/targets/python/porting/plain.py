@@ -7,16 +7,17 @@ import re
 from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
-from plastron_tui.ros.interfaces import FieldType, InterfaceKind
+from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.sources.python.analysis import Site
 from plastron_tui.sources.python.callbacks import callback_target
-from plastron_tui.sources.python.constants import without_none
+from plastron_tui.sources.python.constants import Known, without_none
 from plastron_tui.sources.python.scopes import BindingKind, Scope
 from plastron_tui.sources.python.splices import Splice
 from plastron_tui.sources.python.syntax import parts_of
 
 from .fields import Given, fields_of, write_fields, write_value
-from .kinds import LIST, constructed, is_plain, kind_of, some_plain, typed
+from .kinds import LIST, is_plain, kind_of, some_plain
+from .message_types import constructed, field_type, section_of
 from .port_state import Work
 
 _CLIENT = re.compile(r"client|proxy|service|srv", re.IGNORECASE)
@@ -36,6 +37,8 @@ def port_plain(work: Work) -> None:
         text = work.slice(callee)
         if _is_client(work, callee):
             work.mark(call, f"the call of {text}", "`call_async` a request, and take its future")
+        elif text == "setattr":
+            _port_set(work, call, arguments)
         elif text.endswith(".publish"):
             _port_publish(work, call, callee, arguments)
         else:
@@ -91,11 +94,40 @@ def _port_message(work: Work, call: Node, callee: Node, arguments: Node) -> None
 def _port_assignment(work: Work, node: Node) -> None:
     """Make a number what the field of a message asserts: `twist.linear.x = 1`."""
     left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
-    if left is None or right is None or left.type != "attribute" or right.type == "assignment":
+    if left is None or right is None or right.type == "assignment":
         return
-    type_ = typed(work, left)
-    if isinstance(type_, FieldType) and not type_.is_array:
-        _put(work, write_value(work, right, type_) or [])
+    targets = parts_of(left) if left.type in ("pattern_list", "tuple_pattern") else [left]
+    values = parts_of(right) if right.type in ("expression_list", "tuple") else [right]
+    if len(targets) == len(values):
+        for target, value in zip(targets, values, strict=True):
+            type_ = field_type(work, target)
+            splices = write_value(work, value, type_) if type_ is not None else []
+            if splices is None:
+                work.mark(node, work.slice(target), f"the field takes a `{type_}`")
+            _put(work, splices or [])
+        return
+    types = [field_type(work, each) for each in targets]
+    numbers = [each is not None and each.name.startswith("float") for each in types]
+    if all(numbers) and not any(each is None or each.is_array for each in types):
+        work.insert(right.start_byte, "map(float, ")
+        work.insert(right.end_byte, ")")
+    elif any(numbers):
+        work.mark(node, "fields of numbers", "give each its `float(...)`")
+
+
+def _port_set(work: Work, call: Node, arguments: Node) -> None:
+    """Make a number what `setattr` puts into a message."""
+    given = parts_of(arguments)
+    section = section_of(work, given[0]) if len(given) == 3 else None
+    if section is None:
+        return
+    folded = work.analysis.resolver.fold(given[1], work.scope(call))
+    name = folded.value if isinstance(folded, Known) else None
+    types = {each.type for each in section.fields if name in (None, each.name)}
+    if len(types) == 1:
+        _put(work, write_value(work, given[2], types.pop()) or [])
+    elif any(each.name.startswith("float") for each in types):
+        work.mark(call, "setattr", "a field of a number takes a `float` only")
 
 
 def _port_publish(work: Work, call: Node, callee: Node, arguments: Node) -> None:

@@ -11,7 +11,8 @@ from plastron_tui.ros.interfaces import FieldType
 from plastron_tui.sources.python.splices import Splice
 from plastron_tui.sources.python.syntax import parts_of
 
-from .kinds import kind_of, typed
+from .kinds import kind_of
+from .message_types import typed
 from .port_state import Work
 from .rclpy_node import has_node
 
