@@ -109,3 +109,39 @@ def test_a_callback_that_ends_its_timer_is_marked(library: str, line: str) -> No
     text = ported(head.format(inside=line), library, other)
     method = line.partition(".")[2][:-2]
     assert f"    {MARK}.{method}\n    {line}\n" in text
+
+
+CONTEXTS = [
+    ("with rclpy.init(args=None):\n    rclpy.spin(A())", "A()\nrospy.spin()"),
+    ("with rclpy.init(): rclpy.spin(A())", "A(); rospy.spin()"),
+    (
+        "try:\n    with rclpy.init():\n        # first\n        node = A()\n\n"
+        '        print("""a\n  b""")\n        rclpy.spin(node)\n'
+        "except ExternalShutdownException:\n    pass",
+        'try:\n    # first\n    node = A()\n\n    print("""a\n  b""")\n'
+        "    rospy.spin()\nexcept rospy.ROSInterruptException:\n    pass",
+    ),
+    (
+        "with rclpy.init(), open('x') as file:\n    rclpy.spin(A())",
+        "with open('x') as file:\n    A()\n    rospy.spin()",
+    ),
+    (
+        "with rclpy.init():\n    node = A()\n    while rclpy.ok():\n        rclpy.spin_once(node)",
+        "node = A()\nwhile not rospy.is_shutdown():\n    rospy.sleep(0.1)",
+    ),
+    (
+        "node = A()\nexecutor = MultiThreadedExecutor()\nexecutor.add_node(node)\n"
+        "try:\n    executor.spin()\nfinally:\n    executor.shutdown()\n"
+        "    rclpy.try_shutdown()",
+        "node = A()\ntry:\n    rospy.spin()\nfinally:\n"
+        '    rospy.signal_shutdown("the node is done")',
+    ),
+]
+
+
+@pytest.mark.parametrize(("before", "after"), CONTEXTS)
+def test_what_rclpy_runs_a_node_with(before: str, after: str) -> None:
+    head = "from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor\n" + CLASS
+    text = ported(f"{head}{before}\n", "rclpy", "rospy")
+    assert text.endswith(f"\n{after}\n")
+    assert MARK not in text

@@ -16,6 +16,7 @@ from plastron_tui.sources.python.editor import not_encodable
 from plastron_tui.sources.python.sites import analyze
 from plastron_tui.sources.python.wrapping import line_limit, wrap_new_lines
 
+from .contexts import without_contexts
 from .port_state import COMMENT, SEPARATOR, Mark, Work
 from .to_rclpy import port_to_rclpy
 from .to_rospy import port_to_rospy
@@ -71,7 +72,8 @@ def _ported(source: SourceUnit, work: Work, library: str, limit: int) -> Rendere
         if site.endpoint.name is None and site.endpoint.kind in _KINDS and site.endpoint.expression:
             work.mark(site.call, f"the name {_one_line(site.endpoint.expression)}", _CHECK)
         _mark_type(work, site)
-    text = wrap_new_lines(source.files.main, work.result(limit), limit)
+    made = without_contexts(work.result(limit))
+    text = wrap_new_lines(source.files.main, made, limit)
     lines = _comment_lines(text)
     found = [_listed(mark, source, library, lines) for mark in _in_order(work.marks)]
     after = analyze(text, LIBRARIES[library])

@@ -15,6 +15,7 @@ from plastron_tui.sources.python.scopes import Scope
 from plastron_tui.sources.python.splices import Splice, delete_item, line_start
 from plastron_tui.sources.python.syntax import parts_of
 
+from .contexts import port_context, port_executors
 from .insertion_point import add_header
 from .leftovers import mark_leftovers, port_ending
 from .port_state import Work, walk
@@ -90,6 +91,7 @@ _REMEDIES = {
 def port_to_rospy(work: Work) -> None:
     """Rewrite what makes rclpy nodes and their endpoints, and mark the rest of rclpy."""
     port_imports(work, _GONE)
+    port_executors(work)
     _port_running(work)
     _mark_coroutines(work)
     port_rospy_words(work)
@@ -239,6 +241,8 @@ def _port_running(work: Work) -> None:
         is_alone = statement.type == "expression_statement" and statement.named_children == [call]
         if names & {"rclpy.init"} and is_alone:
             work.delete(statement)
+        elif names & {"rclpy.init"}:
+            port_context(work, call)
         elif names & {"rclpy.spin_once"} and is_alone:
             _port_spin_once(work, call)
         elif names & {"rclpy.spin"}:
@@ -258,7 +262,14 @@ def _port_running(work: Work) -> None:
 
 def _port_spin_once(work: Work, call: Node) -> None:
     """Wait as long as for what comes, which rospy handles in threads of its own."""
-    for each in parts_of(call.child_by_field_name("arguments")):
+    given = parts_of(call.child_by_field_name("arguments"))
+    body = statement_of(call).parent
+    if len(given) == 1 and given[0].type != "keyword_argument" and body is not None:
+        is_loop = body.parent is not None and body.parent.type == "while_statement"
+        if is_loop and body.named_children == [statement_of(call)]:
+            work.replace(call, "rospy.sleep(0.1)")
+        return
+    for each in given:
         name, value = each.child_by_field_name("name"), each.child_by_field_name("value")
         if name is not None and value is not None and work.slice(name) == "timeout_sec":
             work.replace(call, f"rospy.sleep({work.text(value)})")
