@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import subprocess
 from pathlib import Path
 
@@ -245,3 +246,58 @@ def test_a_ported_node_talks(graph: Graph, tmp_path: Path) -> None:
     assert answer == {"success": True, "message": "False"}
     assert node.interrupt() == 0
     assert not own_tracebacks(node.output)
+
+
+LOOP = """\
+import rospy
+from std_msgs.msg import Float64, Int32, String
+
+heard = 0
+
+
+def hear(message):
+    global heard
+    heard += 1
+    if heard % 2:
+        raise ValueError("an odd one")
+    count.publish(heard)
+
+
+def steps():
+    return 3
+
+
+if __name__ == "__main__":
+    rospy.init_node("loop", anonymous=True)
+    count = rospy.Publisher("count", Int32, queue_size=10)
+    words = rospy.Publisher("words", String, queue_size=10)
+    number = rospy.Publisher("number", Float64, queue_size=10)
+    rospy.Subscriber("words", String, hear)
+    rate = rospy.Rate(rospy.get_param("~rate", 20))
+    message = Float64()
+    try:
+        while not rospy.is_shutdown():
+            words.publish(rospy.get_param("~word", "hello"))
+            message.data = steps()
+            number.publish(message)
+            rospy.loginfo_once("the first of many")
+            rospy.loginfo_throttle(60.0, "a word of %s", rospy.get_name())
+            rate.sleep()
+    except rospy.ROSInterruptException:
+        print("ended")
+"""
+
+
+@pytest.mark.parametrize("graph", ["ros2"], indirect=True)
+def test_a_ported_loop_outlives_its_callbacks_and_ends(graph: Graph, tmp_path: Path) -> None:
+    node = run_ported(graph, tmp_path / "loop.py", LOOP)
+    topics = {"/number": "std_msgs/Float64", "/count": "std_msgs/Int32"}
+    received = graph.listen(topics, 1)
+    assert received["/number"][-1].message == {"data": 3.0}
+    assert received["/count"][-1].message["data"] > 4
+    node.send(signal.SIGTERM)
+    assert node.wait(60) == 0
+    assert node.output.count("the first of many") == 1
+    assert node.output.count("a word of /loop_") == 1
+    assert "ValueError: an odd one" in node.output
+    assert "ended" in node.output

@@ -51,6 +51,9 @@ LISTENER_2 = '''\
 #!/usr/bin/env python3
 """Hears things."""
 
+import os
+import traceback
+
 import rclpy
 from rclpy.executors import ExternalShutdownException
 from std_msgs.msg import String
@@ -59,11 +62,15 @@ node = None
 
 
 def spin():
-    """Handle what comes, until ROS ends."""
-    try:
-        rclpy.spin(node)
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
+    """Handle what comes, until ROS ends; what a callback raises is logged, as in rospy."""
+    while rclpy.ok():
+        try:
+            rclpy.spin(node)
+        except (KeyboardInterrupt, ExternalShutdownException):
+            break
+        except Exception:
+            if rclpy.ok():
+                node.get_logger().error(traceback.format_exc())
 
 
 LOUD = "!"
@@ -75,15 +82,13 @@ def shout(text):
 
 def callback(data):
     text = shout(data.data)
-    # port by hand: rospy.loginfo; rospy.get_caller_id
-    rospy.loginfo(rospy.get_caller_id() + "I heard %s", text)
+    node.get_logger().info((node.get_fully_qualified_name() + "I heard %s") % (text,))
 
 
 def listener():
     global node
     rclpy.init()
-    # port by hand: anonymous
-    node = rclpy.create_node("listener")
+    node = rclpy.create_node(f"listener_{os.getpid()}")
     node.create_subscription(String, "chatter", callback, 10)
     # spin() simply keeps python from exiting
     spin()

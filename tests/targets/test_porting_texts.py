@@ -51,6 +51,8 @@ if __name__ == "__main__":
     rospy.spin()
 """
 SERVER_2 = '''\
+import traceback
+
 import rclpy
 from rclpy.executors import ExternalShutdownException
 from example_interfaces.srv import AddTwoInts
@@ -60,11 +62,15 @@ AddTwoIntsResponse = AddTwoInts.Response
 
 
 def spin():
-    """Handle what comes, until ROS ends."""
-    try:
-        rclpy.spin(node)
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
+    """Handle what comes, until ROS ends; what a callback raises is logged, as in rospy."""
+    while rclpy.ok():
+        try:
+            rclpy.spin(node)
+        except (KeyboardInterrupt, ExternalShutdownException):
+            break
+        except Exception:
+            if rclpy.ok():
+                node.get_logger().error(traceback.format_exc())
 
 
 class Adder:
@@ -230,7 +236,44 @@ TO_RCLPY = [
     ("if rospy.is_shutdown(): pass", "if not rclpy.ok(): pass"),
     ("go = not rospy.is_shutdown()", "go = rclpy.ok()"),
     ("rate = rospy.Rate(10)", "rate = node.create_rate(10)"),
-    ("x = rospy.get_param('~x', 1)", f"{MARK}rospy.get_param\nx = rospy.get_param('~x', 1)"),
+    ("x = rospy.get_param('~x', 1)", "x = get_param('x', 1)"),
+    ('x = rospy.get_param("~a/b")', 'x = get_param("a.b")'),
+    ("x = rospy.get_param('rate', [1, 2])", "x = get_param('rate', [1, 2])"),
+    ("x = rospy.has_param('~x')", "x = has_param('x')"),
+    ("rospy.set_param('~x', 1)", "set_param('x', 1)"),
+    (
+        "x = rospy.has_param('~x') and rospy.get_param('~x', 1)",
+        f"{MARK}rospy.has_param\nx = rospy.has_param('~x') and get_param('x', 1)",
+    ),
+    *(
+        (f"x = {call}", f"{MARK}{call.partition('(')[0]}\nx = {call}")
+        for call in (
+            "rospy.get_param('/x', 1)",
+            "rospy.get_param('~' + name)",
+            "rospy.get_param('~x', {})",
+            "rospy.get_param('~x', [1, 'a'])",
+            "rospy.get_param(*args)",
+            "rospy.set_param('x', 1)",
+        )
+    ),
+    ("rospy.sleep(0.5)", "time.sleep(0.5)"),
+    ("rospy.sleep(rospy.Duration(secs))", "time.sleep(secs)"),
+    ("pause = 2\nrospy.sleep(pause)", "pause = 2\ntime.sleep(pause)"),
+    ("rospy.sleep(pause)", f"{MARK}rospy.sleep\nrospy.sleep(pause)"),
+    ("rospy.loginfo_throttle(2, 'a')", "node.get_logger().info('a', throttle_duration_sec=2)"),
+    (
+        "rospy.logwarn_throttle(1.0, 'a %d', x)",
+        "node.get_logger().warning('a %d' % (x,), throttle_duration_sec=1.0)",
+    ),
+    (
+        "rospy.logerr_throttle(\n    1,\n    x,\n)",
+        "node.get_logger().error(\n    str(x), throttle_duration_sec=1,\n)",
+    ),
+    ("rospy.logdebug_once('a %s', x)", "node.get_logger().debug(f'a {x}', once=True)"),
+    (
+        "go(lambda: rospy.loginfo_once(x))",
+        "go(lambda: node.get_logger().info(str(x), once=True))",
+    ),
     (
         "t = rospy.Time.now().to_sec()",
         f"{MARK}.to_sec; rospy.Time.now\nt = rospy.Time.now().to_sec()",

@@ -78,6 +78,10 @@ PUBLISHED = [
     # Nobody knows what it is, or it is no message of the topic's type in rospy either.
     ("text.publish(message)", "text.publish(message)"),
     ("text.publish(make(1))", "text.publish(make(1))"),
+    (
+        "text.publish(rospy.get_param('~a'))",
+        "text.publish(String(data=get_param('a')))",
+    ),
     ("text.publish(String(data='x'))", "text.publish(String(data='x'))"),
     ("text.publish(*parts)", f"{PUBLISH}text.publish(*parts)"),
     ("text.publish(5)", f"{PUBLISH}text.publish(5)"),

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from tree_sitter import Node
 
+from plastron_tui.sources.python.scopes import BindingKind
 from plastron_tui.sources.python.splices import line_end, line_start
 
-from .port_state import Work
+from .port_state import Work, walk
 
 _IMPORTS = frozenset({"import_statement", "import_from_statement", "future_import_statement"})
-_STANDARD = frozenset({"import atexit", "import threading", "import time"})
+_STANDARD = frozenset(
+    f"import {name}" for name in ("atexit", "os", "signal", "threading", "time", "traceback")
+)
 _DEFINITIONS = frozenset({"function_definition", "class_definition", "decorated_definition"})
 
 
@@ -53,6 +56,12 @@ def add_header(work: Work) -> None:
     """Insert what the file needs at its top: imports that it does not have, and helpers."""
     syntax = work.analysis.syntax
     present = {line.strip() for line in syntax.text.decode("latin-1").splitlines()}
+    present |= {
+        f"import {name}"
+        for name, bindings in work.analysis.scopes.module.bindings.items()
+        if all(each.kind is BindingKind.IMPORT and each.target == name for each in bindings)
+        and not all(work.is_gone(each.node) for each in bindings)
+    }
     wanted = sorted(work.imports - present, key=lambda line: (line.startswith("from "), line))
     standard = [line for line in wanted if line in _STANDARD]
     others = [line for line in wanted if line not in _STANDARD]
@@ -66,7 +75,8 @@ def add_header(work: Work) -> None:
         work.insert(behind, "".join(f"{line}\n" for line in others))
     constants = "".join(f"{line}\n" for line in work.constants)
     helpers = [f"\n{constants}"] if constants else []
-    helpers += [f"\n\n{helper}" for helper in work.helpers]
+    indent = _indent(work)
+    helpers += [f"\n\n{helper.replace('    ', indent)}" for helper in work.helpers]
     end = header_end(work)
     if end <= at:
         helpers = [*helpers, "\n\n"] if helpers else []
@@ -79,6 +89,18 @@ def add_header(work: Work) -> None:
         wanted_lines = 2 if work.helpers else 1
         missing = wanted_lines - lines if following.strip() else 0
         work.insert_first(end, "".join(helpers) + "\n" * max(missing, 0))
+
+
+def _indent(work: Work) -> str:
+    """Return by what the first block of the file is indented."""
+    for node in walk(work.analysis.syntax.root):
+        if node.type == "block" and node.parent is not None:
+            text = work.analysis.syntax.text
+            indent = text[line_start(text, node.start_byte) : node.start_byte]
+            outer = text[line_start(text, node.parent.start_byte) : node.parent.start_byte]
+            if not indent.strip() and not outer.strip() and len(indent) > len(outer):
+                return indent[len(outer) :].decode("ascii", "replace")
+    return "    "
 
 
 def _client_import(work: Work, otherwise: int) -> int:

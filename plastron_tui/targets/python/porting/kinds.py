@@ -58,6 +58,7 @@ _FUNCTIONS = {
     "json.dumps": "str",
     "rospy.get_time": "float",
     "rospy.get_name": "str",
+    "rospy.get_param": PLAIN,
     "rospy.get_caller_id": "str",
 }
 _OF_TEXT = frozenset({"format", "join", "upper", "lower", "strip", "lstrip", "rstrip", "replace"})

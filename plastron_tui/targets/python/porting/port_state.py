@@ -79,6 +79,7 @@ class Work:
     kinds: dict[int, str | None] = field(default_factory=dict)
     types: dict[int, Section | FieldType | None] = field(default_factory=dict)
     _splices: list[Splice] = field(default_factory=list)
+    _last: list[Splice] = field(default_factory=list)
     _deleted: list[Node] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -104,7 +105,7 @@ class Work:
         """Return the source of a node, with what is rewritten inside of it."""
         inner = [
             Splice(each.start - node.start_byte, each.end - node.start_byte, each.text)
-            for each in self._splices
+            for each in (*self._splices, *self._last)
             if node.start_byte <= each.start and each.end <= node.end_byte
         ]
         source = self.analysis.syntax.text[node.start_byte : node.end_byte]
@@ -113,11 +114,12 @@ class Work:
     def replace(self, node: Node, text: str) -> None:
         """Rewrite a node; what was rewritten inside of it must be in the text."""
         self.done.add(node.id)
-        self._splices = [
-            each
-            for each in self._splices
-            if not (node.start_byte <= each.start and each.end <= node.end_byte)
-        ]
+        for splices in (self._splices, self._last):
+            splices[:] = [
+                each
+                for each in splices
+                if not (node.start_byte <= each.start and each.end <= node.end_byte)
+            ]
         self._put(node.start_byte, node.end_byte, text)
 
     def insert(self, offset: int, text: str) -> None:
@@ -127,6 +129,10 @@ class Work:
     def insert_first(self, offset: int, text: str) -> None:
         """Insert text before all else that is inserted at the place."""
         self._splices.insert(0, Splice(offset, offset, self.analysis.syntax.encode(text)))
+
+    def insert_last(self, offset: int, text: str) -> None:
+        """Insert text behind all else that is or will be inserted at the place."""
+        self._last.append(Splice(offset, offset, self.analysis.syntax.encode(text)))
 
     def cut(self, splice: Splice) -> None:
         """Take text away."""
@@ -187,7 +193,7 @@ class Work:
             words = lines.setdefault(line_start(syntax.text, place.start_byte), [])
             if mark.what not in words:
                 words.append(mark.what)
-        splices = [*self._splices, *delete_statements(syntax.text, self._deleted)]
+        splices = [*self._splices, *self._last, *delete_statements(syntax.text, self._deleted)]
         for at, words in lines.items():
             line = syntax.text[at : line_end(syntax.text, at)]
             indent = line[: len(line) - len(line.lstrip(b" \t\f"))]

@@ -8,6 +8,7 @@ from plastron_tui.model.source import EndpointKind
 from plastron_tui.sources.python import literals
 from plastron_tui.sources.python.analysis import NodeSite
 from plastron_tui.sources.python.references import statement_of
+from plastron_tui.sources.python.syntax import parts_of
 
 from .insertion_point import first_call, top_level
 from .port_state import COMMENT, Mark, Work, first_of, walk
@@ -18,11 +19,15 @@ _INTERRUPTS = "KeyboardInterrupt, ExternalShutdownException, ROSInterruptExcepti
 
 _SPIN = """\
 def {spin}():
-    \"\"\"Handle what comes, until ROS ends.\"\"\"
-    try:
-        rclpy.spin({node})
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
+    \"\"\"Handle what comes, until ROS ends; what a callback raises is logged, as in rospy.\"\"\"
+    while rclpy.ok():
+        try:
+            rclpy.spin({node})
+        except (KeyboardInterrupt, ExternalShutdownException):
+            break
+        except Exception:
+            if rclpy.ok():
+                {node}.get_logger().error(traceback.format_exc())
 """
 _THREAD = """\
 def {thread}():
@@ -31,6 +36,10 @@ def {thread}():
     thread.start()
     atexit.register(thread.join)
     atexit.register(rclpy.try_shutdown)
+"""
+# The handler of rclpy does not wake what sleeps at a rate.
+_TERM = """\
+    signal.signal(signal.SIGTERM, lambda number, frame: rclpy.try_shutdown())
 """
 _WAIT = """\
 def {wait}():
@@ -63,9 +72,12 @@ def port_running(work: Work, node: str) -> bool:
     in_thread = bool(calls["rospy.Rate"]) or (is_listening and not calls["rospy.spin"])
     spin, wait = work.free_name("spin"), work.free_name("wait")
     for call in calls["rospy.Rate"]:
-        arguments = call.child_by_field_name("arguments")
-        inner = work.text(arguments)[1:-1] if arguments is not None else ""
-        work.replace(call, f"{node}.create_rate({inner})")
+        callee = call.child_by_field_name("function")
+        given = parts_of(call.child_by_field_name("arguments"))
+        if callee is not None:
+            work.replace(callee, f"{node}.create_rate")
+        for each in given[1:] + [each for each in given[:1] if each.type == "keyword_argument"]:
+            work.mark(call, work.slice(each).partition("=")[0], "`create_rate` takes a frequency")
     for call in calls["rospy.is_shutdown"]:
         replace_by_opposite(work, call, "rclpy.ok()")
     for call in calls["rospy.signal_shutdown"]:
@@ -76,10 +88,20 @@ def port_running(work: Work, node: str) -> bool:
     if in_thread or calls["rospy.spin"]:
         work.helpers.append(_SPIN.format(spin=spin, node=node))
         work.imports.add("from rclpy.executors import ExternalShutdownException")
+        work.imports.add("import traceback")
     if in_thread:
         thread = work.free_name("spin_in_thread")
-        work.helpers.append(_THREAD.format(thread=thread, spin=spin))
+        has_signals = any(
+            b"disable_signals" in (each.call.text or b"")
+            for each in work.analysis.nodes
+            if each.call
+        )
+        work.helpers.append(
+            _THREAD.format(thread=thread, spin=spin) + ("" if has_signals else _TERM)
+        )
         work.imports.update(("import atexit", "import threading"))
+        if not has_signals:
+            work.imports.add("import signal")
     if in_thread and calls["rospy.spin"]:
         work.helpers.append(_WAIT.format(wait=wait))
         work.imports.add("import time")
@@ -140,10 +162,10 @@ def _place(work: Work, init: NodeSite, node: str, in_thread: bool, *, can_move: 
     lines = ["rclpy.init()", f"{node} = rclpy.create_node({written or literals.string('node')})"]
     if in_thread:
         lines.append(f"{work.free_name('spin_in_thread')}()")
-    if b"anonymous" in (init.call.text or b""):
-        remedy = "ROS 2 makes no name unique: start the node under a name of its own"
-        work.marks.append(Mark(init.call, "anonymous", remedy, has_comment=True))
-        lines.insert(1, f"{COMMENT}anonymous")
+    for option in _options(work, init, node, lines):
+        remedy = _OPTIONS.get(option)
+        work.marks.append(Mark(init.call, option, remedy, has_comment=True))
+        lines.insert(1, f"{COMMENT}{option}")
     work.done.add(init.call.id)
     function = init.scope.enclosing("function")
     anchor = _anchor(work, init) if can_move and init.name is not None else statement
@@ -157,6 +179,37 @@ def _place(work: Work, init: NodeSite, node: str, in_thread: bool, *, can_move: 
     put_before(work, anchor, lines)
     if statement.type == "expression_statement":
         work.delete(statement)
+
+
+_OPTIONS = {"anonymous": "ROS 2 makes no name unique: start the node under a name of its own"}
+
+
+def _options(work: Work, init: NodeSite, node: str, lines: list[str]) -> list[str]:
+    """Return the options of `init_node` that have to be ported by hand.
+
+    The name of an anonymous node ends in the number of its process, as it does in rospy.
+    """
+    assert init.call is not None
+    options = []
+    for each in parts_of(init.call.child_by_field_name("arguments"))[1:]:
+        name, value = each.child_by_field_name("name"), each.child_by_field_name("value")
+        option = work.slice(name) if name is not None else "options of the node"
+        given = work.slice(value) if value is not None else ""
+        if (option, given) == ("anonymous", "True") and init.expression:
+            named = f'f"{init.name}_{{os.getpid()}}"'
+            if init.name is None:
+                named = f'f"{{{init.expression}}}_{{os.getpid()}}"'
+            if init.name is not None or init.expression.isidentifier():
+                lines[1] = f"{node} = rclpy.create_node({named})"
+                work.imports.add("import os")
+                continue
+        if (option, given) == ("disable_signals", "True"):
+            lines[0] = "rclpy.init(signal_handler_options=SignalHandlerOptions.NO)"
+            work.imports.add("from rclpy.signals import SignalHandlerOptions")
+            continue
+        if option not in ("name", "node_name") and given != "False":
+            options.append(option)
+    return options
 
 
 def _anchor(work: Work, init: NodeSite) -> Node:

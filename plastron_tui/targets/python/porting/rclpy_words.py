@@ -31,6 +31,11 @@ _TEXT = re.compile(r"""(?P<quote>["'])(?P<inside>[^"'\\{}\n]*)(?P=quote)""")
 _SIMPLE = re.compile(r"[A-Za-z_][\w.]*")
 
 
+_NAMES = frozenset({"rospy.get_name", "rospy.get_caller_id"})
+_TIMES = frozenset({"rospy.get_time", "rospy.Time.now", "rospy.get_rostime"})
+_QUESTIONS = _NAMES | _TIMES | {"rospy.get_namespace"}
+
+
 def port_words(work: Work, node: str) -> None:
     """Rewrite plain logs, the node's name, and the time where it is put into a message."""
     for call in reversed(work.analysis.captures.get("call", [])):
@@ -44,9 +49,12 @@ def port_words(work: Work, node: str) -> None:
         if len(names) != 1:
             continue
         [name] = names
-        if name in LOGS and has_node(work, call):
-            _port_log(work, call, callee, f"{node}.get_logger().{LOGS[name]}")
-        elif name in ("rospy.get_name", "rospy.get_time", "rospy.Time.now"):
+        log, _, often = name.partition("_")
+        if log in LOGS and often in ("", "once", "throttle") and has_node(work, call):
+            _port_log(work, call, callee, f"{node}.get_logger().{LOGS[log]}", often)
+        elif name == "rospy.sleep":
+            _port_sleep(work, call)
+        elif name in _QUESTIONS:
             _port_question(work, call, name, node)
 
 
@@ -55,7 +63,9 @@ def _port_question(work: Work, call: Node, name: str, node: str) -> None:
     arguments = call.child_by_field_name("arguments")
     if arguments is None or parts_of(arguments) or not has_node(work, call):
         return
-    if name == "rospy.get_name":
+    if name == "rospy.get_namespace":
+        work.replace(call, f"{node}.get_namespace()")
+    elif name in _NAMES:
         work.replace(call, f"{node}.get_fully_qualified_name()")
     elif name == "rospy.get_time":
         seconds = f"{node}.get_clock().now().nanoseconds / 1e9"
@@ -88,23 +98,73 @@ def is_stamp(work: Work, call: Node) -> bool:
     return is_header and name is not None and work.slice(name) == "stamp"
 
 
-def _port_log(work: Work, call: Node, callee: Node, log: str) -> None:
-    """Rewrite a log whose text is sure: rclpy takes one text, and fills in nothing."""
+def _port_sleep(work: Work, call: Node) -> None:
+    """Rewrite a sleep of a number of seconds, or of a duration of them."""
+    given = parts_of(call.child_by_field_name("arguments"))
+    if len(given) != 1 or given[0].type == "keyword_argument" or "splat" in given[0].type:
+        return
+    callee = given[0].child_by_field_name("function")
+    inner = parts_of(given[0].child_by_field_name("arguments"))
+    names = set(work.qualified(callee)) if callee is not None else set()
+    is_duration = names and names <= {"rospy.Duration", "rospy.Duration.from_sec"}
+    if is_duration and len(inner) == 1 and inner[0].type != "keyword_argument":
+        work.done.add(given[0].id)
+        work.cut(Splice(given[0].start_byte, inner[0].start_byte))
+        work.cut(Splice(inner[0].end_byte, given[0].end_byte))
+    elif not _is_number(work, given[0]):
+        return
+    work.replace(call.children[0], "time.sleep")
+    work.imports.add("import time")
+
+
+def _is_number(work: Work, node: Node) -> bool:
+    """Tell whether a value is a number for sure, or one that the file says nothing else of."""
+    text = work.slice(node).lower()
+    is_duration = "duration" in text or "rospy." in text or "sleep(" in text
+    return kind_of(work, node) in ("int", "float", "number", "real") or (
+        not is_duration and node.type in ("identifier", "attribute") and not _may_last(work, node)
+    )
+
+
+def _may_last(work: Work, node: Node) -> bool:
+    """Tell whether a name may hold a duration."""
+    if node.type == "identifier":
+        found = work.scope(node).lookup(work.slice(node))
+        bindings = found[1] if found is not None else []
+    else:
+        bindings = work.analysis.resolver.attribute_bindings(node, work.scope(node))
+    values = [work.slice(each.value) for each in bindings if each.value is not None]
+    return not values or len(values) < len(bindings) or any("uration" in each for each in values)
+
+
+def _port_log(work: Work, call: Node, callee: Node, log: str, often: str = "") -> None:
+    """Rewrite a log whose text is sure: rclpy takes one text, and fills in nothing.
+
+    `often` is how often it is logged: `once`, or `throttle`, whose seconds come first.
+    """
     arguments = call.child_by_field_name("arguments")
     given = parts_of(arguments) if arguments is not None else []
+    option = "once=True" if often == "once" else ""
+    seconds = given.pop(0) if often == "throttle" and given else None
+    if seconds is not None:
+        option = f"throttle_duration_sec={work.text(seconds)}"
     if not given or any("splat" in each.type for each in given):
         return
     if any(each.type in ("keyword_argument", "generator_expression") for each in given):
         return
     first, *rest = given
+    if rest and _fields(work, first) != len(rest):
+        return
+    if seconds is not None:
+        work.cut(Splice(seconds.start_byte, first.start_byte))
+    if option:
+        # What comes behind the text closes it first.
+        work.insert_last(given[-1].end_byte, f", {option}")
     if not rest:
         if kind_of(work, first) != "str":
             work.insert(first.start_byte, "str(")
             work.insert(first.end_byte, ")")
         work.replace(callee, log)
-        return
-    count = _fields(work, first)
-    if count != len(rest):
         return
     work.replace(callee, log)
     written = _formatted(work, first, rest)
@@ -112,12 +172,21 @@ def _port_log(work: Work, call: Node, callee: Node, log: str) -> None:
         work.cut(Splice(first.start_byte, given[-1].end_byte, work.analysis.syntax.encode(written)))
         return
     opening, closing = ("(", ",)") if len(rest) == 1 else ("(", ")")
+    if first.type == "binary_operator":
+        work.insert_first(first.start_byte, "(")
+        work.insert(first.end_byte, ")")
     work.cut(Splice(first.end_byte, rest[0].start_byte, f" % {opening}".encode("ascii")))
     work.insert(rest[-1].end_byte, closing)
 
 
 def _fields(work: Work, text: Node) -> int | None:
     """Return how many values a literal format takes, None for what is no such literal."""
+    if text.type == "binary_operator" and b" + " in (text.text or b""):
+        counts = [_fields(work, each) for each in parts_of(text)]
+        return None if None in counts else sum(filter(None, counts))
+    callee = text.child_by_field_name("function")
+    if callee is not None and set(work.qualified(callee)) & _NAMES:
+        return 0
     parts = text.named_children if text.type == "concatenated_string" else [text]
     count = 0
     for part in parts:

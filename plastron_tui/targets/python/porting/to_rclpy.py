@@ -17,6 +17,7 @@ from .leftovers import mark_leftovers, port_ending
 from .plain import port_plain
 from .port_state import Work, walk
 from .rclpy_node import make_node, port_running
+from .rclpy_parameters import port_parameters
 from .rclpy_words import port_words
 from .rewriting import (
     Writer,
@@ -57,6 +58,7 @@ def port_to_rclpy(work: Work) -> None:
     if old := _OLD_PYTHON.match(work.analysis.syntax.text):
         work.insert(old.end(1), "3")
     runs_in_thread = port_running(work, node)
+    port_parameters(work, node)
     port_words(work, node)
     port_plain(work)
     port_sites(work, _writers(node), _private_name)
@@ -79,11 +81,13 @@ def _remedies(node: str) -> dict[str, str]:
         }.items()
     }
     return log | {
-        "rospy.Time.now": f"`{node}.get_clock().now().to_msg()`",
-        "rospy.get_rostime": f"`{node}.get_clock().now().to_msg()`",
+        "rospy.Time.now": f"`{node}.get_clock().now()`, with `to_msg()` for a message",
+        "rospy.get_rostime": f"`{node}.get_clock().now()`, with `to_msg()` for a message",
+        "rospy.has_param": "a parameter with a default is always there",
+        "rospy.set_param": "a parameter of ROS 2 is of one node",
         "rospy.get_time": f"`{node}.get_clock().now().nanoseconds / 1e9`",
-        "rospy.get_param": f"`{node}.declare_parameter(name, default).value`",
-        "rospy.sleep": "`time.sleep(...)`",
+        "rospy.get_param": f"`{node}.declare_parameter(name, default).value`, for one of the node",
+        "rospy.sleep": "`time.sleep(...)`, with a number of seconds",
         "rospy.is_shutdown": "`not rclpy.ok()`",
         "rospy.wait_for_service": "`wait_for_service` of the client",
         "rospy.on_shutdown": "`rclpy.get_default_context().on_shutdown(...)`",
