@@ -203,7 +203,30 @@ TO_RCLPY = [
     ),
     (
         "rospy.Publisher('t', String, queue_size=None, latch=True)",
-        f"{MARK}latch\nnode.create_publisher(String, 't', 10)",
+        "node.create_publisher(String, 't', "
+        "QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL))",
+    ),
+    (
+        "rospy.Publisher('t', String, queue_size=5, latch=keeps)",
+        f"{MARK}latch\nnode.create_publisher(String, 't', 5)",
+    ),
+    (
+        "NONE = 0\nrospy.Subscriber('t', String, print, queue_size=NONE, latch=False)",
+        "NONE = 0\nnode.create_subscription(String, 't', print, 10)",
+    ),
+    (
+        "rospy.Subscriber('t', String, print, buff_size=2**24)",
+        f"{MARK}buff_size\nnode.create_subscription(String, 't', print, 10)",
+    ),
+    (
+        "p = rospy.ServiceProxy('s', Trigger, headers=h)",
+        f"{MARK}headers\np = node.create_client(Trigger, 's')",
+    ),
+    (
+        "class A:\n    def __init__(self):\n        self.seq = 0\n\n"
+        "    def next(self):\n        return self.seq",
+        "class A:\n    def __init__(self):\n        self.seq = 0\n\n"
+        "    def next(self):\n        return self.seq",
     ),
     ("rospy.signal_shutdown('the end')", "rclpy.try_shutdown()"),
     ("start(rospy.signal_shutdown, 1)", "start(lambda reason: rclpy.try_shutdown(), 1)"),

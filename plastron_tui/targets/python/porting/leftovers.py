@@ -91,7 +91,8 @@ def _mark_attribute(work: Work, node: Node, attributes: Mapping[str, str]) -> No
     while current is not None and current.type == "attribute":
         part = current.child_by_field_name("attribute")
         name = work.slice(part) if part is not None else ""
-        if name in attributes and part is not None and part.id not in work.done:
+        is_own = work.analysis.resolver.attribute_bindings(current, work.scope(current))
+        if name in attributes and part is not None and part.id not in work.done and not is_own:
             work.mark(node, f".{name}", attributes[name])
         current = current.child_by_field_name("object")
 

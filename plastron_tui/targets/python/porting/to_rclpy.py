@@ -10,6 +10,7 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.sources.python.analysis import Site
 from plastron_tui.sources.python.calls import Argument
+from plastron_tui.sources.python.constants import Known
 from plastron_tui.sources.python.scopes import Scope
 
 from .insertion_point import add_header
@@ -127,8 +128,16 @@ def _writers(node: str) -> dict[EndpointKind, Writer]:
 
 
 def _publisher(node: str, work: Work, site: Site, name: str) -> str | None:
-    _mark_options(work, site, {"latch": "`DurabilityPolicy.TRANSIENT_LOCAL` in a `QoSProfile`"})
-    return f"{node}.create_publisher({_type(work, site)}, {name}, {_depth(work, site, 7)})"
+    latch = site.arguments.get(Argument(4, "latch"))
+    depth = _depth(work, site, 7)
+    if latch is not None and work.slice(latch) == "True":
+        # What is latched is the last message alone, however many may wait to be sent.
+        depth = "QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)"
+        work.imports.add("from rclpy.qos import DurabilityPolicy, QoSProfile")
+    elif latch is not None and work.slice(latch) != "False":
+        work.mark(site.call, "latch", "`DurabilityPolicy.TRANSIENT_LOCAL` in a `QoSProfile`")
+    _mark_options(work, site, ("latch", "queue_size"))
+    return f"{node}.create_publisher({_type(work, site)}, {name}, {depth})"
 
 
 def _subscription(node: str, work: Work, site: Site, name: str) -> str | None:
@@ -148,6 +157,7 @@ def _subscription(node: str, work: Work, site: Site, name: str) -> str | None:
         return f"{work.slice(function)}({node}, {type_}, {name})"
     callback = site.arguments.get(Argument(2, "callback"))
     extra = site.arguments.get(Argument(3, "callback_args"))
+    _mark_options(work, site, ("callback", "callback_args", "queue_size"))
     called = work.text(callback) if callback is not None else "lambda message: None"
     if extra is not None and callback is not None:
         called = f"lambda message: {callable_text(called)}(message, {work.text(extra)})"
@@ -158,6 +168,7 @@ def _service(node: str, work: Work, site: Site, name: str) -> str | None:
     handler = site.arguments.get(Argument(2, "handler"))
     if handler is None:
         return None
+    _mark_options(work, site, ("handler",))
     called = work.text(handler)
     function = work.callback_of(site)
     if function is None:
@@ -168,6 +179,7 @@ def _service(node: str, work: Work, site: Site, name: str) -> str | None:
 
 
 def _client(node: str, work: Work, site: Site, name: str) -> str | None:
+    _mark_options(work, site, ())
     return f"{node}.create_client({_type(work, site)}, {name})"
 
 
@@ -176,7 +188,7 @@ def _timer(node: str, work: Work, site: Site, name: str) -> str | None:
     callback = site.arguments.get(Argument(1, "callback"))
     if period is None or callback is None:
         return None
-    _mark_options(work, site, {"oneshot": "cancel the timer when it is called"})
+    _mark_options(work, site, ("callback",))
     called = work.text(callback)
     function = work.callback_of(site)
     if function is None:
@@ -201,14 +213,26 @@ def _type(work: Work, site: Site) -> str:
 def _depth(work: Work, site: Site, position: int) -> str:
     """Write the depth of the queue; rospy's `None` is no end, which ROS 2 does not have."""
     given = site.arguments.get(Argument(position, "queue_size"))
-    text = work.text(given) if given is not None else "10"
-    return "10" if text in ("None", "0") else text
+    folded = work.analysis.resolver.fold(given, site.scope) if given is not None else Known(None)
+    is_endless = isinstance(folded, Known) and folded.value in (None, 0)
+    return "10" if given is None or is_endless else work.text(given)
 
 
-def _mark_options(work: Work, site: Site, options: dict[str, str]) -> None:
-    for name, remedy in options.items():
-        if name in site.arguments.keywords:
-            work.mark(site.call, name, remedy)
+_OPTIONS = {
+    "oneshot": "cancel the timer when it is called",
+    "persistent": "a client of ROS 2 keeps its connection",
+    "tcp_nodelay": "ROS 2 has no such option: its middleware decides",
+    "buff_size": "ROS 2 has no such option: its middleware decides",
+}
+
+
+def _mark_options(work: Work, site: Site, taken: tuple[str, ...]) -> None:
+    """Mark the options of an endpoint that its new call does not take over."""
+    shape = site.shape
+    taken += (shape.name.keyword, shape.type.keyword if shape.type is not None else "")
+    for name, value in site.arguments.keywords.items():
+        if name not in taken and work.slice(value) not in ("None", "False"):
+            work.mark(site.call, name, _OPTIONS.get(name))
 
 
 def _seconds(work: Work, period: Node) -> str:
