@@ -13,6 +13,7 @@ from plastron_tui.sources.python import read_python
 from plastron_tui.targets.python.porting.port import port_python
 
 MARK = "# port by hand: "
+OTHER = {"rospy": "rclpy", "rclpy": "rospy"}
 CATALOGS = {"rospy": Catalog("noetic"), "rclpy": Catalog("kilted")}
 CLASS = (
     "import rclpy\nfrom rclpy.node import Node\n\n\nclass A(Node):\n"
@@ -145,3 +146,21 @@ def test_what_rclpy_runs_a_node_with(before: str, after: str) -> None:
     text = ported(f"{head}{before}\n", "rclpy", "rospy")
     assert text.endswith(f"\n{after}\n")
     assert MARK not in text
+
+
+USED = [
+    ("rospy", "import rospy", "rospy.AnyMsg"),
+    ("rospy", "import rospy", "def f():\n    return rospy.get_param('/x')"),
+    ("rospy", "import rospy\nfrom rospy import AnyMsg", "AnyMsg"),
+    ("rclpy", "import rclpy\nfrom rclpy.time import Time", "Time()"),
+]
+
+
+@pytest.mark.parametrize(("library", "imports", "line"), USED)
+def test_an_import_stays_while_a_marked_line_uses_it(library: str, imports: str, line: str) -> None:
+    made = {"rospy": "rospy.init_node('n')\n", "rclpy": "rclpy.init()\nrclpy.create_node('n')\n"}
+    text = ported(f"{imports}\n{made[library]}{line}\n", library, OTHER[library])
+    assert MARK in text
+    assert f"{imports.splitlines()[-1]}\n" in text
+    text = ported(f"{imports}\n{made[library]}", library, OTHER[library])
+    assert imports.splitlines()[-1] not in text

@@ -142,6 +142,10 @@ class Work:
         """Take a statement away, with all that is in it."""
         self._deleted.append(statement)
 
+    def keep(self, statement: Node) -> None:
+        """Keep a statement that was to be taken away."""
+        self._deleted = [each for each in self._deleted if each.id != statement.id]
+
     def mark(self, node: Node, what: str, remedy: str | None = None) -> None:
         """Note what has to be ported by hand, for the line where it stands."""
         self.marks.append(Mark(node, what, remedy))

@@ -28,7 +28,7 @@ from .rewriting import (
     parameters_of,
     port_sites,
 )
-from .types import port_imports
+from .types import keep_used_imports, port_imports
 
 _GONE = frozenset({"rospy", "roslib"})
 _LEFT = _GONE | {"actionlib", "rosgraph", "rosnode", "rosservice", "rostopic", "rosparam", "genpy"}
@@ -66,6 +66,7 @@ def port_to_rclpy(work: Work) -> None:
     make_node(work, node, in_thread=runs_in_thread)
     port_ending(work, {"shutdown": "cancel"}, _ENDING)
     mark_leftovers(work, _LEFT, _ATTRIBUTES, _remedies(node))
+    keep_used_imports(work, _GONE)
     work.imports.add("import rclpy")
     add_header(work)
 

@@ -30,7 +30,7 @@ from .rewriting import (
     put_before,
 )
 from .rospy_words import port_rospy_words
-from .types import port_imports, target_type
+from .types import keep_used_imports, port_imports, target_type
 
 _GONE = frozenset({"rclpy"})
 _LEFT = _GONE | {"ament_index_python", "launch", "launch_ros", "tf2_ros", "nav2_simple_commander"}
@@ -99,6 +99,7 @@ def port_to_rospy(work: Work) -> None:
     _port_nodes(work)
     port_ending(work, {"cancel": "shutdown"}, _ENDING)
     mark_leftovers(work, _LEFT, {k: v or "" for k, v in _ATTRIBUTES.items()}, _REMEDIES)
+    keep_used_imports(work, _GONE)
     work.imports.add("import rospy")
     add_header(work)
 

@@ -36,6 +36,31 @@ def port_imports(work: Work, roots: frozenset[str]) -> None:
                 _port_types(work, node, name)
 
 
+def keep_used_imports(work: Work, roots: frozenset[str]) -> None:
+    """Keep the imports of the library that the file leaves, where a marked line still uses them."""
+    used = {
+        name
+        for mark in work.marks
+        for node in walk(mark.node)
+        if node.type == "identifier" and node.id not in work.done and not work.is_gone(node)
+        for name in work.qualified(node)
+        if name.partition(".")[0] in roots
+    }
+    for node in [
+        *work.analysis.captures.get("import", []),
+        *work.analysis.captures.get("import_from", []),
+    ]:
+        module = node.child_by_field_name("module_name")
+        names = [
+            each.child_by_field_name("name") or each for each in node.children_by_field_name("name")
+        ]
+        prefix = f"{work.slice(module)}." if module is not None else ""
+        given = {f"{prefix}{work.slice(each)}" for each in names}
+        roots_given = {each.partition(".")[0] for each in given}
+        if given & used or (module is None and roots_given & used):
+            work.keep(node)
+
+
 def _port_plain(work: Work, node: Node, roots: frozenset[str]) -> None:
     """Rewrite `import rospy, sys`."""
     kept = []
