@@ -219,6 +219,10 @@ TO_RCLPY = [
         f"{MARK}buff_size\nnode.create_subscription(String, 't', print, 10)",
     ),
     (
+        "rospy.Timer(rospy.Duration(1), lambda e: print(e), True)",
+        f"{MARK}options\nnode.create_timer(1, lambda: (lambda e: print(e))(None))",
+    ),
+    (
         "p = rospy.ServiceProxy('s', Trigger, headers=h)",
         f"{MARK}headers\np = node.create_client(Trigger, 's')",
     ),

@@ -392,6 +392,10 @@ BACK = [
         "node.get_logger().info('a', once=True)",
         f"{MARK}.get_logger\nnode.get_logger().info('a', once=True)",
     ),
+    (
+        "node.create_timer(1.0, tick, callback_group=group)",
+        f"{MARK}callback_group\nrospy.Timer(rospy.Duration(1.0), lambda event: tick())",
+    ),
     ("log = node.get_logger()", f"{MARK}.get_logger\nlog = node.get_logger()"),
     ("x = rclpy.ok() and y", "x = (not rospy.is_shutdown()) and y"),
     ("x.header.stamp = node.get_clock().now().to_msg()", "x.header.stamp = rospy.Time.now()"),

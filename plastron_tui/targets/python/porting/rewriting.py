@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 from tree_sitter import Node
 
@@ -44,6 +44,30 @@ def port_sites(
         wanted = writers[site.endpoint.kind](work, site, written)
         if wanted is not None:
             work.replace(site.call, wanted)
+
+
+def mark_options(
+    work: Work,
+    site: Site,
+    remedies: Mapping[str, str],
+    taken: Sequence[str],
+    positions: int | None = None,
+) -> None:
+    """Mark the options of an endpoint that its new call does not take over.
+
+    Args:
+        work: the file.
+        site: the endpoint.
+        remedies: what to write instead of options.
+        taken: the keywords that are taken over, beside those of the name and the type.
+        positions: how many positional arguments are, None for any number.
+    """
+    known = {*taken, site.shape.name.keyword, site.shape.type.keyword if site.shape.type else ""}
+    for name, value in site.arguments.keywords.items():
+        if name not in known and work.slice(value) not in ("None", "False"):
+            work.mark(site.call, name, remedies.get(name))
+    if positions is not None and len(site.arguments.positional) > positions:
+        work.mark(site.call, "options")
 
 
 def given_type(work: Work, site: Site) -> str:

@@ -25,6 +25,7 @@ from .rewriting import (
     append_parameter,
     callable_text,
     given_type,
+    mark_options,
     parameters_of,
     port_sites,
 )
@@ -137,7 +138,7 @@ def _publisher(node: str, work: Work, site: Site, name: str) -> str | None:
         work.imports.add("from rclpy.qos import DurabilityPolicy, QoSProfile")
     elif latch is not None and work.slice(latch) != "False":
         work.mark(site.call, "latch", "`DurabilityPolicy.TRANSIENT_LOCAL` in a `QoSProfile`")
-    _mark_options(work, site, ("latch", "queue_size"))
+    mark_options(work, site, _OPTIONS, ("latch", "queue_size"))
     return f"{node}.create_publisher({_type(work, site)}, {name}, {depth})"
 
 
@@ -158,7 +159,7 @@ def _subscription(node: str, work: Work, site: Site, name: str) -> str | None:
         return f"{work.slice(function)}({node}, {type_}, {name})"
     callback = site.arguments.get(Argument(2, "callback"))
     extra = site.arguments.get(Argument(3, "callback_args"))
-    _mark_options(work, site, ("callback", "callback_args", "queue_size"))
+    mark_options(work, site, _OPTIONS, ("callback", "callback_args", "queue_size"))
     called = work.text(callback) if callback is not None else "lambda message: None"
     if extra is not None and callback is not None:
         called = f"lambda message: {callable_text(called)}(message, {work.text(extra)})"
@@ -169,7 +170,7 @@ def _service(node: str, work: Work, site: Site, name: str) -> str | None:
     handler = site.arguments.get(Argument(2, "handler"))
     if handler is None:
         return None
-    _mark_options(work, site, ("handler",))
+    mark_options(work, site, _OPTIONS, ("handler",), 3)
     called = work.text(handler)
     function = work.callback_of(site)
     if function is None:
@@ -180,7 +181,7 @@ def _service(node: str, work: Work, site: Site, name: str) -> str | None:
 
 
 def _client(node: str, work: Work, site: Site, name: str) -> str | None:
-    _mark_options(work, site, ())
+    mark_options(work, site, _OPTIONS, (), 2)
     return f"{node}.create_client({_type(work, site)}, {name})"
 
 
@@ -189,7 +190,7 @@ def _timer(node: str, work: Work, site: Site, name: str) -> str | None:
     callback = site.arguments.get(Argument(1, "callback"))
     if period is None or callback is None:
         return None
-    _mark_options(work, site, ("callback",))
+    mark_options(work, site, _OPTIONS, ("callback",), 2)
     called = work.text(callback)
     function = work.callback_of(site)
     if function is None:
@@ -225,15 +226,6 @@ _OPTIONS = {
     "tcp_nodelay": "ROS 2 has no such option: its middleware decides",
     "buff_size": "ROS 2 has no such option: its middleware decides",
 }
-
-
-def _mark_options(work: Work, site: Site, taken: tuple[str, ...]) -> None:
-    """Mark the options of an endpoint that its new call does not take over."""
-    shape = site.shape
-    taken += (shape.name.keyword, shape.type.keyword if shape.type is not None else "")
-    for name, value in site.arguments.keywords.items():
-        if name not in taken and work.slice(value) not in ("None", "False"):
-            work.mark(site.call, name, _OPTIONS.get(name))
 
 
 def _seconds(work: Work, period: Node) -> str:

@@ -25,6 +25,7 @@ from .rewriting import (
     callable_text,
     first_statement,
     given_type,
+    mark_options,
     parameters_of,
     port_sites,
     put_before,
@@ -76,6 +77,8 @@ _ENDING = {
     "destroy": "`shutdown` of a timer or service, `unregister` of the others",
 }
 
+_OPTIONS = {"callback_group": "rospy calls callbacks in threads of their own"}
+
 _REMEDIES = {
     "rclpy.time": "`rospy.Time`",
     "rclpy.duration": "`rospy.Duration`",
@@ -120,6 +123,7 @@ def _private_name(work: Work, site: Site, name: Node) -> str:
 
 
 def _publisher(work: Work, site: Site, name: str) -> str | None:
+    mark_options(work, site, _OPTIONS, ("qos_profile",))
     depth = _depth(work, site, Argument(2, "qos_profile")) or "10"
     return f"rospy.Publisher({name}, {given_type(work, site)}, queue_size={depth})"
 
@@ -133,6 +137,7 @@ def _subscription(work: Work, site: Site, name: str) -> str | None:
         limit = site.arguments.get(Argument(-1, "time_to_wait"))
         timeout = f", timeout={work.text(limit)}" if limit is not None else ""
         return f"(True, rospy.wait_for_message({name}, {type_}{timeout}))"
+    mark_options(work, site, _OPTIONS, ("callback", "qos_profile"))
     callback = site.arguments.get(Argument(2, "callback"))
     depth = _depth(work, site, Argument(3, "qos_profile"))
     called = f", {work.text(callback)}" if callback is not None else ""
@@ -144,6 +149,7 @@ def _service(work: Work, site: Site, name: str) -> str | None:
     callback = site.arguments.get(Argument(2, "callback"))
     if callback is None:
         return None
+    mark_options(work, site, _OPTIONS, ("callback", "qos_profile"))
     called = work.text(callback)
     function = work.callback_of(site)
     made = _response(work, site)
@@ -153,6 +159,7 @@ def _service(work: Work, site: Site, name: str) -> str | None:
 
 
 def _client(work: Work, site: Site, name: str) -> str | None:
+    mark_options(work, site, _OPTIONS, ("qos_profile",))
     return f"rospy.ServiceProxy({name}, {given_type(work, site)})"
 
 
@@ -160,6 +167,7 @@ def _timer(work: Work, site: Site, name: str) -> str | None:
     callback = site.arguments.get(Argument(1, "callback"))
     if callback is None:
         return None
+    mark_options(work, site, _OPTIONS, ("callback",))
     called = work.text(callback)
     function = work.callback_of(site)
     if function is None or not _take_event(work, function):
