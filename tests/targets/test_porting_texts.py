@@ -301,9 +301,20 @@ TO_RCLPY = [
         "go(lambda: rospy.loginfo_once(x))",
         "go(lambda: node.get_logger().info(str(x), once=True))",
     ),
+    ("t = rospy.Time.now().to_sec()", "t = node.get_clock().now().nanoseconds / 1e9"),
     (
-        "t = rospy.Time.now().to_sec()",
-        f"{MARK}.to_sec; rospy.Time.now\nt = rospy.Time.now().to_sec()",
+        "a = rospy.Time.now()\nb = (rospy.Time.now() - a).to_sec() * 2",
+        "a = node.get_clock().now()\nb = ((node.get_clock().now() - a).nanoseconds / 1e9) * 2",
+    ),
+    (
+        "a = None\na = rospy.Time.now()\nif rospy.Time.now() - a > rospy.Duration(2): pass",
+        "a = None\na = node.get_clock().now()\n"
+        "if node.get_clock().now() - a > Duration(seconds=2): pass",
+    ),
+    (
+        "a = rospy.Time.now()\nprint((rospy.Time.now() - a).to_sec(), a)",
+        f"{MARK}rospy.Time.now\na = rospy.Time.now()\n"
+        f"{MARK}.to_sec; rospy.Time.now\nprint((rospy.Time.now() - a).to_sec(), a)",
     ),
     (
         "p = rospy.ServiceProxy('s', Trigger)\nanswer = p()",

@@ -346,7 +346,8 @@ WORDS = [
         f"{MARK}rospy.Time.now\nmyheader.stamp = rospy.Time.now()",
     ),
     ("x = Header(stamp=rospy.Time.now())", "x = Header(stamp=node.get_clock().now().to_msg())"),
-    ("x = rospy.Time.now()", f"{MARK}rospy.Time.now\nx = rospy.Time.now()"),
+    ("x = rospy.Time.now()", "x = node.get_clock().now()"),
+    ("f(rospy.Time.now())", f"{MARK}rospy.Time.now\nf(rospy.Time.now())"),
     (
         "text.publish('it is %s' % rospy.get_time())",
         "text.publish(String(data='it is %s' % (node.get_clock().now().nanoseconds / 1e9)))",

@@ -19,6 +19,7 @@ from .plain import port_plain
 from .port_state import Work, walk
 from .rclpy_node import make_node, port_running
 from .rclpy_parameters import port_parameters
+from .rclpy_times import port_times
 from .rclpy_words import port_words
 from .rewriting import (
     Writer,
@@ -62,6 +63,7 @@ def port_to_rclpy(work: Work) -> None:
     runs_in_thread = port_running(work, node)
     port_parameters(work, node)
     port_words(work, node)
+    port_times(work, node)
     port_plain(work)
     port_sites(work, _writers(node), _private_name)
     make_node(work, node, in_thread=runs_in_thread)
