@@ -152,6 +152,7 @@ USED = [
     ("rospy", "import rospy", "rospy.AnyMsg"),
     ("rospy", "import rospy", "def f():\n    return rospy.get_param('/x')"),
     ("rospy", "import rospy\nfrom rospy import AnyMsg", "AnyMsg"),
+    ("rospy", "import rospy, sys", "rospy.AnyMsg"),
     ("rclpy", "import rclpy\nfrom rclpy.time import Time", "Time()"),
 ]
 
@@ -164,3 +165,13 @@ def test_an_import_stays_while_a_marked_line_uses_it(library: str, imports: str,
     assert f"{imports.splitlines()[-1]}\n" in text
     text = ported(f"{imports}\n{made[library]}", library, OTHER[library])
     assert imports.splitlines()[-1] not in text
+
+
+def test_an_import_of_a_function_does_not_serve_the_helpers() -> None:
+    text = ported(
+        "import rospy\n\n\ndef f():\n    import traceback\n\n\n"
+        "rospy.init_node('n')\nrospy.spin()\n",
+        "rospy",
+        "rclpy",
+    )
+    assert "\nimport traceback\n" in f"\n{text}"

@@ -276,6 +276,7 @@ TO_RCLPY = [
         (f"x = {call}", f"{MARK}{call.partition('(')[0]}\nx = {call}")
         for call in (
             "rospy.get_param('/x', 1)",
+            "rospy.get_param('robot_description')",
             "rospy.get_param('~' + name)",
             "rospy.get_param('~x', {})",
             "rospy.get_param('~x', [1, 'a'])",

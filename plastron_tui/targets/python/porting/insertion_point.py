@@ -55,7 +55,8 @@ def header_end(work: Work) -> int:
 def add_header(work: Work) -> None:
     """Insert what the file needs at its top: imports that it does not have, and helpers."""
     syntax = work.analysis.syntax
-    present = {line.strip() for line in syntax.text.decode("latin-1").splitlines()}
+    # An import in a function is of that function only.
+    present = {line.rstrip() for line in syntax.text.decode("latin-1").splitlines()}
     present |= {
         f"import {name}"
         for name, bindings in work.analysis.scopes.module.bindings.items()

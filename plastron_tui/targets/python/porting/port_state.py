@@ -143,7 +143,9 @@ class Work:
         self._deleted.append(statement)
 
     def keep(self, statement: Node) -> None:
-        """Keep a statement that was to be taken away."""
+        """Keep a statement as it was, which was to be taken away or rewritten."""
+        place = (statement.start_byte, statement.end_byte)
+        self._splices = [each for each in self._splices if (each.start, each.end) != place]
         self._deleted = [each for each in self._deleted if each.id != statement.id]
 
     def mark(self, node: Node, what: str, remedy: str | None = None) -> None:

@@ -15,6 +15,9 @@ from .port_state import Work
 from .rclpy_node import has_node
 
 _CALLS = ("rospy.get_param", "rospy.has_param", "rospy.set_param")
+_OF_ALL = frozenset({"robot_description", "use_sim_time", "run_id", "rosdistro"})
+"""Parameters that a launch of ROS 1 sets for all nodes, by relative names as well."""
+
 _DESCRIPTOR = "from rcl_interfaces.msg import ParameterDescriptor"
 
 _DECLARE = """\
@@ -124,7 +127,9 @@ def _name(source: str) -> str | None:
         return None
     name = source[1:-1].removeprefix("~").removeprefix("/")
     is_global = source[1:2] == "/"
-    is_name = bool(name) and all(part.isidentifier() for part in name.split("/"))
+    is_name = (
+        name not in _OF_ALL and bool(name) and all(part.isidentifier() for part in name.split("/"))
+    )
     return name.replace("/", ".") if is_name and not is_global else None
 
 
