@@ -62,7 +62,7 @@ AddTwoIntsResponse = AddTwoInts.Response
 
 
 def spin():
-    """Handle what comes, until ROS ends; what a callback raises is logged, as in rospy."""
+    """Handle what comes until ROS ends; log what a callback raises."""
     while rclpy.ok():
         try:
             rclpy.spin(node)

@@ -24,11 +24,12 @@ _DECLARE = """\
 def {declare}(name, default=None):
     \"\"\"Declare a parameter once; it may be of any type, as in rospy.\"\"\"
     if not {node}.has_parameter(name):
-        {node}.declare_parameter(name, default, ParameterDescriptor(dynamic_typing=True))
+        any_type = ParameterDescriptor(dynamic_typing=True)
+        {node}.declare_parameter(name, default, any_type)
 """
 _GET = """\
 def {get}(name, *default):
-    \"\"\"Return a parameter; one that is not set, and has no default, is a KeyError.\"\"\"
+    \"\"\"Return a parameter; one that is not set is a KeyError.\"\"\"
     {declare}(name, *default)
     value = {node}.get_parameter(name).value
     if value is None and not default:
