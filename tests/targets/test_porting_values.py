@@ -8,6 +8,13 @@ import textwrap
 import pytest
 from ported_nodes import MARK, ported
 
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import FieldType
+from plastron_tui.sources.python.calls import LIBRARIES
+from plastron_tui.sources.python.sites import analyze
+from plastron_tui.targets.python.porting.fields import write_fields
+from plastron_tui.targets.python.porting.port_state import Work
+
 HEAD = """\
 import rospy
 import std_msgs.msg
@@ -423,3 +430,11 @@ def test_the_way_back(before: str, after: str) -> None:
     assert text.endswith(f"\n{after}\n")
     assert f"def hear(msg):\n{textwrap.indent(after, '    ')}\n" in text
     assert ("import SetBoolRequest\n" in text) == ("SetBoolRequest" in after)
+
+
+@pytest.mark.parametrize(("field", "is_written"), [("gain", True), ("lambda", False)])
+def test_a_field_that_python_has_a_keyword_for_is_not_named(field: str, is_written: bool) -> None:
+    work = Work(analyze(b"import rospy\n5", LIBRARIES["rospy"]), Catalog("kilted"))
+    value = work.analysis.syntax.root.named_children[1].named_children[0]
+    splices = write_fields(work, [(None, value)], {field: FieldType("float64")})
+    assert (splices is not None) == is_written

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from keyword import iskeyword
 
 from tree_sitter import Node
 
@@ -60,7 +61,8 @@ def write_fields(
         return None
     for (name, value), field in zip(given, [*fields, *[""] * len(given)], strict=False):
         type_ = fields.get(name or field)
-        if type_ is None:
+        # A field may be called `lambda`, which no call can name.
+        if type_ is None or (name is None and iskeyword(field)):
             return None
         found = write_value(work, value, type_, "" if name is not None else f"{field}=", is_sure)
         if found is None:
