@@ -275,7 +275,7 @@ def test_load_and_change_after_handwork(run: Run, here: Path) -> None:
     changed = file.read_text()
     lost = set(text.split("\n")) - set(changed.split("\n"))
     assert lost == {"from std_msgs.msg import String"}
-    assert "from std_msgs.msg import String, Int32\n" in changed
+    assert "from std_msgs.msg import Int32, String\n" in changed
     compile(changed, str(file), "exec")
 
 

@@ -177,7 +177,8 @@ def test_quotes_are_those_of_the_code(quote, code):
         f"# It's {other}so{other} {other}so{other}\n{other * 3}A {other}node{other}.{other * 3}\n"
     )
     text = edited(
-        f"{head}import rospy\n{code}rospy.init_node(NAME)\n", subscribe("t", callback="x")
+        f"{head}import rospy\n{code}rospy.init_node(NAME)\nrospy.spin()\n",
+        subscribe("t", callback="x"),
     )
     assert f"rospy.Subscriber({quote}t{quote}, " in text
 

@@ -167,5 +167,6 @@ ORDERS = {
 @pytest.mark.parametrize("order", ORDERS)
 def test_an_import_goes_where_it_sorts(order: str) -> None:
     before, after = ORDERS[order]
-    text = edited(f"{before}\nrospy.init_node('n')\n", subscribe("text", callback="print"))
+    main = "def hear(message):\n    pass\n\n\nrospy.init_node('n')\nrospy.spin()\n"
+    text = edited(f"{before}\n{main}", subscribe("text", callback="hear"))
     assert text.startswith(f"{after}\n")

@@ -317,7 +317,7 @@ def test_nothing_is_created_at_every_call(case, change):
 @pytest.mark.parametrize("blank", range(4))
 def test_two_blank_lines_are_behind_a_function_that_is_written(blank):
     head = "import rospy\nfrom std_msgs.msg import String\n" + "\n" * blank
-    main = "if __name__ == '__main__':\n    rospy.init_node('n')\n"
+    main = "if __name__ == '__main__':\n    rospy.init_node('n')\n    rospy.spin()\n"
     text = edited(f"{head}{main}", subscribe("text"))
     written, _, _ = text.partition("if __name__")
     assert written.endswith(")" + "\n" * (max(blank, 2) + 1))
