@@ -34,6 +34,7 @@ from .unused_locals import empty_conditions, unused_locals
 _ENDING = frozenset({"destroy", "shutdown", "unregister"})
 _DESTROYING = frozenset(
     {"destroy_client", "destroy_publisher", "destroy_service", "destroy_subscription"}
+    | {"destroy_lifecycle_publisher", "destroy_timer"}
 )
 
 
