@@ -110,8 +110,10 @@ def _check_rename(before: Text, after: Text, change: Rename) -> Iterator[str]:
     texts = [each.source.files.main.splitlines() for each in (before, after)]
     if len(texts[0]) != len(texts[1]):
         yield "changes the number of lines"
+    # rospy writes a private name without the stroke.
+    written = {change.to.encode(), change.to.replace("~/", "~").encode()}
     for was, now in zip(*texts, strict=False):
-        if was != now and change.to.encode() not in now:
+        if was != now and not any(name in now for name in written):
             yield f"changes {was!r} to {now!r}"
 
 
@@ -162,8 +164,8 @@ def _check_removal(before: Text, after: Text, change: Remove) -> Iterator[str]:
 
 
 def _is_gone_local(line: bytes, after: Text) -> bool:
-    """Whether a line only gave a value to a variable that is nowhere any more."""
-    assigned = re.match(rb"\s+(\w+)[\w.]*\s*=", line)
+    """Whether a line only gave a value to, or filled, a variable that is nowhere any more."""
+    assigned = re.match(rb"\s+(\w+)[\w.]*\s*[=(]", line)
     return assigned is not None and not re.search(rb"\b%s\b" % assigned[1], after.source.files.main)
 
 

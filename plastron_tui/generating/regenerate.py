@@ -140,6 +140,9 @@ class Derivation:
         upper, force = place.layers[index + 1 :], self.writing.force
         before = found_by(place, index)
         assert place.present is not None
+        if before != known.written and not force and _asks_the_same(layer, known):
+            # Another version may lay the same out in another way: that is no reason to merge.
+            layer = replace(layer, written=known.written)
         merged = self._with_handwork(place, known, before, layer)
         if merged.files is None:
             problem = unmergeable(place.shown, merged.reason)
@@ -204,3 +207,9 @@ class Derivation:
             made = merge(read.only(node.source.label), base, node, target, catalog)
             merged = Merged(made.files, made.reason, (*merged.notes, *made.all_notes))
         return merged
+
+
+def _asks_the_same(layer: Layer, known: Layer) -> bool:
+    """Tell whether a program asks for what it asked for before, of the same files."""
+    fields = ("text", "base", "original", "origin", "seen")
+    return all(getattr(layer, each) == getattr(known, each) for each in fields)

@@ -14,6 +14,9 @@ from .references import statement_of
 from .splices import Splice, apply, line_start
 from .syntax import Syntax, parse, parts_of
 
+# PEP 8, black, and what teams agree on.
+_USUAL = (ROS_1, 88, 100, 120)
+
 # So many broken calls tell how a file breaks them.
 _MOST_CALLS = 200
 _MOST_LINES = 200
@@ -70,9 +73,10 @@ def _is_like(line: str, other: str) -> bool:
 
 
 def _longest(text: bytes) -> int:
-    """Return the length of the longest line of code; PEP 8 allows no less."""
+    """Return the usual limit that the lines of code keep to."""
     code = (line.rstrip() for line in text.splitlines() if not line.lstrip().startswith(b"#"))
-    return max(ROS_1, max((len(line.decode("utf-8", "replace")) for line in code), default=0))
+    longest = max((len(line.decode("utf-8", "replace")) for line in code), default=0)
+    return next((each for each in _USUAL if longest <= each), longest)
 
 
 def _wrap(syntax: Syntax, start: int, end: int, style: Brackets) -> list[Splice]:
