@@ -27,7 +27,7 @@ from .adding import plan_addition
 from .analysis import Analysis, Site
 from .dialect import Dialect
 from .imports import unused_imports
-from .lost import options_of, written_anew
+from .lost import options_of, or_renames, written_anew
 from .messages import CannotAddError
 from .nodes import group, labels_of, part_of
 from .removal import find_sites, plan_removal
@@ -209,7 +209,10 @@ class Edits:
         except (CannotAddError, NotInPlaceError):
             self.analysis, self.expected = before, expected
             remove, add = change.apart
-            self._remove(remove)
+            try:
+                self._remove(remove)
+            except RefusedError as refusal:
+                raise RefusedError(or_renames(refusal.diagnostic, change)) from None
             self._add(add)
 
     def _differs_in_name(self, change: Update) -> bool:

@@ -6,6 +6,7 @@ from tree_sitter import Node
 
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.kinds import Endpoint, EndpointKind, kind_of
+from plastron_tui.model.source import Update
 
 from .analysis import Analysis, Site
 from .scopes import BindingKind
@@ -65,6 +66,18 @@ def is_computed(analysis: Analysis, expression: Node) -> bool:
 
 def written_anew(message: str, endpoint: Endpoint, old: str) -> Diagnostic:
     """Return the warning that something of an endpoint goes, and what keeps it."""
-    noun, new = kind_of(type(endpoint)).facts.named, endpoint.name
-    help_ = f"`renames {noun} '{old}' to '{new}'` keeps it" if old != new else None
+    help_ = f"{_renames(endpoint, old)} keeps it" if old != endpoint.name else None
     return Diagnostic(codes.WRITTEN_ANEW, message, endpoint.span, help=help_)
+
+
+def or_renames(refusal: Diagnostic, change: Update) -> Diagnostic:
+    """Let a refusal offer to change the name and nothing else, where that is what differs."""
+    if refusal.code is not codes.ENDPOINT_IN_USE or change.name == change.endpoint.name:
+        return refusal
+    said = _renames(change.endpoint, change.name)
+    return refusal._replace(help=f"{refusal.help}, or keep them: {said}")
+
+
+def _renames(endpoint: Endpoint, old: str) -> str:
+    noun = kind_of(type(endpoint)).facts.named
+    return f"`renames {noun} '{old}' to '{endpoint.name}'`"

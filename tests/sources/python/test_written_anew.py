@@ -101,3 +101,11 @@ def test_locals_that_served_what_is_gone(tmp_path: Path, before: str) -> None:
 
     text, _ = told(tmp_path, placed(before), TAKE)
     assert text == placed(LOCALS[before]).replace("'a'", "'b'")
+
+
+def test_a_use_that_stands_in_the_way_is_kept_by_a_new_name(tmp_path: Path) -> None:
+    body = "p = rospy.Publisher('a', Int32, queue_size=1)\nprint(p.name)\n"
+    outcome = Outcome(tmp_path, "rospy", HEAD + body, TAKE)
+    assert [str(each.code) for each in outcome.found] == ["endpoint-in-use"]
+    help_ = "change this line in the file first, or keep them: `renames topic 'a' to 'b'`"
+    assert [each.help for each in outcome.found] == [help_]
