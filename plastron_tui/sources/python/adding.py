@@ -31,12 +31,13 @@ from .conventions import (
 from .dialect import Dialect
 from .existing_callbacks import check_parameters, existing_callback
 from .function_place import FunctionPlace, function_place, method_place
-from .insertion_point import beside, find_place, is_attribute_style, running_place
+from .insertion_point import beside, find_place, holds_handles, is_attribute_style, running_place
 from .lifecycle import destroy_created, is_transition
 from .messages import CannotAddError
 from .removal import callback_scope
 from .scopes import Scope
 from .sending import add_calls, add_publishing, keep_running
+from .signatures import parameter_names, signatures_of
 from .writing import Writer
 
 _METHODS = {
@@ -180,6 +181,8 @@ def _variable(added: Addition, model: Site | None) -> str:
         if model is not None:
             is_local = not is_attribute and added.place.scope.parent is not None
             is_held = not is_local and target_name(added.analysis, model) is not None
+        elif holds_handles(added.analysis, added.place, added.kind):
+            is_held = is_attribute
         if not is_held:
             return ""
     wanted = variable_naming(added.analysis, added.kind).name(added.name)
@@ -291,11 +294,24 @@ def callback_place(added: Addition) -> FunctionPlace:
 
 
 def _stub(added: Addition, name: str, interface: Interface) -> list[str]:
-    first = f"{added.place.self_name}, " if added.place.owner is not None else ""
+    """Return the lines of a callback that logs what it gets, as the file writes its callbacks."""
+    manner, messages = signatures_of(added.analysis, added.kind), added.messages
+    own = [(added.place.self_name, "")] if added.place.owner is not None else []
     if added.kind is EndpointKind.SUBSCRIPTION:
-        return [f"def {name}({first}message):", "\t" + added.log("info", "message")]
-    log = "\t" + added.log("info", "request")
-    if added.is_rclpy:
-        return [f"def {name}({first}request, response):", log, "\treturn response"]
-    response = added.messages.response(interface)
-    return [f"def {name}({first}request):", log, f"\treturn {response}"]
+        takes = ["message"]
+        does, types, returns = f"Log what comes over {added.label}.", [""], "None"
+        if manner.says_types:
+            types = [messages.type_class(interface)]
+    else:
+        takes = ["request", "response"] if added.is_rclpy else ["request"]
+        does, response = f"Answer {added.label}.", messages.response(interface)
+        returns = response.removesuffix("()")
+        types = [messages.request_class(interface) if manner.says_types else "", returns]
+    names = parameter_names(added.analysis, added.kind, takes)
+    lines = [manner.head(name, [*own, *zip(names, types, strict=False)], returns)]
+    if manner.is_documented:
+        lines.append(f'\t"""{does}"""')
+    lines.append("\t" + added.log("info", names[0]))
+    if added.kind is EndpointKind.SERVICE:
+        lines.append(f"\treturn {names[1] if added.is_rclpy else response}")
+    return lines

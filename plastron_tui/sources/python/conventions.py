@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from tree_sitter import Node
@@ -19,13 +20,15 @@ _WORDS = {
     EndpointKind.PUBLISHER: ("pub", "publisher"),
     EndpointKind.SUBSCRIPTION: ("sub", "subscriber", "subscription"),
     EndpointKind.SERVICE: ("srv", "service", "server"),
-    EndpointKind.CLIENT: ("client", "proxy", "srv", "service"),
+    EndpointKind.CLIENT: ("client", "cli", "proxy", "srv", "service"),
+    EndpointKind.TIMER: ("timer",),
 }
 _USUAL = {
     EndpointKind.PUBLISHER: "pub",
     EndpointKind.SUBSCRIPTION: "sub",
     EndpointKind.SERVICE: "service",
     EndpointKind.CLIENT: "client",
+    EndpointKind.TIMER: "timer",
 }
 _BEFORE = frozenset({"on", "handle", "process"})
 _CALLBACK_WORDS = ("callback", "cb", "handler", "handle", "on", "process", "received")
@@ -147,18 +150,40 @@ def variable_naming(analysis: Analysis, kind: EndpointKind) -> Naming:
                 if wanted is not kind:
                     word = _like(word, kind)
                 return _joined(before, word, after, is_camel)
-    return _plain(kind)
+    held = [name for scope in analysis.scopes.classes() for name in scope.attributes]
+    return Naming(_private(held), f"_{_USUAL[kind]}")
 
 
-def _plain(kind: EndpointKind) -> Naming:
-    return Naming("", f"_{_USUAL[kind]}")
+def _private(names: Sequence[str]) -> str:
+    """Return the underscore that most of some names begin with, "" where they do not."""
+    private = sum(name.startswith("_") for name in names)
+    return "_" if private > 1 and private * 2 > len(names) else ""
+
+
+def method_naming(analysis: Analysis, word: str) -> Naming:
+    """Return how the file would name a function that only ROS calls, and that a word begins."""
+    functions = [scope.name for scope in analysis.scopes.all if scope.kind == "function"]
+    camel = sum(_CAMEL.fullmatch(name) is not None for name in functions)
+    is_camel = camel > sum("_" in name.strip("_") for name in functions)
+    word = f"{_method_prefix(analysis)}{word}"
+    return Naming(word if is_camel else f"{word}_", "", is_camel)
+
+
+def _method_prefix(analysis: Analysis) -> str:
+    called = [site.endpoint.callback for site in analysis.sites if site.endpoint.callback]
+    methods = [
+        scope.name
+        for scope in analysis.scopes.all
+        if scope.self_name and not scope.name.startswith("__")
+    ]
+    return _private(called) if len(called) > 1 else _private(methods)
 
 
 def _like(word: str, kind: EndpointKind) -> str:
     """Return the word of another kind that goes with one: `subscriber` with `publisher`."""
-    usual = _WORDS[kind][1] if len(word) > len("proxy") else _USUAL[kind]
-    if kind is EndpointKind.CLIENT:
-        usual = _USUAL[kind]
+    usual = _USUAL[kind]
+    if kind not in (EndpointKind.CLIENT, EndpointKind.TIMER):
+        usual = _WORDS[kind][len(word) > len("proxy")]
     return usual.capitalize() if word[:1].isupper() else usual
 
 
@@ -200,11 +225,7 @@ def callback_naming(analysis: Analysis, kind: EndpointKind) -> Naming:
             found = _split(name, _CALLBACK_WORDS)
             if found is not None:
                 return _joined(*found)
-    word = "handle" if kind is EndpointKind.SERVICE else "on"
-    functions = [scope.name for scope in analysis.scopes.all if scope.kind == "function"]
-    camel = sum(_CAMEL.fullmatch(name) is not None for name in functions)
-    is_camel = camel > sum("_" in name.strip("_") for name in functions)
-    return Naming(word if is_camel else f"{word}_", "", is_camel)
+    return method_naming(analysis, "handle" if kind is EndpointKind.SERVICE else "on")
 
 
 def target_name(analysis: Analysis, site: Site) -> str | None:

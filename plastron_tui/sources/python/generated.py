@@ -133,7 +133,7 @@ def is_publishing_function(
     analysis: Analysis, function: Scope, publishing: list[Reference]
 ) -> bool:
     """Whether a function does nothing but fill in messages and send them on one publisher."""
-    if not function.name.startswith("publish_") or has_comments(function):
+    if not function.name.lstrip("_").startswith("publish") or has_comments(function):
         return False
     sending = {reference.statement.id for reference in publishing}
     statements = body_of(function)
@@ -161,7 +161,7 @@ _CALLING = frozenset(
 def is_calling_function(analysis: Analysis, function: Scope) -> bool:
     """Whether a function does what Plastron writes to call one service, and nothing else."""
     block = function.node.child_by_field_name("body")
-    if not function.name.startswith("call_") or has_comments(function) or block is None:
+    if not function.name.lstrip("_").startswith("call") or has_comments(function) or block is None:
         return False
     if "once it is there, and log its answer." not in analysis.syntax.slice(block)[:200]:
         return False

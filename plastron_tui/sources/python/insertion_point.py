@@ -192,12 +192,16 @@ def beside(analysis: Analysis, site: Site) -> Place | None:
     statement = _climb(statement_of(site.call))
     if statement is None:
         return None
-    waiting = f"{target_name(analysis, site)}.wait_for_".encode()
-    while (following := statement.next_named_sibling) is not None and (
-        following.text or b""
-    ).startswith(waiting):
+    name = target_name(analysis, site) or ""
+    while (following := statement.next_named_sibling) is not None and _goes_with(following, name):
         statement = following
     return _place(analysis, statement, site.scope, site.receiver, site)
+
+
+def _goes_with(statement: Node, name: str) -> bool:
+    """Whether a statement waits for an endpoint, or only names it to have it used."""
+    text = statement.text or b""
+    return bool(name) and (text == name.encode() or text.startswith(f"{name}.wait_for_".encode()))
 
 
 def place_behind(analysis: Analysis, place: Place, node: Node) -> Place | None:
@@ -340,6 +344,21 @@ def is_attribute_style(analysis: Analysis, place: Place, kind: EndpointKind) -> 
         and (name := target_name(analysis, site)) is not None
     ]
     return not names or any("." in name for name in names)
+
+
+def holds_handles(analysis: Analysis, place: Place, kind: EndpointKind) -> bool:
+    """Whether a function's endpoints of a kind, or else all, are attributes, used or not."""
+    beside = [
+        site
+        for site in analysis.sites
+        if site.endpoint.kind in _KINDS and site.scope.enclosing("function") is place.scope
+    ]
+    for kinds in ((kind,), set(_KINDS) - set(_HELD)):
+        sites = [site for site in beside if site.endpoint.kind in kinds]
+        if sites:
+            names = [target_name(analysis, site) for site in sites]
+            return all(name is not None and "." in name for name in names)
+    return False
 
 
 def _is_repeated(site: Site) -> bool:

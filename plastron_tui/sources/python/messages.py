@@ -68,8 +68,11 @@ class Messages:
 
     def request(self, interface: Interface, value: MessageValue) -> str:
         """Write a request of a service."""
-        class_ = self._dialect.request(interface.name, self._imports)
-        return f"{class_}({self._arguments(interface, value)})"
+        return f"{self.request_class(interface)}({self._arguments(interface, value)})"
+
+    def request_class(self, interface: Interface) -> str:
+        """Return the class of a service's requests."""
+        return self._dialect.request(interface.name, self._imports)
 
     def response(self, interface: Interface) -> str:
         """Write the default response of a service."""

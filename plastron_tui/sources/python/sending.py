@@ -14,11 +14,13 @@ from plastron_tui.ros.interfaces import InterfaceKind
 
 from . import literals, naming
 from .addition import Addition
-from .conventions import leading_space
+from .conventions import leading_space, method_naming, variable_naming
 from .function_place import function_place, method_place
+from .insertion_point import holds_handles
 from .lifecycle import is_transition
 from .own_loop import is_sleep, own_block, statements_of
 from .removal import callback_scope
+from .signatures import parameter_names, signatures_of
 from .splices import line_end, line_start
 
 
@@ -84,18 +86,27 @@ def _sending(added: Addition, publication: Publication, variable: str, is_named:
 
 def _timer(added: Addition, rate: float, publications: list[Publication]) -> list[str]:
     """Publish in a timer of its own; return the lines that follow the creation."""
-    method = added.free_name(f"publish_{naming.words(added.name)}")
-    body = [f'"""Publish to {added.label}; called at its rate."""']
+    method = added.free_name(method_naming(added.analysis, "publish").name(added.name))
+    is_silent = signatures_of(added.analysis, EndpointKind.TIMER).is_silent
+    summary = "" if is_silent else f"Publish to {added.label}."
+    body: list[str] = []
     for publication in publications:
         body += _sending(added, publication, "message", True)
-    callback, lines = _function(added, method, "" if added.is_rclpy else "event", body)
+    callback, lines = _function(added, method, summary, body)
     period = _period(rate)
     added.writer.endpoints.append((EndpointKind.TIMER, _timer_name(added, period), "None", method))
-    holder = ""
-    if is_transition(added.analysis, added.place):
-        timer = added.free_name(f"{naming.words(added.name)}_timer")
-        holder = f"{added.place.self_name}.{timer} = "
-    return [*lines, f"{holder}{_timer_call(added, period, callback)})"]
+    timer = f"{_timer_call(added, period, callback)})"
+    is_held = holds_handles(added.analysis, added.place, EndpointKind.TIMER)
+    if is_transition(added.analysis, added.place) or is_held:
+        return [*lines, f"{_timer_variable(added)} = {timer}"]
+    return [*lines, timer]
+
+
+def _timer_variable(added: Addition) -> str:
+    """Return the attribute of the node, or the variable, that a timer is held by."""
+    name = added.free_name(variable_naming(added.analysis, EndpointKind.TIMER).name(added.name))
+    holder, dot, _ = added.variable.rpartition(".")
+    return f"{holder}{dot}{name}"
 
 
 def _timer_call(added: Addition, period: str, callback: str) -> str:
@@ -119,14 +130,17 @@ def _period(rate: float) -> str:
     return seconds if len(seconds) <= 6 else f"1.0 / {literals.number(rate)}"
 
 
-def _function(
-    added: Addition, name: str, parameters: str, body: list[str]
-) -> tuple[str, list[str]]:
-    """Write a method, or return the lines of a function that sees the local variables."""
+def _function(added: Addition, name: str, summary: str, body: list[str]) -> tuple[str, list[str]]:
+    """Write a timer's method, or return the lines of a function that sees the local variables."""
     self_name = added.place.self_name
+    manner = signatures_of(added.analysis, EndpointKind.TIMER)
+    taken = () if added.is_rclpy else parameter_names(added.analysis, EndpointKind.TIMER, ["event"])
+    parameters = [(each, "") for each in taken]
+    if summary:
+        body = [f'"""{summary}"""', *body]
     if added.is_method_place and "." in added.variable:
-        listed = f"{self_name}, {parameters}" if parameters else self_name
-        lines = [f"def {name}({listed}):", *("\t" + line for line in body)]
+        head = manner.head(name, [(self_name, ""), *parameters], "None")
+        lines = [head, *("\t" + line for line in body)]
         senders = [
             scope
             for site in added.analysis.sites
@@ -135,7 +149,7 @@ def _function(
         ]
         added.writer.function(method_place(added.analysis, added.place, senders), lines)
         return f"{self_name}.{name}", []
-    lines = [f"def {name}({parameters}):", *("\t" + line for line in body)]
+    lines = [manner.head(name, parameters, "None"), *("\t" + line for line in body)]
     if added.place.scope.parent is None:
         gap = added.writer.conventions.blank_lines
         added.writer.function(function_place(added.analysis, added.place, (), gap), lines)
@@ -152,47 +166,46 @@ def add_calls(added: Addition, client: Client) -> list[str]:
     requests = [added.messages.request(interface, request) for request in client.requests]
     if _call_in_own_method(added, requests):
         return []
-    words = naming.words(added.name)
-    name = added.free_name(f"call_{words}")
-    summary = f'"""Call {added.label} once it is there, and log its answer."""'
+    name = added.free_name(method_naming(added.analysis, "call").name(added.name))
+    summary = f"Call {added.label} once it is there, and log its answer."
     if added.is_rclpy:
         return _call_rclpy(added, name, summary, requests)
     errors = [
         added.rospy(error, in_callback=not added.is_nested)
         for error in ("ROSException", "ServiceException")
     ]
-    body = [summary, "try:", f"\t{added.variable}.wait_for_service(timeout=10.0)"]
+    body = ["try:", f"\t{added.variable}.wait_for_service(timeout=10.0)"]
     for request in requests:
         body.append(f"\tresponse = {added.variable}({request})")
         body.append("\t" + added.log("info", "response", in_callback=not added.is_nested))
     body.append(f"except ({', '.join(errors)}) as error:")
     body.append("\t" + added.log("error", "error", in_callback=not added.is_nested))
-    callback, lines = _function(added, name, "event", body)
+    callback, lines = _function(added, name, summary, body)
     added.writer.endpoints.append((EndpointKind.TIMER, _timer_name(added, "0.1"), "None", name))
     return [*lines, f"{_timer_call(added, '0.1', callback)}, oneshot=True)"]
 
 
 def _call_rclpy(added: Addition, name: str, summary: str, requests: list[str]) -> list[str]:
     """Call once from a timer, so that the node goes on while the service answers."""
-    timer = added.free_name(f"{naming.words(added.name)}_timer")
-    holder, dot, _ = added.variable.rpartition(".")
-    timer = f"{holder}{dot}{timer}"
+    timer = _timer_variable(added)
     receiver = added.place.receiver
     quote = added.writer.conventions.quote
+    # A call that waits would hold up all else that the node does.
     body = [
-        summary,
-        f"{timer}.cancel()",
-        f"if not {added.variable}.wait_for_service(timeout_sec=10.0):",
-        f"\t{receiver}.get_logger().error({quote}{added.label}: the service is not there{quote})",
+        f"if not {added.variable}.service_is_ready():",
+        f"\t{receiver}.get_logger().info(",
+        f"\t\t{quote}{added.label}: waiting for the service{quote}, throttle_duration_sec=10.0",
+        "\t)",
         "\treturn",
+        f"{timer}.cancel()",
     ]
-    logged = f"f{quote}{added.label}: {{future.result()}}{quote}"
+    logged = f"f{quote}{added.label}: {{done.result()}}{quote}"
     for request in requests:
         body.append(f"future = {added.variable}.call_async({request})")
         body.append("future.add_done_callback(")
-        body.append(f"\tlambda future: {receiver}.get_logger().info({logged})")
+        body.append(f"\tlambda done: {receiver}.get_logger().info({logged})")
         body.append(")")
-    callback, lines = _function(added, name, "", body)
+    callback, lines = _function(added, name, summary, body)
     added.writer.endpoints.append((EndpointKind.TIMER, _timer_name(added, "0.1"), "None", name))
     return [*lines, f"{timer} = {_timer_call(added, '0.1', callback)})"]
 

@@ -43,8 +43,8 @@ ADDITIONS = {
             ("import String\n", "import Int32, String\n"),
             ("self.in_cb)\n", "self.in_cb)\n"
                              "        rospy.Subscriber('other', Int32, self.other_cb)\n"),
-            ("publish(msg)\n", "publish(msg)\n\n    def other_cb(self, message):\n"
-                               "        rospy.loginfo('other: %s', message)\n"),
+            ("publish(msg)\n", "publish(msg)\n\n    def other_cb(self, msg):\n"
+                               "        rospy.loginfo('other: %s', msg)\n"),
         ],
     ),
     "a subscription that calls what is there": (

@@ -152,8 +152,8 @@ CASES = {
         [
             ("on_a, 10)\n", "on_a, 10)\n        self.in_sub = "
                             "node.create_subscription(String, 'in', self.on_in, 10)\n"),
-            ("msg.data)\n", "msg.data)\n\n    def on_in(self, message):\n"
-                            "        print(f'in: {message}')\n"),
+            ("msg.data)\n", "msg.data)\n\n    def on_in(self, msg):\n"
+                            "        print(f'in: {msg}')\n"),
         ],
     ),
     "a timer stands where the node is seen": (
@@ -163,10 +163,9 @@ CASES = {
             "on_a, 10)\n",
             "on_a, 10)\n        self.out_pub = node.create_publisher(String, 'out', 10)\n\n"
             "        def publish_out():\n"
-            "            \"\"\"Publish to out; called at its rate.\"\"\"\n"
             "            message = String(data='hi')\n"
             "            self.out_pub.publish(message)\n\n"
-            "        node.create_timer(0.1, publish_out)\n",
+            "        self.out_timer = node.create_timer(0.1, publish_out)\n",
         )],
     ),
     "what a function imports is not imported again": (

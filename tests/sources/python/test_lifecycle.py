@@ -46,7 +46,7 @@ CHANGES = {
         ["self.destroy_publisher(self.x_pub)", "self.destroy_timer(self.x_timer)"],
     ),
     "a subscription": (subscribe("x"), ["self.destroy_subscription(self.x_sub)"]),
-    "a service": (provide("x"), ["self.destroy_service(self.x_service)"]),
+    "a service": (provide("x"), ["self.destroy_service(self.x_srv)"]),
     "a call": (
         request("x", "std_srvs/Trigger"),
         ["self.destroy_client(self.x_client)", "self.destroy_timer(self.x_timer)"],

@@ -185,7 +185,7 @@ SEND = "n stop_publishing to 'a'\nn publish off to 'a' of message_type String"
 OFF = "-    p.publish('on')  # on\n+    p.publish(String(data='off'))  # on"
 OFF_BY_TIMER = """
 +def publish_a(event):
-+    \"\"\"Publish to a; called at its rate.\"\"\"
++    \"\"\"Publish to a.\"\"\"
 +    message = String(data='off')
 +    p.publish(message)
 +rospy.Timer(rospy.Duration(0.5), publish_a)
@@ -215,7 +215,7 @@ SMALL = {
     "a new callback is written": (
         "def g(m): print(m)\nrospy.Subscriber('a', String, g, queue_size=3)\n",
         CALLBACK,
-        "+def f(message):\n+    rospy.loginfo('a: %s', message)\n"
+        "+def f(m):\n+    rospy.loginfo('a: %s', m)\n"
         "-rospy.Subscriber('a', String, g, queue_size=3)\n"
         "+rospy.Subscriber('a', String, f, queue_size=3)",
     ),

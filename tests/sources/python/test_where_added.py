@@ -239,7 +239,7 @@ PLACES = {
         LIFECYCLE,
         provide("stop"),
         "        self.sub = self.create_subscription(String, 'in', self.on_in, 10)\n"
-        "        self.stop_service = self.create_service(Trigger, 'stop', self.handle_stop)\n",
+        "        self.stop_srv = self.create_service(Trigger, 'stop', self.handle_stop)\n",
     ),
     "not where a callback makes an action's client": (
         ACTION_IN_CALLBACK,

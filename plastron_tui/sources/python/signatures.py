@@ -1,0 +1,107 @@
+"""How a file writes its functions: what they call what they get, its types, what they do."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from tree_sitter import Node
+
+from plastron_tui.model.source import EndpointKind
+
+from .analysis import Analysis
+from .removal import callback_scope
+from .scopes import Scope
+from .syntax import parts_of
+
+_TYPED = frozenset({"typed_parameter", "typed_default_parameter"})
+# A file of fewer functions tells nothing by what they leave out.
+_FEW = 2
+
+
+@dataclass(frozen=True, slots=True)
+class Signatures:
+    """How the functions of a file are written.
+
+    Attributes:
+        says_types: whether most of them say the types of what they get.
+        says_returns: whether most of them say what they return.
+        is_documented: whether most of them say what they do.
+        is_silent: whether none of them does.
+    """
+
+    says_types: bool
+    says_returns: bool
+    is_documented: bool
+    is_silent: bool
+
+    def head(self, name: str, parameters: Iterable[tuple[str, str]], returns: str) -> str:
+        """Return the first line of a function.
+
+        Args:
+            name: the function's name.
+            parameters: names, each with its type, "" for one that has none.
+            returns: the type of what it returns.
+        """
+        listed = ", ".join(
+            f"{each}: {type_}" if type_ and self.says_types else each for each, type_ in parameters
+        )
+        end = f" -> {returns}" if returns and self.says_returns else ""
+        return f"def {name}({listed}){end}:"
+
+
+def signatures_of(analysis: Analysis, kind: EndpointKind) -> Signatures:
+    """Find out how a file writes its functions, above all the callbacks of a kind."""
+    functions = [scope for scope in analysis.scopes.all if scope.node.type == "function_definition"]
+    models = _callbacks(analysis, (kind,)) or _callbacks(analysis, EndpointKind) or functions
+    taking = [scope for scope in models if _parameters(scope)]
+    documented = sum(map(_is_documented, functions))
+    return Signatures(
+        _are_most([any(each.type in _TYPED for each in _parameters(scope)) for scope in taking]),
+        _are_most([scope.node.child_by_field_name("return_type") is not None for scope in models]),
+        documented * 2 > len(functions),
+        not documented and len(functions) >= _FEW,
+    )
+
+
+def parameter_names(analysis: Analysis, kind: EndpointKind, usual: Sequence[str]) -> list[str]:
+    """Return what the callbacks of a kind call what they get, as most of the file's do."""
+    found: list[Counter[str]] = [Counter() for _ in usual]
+    for scope in _callbacks(analysis, (kind,)):
+        for count, each in zip(found, _parameters(scope), strict=False):
+            inner = each.named_children[0] if each.type == "typed_parameter" else each
+            name = analysis.syntax.slice(inner)
+            if inner.type == "identifier" and not name.startswith("_"):
+                count[name] += 1
+    names = [
+        count.most_common(1)[0][0] if count else each
+        for count, each in zip(found, usual, strict=True)
+    ]
+    return names if len({*names}) == len(names) else list(usual)
+
+
+def _callbacks(analysis: Analysis, kinds: Iterable[EndpointKind]) -> list[Scope]:
+    found: dict[int, Scope] = {}
+    wanted = set(kinds)
+    for site in analysis.sites:
+        scope = callback_scope(analysis, site) if site.endpoint.kind in wanted else None
+        if scope is not None and scope.node.type == "function_definition":
+            found[scope.node.id] = scope
+    return list(found.values())
+
+
+def _parameters(scope: Scope) -> list[Node]:
+    """Return the parameters of a function, the object of a method left out."""
+    return parts_of(scope.node.child_by_field_name("parameters"))[1 if scope.self_name else 0 :]
+
+
+def _is_documented(scope: Scope) -> bool:
+    first = next(iter(parts_of(scope.node.child_by_field_name("body"))), None)
+    if first is None or first.type != "expression_statement":
+        return False
+    return first.named_children[0].type in ("string", "concatenated_string")
+
+
+def _are_most(said: Sequence[bool]) -> bool:
+    return sum(said) * 2 > len(said)
