@@ -31,13 +31,14 @@ from .conventions import (
 from .dialect import Dialect
 from .existing_callbacks import check_parameters, existing_callback
 from .function_place import FunctionPlace, function_place, method_place
-from .insertion_point import beside, find_place, holds_handles, is_attribute_style, running_place
+from .insertion_point import beside, find_place, running_place
 from .lifecycle import destroy_created, is_transition
 from .messages import CannotAddError
 from .removal import callback_scope
 from .scopes import Scope
 from .sending import add_calls, add_publishing, keep_running
 from .signatures import parameter_names, signatures_of
+from .surroundings import holds_handles, is_attribute_style, starts_section
 from .writing import Writer
 
 _METHODS = {
@@ -99,7 +100,8 @@ def plan_addition(
     destroy_created(added, lines)
     functions, writer.splices = writer.splices, []
     if lines:
-        writer.lines(added.place.offset, added.place.indent, lines)
+        gap = [""] if starts_section(analysis, added.place, kind) else []
+        writer.lines(added.place.offset, added.place.indent, [*gap, *lines])
     # A method may go right behind the statements: these come first then.
     imported = added.imports.splices()
     writer.has_imports = bool(imported)
@@ -249,6 +251,8 @@ def _queue(added: Addition, model: Site | None) -> str:
     at = Argument(position if added.is_rclpy else -1, keyword)
     given = model.arguments.get(at) if model is not None else None
     text = added.analysis.syntax.slice(given) if given is not None else ""
+    if alike := _given_for_same(added, at):
+        return alike
     if _QUEUE.match(text):
         return text
     beside = _given_beside(added, at)
@@ -256,6 +260,25 @@ def _queue(added: Addition, model: Site | None) -> str:
         return text
     is_needed = added.is_rclpy or added.kind is EndpointKind.PUBLISHER
     return "10" if is_needed else ""
+
+
+def _given_for_same(added: Addition, at: Argument) -> str:
+    """Return the profile of what has the same type and callback: it is to hear the same.
+
+    Best effort, as sensors have it, hears every publisher: there the type is enough.
+    """
+    if not added.is_rclpy or not isinstance(added.endpoint, Subscription):
+        return ""
+    callback = added.endpoint.callback
+    found = {
+        added.analysis.syntax.slice(given): site.endpoint.callback
+        for site in added.analysis.sites
+        if site.endpoint.kind is added.kind and site.endpoint.type == added.endpoint.type
+        if site.scope is added.place.scope and (given := site.arguments.get(at)) is not None
+    }
+    text, called = next(iter(found.items())) if len(found) == 1 else ("", None)
+    is_fitting = _NAME.fullmatch(text) is not None and not text.isdigit()
+    return text if is_fitting and (called == callback or "sensor" in text.lower()) else ""
 
 
 def callback_for(added: Addition, interface: Interface) -> str:

@@ -17,7 +17,7 @@ from .scopes import Scope
 from .splices import before_comments, line_end, line_start
 from .syntax import parts_of
 
-_KINDS = (
+KINDS = (
     EndpointKind.PUBLISHER,
     EndpointKind.SUBSCRIPTION,
     EndpointKind.SERVICE,
@@ -28,8 +28,6 @@ _KINDS = (
 )
 # Behind these nothing runs, or not while the node does.
 _LAST = frozenset({"while_statement", "return_statement", "raise_statement"})
-# What has no use unless something holds it.
-_HELD = (EndpointKind.PUBLISHER, EndpointKind.CLIENT)
 # What is around an endpoint and yet runs exactly once.
 _RUNS_ONCE = frozenset({"try_statement", "with_statement"})
 # More statements on one line than anybody writes; looking for the next takes the number of all.
@@ -67,7 +65,7 @@ def find_place(analysis: Analysis, kind: EndpointKind) -> Place | None:
     starting = Starting(analysis)
     last: dict[tuple[bool, When], Place] = {}
     for site in reversed(analysis.sites):
-        if site.endpoint.kind not in _KINDS or not _is_setup(analysis, site, callbacks):
+        if site.endpoint.kind not in KINDS or not _is_setup(analysis, site, callbacks):
             continue
         rank = (site.endpoint.kind is not kind, starting.when(site))
         if rank not in last and (place := beside(analysis, site)) is not None:
@@ -87,7 +85,7 @@ def find_place(analysis: Analysis, kind: EndpointKind) -> Place | None:
     if later:
         return last[later[0]] if later[0][1] < When.ON_DEMAND else None
     for site in reversed(analysis.sites):
-        if site.endpoint.kind in _KINDS and not _is_in_callback(site, callbacks):
+        if site.endpoint.kind in KINDS and not _is_in_callback(site, callbacks):
             place = beside(analysis, site)
             if place is not None:
                 return place
@@ -189,7 +187,7 @@ def _is_in_callback(site: Site, callbacks: set[int]) -> bool:
 
 def beside(analysis: Analysis, site: Site) -> Place | None:
     """Return the place behind the statement of a call site, and behind what waits for it."""
-    statement = _climb(statement_of(site.call))
+    statement = climb(statement_of(site.call))
     if statement is None:
         return None
     name = target_name(analysis, site) or ""
@@ -222,7 +220,7 @@ def place_behind(analysis: Analysis, place: Place, node: Node) -> Place | None:
     return replace(place, offset=offset, statement=next(iter(behind), later))
 
 
-def _climb(statement: Node) -> Node | None:
+def climb(statement: Node) -> Node | None:
     """Return the statement, or what is around it and may run never or more than once."""
     found = statement
     current: Node | None = statement
@@ -260,14 +258,14 @@ def _behind_node(analysis: Analysis, node: NodeSite) -> Place | None:
             receiver = scope.self_name if node.owner is not None else _made(analysis, node.call)
             if not receiver:
                 return None
-        climbed = _climb(statement)
+        climbed = climb(statement)
         return _place(analysis, climbed, scope, receiver, None) if climbed is not None else None
     for call in analysis.captures.get("call", []):
         # A node class without a constructor: the variable that holds its instance.
         callee = call.child_by_field_name("function")
         if callee is not None and analysis.syntax.slice(callee) == node.scope.name:
             receiver = _made(analysis, call)
-            climbed = _climb(statement_of(call))
+            climbed = climb(statement_of(call))
             if receiver and climbed is not None:
                 scope = analysis.scopes.at(call.start_byte)
                 return _place(analysis, climbed, scope, receiver, None)
@@ -325,43 +323,3 @@ def _ends_of_line(statement: Node) -> tuple[Node, Node] | None:
             return first, last
         first = before
     return None
-
-
-def is_attribute_style(analysis: Analysis, place: Place, kind: EndpointKind) -> bool:
-    """Whether an endpoint at a place is an attribute of the object, rather than a plain name.
-
-    That is as the method holds others of its kind, or what else it has to hold to use it.
-    """
-    if not place.self_name:
-        return False
-    names = [
-        name
-        for site in analysis.sites
-        if site.endpoint.kind in (kind, *_HELD)
-        and site.scope.enclosing("function") is place.scope
-        and b"message_filters" not in (site.call.text or b"")
-        and not _is_repeated(site)
-        and (name := target_name(analysis, site)) is not None
-    ]
-    return not names or any("." in name for name in names)
-
-
-def holds_handles(analysis: Analysis, place: Place, kind: EndpointKind) -> bool:
-    """Whether a function's endpoints of a kind, or else all, are attributes, used or not."""
-    beside = [
-        site
-        for site in analysis.sites
-        if site.endpoint.kind in _KINDS and site.scope.enclosing("function") is place.scope
-    ]
-    for kinds in ((kind,), set(_KINDS) - set(_HELD)):
-        sites = [site for site in beside if site.endpoint.kind in kinds]
-        if sites:
-            names = [target_name(analysis, site) for site in sites]
-            return all(name is not None and "." in name for name in names)
-    return False
-
-
-def _is_repeated(site: Site) -> bool:
-    """Whether a call site is in a loop, whose names are for one round only."""
-    climbed = _climb(statement_of(site.call))
-    return climbed is not None and climbed.type in ("for_statement", "while_statement")

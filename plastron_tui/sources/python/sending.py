@@ -16,12 +16,12 @@ from . import literals, naming
 from .addition import Addition
 from .conventions import leading_space, method_naming, variable_naming
 from .function_place import function_place, method_place
-from .insertion_point import holds_handles
 from .lifecycle import is_transition
 from .own_loop import is_sleep, own_block, statements_of
 from .removal import callback_scope
 from .signatures import parameter_names, signatures_of
 from .splices import line_end, line_start
+from .surroundings import holds_handles
 
 
 def add_publishing(added: Addition, publisher: Publisher) -> list[str]:

@@ -210,7 +210,7 @@ def test_a_callback_group_that_all_have_is_taken_over(given, is_taken):
 
 PROFILES = [
     (["latched", "latched"], "latched"),
-    (["latched"], "10"),
+    (["latched"], "latched"),
     (["latched", "sensed"], "10"),
     (["QoSProfile(depth=3)"] * 2, "10"),
     (["sensed", "7"], "7"),
@@ -231,6 +231,19 @@ def test_a_profile_that_several_agree_on_is_taken_over(given, taken):
         subscribe("new", callback="on_t"),
     )
     assert f"self.create_subscription(String, 'new', self.on_t, {taken})\n" in text
+
+
+def test_a_profile_of_another_callback_is_taken_where_it_hears_every_publisher():
+    for profile, taken in (("latched", "10"), ("SENSOR_DATA", "SENSOR_DATA")):
+        text = edited(
+            "from rclpy.node import Node\nfrom std_msgs.msg import String\n"
+            f"from mine import {profile}\n\n\n"
+            "class A(Node):\n    def __init__(self):\n        super().__init__('a')\n"
+            f"        self.create_subscription(String, 't', self.on_t, {profile})\n\n"
+            "    def on_t(self, message):\n        pass\n",
+            subscribe("new"),
+        )
+        assert f"self.create_subscription(String, 'new', self.on_new, {taken})\n" in text
 
 
 METHODS = {"doIt sayIt go": "onNewWord", "do_it sayIt": "on_new_word", "go": "on_new_word"}

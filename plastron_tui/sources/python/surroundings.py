@@ -1,0 +1,76 @@
+"""How the endpoints around a place are held, and whether they are a section of their own."""
+
+from __future__ import annotations
+
+from plastron_tui.model.source import EndpointKind
+
+from .analysis import Analysis, Site
+from .conventions import target_name
+from .insertion_point import KINDS, Place, climb
+from .references import statement_of
+
+# What has no use unless something holds it.
+_HELD = (EndpointKind.PUBLISHER, EndpointKind.CLIENT)
+# The lines of a section that are looked at.
+_MOST_OF_SECTION = 20
+
+
+def is_attribute_style(analysis: Analysis, place: Place, kind: EndpointKind) -> bool:
+    """Whether an endpoint at a place is an attribute of the object, rather than a plain name.
+
+    That is as the method holds others of its kind, or what else it has to hold to use it.
+    """
+    if not place.self_name:
+        return False
+    names = [
+        name
+        for site in analysis.sites
+        if site.endpoint.kind in (kind, *_HELD)
+        and site.scope.enclosing("function") is place.scope
+        and b"message_filters" not in (site.call.text or b"")
+        and not _is_repeated(site)
+        and (name := target_name(analysis, site)) is not None
+    ]
+    return not names or any("." in name for name in names)
+
+
+def holds_handles(analysis: Analysis, place: Place, kind: EndpointKind) -> bool:
+    """Whether a function's endpoints of a kind, or else all, are attributes, used or not."""
+    beside = [
+        site
+        for site in analysis.sites
+        if site.endpoint.kind in KINDS and site.scope.enclosing("function") is place.scope
+    ]
+    for kinds in ((kind,), set(KINDS) - set(_HELD)):
+        sites = [site for site in beside if site.endpoint.kind in kinds]
+        if sites:
+            names = [target_name(analysis, site) for site in sites]
+            return all(name is not None and "." in name for name in names)
+    return False
+
+
+def starts_section(analysis: Analysis, place: Place, kind: EndpointKind) -> bool:
+    """Whether a blank line parts an endpoint from the statements above it.
+
+    They are under a comment that speaks of another kind, or a block of their own.
+    """
+    if place.beside is not None and place.beside.endpoint.kind is kind:
+        return False
+    above = analysis.syntax.text[: place.offset].splitlines()[-_MOST_OF_SECTION:]
+    indent = place.indent.encode()
+    for number, line in enumerate(reversed(above)):
+        own = line.lstrip()
+        depth = len(line) - len(own)
+        if not own or depth < len(indent) or not line.startswith(indent):
+            return False
+        if own.startswith(b"#") and depth == len(indent):
+            return number > 0
+        if number == 0 and depth > len(indent):
+            return not own.startswith((b")", b"]", b"}"))
+    return False
+
+
+def _is_repeated(site: Site) -> bool:
+    """Whether a call site is in a loop, whose names are for one round only."""
+    climbed = climb(statement_of(site.call))
+    return climbed is not None and climbed.type in ("for_statement", "while_statement")
