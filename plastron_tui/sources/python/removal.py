@@ -13,6 +13,7 @@ from .callbacks import callback_target
 from .calls import Argument
 from .constants import Known
 from .creation import Removal, line_of, remove_creation
+from .emptied_blocks import emptied_blocks
 from .generated import is_calling_function, is_own_call, is_publishing_function, is_stub
 from .imports import unused_imports
 from .references import (
@@ -28,7 +29,7 @@ from .references import (
 from .scopes import BindingKind, Scope
 from .splices import Splice, delete_statements
 from .syntax import parts_of
-from .unused_locals import empty_conditions, unused_locals
+from .unused_locals import unused_locals
 
 # What ends an endpoint: its own methods, and those of an rclpy node.
 _ENDING = frozenset({"destroy", "shutdown", "unregister"})
@@ -57,9 +58,7 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
     if removal.lines:
         return removal
     removal.statements += [statement for statement, _ in waits(analysis, sites)]
-    removal.statements += empty_conditions(analysis, removal.statements)
-    gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
-    removal.statements += unused_locals(analysis, gone)
+    remove_what_served(analysis, removal)
     gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
     callbacks = stub_callbacks(analysis, removal.sites, gone)
     removal.statements += callbacks
@@ -71,6 +70,16 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
     removal.splices = gone + names
     removal.statements = []
     return removal
+
+
+def remove_what_served(analysis: Analysis, removal: Removal) -> None:
+    """Remove the blocks and the local variables that only served what is gone."""
+    removal.statements += emptied_blocks(analysis, removal.statements)
+    gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
+    unused = unused_locals(analysis, gone)
+    removal.statements += unused.statements
+    removal.splices += unused.splices
+    removal.statements += emptied_blocks(analysis, removal.statements)
 
 
 def waits(analysis: Analysis, sites: list[Site]) -> list[tuple[Node, Node]]:
@@ -177,7 +186,7 @@ def _remove_calling(analysis: Analysis, uses: list[Reference], removal: Removal)
             continue
         removal.sites += timers
         removal.statements += [statement, definition(function)]
-        removal.statements += _destroying(analysis, timers[0])
+        removal.statements += _destroying(analysis, timers[0]) or []
     gone = [function.node for function in functions.values()]
     return [
         reference
@@ -186,12 +195,16 @@ def _remove_calling(analysis: Analysis, uses: list[Reference], removal: Removal)
     ]
 
 
-def _destroying(analysis: Analysis, timer: Site) -> list[Node]:
-    """Return the statements that destroy a timer, none where something else is done with it."""
+def _destroying(analysis: Analysis, timer: Site) -> list[Node] | None:
+    """Return the statements that destroy a timer, None where something else is done with it."""
     parent = timer.call.parent
+    if parent is not None and parent.type == "expression_statement":
+        return []
     target = parent.child_by_field_name("left") if parent and parent.type == "assignment" else None
     variable = variable_of(target, analysis) if target is not None else None
-    uses = references(variable, analysis) if variable is not None else []
+    if variable is None:
+        return None
+    uses = references(variable, analysis)
     uses = [each for each in uses if each.use not in (Use.BINDING, Use.NOTHING)]
     destroying = [each.statement for each in uses if _ends_endpoint(analysis, each)]
     function = callback_scope(analysis, timer)
@@ -200,7 +213,7 @@ def _destroying(analysis: Analysis, timer: Site) -> list[Node]:
         for each in uses
         if function is not None and analysis.scopes.at(each.node.start_byte).is_within(function)
     ]
-    return destroying if len(destroying) + len(inside) == len(uses) else []
+    return destroying if len(destroying) + len(inside) == len(uses) else None
 
 
 def timers_of(analysis: Analysis, function: Scope) -> list[Site]:
@@ -225,16 +238,8 @@ def _remove_publishing(
             removal.statements.append(reference.statement)
     for function in whole.values():
         timers = timers_of(analysis, function)
-        statements = [site.call.parent for site in timers]
-        uses = function_uses(analysis, function)
-        destroying = _destroying(analysis, timers[0]) if len(timers) == 1 else []
-        is_own = (
-            len(timers) == 1
-            and statements[0] is not None
-            and (statements[0].type == "expression_statement" or bool(destroying))
-            and len(uses) == 1
-        )
-        if is_own and statements[0] is not None:
+        destroying = _destroying(analysis, timers[0]) if len(timers) == 1 else None
+        if destroying is not None and len(function_uses(analysis, function)) == 1:
             removal.sites += timers
             removal.statements += [statement_of(timers[0].call), definition(function)]
             removal.statements += destroying

@@ -15,12 +15,13 @@ from plastron_tui.ros.interfaces import Interface
 from .addition import Addition
 from .analysis import Analysis, Site
 from .creation import Removal, remove_creation
+from .emptied_blocks import emptied_blocks
 from .generated import is_docstring, is_own_call
 from .lost import is_computed, written_anew
 from .own_loop import is_loop, is_sleep
 from .rates import Pace, is_shared, loop_pace, timer_pace
 from .references import Reference, Use, Variable, identifiers, references
-from .removal import remove_uses, timers_of
+from .removal import remove_uses, remove_what_served, timers_of
 from .replacing import NotInPlaceError, Replacement
 from .splices import delete_statements
 from .syntax import parts_of
@@ -50,9 +51,10 @@ def resend(update: Replacement, interface: Interface) -> None:
     if isinstance(endpoint, Publisher):
         _tell_computed(update, variable)
     if not is_done:
-        text, analysis = update.analysis.syntax.text, update.analysis
-        unused = unused_locals(analysis, delete_statements(text, uses.statements))
-        update.splices += delete_statements(text, [*uses.statements, *unused])
+        before = len(uses.splices)
+        remove_what_served(update.analysis, uses)
+        update.splices += delete_statements(update.analysis.syntax.text, uses.statements)
+        update.splices += uses.splices[before:]
         update.lost += uses.sites[1:]
         update.is_silent = True
 
@@ -114,7 +116,9 @@ def _publish(update: Replacement, variable: Variable, publications: Sequence[Pub
         _stand(added, each.expression)
         update.put(each.expression, added.messages.message(publication.message.value))
     unused = unused_locals(analysis, update.splices[before:])
-    update.splices += delete_statements(analysis.syntax.text, unused)
+    blocks = emptied_blocks(analysis, unused.statements)
+    text = analysis.syntax.text
+    update.splices += delete_statements(text, [*unused.statements, *blocks]) + unused.splices
     added.stand(is_nested=True)
     return True
 

@@ -170,6 +170,25 @@ LINES = {
     "a condition with an else": (
         "if x:\n    {}else:\n    b = 2\n", "if x:\n    pass\nelse:\n    b = 2\n"
     ),
+    "an else": ("if x:\n    b = 2\nelse:\n    {}", "if x:\n    b = 2\n"),
+    "both ways of a condition": ("if x:\n    {}elif y:\n    {}else:\n    {}b = 2\n", "b = 2\n"),
+    "the last of three ways": (
+        "if x:\n    a = 1\nelif f():\n    {}elif y:\n    {}b = 2\n",
+        "if x:\n    a = 1\nelif f():\n    pass\nb = 2\n",
+    ),
+    "what a lock guards": ("with x.lock:\n    {}b = 2\n", "b = 2\n"),
+    "what opens something": (
+        "with f() as z:\n    {}b = 2\n", "with f() as z:\n    pass\nb = 2\n"
+    ),
+    "what may not fail any more": ("try:\n    {}except E:\n    c = 1\nb = 2\n", "b = 2\n"),
+    "what is done in the end": (
+        "try:\n    a = 1\nexcept E:\n    c = 1\nfinally:\n    {}b = 2\n",
+        "try:\n    a = 1\nexcept E:\n    c = 1\nb = 2\n",
+    ),
+    "a loop over what is there": ("for z in x:\n    {}b = 2\n", "b = 2\n"),
+    "a loop over what is made": (
+        "for z in f():\n    {}b = 2\n", "for z in f():\n    pass\nb = 2\n"
+    ),
 }  # fmt: skip
 
 

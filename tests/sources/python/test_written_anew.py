@@ -77,15 +77,13 @@ LOCALS = {
     "m = Int32()\nm.data = x\np.publish(m)": "p.publish(Int32(data=2))",
     "m = Int32(data=float(x))\np.publish(m)": "m = Int32(data=2)\np.publish(m)",
     "m = Int32()\nfor each in range(x):\n    m.data = each\np.publish(m)": (
-        "m = Int32()\nfor each in range(x):\n    m.data = each\np.publish(Int32(data=2))"
+        "p.publish(Int32(data=2))"
     ),
-    "m = Int32()\nm.data = measure(x)\np.publish(m)": (
-        "m = Int32()\nm.data = measure(x)\np.publish(Int32(data=2))"
-    ),
+    "m = Int32()\nm.data = measure(x)\np.publish(m)": ("measure(x)\np.publish(Int32(data=2))"),
     "y = x + 1\nz = y * 2\np.publish(z)": "p.publish(Int32(data=2))",
     "y = x + 1\nz = y * 2\np.publish(z)\nprint(y)": "y = x + 1\np.publish(Int32(data=2))\nprint(y)",
-    "y = next(x)\np.publish(y)": "y = next(x)\np.publish(Int32(data=2))",
-    "m = make()\np.publish(m)": "m = make()\np.publish(Int32(data=2))",
+    "y = next(x)\np.publish(y)": "next(x)\np.publish(Int32(data=2))",
+    "m = make()\np.publish(m)": "make()\np.publish(Int32(data=2))",
     "m = Int32()\nm.header.stamp = rospy.Time.now()\np.publish(m)": "p.publish(Int32(data=2))",
     "global m\nm = Int32(x)\np.publish(m)": "global m\nm = Int32(x)\np.publish(Int32(data=2))",
 }

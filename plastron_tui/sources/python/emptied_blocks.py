@@ -1,0 +1,123 @@
+"""Statements whose blocks hold nothing any more once others are gone."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from tree_sitter import Node
+
+from .analysis import Analysis
+from .purity import is_pure
+from .syntax import parts_of
+
+_CLAUSES = frozenset({"else_clause", "elif_clause", "finally_clause", "except_clause"})
+
+
+def emptied_blocks(
+    analysis: Analysis, gone: Sequence[Node], ranges: Sequence[tuple[int, int]] = ()
+) -> list[Node]:
+    """Return the statements, or their last clauses, that do nothing once others are gone.
+
+    What may do something in deciding, as a call in a condition does, stays.
+
+    Args:
+        analysis: the file.
+        gone: the statements that go.
+        ranges: what else goes, from a start to an end.
+    """
+    found = _Emptied(analysis, gone, ranges)
+    pending = list(gone)
+    while pending:
+        block = pending.pop().parent
+        owner = block.parent if block is not None else None
+        more = found.with_block(owner) if owner is not None and found.is_empty(block) else None
+        if more is not None and not found.is_gone(more):
+            found.add(more)
+            pending.append(more)
+    return found.statements
+
+
+def leaves_pass(
+    analysis: Analysis, statements: Sequence[Node], ranges: Sequence[tuple[int, int]]
+) -> bool:
+    """Whether a block that somebody wrote would hold a `pass` alone if statements went too."""
+    found = _Emptied(analysis, statements, ranges)
+    for each in emptied_blocks(analysis, statements, ranges):
+        found.add(each)
+    blocks = [each.parent for each in statements if each.parent is not None]
+    return any(
+        block.parent is not None
+        and block.parent.type not in ("function_definition", "module")
+        and found.is_empty(block)
+        and not found.is_gone(block.parent)
+        for block in blocks
+        if block.type == "block"
+    )
+
+
+class _Emptied:
+    """What is gone, and what goes with it."""
+
+    def __init__(
+        self, analysis: Analysis, gone: Sequence[Node], ranges: Sequence[tuple[int, int]]
+    ) -> None:
+        self._analysis = analysis
+        self._ranges = [*ranges, *((each.start_byte, each.end_byte) for each in gone)]
+        self.statements: list[Node] = []
+
+    def add(self, statement: Node) -> None:
+        """Let a statement go too."""
+        self._ranges.append((statement.start_byte, statement.end_byte))
+        self.statements.append(statement)
+
+    def is_gone(self, node: Node) -> bool:
+        """Whether a statement or a clause goes."""
+        return any(start <= node.start_byte and node.end_byte <= end for start, end in self._ranges)
+
+    def is_empty(self, block: Node | None) -> bool:
+        """Whether all statements of a block are gone."""
+        return block is not None and all(map(self.is_gone, parts_of(block)))
+
+    def with_block(self, owner: Node) -> Node | None:
+        """Return what goes with an empty block of a statement, None where that keeps a `pass`."""
+        statement = owner.parent if owner.type in _CLAUSES else owner
+        if statement is None:
+            return None
+        clauses = [part for part in statement.named_children if part.type in _CLAUSES]
+        match statement.type:
+            case "if_statement":
+                return self._of_condition(statement, clauses, owner)
+            case "with_statement":
+                items = parts_of(next(iter(parts_of(statement)), None))
+                values = [item.child_by_field_name("value") for item in items]
+                return statement if self._are_pure(values) else None
+            case "for_statement":
+                over = statement.child_by_field_name("right")
+                is_whole = owner.id == statement.id and not clauses
+                return statement if is_whole and self._are_pure([over]) else None
+            case "try_statement":
+                return self._of_try(statement, clauses, owner)
+        return None
+
+    def _of_condition(self, statement: Node, clauses: list[Node], owner: Node) -> Node | None:
+        left = [each for each in clauses if not self.is_gone(each)]
+        if all(map(self._decides_nothing, [statement, *left])):
+            return statement
+        # What the last branch does is no matter of the others.
+        is_last = bool(left) and left[-1].id == owner.id
+        return owner if is_last and self._decides_nothing(owner) else None
+
+    def _of_try(self, statement: Node, clauses: list[Node], owner: Node) -> Node | None:
+        kinds = [each.type for each in clauses]
+        if owner.id == statement.id:
+            return statement if set(kinds) == {"except_clause"} else None
+        is_last = owner.type == "finally_clause" and "except_clause" in kinds
+        return owner if is_last or owner.type == "else_clause" else None
+
+    def _decides_nothing(self, branch: Node) -> bool:
+        condition = branch.child_by_field_name("condition")
+        block = branch.child_by_field_name("consequence") or branch.child_by_field_name("body")
+        return self.is_empty(block) and (condition is None or self._are_pure([condition]))
+
+    def _are_pure(self, expressions: Sequence[Node | None]) -> bool:
+        return all(each is not None and is_pure(self._analysis, each) for each in expressions)

@@ -1,0 +1,67 @@
+"""What an expression does besides having a value: nothing, where that is known."""
+
+from __future__ import annotations
+
+from tree_sitter import Node
+
+from .analysis import Analysis
+
+_PURE_BUILTINS = frozenset(
+    {"abs", "bool", "dict", "float", "int", "len", "list", "max", "min", "range", "round", "set"}
+    | {"sorted", "str", "sum", "tuple", "zip"}
+)
+_PURE_FUNCTIONS = frozenset(
+    {"rospy.Time.now", "rospy.get_rostime", "rospy.get_time", "rospy.Time", "rospy.Duration"}
+    | {"rospy.Time.from_sec", "rospy.Duration.from_sec", "time.time"}
+    | {"rclpy.duration.Duration", "rclpy.qos.QoSProfile"}
+)
+# What a node's clock is asked; nothing else of these names changes anything either.
+_PURE_METHODS = frozenset(
+    {"get_clock", "now", "to_msg", "to_sec", "to_nsec", "seconds_nanoseconds", "from_sec"}
+    | {"format", "join", "split", "strip", "lower", "upper", "encode", "decode", "replace"}
+    | {"get", "keys", "values", "items", "index", "count", "copy", "tolist", "tobytes", "astype"}
+    | {"flatten", "reshape", "cv2_to_imgmsg", "imgmsg_to_cv2"}
+)
+# All of these modules work out and change nothing.
+_PURE_MODULES = ("math.", "tf.transformations.", "tf_transformations.", "transforms3d.")
+_PURE_TYPES = frozenset(
+    {"identifier", "string", "integer", "float", "true", "false", "none", "attribute", "subscript"}
+    | {"list", "tuple", "dictionary", "pair", "set", "parenthesized_expression", "binary_operator"}
+    | {"unary_operator", "not_operator", "boolean_operator", "comparison_operator", "slice"}
+    | {"conditional_expression", "concatenated_string", "interpolation", "string_content"}
+    | {"string_start", "string_end", "escape_sequence", "expression_list", "keyword_argument"}
+    | {"argument_list", "format_specifier", "type_conversion", "comment"}
+)
+
+
+def is_pure(analysis: Analysis, expression: Node) -> bool:
+    """Whether to evaluate an expression changes nothing."""
+    pending = [expression]
+    while pending:
+        node = pending.pop()
+        if node.type == "call":
+            if not _is_pure_call(analysis, node):
+                return False
+        elif node.is_named and node.type not in _PURE_TYPES:
+            return False
+        pending.extend(node.named_children)
+    return True
+
+
+def _is_pure_call(analysis: Analysis, call: Node) -> bool:
+    callee = call.child_by_field_name("function")
+    if callee is None:
+        return False
+    scope = analysis.scopes.at(call.start_byte)
+    if callee.type == "identifier":
+        name = analysis.syntax.slice(callee)
+        if name in _PURE_BUILTINS and scope.lookup(name) is None:
+            return True
+    resolver = analysis.resolver
+    if resolver.interface(callee, scope) is not None:
+        return True
+    names = resolver.qualified(callee, scope)
+    if names:
+        return all(each in _PURE_FUNCTIONS or each.startswith(_PURE_MODULES) for each in names)
+    method = callee.child_by_field_name("attribute")
+    return method is not None and analysis.syntax.slice(method) in _PURE_METHODS
