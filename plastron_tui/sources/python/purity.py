@@ -5,6 +5,7 @@ from __future__ import annotations
 from tree_sitter import Node
 
 from .analysis import Analysis
+from .syntax import parts_of
 
 _PURE_BUILTINS = frozenset(
     {"abs", "bool", "dict", "float", "int", "len", "list", "max", "min", "range", "round", "set"}
@@ -12,14 +13,15 @@ _PURE_BUILTINS = frozenset(
 )
 _PURE_FUNCTIONS = frozenset(
     {"rospy.Time.now", "rospy.get_rostime", "rospy.get_time", "rospy.Time", "rospy.Duration"}
-    | {"rospy.Time.from_sec", "rospy.Duration.from_sec", "time.time"}
+    | {"rospy.Time.from_sec", "rospy.Duration.from_sec", "time.time", "rospy.get_name"}
+    | {"rospy.get_namespace", "rospy.get_caller_id", "socket.gethostname"}
     | {"rclpy.duration.Duration", "rclpy.qos.QoSProfile"}
 )
 # What a node's clock is asked; nothing else of these names changes anything either.
 _PURE_METHODS = frozenset(
     {"get_clock", "now", "to_msg", "to_sec", "to_nsec", "seconds_nanoseconds", "from_sec"}
     | {"format", "join", "split", "strip", "lower", "upper", "encode", "decode", "replace"}
-    | {"get", "keys", "values", "items", "index", "count", "copy", "tolist", "tobytes", "astype"}
+    | {"keys", "values", "items", "index", "count", "copy", "tolist", "tobytes", "astype"}
     | {"flatten", "reshape", "cv2_to_imgmsg", "imgmsg_to_cv2"}
 )
 # All of these modules work out and change nothing.
@@ -30,7 +32,14 @@ _PURE_TYPES = frozenset(
     | {"unary_operator", "not_operator", "boolean_operator", "comparison_operator", "slice"}
     | {"conditional_expression", "concatenated_string", "interpolation", "string_content"}
     | {"string_start", "string_end", "escape_sequence", "expression_list", "keyword_argument"}
-    | {"argument_list", "format_specifier", "type_conversion", "comment"}
+    | {
+        "list_splat",
+        "dictionary_splat",
+        "argument_list",
+        "format_specifier",
+        "type_conversion",
+        "comment",
+    }
 )
 
 
@@ -64,4 +73,11 @@ def _is_pure_call(analysis: Analysis, call: Node) -> bool:
     if names:
         return all(each in _PURE_FUNCTIONS or each.startswith(_PURE_MODULES) for each in names)
     method = callee.child_by_field_name("attribute")
-    return method is not None and analysis.syntax.slice(method) in _PURE_METHODS
+    name = analysis.syntax.slice(method) if method is not None else ""
+    return name in _PURE_METHODS or (name == "get" and _is_of_mapping(call))
+
+
+def _is_of_mapping(call: Node) -> bool:
+    """Whether `get` is asked for a key: that of a queue takes something out."""
+    first = next(iter(parts_of(call.child_by_field_name("arguments"))), None)
+    return first is not None and first.type in ("string", "identifier", "attribute")

@@ -14,6 +14,9 @@ from .syntax import parts_of
 _NO_WORDS = re.compile(
     rb"([^\w\s.])\1{2}|^#!|^#\s*(coding|fmt|flake8|isort|mypy|noqa|pragma|pylint|ruff|type|yapf)\b"
 )
+_BLANK_LINE = re.compile(rb"^[ \t]*\r?$", re.M)
+# What calls and comments have in common that are about one kind of endpoint.
+_KINDS = (b"publish", b"subscri", b"servi", b"client")
 _BLANKS = re.compile(rb"[ \t]*")
 _HEADER = re.compile(rb"(?:\xef\xbb\xbf)?(?:[ \t]*(?:#[^\n]*)?\r?\n)*")
 _CODE = re.compile(rb"\w\(|=|^(from|import|if|for|while|return|del|pass)\b")
@@ -105,13 +108,19 @@ def _close_gaps(text: bytes, splices: Sequence[Splice]) -> list[Splice]:
     found: list[Splice] = []
     for splice in sorted(splices):
         last = found[-1] if found else None
-        if last is None or not (_is_lines(text, last) and _is_lines(text, splice)):
-            found.append(splice)
-        elif not text[last.end : splice.start].strip():
+        if last is not None and _are_one_gap(text, last, splice):
             found[-1] = Splice(last.start, splice.end)
         else:
             found.append(splice)
     return [_close_gap(text, each) if _is_lines(text, each) else each for each in found]
+
+
+def _are_one_gap(text: bytes, first: Splice, second: Splice) -> bool:
+    """Whether deleted lines have nothing between them, nor the end of a block."""
+    if not (_is_lines(text, first) and _is_lines(text, second)):
+        return False
+    is_end = len(_indent(text, second.start)) < len(_indent(text, first.start))
+    return not is_end and not text[first.end : second.start].strip()
 
 
 def _is_lines(text: bytes, splice: Splice) -> bool:
@@ -165,8 +174,7 @@ def _over_comment(text: bytes, lines: Splice) -> int:
     indent = _indent(text, lines.start)
     following = text[lines.end : line_end(text, lines.end)]
     is_followed = bool(following.strip()) and not following.lstrip().startswith(b"#")
-    if is_followed and len(_indent(text, lines.end)) >= len(indent):
-        return lines.start
+    is_followed = is_followed and len(_indent(text, lines.end)) >= len(indent)
     start = lines.start
     while start > 0:
         previous = line_start(text, start - 1)
@@ -176,8 +184,18 @@ def _over_comment(text: bytes, lines: Splice) -> int:
         if not _is_prose(line):
             return lines.start
         start = previous
+    if is_followed and not _speaks_of(text[start : lines.start], text, lines):
+        return lines.start
     header = _HEADER.match(text)
     return lines.start if header is not None and header.end() >= start else start
+
+
+def _speaks_of(comment: bytes, text: bytes, lines: Splice) -> bool:
+    """Whether a comment names what is deleted, and nothing of what follows it is called so."""
+    blank = _BLANK_LINE.search(text, lines.end)
+    following = text[lines.end : blank.start() if blank is not None else len(text)].lower()
+    gone, said = text[lines.start : lines.end].lower(), comment.lower()
+    return any(word in said and word in gone and word not in following for word in _KINDS)
 
 
 def _indent(text: bytes, start: int) -> bytes:

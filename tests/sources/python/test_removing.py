@@ -158,6 +158,12 @@ LINES = {
         "def f():\n    a = 1\n    # Greet\n    {}\n\nb = 2\n",
         "def f():\n    a = 1\n\n\nb = 2\n",
     ),
+    "its comment, which no line below is about": (
+        "a = 1\n# the publishers\n{}b = 2\n", "a = 1\nb = 2\n"
+    ),
+    "a comment on another one too": (
+        "# the publishers\n{}b = publisher()\n", "# the publishers\nb = publisher()\n"
+    ),
     "a comment of more lines": ("# Greet, add\n{}b = 2\n", "# Greet, add\nb = 2\n"),
     "code in a comment": ("# p = None\n{}\nb = 2\n", "# p = None\n\nb = 2\n"),
     "a ruler": ("# ---- Greet ----\n{}\nb = 2\n", "# ---- Greet ----\n\nb = 2\n"),
@@ -199,6 +205,20 @@ def test_lines_around_what_is_removed(case):
         before, after = before + TAIL, after + TAIL
     before = before.replace("{}", "rospy.Publisher('t', String)\n")
     assert edited(f"{MORE}{before}", Remove(PUB, "t", AT)) == f"{MORE}{after}"
+
+
+@pytest.mark.parametrize(
+    ("value", "is_kept"),
+    [("d.get('k')", False), ("d.get(True)", True), ("d.get()", True), ("rospy.get_name()", False),
+     ("Point(*d)", True), ("String(*d)", False), ("take()", True)],
+)  # fmt: skip
+def test_what_made_a_message_is_kept_where_it_does_something_else(value, is_kept):
+    text = edited(
+        f"{HEAD}{MORE}x = String, Int32\n\n\ndef f(d):\n    m = String()\n"
+        f"    m.data = {value}\n    p.publish(m)\n\n\np = rospy.Publisher('t', String)\n{TAIL}",
+        Remove(PUB, "t", AT),
+    )
+    assert f"def f(d):\n    {value if is_kept else 'pass'}\n\n" in text
 
 
 def test_what_ends_an_endpoint_goes_with_it():
