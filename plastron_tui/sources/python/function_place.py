@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 
@@ -13,6 +14,8 @@ from .insertion_point import Place
 from .removal import definition
 from .scopes import Scope
 from .splices import before_comments, line_end, line_start
+
+_TELLS_END = re.compile(rb"#+ *end\b", re.I)
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,12 +54,15 @@ def _method_gap(analysis: Analysis, node: Node) -> int:
 
 
 def _end_with_comments(text: bytes, offset: int, indent: str) -> int:
-    """Step over comments that stand deeper than a definition: they are of its body."""
+    """Step over comments that are of a definition: they stand deeper, or tell its end."""
     at = found = offset
     while at < len(text):
         end = line_end(text, at)
         line = text[at:end].rstrip()
         stripped = line.lstrip()
+        if at == offset and _TELLS_END.match(stripped):
+            at = found = end
+            continue
         if stripped and not (stripped.startswith(b"#") and len(line) - len(stripped) > len(indent)):
             break
         if stripped:
@@ -100,16 +106,11 @@ def _top_level(node: Node) -> Node:
 
 
 def _last_definition(top: Node) -> Node | None:
-    """Return the last definition or import at the top of the file before a statement."""
+    """Return the last definition at the top of the file before a statement."""
     node = top.prev_named_sibling
-    while node is not None:
-        is_import = node.type in ("import_statement", "import_from_statement")
-        if is_import or node.type.endswith("_definition"):
-            return node
-        if node.type == "try_statement" and b"import" in (node.text or b""):
-            return node
+    while node is not None and not node.type.endswith("_definition"):
         node = node.prev_named_sibling
-    return None
+    return node
 
 
 def _missing_before(text: bytes, at: int, gap: int) -> int:

@@ -191,9 +191,21 @@ def beside(analysis: Analysis, site: Site) -> Place | None:
     if statement is None:
         return None
     name = target_name(analysis, site) or ""
-    while (following := statement.next_named_sibling) is not None and _goes_with(following, name):
+    while (following := _last_of(statement, name)) is not None:
         statement = following
     return _place(analysis, statement, site.scope, site.receiver, site)
+
+
+def _last_of(statement: Node, name: str) -> Node | None:
+    """Return the next statement of an endpoint, also behind one that says what it waits for."""
+    following = statement.next_named_sibling
+    for _ in range(2):
+        if following is None or _goes_with(following, name):
+            return following
+        if b"log" not in (following.text or b"") and b"print" not in (following.text or b""):
+            return None
+        following = following.next_named_sibling
+    return None
 
 
 def _goes_with(statement: Node, name: str) -> bool:

@@ -57,6 +57,8 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
         remove_uses(analysis, variable, sites, removal)
     if removal.lines:
         return removal
+    for variable in variables:
+        removal.statements += _placeholders(analysis, variable, removal)
     removal.statements += [statement for statement, _ in waits(analysis, sites)]
     remove_what_served(analysis, removal)
     gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
@@ -70,6 +72,20 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
     removal.splices = gone + names
     removal.statements = []
     return removal
+
+
+def _placeholders(analysis: Analysis, variable: Variable, removal: Removal) -> list[Node]:
+    """Return the statements that only make room for what is gone: `self.pub = None`."""
+    ranges = [(each.start_byte, each.end_byte) for each in removal.statements]
+    ranges += [(each.start, each.end) for each in removal.splices]
+    left = [
+        each
+        for each in references(variable, analysis)
+        if not any(start <= each.node.start_byte < end for start, end in ranges)
+    ]
+    if any(each.use is not Use.NOTHING for each in left):
+        return []
+    return [each.statement for each in left if len(parts_of(each.statement)) == 1]
 
 
 def remove_what_served(analysis: Analysis, removal: Removal) -> None:

@@ -315,9 +315,67 @@ def test_nothing_is_created_at_every_call(case, change):
 
 
 @pytest.mark.parametrize("blank", range(4))
-def test_two_blank_lines_are_behind_a_function_that_is_written(blank):
+def test_two_blank_lines_are_around_a_function_that_is_written(blank):
     head = "import rospy\nfrom std_msgs.msg import String\n" + "\n" * blank
     main = "if __name__ == '__main__':\n    rospy.init_node('n')\n    rospy.spin()\n"
     text = edited(f"{head}{main}", subscribe("text"))
     written, _, _ = text.partition("if __name__")
-    assert written.endswith(")" + "\n" * (max(blank, 2) + 1))
+    before, _, _ = written.partition("def ")
+    assert written.endswith(")\n\n\n")
+    assert before.endswith("String\n" + "\n" * max(blank, 2))
+
+
+SCRIPT = "import rospy\nfrom std_msgs.msg import String\n{0}if __name__ == '__main__':\n{1}"
+RUN = "    rospy.init_node('n')\n"
+
+
+def test_a_function_stands_behind_the_constants():
+    text = edited(SCRIPT.format("\nSPEED = 5\n\n", RUN + "    rospy.spin()\n"), subscribe("text"))
+    assert "SPEED = 5\n\n\ndef on_text" in text
+
+
+def test_a_method_stands_behind_what_tells_the_end_of_another():
+    text = edited(
+        "import rospy\nfrom std_msgs.msg import String\n\n\nclass A:\n    def __init__(self):\n"
+        "        rospy.init_node('a')\n        rospy.Subscriber('a', String, self.on_a)\n\n"
+        "    def on_a(self, data):\n        print(data)\n    # end def\n    # other things\n",
+        subscribe("b"),
+    )
+    assert "    # end def\n\n    def on_b(self, data):\n        rospy.loginfo" in text
+
+
+@pytest.mark.parametrize(
+    "following",
+    ["self.sub  # prevent unused variable warning\n", "self.sub.wait_for_x()\n",
+     "self.get_logger().info('waiting')\n        self.sub.wait_for_x()\n"],
+)  # fmt: skip
+def test_an_endpoint_stands_behind_what_goes_with_the_one_before(following):
+    text = edited(
+        "from rclpy.node import Node\nfrom std_msgs.msg import String\n\n\nclass A(Node):\n"
+        "    def __init__(self):\n        super().__init__('a')\n"
+        "        self.sub = self.create_subscription(String, 'a', self.on_a, 10)\n"
+        f"        {following}"
+        "        self.count = 0\n\n    def on_a(self, msg):\n        pass\n",
+        subscribe("b", callback="on_a"),
+    )
+    assert f"        {following}        self.b_sub = self.create_subscription(" in text
+
+
+@pytest.mark.parametrize(
+    ("above", "is_apart"),
+    [
+        ("# Set up what is sent\n        self.pub = self.create_publisher(String, 'a', 10)", True),
+        ("self.pub = self.create_publisher(String, 'a', 10)", False),
+        ("self.sub = self.create_subscription(String, 'a', self.on_a, 10)", False),
+    ],
+)
+def test_a_section_of_its_own(above, is_apart):
+    text = edited(
+        "from rclpy.node import Node\nfrom std_msgs.msg import String\n\n\nclass A(Node):\n"
+        f"    def __init__(self):\n        super().__init__('a')\n        {above}\n\n"
+        "    def on_a(self, msg):\n        pass\n",
+        subscribe("b", callback="on_a"),
+    )
+    gap = "\n\n        self" if is_apart else "\n        self"
+    assert f"{gap}.b_sub = self.create_subscription(" in text
+    assert is_apart or "\n\n        self.b_sub" not in text

@@ -1,0 +1,44 @@
+"""Functions and names as the file writes its own."""
+
+import pytest
+from edits import edited, provide, subscribe
+
+MANNERS = {
+    "types": (
+        "    def on_a(self, msg: String) -> None:\n        pass\n",
+        "    def on_b(self, msg: String) -> None:\n",
+    ),
+    "docstrings": (
+        '    def on_a(self, message):\n        """Hear a."""\n\n'
+        '    def more(self):\n        """Do more."""\n',
+        '    def on_b(self, message):\n        """Log what comes over b."""\n',
+    ),
+    "nothing said": (
+        "    def on_a(self, data):\n        pass\n\n    def more(self):\n        pass\n",
+        "    def on_b(self, data):\n        self.get_logger()",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", MANNERS)
+def test_a_callback_is_written_as_the_others(case):
+    methods, expected = MANNERS[case]
+    text = edited(
+        "from rclpy.node import Node\nfrom std_msgs.msg import String\n\n\nclass A(Node):\n"
+        "    def __init__(self):\n        super().__init__('a')\n"
+        f"        self.create_subscription(String, 'a', self.on_a, 10)\n\n{methods}",
+        subscribe("b"),
+    )
+    assert expected in text
+
+
+def test_private_names_and_kept_handles():
+    text = edited(
+        "from rclpy.node import Node\nfrom std_msgs.msg import String\n\n\nclass A(Node):\n"
+        "    def __init__(self):\n        super().__init__('a')\n        self._a = 0\n"
+        "        self._beat = self.create_timer(1.0, self._tick)\n\n"
+        "    def _tick(self):\n        pass\n\n    def _tock(self):\n        pass\n",
+        provide("b"),
+    )
+    assert "        self._b_service = self.create_service(Trigger, 'b', self._handle_b)\n" in text
+    assert "    def _handle_b(self, request, response):\n" in text
