@@ -12,6 +12,7 @@ from tree_sitter import Node
 from . import literals
 from .arguments import Arguments
 from .calls import Argument
+from .flow import reaching
 from .scopes import Binding, BindingKind, Scope, ScopeTree
 from .syntax import Syntax, parts_of
 from .work_limits import Effort
@@ -138,7 +139,7 @@ class Constants:
             values = parts_of(right) if right.type == "tuple" else [right]
             return _format(left, [self.fold(value, scope, depth) for value in values], _percent)
         other = self.fold(right, scope, depth)
-        if operator.type == "+" and other is not None:
+        if operator.type in ("+", "+=") and other is not None:
             is_text = isinstance(left.value, str) and isinstance(other.value, str)
             return _join([left, other]) if is_text else None
         return None
@@ -146,7 +147,9 @@ class Constants:
     def _identifier(self, node: Node, scope: Scope, depth: int) -> Folded:
         name = self._syntax.slice(node)
         found = scope.lookup(name)
-        return self._fold_all(found[1], name, depth) if found is not None else None
+        if found is None or len(found[1]) > MOST_BINDINGS:
+            return None
+        return self._fold_all(reaching(found[1], found[0], node, scope), name, depth)
 
     def _attribute(self, node: Node, scope: Scope, depth: int) -> Folded:
         name = node.child_by_field_name("attribute")
@@ -169,10 +172,10 @@ class Constants:
     def _fold_binding(self, binding: Binding, name: str, depth: int) -> Folded:
         if binding.kind is BindingKind.PARAMETER:
             return self._names.parameter(binding, name, depth)
-        if binding.value is None:
-            return None
         if binding.kind is BindingKind.VALUE:
             return self.fold(binding.value, binding.scope, depth)
+        if binding.node.type == "augmented_assignment":
+            return self._operator(binding.node, binding.scope, depth)
         return None
 
     def _call(self, node: Node, scope: Scope, depth: int) -> Folded:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What is assigned twice is not known, however alike the values look."""
+"""What is assigned twice is known where one of the values is there for sure."""
 import sys
 
 import rospy

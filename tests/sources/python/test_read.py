@@ -32,7 +32,7 @@ TOPICS = [
     ("'{}/{k}'.format(N, k='b')", "x/b", None),
     ("'%99999999d' % 1", None, None),
     ("N", "x", None),
-    ("TWICE", None, None),
+    ("TWICE", "b", None),
     ("unknown", None, None),
     ("'a' if N else 'b'", None, None),
     ("rospy.get_param('~t', 'd')", None, "d"),
