@@ -27,6 +27,8 @@ class Site:
         owner: the class of the file whose instance the receiver is, None for any other.
         arguments: the call's arguments.
         shape: the shape that the call matched.
+        of_passes: whether it is what the call creates in one pass through its function or loop,
+            among others.
     """
 
     endpoint: SourceEndpoint
@@ -36,6 +38,7 @@ class Site:
     owner: Scope | None
     arguments: Arguments
     shape: CallShape
+    of_passes: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -68,3 +71,7 @@ class Analysis:
     captures: dict[str, list[Node]]
     sites: list[Site] = field(default_factory=list)
     nodes: list[NodeSite] = field(default_factory=list)
+
+    def first_sites(self) -> list[Site]:
+        """Return a call site for each call, the first where it creates several endpoints."""
+        return list({site.call.id: site for site in reversed(self.sites)}.values())[::-1]

@@ -11,8 +11,9 @@ from tree_sitter import Node
 
 from .arguments import Arguments
 from .calls import Argument
-from .constants import MOST_DEEP, Folded
-from .scopes import Binding, Scope, ScopeTree
+from .constants import MOST_BINDINGS, MOST_DEEP, Folded, Names
+from .flow import reaching
+from .scopes import Binding, BindingKind, Scope, ScopeTree
 from .syntax import Syntax
 
 _WORD = re.compile(rb"(?<!super\()\b[A-Za-z_]\w*")
@@ -59,7 +60,7 @@ class Callers:
             arguments = Arguments.of(call, self.syntax)
             if arguments.is_open:
                 return False
-            given = arguments.get(self._argument(binding, name))
+            given = given_for(call, self.function, binding, name, self.syntax)
             if given is None:
                 continue
             value = self._folded(given, call)
@@ -79,16 +80,12 @@ class Callers:
             return None
         values = set()
         for call in self.calls:
-            given = Arguments.of(call, self.syntax).get(self._argument(binding, name))
+            given = given_for(call, self.function, binding, name, self.syntax)
             value = self._folded(given, call) if given is not None else None
             if value is None:
                 return None
             values.add(value)
         return values.pop() if len(values) == 1 else None
-
-    def _argument(self, binding: Binding, name: str) -> Argument:
-        is_counted = binding.index >= 0
-        return Argument(binding.index - bool(self.function.self_name) if is_counted else -1, name)
 
     def _folded(self, given: Node, call: Node) -> Folded:
         scope = self.scopes.at(call.start_byte)
@@ -106,6 +103,52 @@ class Callers:
         if any(callee is None or callee.type != "identifier" for callee in callees):
             return False
         return self.words[named.name.encode()] == len(callees) + 1
+
+
+def given_for(
+    call: Node, function: Scope, binding: Binding, name: str, syntax: Syntax
+) -> Node | None:
+    """Return what a call gives for a parameter; None where it does not say it."""
+    arguments = Arguments.of(call, syntax)
+    if arguments.is_open:
+        return None
+    is_counted = binding.index >= 0
+    position = binding.index - (bool(function.self_name) and not _gives_self(call))
+    return arguments.get(Argument(position if is_counted else -1, name))
+
+
+def _gives_self(call: Node) -> bool:
+    """Whether a call is `Base.__init__(self, …)`, which gives the object as well."""
+    callee = call.child_by_field_name("function")
+    holder = callee.child_by_field_name("object") if callee is not None else None
+    method = callee.child_by_field_name("attribute") if callee is not None else None
+    is_constructor = method is not None and method.text == b"__init__"
+    return is_constructor and holder is not None and holder.type != "call"
+
+
+def called_function(
+    callee: Node, scope: Scope, names: Names, scopes: ScopeTree, syntax: Syntax
+) -> Scope | None:
+    """Return the function of the file that a call runs, None where that is not sure."""
+    if callee.type == "attribute":
+        holder = callee.child_by_field_name("object")
+        bindings = names.attribute_bindings(callee, scope)
+        function = bindings[0].owner if len(bindings) == 1 else None
+        owner = function.parent if function is not None else None
+        # `Class.method(object, …)` gives the object as well.
+        is_bound = owner is None or holder is None or syntax.slice(holder) != owner.name
+        return function if is_bound and function and function.kind == "function" else None
+    found = scope.lookup(syntax.slice(callee)) if callee.type == "identifier" else None
+    if found is None or len(found[1]) > MOST_BINDINGS:
+        return None
+    bindings = reaching(found[1], found[0], callee, scope)
+    if len(bindings) > 1:
+        return None
+    value = bindings[0].value
+    if value is not None and value.type == "lambda":
+        body = value.child_by_field_name("body")
+        return scopes.at(body.start_byte) if body is not None else None
+    return bindings[0].owner if bindings[0].kind is BindingKind.FUNCTION else None
 
 
 def count_words(text: bytes) -> Counter[bytes]:

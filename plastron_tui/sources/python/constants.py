@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol
 
 from tree_sitter import Node
 
@@ -26,6 +27,7 @@ _PARAMETER_READERS = {
     "rospy.client.get_param": Argument(1, "default"),
     "rospy.get_param_cached": Argument(1, "default"),
 }
+_TEXT_METHODS = frozenset({"lower", "upper", "strip", "lstrip", "rstrip", "replace"})
 # A field width such as `%99999999d` would make a text larger than the memory.
 _WIDTH = re.compile(r"\d{4}")
 
@@ -63,6 +65,18 @@ class Names(Protocol):
 
     def calls_of(self, name: str) -> list[Node]:
         """Return the calls of a function or method of a name."""
+
+    def during(self, world: Mapping[int, Any]) -> AbstractContextManager[None]:
+        """Answer for one pass through the file, in which nothing else is chosen."""
+
+    def fold_item(self, binding: Binding, name: str, depth: int) -> Folded:
+        """Return the constant that a parameter or the variable of a loop is in this pass."""
+
+    def fold_held(self, node: Node, scope: Scope, depth: int) -> Folded:
+        """Return the constant that `TOPICS['scan']` or `TOPICS.get('scan')` is."""
+
+    def returned(self, call: Node, scope: Scope, depth: int) -> Folded:
+        """Return the constant that a call of a function of the file gives."""
 
 
 class Constants:
@@ -155,9 +169,17 @@ class Constants:
         name = node.child_by_field_name("attribute")
         text = self._syntax.slice(name) if name is not None else ""
         holder = node.child_by_field_name("object")
-        if text in ("value", "string_value") and holder is not None and holder.type == "call":
+        if holder is None:
+            return None
+        if text in ("value", "string_value") and holder.type == "call":
             return self._parameter_value(holder, scope, depth)
-        return self._fold_all(self._names.attribute_bindings(node, scope, depth), text, depth)
+        bindings = self._names.attribute_bindings(node, scope, depth)
+        found = scope.lookup(self._syntax.slice(holder)) if holder.type == "identifier" else None
+        if found is not None and found[0].self_name == self._syntax.slice(holder):
+            return self._fold_all(bindings, text, depth)
+        # Which call has made another object is not known.
+        with self._names.during({}):
+            return self._fold_all(bindings, text, depth)
 
     def _fold_all(self, bindings: list[Binding], name: str, depth: int) -> Folded:
         """Fold what a name is bound to; None unless every binding says the same."""
@@ -176,7 +198,7 @@ class Constants:
             return self.fold(binding.value, binding.scope, depth)
         if binding.node.type == "augmented_assignment":
             return self._operator(binding.node, binding.scope, depth)
-        return None
+        return self._names.fold_item(binding, name, depth)
 
     def _call(self, node: Node, scope: Scope, depth: int) -> Folded:
         callee = node.child_by_field_name("function")
@@ -193,10 +215,27 @@ class Constants:
         method = callee.child_by_field_name("attribute")
         holder = callee.child_by_field_name("object")
         if method is None or holder is None or arguments.is_open:
-            return None
-        if self._syntax.slice(method) == "format":
+            return self._names.returned(node, scope, depth)
+        text = self._syntax.slice(method)
+        if text == "format":
             return self._format_call(holder, arguments, scope, depth)
-        return None
+        if text in _TEXT_METHODS:
+            values = [self.fold(each, scope, depth) for each in arguments.positional]
+            return _with_method(text, [self.fold(holder, scope, depth), *values])
+        if text == "get":
+            return self._names.fold_held(node, scope, depth)
+        return self._names.returned(node, scope, depth)
+
+    def _subscript(self, node: Node, scope: Scope, depth: int) -> Folded:
+        return self._names.fold_held(node, scope, depth)
+
+    def _choice(self, node: Node, scope: Scope, depth: int) -> Folded:
+        """Fold `topic or 'default'`."""
+        left, operator, right = (node.child_by_field_name(n) for n in ("left", "operator", "right"))
+        folded = self.fold(left, scope, depth)
+        if folded is None or operator is None or operator.type != "or":
+            return None
+        return folded if folded.value else self.fold(right, scope, depth)
 
     def _format_call(self, holder: Node, arguments: Arguments, scope: Scope, depth: int) -> Folded:
         names = list(arguments.keywords)
@@ -257,6 +296,8 @@ _FOLDERS: dict[str, Callable[[Constants, Node, Scope, int], Folded]] = {
     "identifier": Constants._identifier,
     "attribute": Constants._attribute,
     "call": Constants._call,
+    "subscript": Constants._subscript,
+    "boolean_operator": Constants._choice,
 }
 
 
@@ -275,6 +316,14 @@ def _defaulted(folded: Folded) -> Folded:
     if folded is not None and isinstance(folded.value, str):
         return Defaulted(folded.value)
     return None
+
+
+def _with_method(method: str, values: list[Folded]) -> Folded:
+    """Fold a method of a text that takes texts."""
+    if any(value is not None and not isinstance(value.value, str) for value in values):
+        return None
+    render = getattr(str, method)
+    return _format(values[0], values[1:], lambda text, parts: render(text, *parts))
 
 
 def _join(parts: list[Folded]) -> Folded:

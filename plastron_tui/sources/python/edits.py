@@ -154,6 +154,7 @@ class Edits:
             sites = find_sites(part_of(before, change.node), change)
             if not sites:
                 raise _not_there(change)
+            _refuse_passes(change, sites)
             wanted.update(dict.fromkeys(sites, change.to))
         try:
             renaming = plan_names(before, wanted)
@@ -201,6 +202,7 @@ class Edits:
 
     def _update(self, change: Update) -> None:
         """Change an endpoint in place; take it out and write it anew where that cannot be."""
+        _refuse_passes(change, find_sites(part_of(self.analysis, change.node), change))
         before, expected = self.analysis, self.expected.copy()
         if self._differs_in_name(change) and self._has_renamed(change):
             return
@@ -324,6 +326,17 @@ def _not_there(change: Remove | Rename) -> RefusedError:
     return RefusedError(Diagnostic(codes.EDIT_REFUSED, message, change.span))
 
 
+def _refuse_passes(change: Remove | Rename | Update, sites: Sequence[Site]) -> None:
+    """Refuse to change one of the endpoints that a call creates one after the other."""
+    site = next((site for site in sites if site.of_passes), None)
+    if site is None:
+        return
+    line, given = site.endpoint.line, site.endpoint.expression
+    message = f"line {line} creates the {change.kind.word} `{change.name}` among others"
+    remedy = f"change by hand what gives `{given}` its values"
+    raise RefusedError(Diagnostic(codes.EDIT_REFUSED, message, change.span, help=remedy))
+
+
 def _not_named(site: Site, changes: Sequence[Rename]) -> RefusedError:
     kind, name = site.endpoint.kind, site.endpoint.name or site.endpoint.default
     spans = [each.span for each in changes if (each.kind, each.name) == (kind, name)]
@@ -340,6 +353,7 @@ def _removed(analysis: Analysis, change: Remove, expected: Found) -> bytes:
     sites = find_sites(part_of(analysis, change.node), change)
     if not sites:
         raise _not_there(change)
+    _refuse_passes(change, sites)
     removal = plan_removal(analysis, sites)
     if removal.lines:
         listed = sorted(removal.lines)

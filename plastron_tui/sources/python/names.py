@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -11,14 +10,14 @@ from tree_sitter import Node
 from plastron_tui.ros.interfaces import InterfaceName
 
 from .arguments import Arguments
-from .callers import Callers, Calls, count_words
 from .calls import Argument, ClientLibrary
-from .classes import Classes
 from .constants import MOST_BINDINGS, MOST_DEEP, Constants, Folded, Known, without_none
+from .containers import Given
+from .passes import Passes
 from .scopes import Binding, BindingKind, Scope, ScopeTree
 from .stars import star_interface
 from .syntax import Syntax, parts_of
-from .work_limits import Effort, bounded
+from .work_limits import bounded
 
 _WRAPPED_TYPES = frozenset({"rospy.numpy_msg.numpy_msg", "numpy_msg.numpy_msg"})
 _CLASS_LOADERS = frozenset({"roslib.message.get_message_class", "roslib.message.get_service_class"})
@@ -40,24 +39,19 @@ class Instance:
     qualified: str = ""
 
 
-class Resolver:
+class Resolver(Passes):
     """Answers what the names of one file stand for."""
 
     def __init__(
         self, syntax: Syntax, scopes: ScopeTree, calls: list[Node], library: ClientLibrary
     ) -> None:
-        self._syntax = syntax
+        super().__init__(syntax, scopes, calls)
         self._ros = library.distribution
         self._node_makers = library.node_classes | library.node_calls.keys()
-        self._scopes = scopes
-        self._calls = Calls(calls, syntax)
-        self._words: Counter[bytes] | None = None
         self._trace: list[Node] | None = None
-        self.classes = Classes(syntax, scopes)
         self._distinct_of: dict[tuple[Scope, str], list[Binding]] = {}
         self._foreign: dict[Scope, list[str]] = {}
         self._own_foreign: dict[Scope, list[str]] = {}
-        self.effort = Effort(len(syntax.text))
 
     @bounded(())
     def qualified(self, node: Node | None, scope: Scope, depth: int = 0) -> tuple[str, ...]:
@@ -124,14 +118,17 @@ class Resolver:
     def _targets(self, binding: Binding, name: str, depth: int) -> tuple[str, ...]:
         if binding.kind is BindingKind.IMPORT:
             return (binding.target,)
-        value = binding.value
+        value, scope = binding.value, binding.scope
+        item = self.item(binding, name)
+        if isinstance(item, Given):
+            value, scope = item
+        elif binding.kind is BindingKind.PARAMETER and not self.keeps_default(binding, name):
+            return ()
         if value is None or value.type not in ("identifier", "attribute"):
             return ()
-        if self._syntax.slice(value) == name:
+        if self._syntax.slice(value) == name and scope is binding.scope:
             return ()
-        if binding.kind is BindingKind.PARAMETER and not self.keeps_default(binding, name):
-            return ()
-        return self.qualified(value, binding.scope, depth + 1)
+        return self.qualified(value, scope, depth + 1)
 
     @bounded(None)
     def interface(self, node: Node | None, scope: Scope, depth: int = 0) -> InterfaceName | None:
@@ -247,7 +244,7 @@ class Resolver:
         if binding.kind is BindingKind.VALUE:
             return self.instance(binding.value, binding.scope, depth + 1)
         if binding.kind is BindingKind.PARAMETER:
-            given = self._given(binding, self._syntax.slice(node))
+            given = self.given(binding, self._syntax.slice(node))
             return self._common_instance(given, depth)
         if binding.kind is BindingKind.UNKNOWN and binding.node.type == "as_pattern":
             value = binding.node.named_children[0] if binding.node.named_child_count else None
@@ -308,59 +305,6 @@ class Resolver:
         finally:
             self._trace = None
         return trace
-
-    def calls_of(self, name: str) -> list[Node]:
-        """Return the calls whose callee ends in a name."""
-        return self._calls.of(name)
-
-    def callers_of(self, function: Scope) -> list[Node]:
-        """Return the calls in the file that may call a function."""
-        owner = function.parent
-        if function.name != "__init__" or owner is None:
-            return self.calls_of(function.name)
-        callers = list(self.calls_of(owner.name))
-        for other in self.classes.derived(owner):
-            callers += self.calls_of(other.name)
-        for call in self.calls_of("__init__"):
-            inside = self._scopes.at(call.start_byte).enclosing("class")
-            if inside is not owner and inside is not None and owner in self.classes.bases(inside):
-                callers.append(call)
-        return callers
-
-    def _given(self, binding: Binding, name: str) -> list[tuple[Node | None, Scope]]:
-        """Return what the callers in the file give for a parameter."""
-        function = binding.owner
-        if function is None or function.kind != "function":
-            return []
-        position = binding.index - bool(function.self_name) if binding.index >= 0 else -1
-        found: list[tuple[Node | None, Scope]] = []
-        for call in self.callers_of(function)[:16]:
-            arguments = Arguments.of(call, self._syntax)
-            value = None if arguments.is_open else arguments.get(Argument(position, name))
-            found.append((value, self._scopes.at(call.start_byte)))
-        return found
-
-    def keeps_default(self, binding: Binding, name: str) -> bool:
-        """Whether no caller in the file gives a parameter another value than its default."""
-        callers = self._callers(binding)
-        return callers is not None and callers.keep_default(binding, name)
-
-    def parameter(self, binding: Binding, name: str, depth: int) -> Folded:
-        """Return the constant that a parameter has wherever the file calls the function."""
-        callers = self._callers(binding, depth)
-        return callers.value(binding, name) if callers is not None else None
-
-    def _callers(self, binding: Binding, depth: int = 0) -> Callers | None:
-        function = binding.owner
-        if function is None:
-            return None
-        if self._words is None:
-            self._words = count_words(self._syntax.text)
-        calls = self.callers_of(function)
-        if len(calls) > MOST_BINDINGS:
-            return None
-        known = (self._syntax, self._scopes, self.fold, self._words)
-        return Callers(function, calls, *known, depth)
 
 
 def _may_name(binding: Binding) -> bool:

@@ -6,20 +6,14 @@ import re
 
 from tree_sitter import Node
 
-from plastron_tui.diagnostics import Span
-from plastron_tui.model.source import EndpointKind, SourceEndpoint
-from plastron_tui.ros.interfaces import InterfaceName
-from plastron_tui.ros.names import name_as_read
-
 from .analysis import Analysis, NodeSite, Site
 from .arguments import Arguments
-from .callbacks import callback_target
 from .calls import Argument, CallShape, ClientLibrary
-from .constants import Defaulted, Known
-from .guesses import is_default_guess, is_star_guess
+from .constants import Known
+from .created import created_by
 from .names import NODE, Resolver
 from .scopes import Scope, build_scopes
-from .syntax import Syntax, parse, parts_of
+from .syntax import Syntax, parse
 
 # How people call a variable that holds a node, where nothing else says what it is.
 _NODE_VARIABLE = re.compile(r"(?:\w*_)?node(?:handle)?_*$", re.IGNORECASE)
@@ -308,91 +302,7 @@ class _Finder:
                 self._nodes_by_use.add(variable)
         if owner is not None and not self._a.resolver.derives_from(owner, self._node_classes):
             owner = self.heir(owner) or owner
-        for name_node in self._name_nodes(shape, arguments):
-            endpoint = self._endpoint(call, shape, scope, arguments, name_node)
-            self._a.sites.append(Site(endpoint, call, scope, receiver, owner, arguments, shape))
-
-    def _name_nodes(self, shape: CallShape, arguments: Arguments) -> list[Node | None]:
-        """Return the argument that names the endpoint, or each name of a list of parameters."""
-        node = arguments.get(shape.name)
-        if "declare_parameters" not in shape.callees or node is None:
-            return [node]
-        if node.type not in ("list", "tuple"):
-            return [node]
-        found: list[Node | None] = []
-        for item in parts_of(node):
-            inner = parts_of(item) if item.type == "tuple" else []
-            found.append(inner[0] if inner else item)
-        return found
-
-    def _endpoint(
-        self,
-        call: Node,
-        shape: CallShape,
-        scope: Scope,
-        arguments: Arguments,
-        name_node: Node | None,
-    ) -> SourceEndpoint:
-        syntax, resolver = self._a.syntax, self._a.resolver
-        name: str | None = None
-        default: str | None = None
-        if name_node is not None and shape.kind is not EndpointKind.TIMER:
-            folded = resolver.fold(name_node, scope)
-            if isinstance(folded, Known) and isinstance(folded.value, str):
-                read = name_as_read(folded.value, self._a.library.ros_version)
-                name = self._in_namespace(read, shape, arguments, scope)
-            elif isinstance(folded, Defaulted):
-                default = name_as_read(folded.value, self._a.library.ros_version)
-        type_node = arguments.get(shape.type) if shape.type is not None else None
-        callback = arguments.get(shape.callback) if shape.callback is not None else None
-        type_ = self._interface(type_node, scope)
-        return SourceEndpoint(
-            kind=shape.kind,
-            name=name,
-            expression=self._expression(name_node, arguments),
-            span=Span(call.start_byte, call.end_byte),
-            line=call.start_point.row + 1,
-            type=type_,
-            type_expression=syntax.slice(type_node) if type_node is not None else "",
-            callback=self.callback_name(callback, scope),
-            default=default,
-            is_guess=self._is_guess(
-                None if name is None else name_node, None if type_ is None else type_node, scope
-            ),
-        )
-
-    def _is_guess(self, name: Node | None, type_: Node | None, scope: Scope) -> bool:
-        """Whether another file may give an endpoint another name, or bring another type in."""
-        syntax, resolver = self._a.syntax, self._a.resolver
-        if name is not None and is_default_guess(name, scope, resolver, self._a.scopes, syntax):
-            return True
-        if type_ is None or type_.type != "identifier" or scope.lookup(syntax.slice(type_)):
-            return False
-        modules = resolver.star_modules(scope)
-        return is_star_guess(syntax.slice(type_), modules, self._a.library.distribution)
-
-    def _in_namespace(
-        self, name: str, shape: CallShape, arguments: Arguments, scope: Scope
-    ) -> str | None:
-        """Put the namespace of `declare_parameters` before a name; None where it is unknown."""
-        if "declare_parameters" not in shape.callees:
-            return name
-        given = arguments.get(Argument(0, "namespace"))
-        folded = self._a.resolver.fold(given, scope)
-        if not isinstance(folded, Known) or not isinstance(folded.value, str):
-            return None
-        return f"{folded.value}.{name}" if folded.value else name
-
-    def _expression(self, node: Node | None, arguments: Arguments) -> str:
-        node = node if node is not None else arguments.splat
-        return self._a.syntax.slice(node) if node is not None else ""
-
-    def _interface(self, node: Node | None, scope: Scope) -> InterfaceName | None:
-        return self._a.resolver.interface(node, scope) if node is not None else None
-
-    def callback_name(self, node: Node | None, scope: Scope) -> str | None:
-        """Return the name of a callback, None for one that has no name."""
-        node = callback_target(node, scope, self._a)
-        if node is None or node.type not in ("identifier", "attribute"):
-            return None
-        return self._a.syntax.slice(node).rpartition(".")[2].strip()
+        self._a.sites += [
+            Site(endpoint, call, scope, receiver, owner, arguments, shape, of_passes)
+            for endpoint, of_passes in created_by(self._a, call, shape, scope, arguments)
+        ]

@@ -49,3 +49,73 @@ VALUES_ONE_BY_ONE = [
 @pytest.mark.parametrize(("body", "expected"), VALUES_ONE_BY_ONE)
 def test_a_line_sees_the_value_that_a_name_has_there(body, expected):
     assert names(body) == expected
+
+
+MAKE = "def make(t):\n    return rospy.Publisher('/' + t, String)\n"
+ROBOT = "class Robot:\n    def __init__(self, t):\n        self.t = t\n"
+OPENS = "    def open(self):\n        rospy.Publisher(self.t, String)\n"
+
+PASSES = [
+    # helpers
+    (f"{MAKE}make('a')\nmake(t='b')\n", ["/a", "/b"]),
+    (f"{MAKE}make('a')\nmake('a')\n", ["/a"]),
+    (f"{MAKE}make('a')\nmake(sys.argv[1])\n", ["/a", None]),
+    (f"{MAKE}make(sys.argv[1])\nmake(sys.argv[2])\n", [None]),
+    (f"{MAKE}other.make('a')\nother.make('b')\n", [None]),
+    (f"{MAKE}for each in 'ab':\n    make(each)\n", ["/a", "/b"]),
+    (f"{MAKE}def pair(side):\n    make(side + '/x')\npair('l')\npair('r')\n", ["/l/x", "/r/x"]),
+    (f"def make(t, q=1):\n    if t == 'a':\n        {USE}make('a')\nmake('b')\n", [None]),
+    (f"def make(t):\n    if not t:\n        return\n    {USE}make('a')\nmake('b')\n", [None]),
+    (f"def make(t):\n    if sys.argv:\n        {USE}make('a')\nmake('b')\n", ["a", "b"]),
+    ("class A:\n    def make(self, t):\n        if t not in self.made:\n"
+     "            self.made[t] = rospy.Publisher(t, String)\n"
+     "    def go(self):\n        self.make('a')\n        self.make('b')\n", ["a", "b"]),
+    ("class A:\n    def make(self, t='x'):\n        rospy.Publisher(t, String)\n"
+     "    def go(self):\n        self.make()\n        self.make('b')\n", ["x", "b"]),
+    # objects
+    (f"{ROBOT}{OPENS}Robot('a').open()\nRobot('b').open()\n", ["a", "b"]),
+    (f"{ROBOT}a = Robot('a')\nb = Robot('b')\nrospy.Publisher(a.t, String)\n", [None]),
+    (f"{ROBOT}class A(Robot):\n    def __init__(self):\n        super().__init__('a')\n{OPENS}"
+     "class B(Robot):\n    def __init__(self):\n        Robot.__init__(self, 'b')\n", ["a"]),
+    (f"{ROBOT}{OPENS}class A(Robot):\n    def __init__(self):\n        super().__init__('a')\n"
+     "class B(Robot):\n    def __init__(self):\n        Robot.__init__(self, 'b')\n", ["a", "b"]),
+    ("class A:\n    def set(self, t):\n        self.t = t\n    def open(self):\n"
+     "        rospy.Publisher(self.t, String)\na = A()\na.set('a')\na.set('b')\n", [None]),
+    # loops
+    (f"for t in ('a', 'b'):\n    {USE}", ["a", "b"]),
+    (f"ALL = ['a', 'b']\nfor t in ALL:\n    {USE}", ["a", "b"]),
+    (f"ALL = ['a', 'b']\nALL.append('c')\nfor t in ALL:\n    {USE}", [None]),
+    (f"ALL = ['a', 'b']\nALL[0] = 'c'\nfor t in ALL:\n    {USE}", [None]),
+    (f"ALL = ['a', *sys.argv]\nfor t in ALL:\n    {USE}", [None]),
+    (f"for t in ('a', sys.argv[1]):\n    {USE}", ["a", None]),
+    (f"for i, t in enumerate(['a', 'b']):\n    {USE}", ["a", "b"]),
+    (f"for t, k in {{'a': Int8, 'b': String}}.items():\n    {USE}", ["a", "b"]),
+    ("for a, b in zip('ab', 'cd'):\n    rospy.Publisher(a + b, String)\n", ["ac", "bd"]),
+    ("for a in 'ab':\n    for b in 'cd':\n        rospy.Publisher(a + b, String)\n",
+     ["ac", "ad", "bc", "bd"]),
+    ("[rospy.Publisher('r%d' % i, String) for i in range(2)]\n", ["r0", "r1"]),
+    ("[rospy.Publisher('r%d' % i, String) for i in range(2) if i]\n", [None]),
+    (f"for t in ('a', 'b'):\n    if t == 'a':\n        continue\n    {USE}", [None]),
+    (f"for t in ('a', 'b'):\n    pass\n{USE}", [None]),
+    (f"for t in {tuple(map(str, range(100)))}:\n    {USE}", [None]),
+    # what a container holds
+    ("T = {'a': {'t': 'x'}}\nrospy.Publisher(T['a']['t'], String)\n", ["x"]),
+    ("T = {'a': 'x'}\nT['a'] = 'y'\nrospy.Publisher(T['a'], String)\n", [None]),
+    ("T = dict(a='x')\nrospy.Publisher(T.get('a', 'y'), String)\n", ["x"]),
+    ("T = ['x', 'y']\nrospy.Publisher(T[1], String)\n", ["y"]),
+    # what a function gives
+    ("def name(t):\n    return '/' + t\nrospy.Publisher(name('a'), String)\n", ["/a"]),
+    ("name = lambda t: '/' + t\nrospy.Publisher(name(name('a')), String)\n", ["//a"]),
+    ("def f(t):\n    if t:\n        return 'x'\n    return t\n"
+     "rospy.Publisher(f('a'), Int8)\n", [None]),
+    ("def name(t):\n    return rospy.get_param('~' + t, t)\nrospy.Publisher(name('a'), Int8)\n",
+     ["[a]"]),
+    ("def name(t):\n    return name(t)\nrospy.Publisher(name('a'), Int8)\n", [None]),
+    ("rospy.Publisher('/A/'.strip('/').lower(), String)\n", ["a"]),
+    ("rospy.Publisher(rospy.get_param('~t', '') or 'a', String)\n", ["a"]),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("body", "expected"), PASSES)
+def test_each_call_and_each_turn_of_a_loop_has_a_name(body, expected):
+    assert names(body) == expected

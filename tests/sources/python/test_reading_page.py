@@ -21,7 +21,6 @@ node = rclpy.create_node('n')
 FOUND = {
     "A library that is chosen as the file runs": [],
     "Both libraries in one file": ["state"],
-    "Functions of your own that create endpoints": [None],
     "What another file decides": [None],
     "What the run decides": [None],
 }

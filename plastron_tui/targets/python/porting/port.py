@@ -68,7 +68,7 @@ def _ported(source: SourceUnit, work: Work, library: str, limit: int) -> Rendere
     """
     before = work.analysis
     _PORTS[library](work)
-    for site in before.sites:
+    for site in before.first_sites():
         if site.endpoint.name is None and site.endpoint.kind in _KINDS and site.endpoint.expression:
             work.mark(site.call, f"the name {_one_line(site.endpoint.expression)}", _CHECK)
         _mark_type(work, site)

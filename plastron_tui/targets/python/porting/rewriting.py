@@ -31,7 +31,7 @@ def port_sites(
         writers: what writes the call of each kind.
         private_name: writes a name that starts with `~`, which each library takes its own way.
     """
-    for site in reversed(work.analysis.sites):
+    for site in reversed(work.analysis.first_sites()):
         if site.endpoint.kind not in writers or site.arguments.is_open:
             continue
         name = site.arguments.get(site.shape.name)

@@ -1,0 +1,261 @@
+"""How the lines of a file come to run: who calls their function, and what their loop takes.
+
+A name that a parameter or the variable of a loop decides is one for each call and each turn.
+"""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections import Counter
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from tree_sitter import Node
+
+from .arguments import Arguments
+from .callers import Callers, Calls, called_function, count_words, given_for
+from .classes import Classes
+from .constants import MOST_BINDINGS, Folded, Known
+from .containers import Containers, Given, Item, changed_names, part_of_item
+from .runs import (
+    EVERYWHERE,
+    LOOPS,
+    Frame,
+    Turn,
+    World,
+    is_made_in,
+    is_related,
+    made_class,
+    result_of,
+)
+from .scopes import Binding, BindingKind, Scope, ScopeTree
+from .syntax import Syntax
+from .work_limits import Effort, bounded
+
+MOST_PASSES = 64
+"""The most passes through a line that are told apart."""
+
+
+class Passes:
+    """The calls of the functions of one file, and the turns of its loops."""
+
+    def __init__(self, syntax: Syntax, scopes: ScopeTree, calls: list[Node]) -> None:
+        self._syntax = syntax
+        self._scopes = scopes
+        self._calls = Calls(calls, syntax)
+        self._words: Counter[bytes] | None = None
+        self._changed: frozenset[bytes] | None = None
+        self._world = EVERYWHERE
+        self._open: list[Binding] | None = None
+        self.classes = Classes(syntax, scopes)
+        self.effort = Effort(len(syntax.text))
+
+    @abstractmethod
+    def fold(self, node: Node | None, scope: Scope, depth: int = 0) -> Folded:
+        """Return the constant that an expression is."""
+
+    @abstractmethod
+    def attribute_bindings(self, node: Node, scope: Scope, depth: int = 0) -> list[Binding]:
+        """Return what binds `object.name` where the object is of a class of the file."""
+
+    @property
+    def containers(self) -> Containers:
+        """The containers of the file, as they are in the pass that is looked at."""
+        if self._changed is None:
+            self._changed = changed_names(self._syntax.text)
+        # Not kept: each would hold the other, and only the cycle collector would free them.
+        return Containers(self, self._syntax, self._changed)
+
+    @contextmanager
+    def during(self, world: World) -> Iterator[None]:
+        """Answer for one pass, in which nothing else is chosen."""
+        before = self._world, self._open
+        self._world, self._open = world, None
+        try:
+            yield
+        finally:
+            self._world, self._open = before
+
+    @bounded([EVERYWHERE])
+    def passes(self, node: Node, scope: Scope, call: Node) -> list[World]:
+        """Return the passes in which an argument of a call has a value of its own.
+
+        A single one that says nothing where there are no more, or where it is not sure that the
+        call is made in each of them.
+        """
+        found: list[World] = []
+        pending = [EVERYWHERE]
+        is_known = False
+        while pending:
+            world = pending.pop(0)
+            options: list[tuple[int, Frame | Turn]] = []
+            with self.during(world):
+                self._open = []
+                folded = self.fold(node, scope)
+                if folded is None:
+                    options = self._options(self._open)
+            pending += [{**world, key: option} for key, option in options]
+            if not options:
+                found.append(world)
+                is_known = is_known or folded is not None
+            if len(found) + len(pending) > MOST_PASSES:
+                return [EVERYWHERE]
+        if not is_known or not all(
+            is_made_in(world, call, self._syntax, self.effort) for world in found
+        ):
+            return [EVERYWHERE]
+        known = self._scopes, self.classes, self._syntax
+        related = [world for world in found if is_related(world, call, *known)]
+        return related or [EVERYWHERE]
+
+    def _options(self, bindings: list[Binding]) -> list[tuple[int, Frame | Turn]]:
+        """Return what the first binding that leaves a choice may come from."""
+        for binding in bindings[:MOST_BINDINGS]:
+            found: list[tuple[int, Frame | Turn]] = []
+            function, loop = binding.owner, binding.node
+            if function is not None:
+                calls = self._sure_callers(function)
+                found = [(function.node.id, Frame(function, call)) for call in calls]
+            else:
+                taken = loop.child_by_field_name("right")
+                items = self.containers.items(taken, binding.scope) or ()
+                found = [(loop.id, Turn(loop, binding.scope, item)) for item in items]
+            if found:
+                return found
+        return []
+
+    def item(self, binding: Binding, name: str) -> Item | None:
+        """Return what a parameter or the variable of a loop stands for in this pass."""
+        is_parameter = binding.kind is BindingKind.PARAMETER and binding.owner is not None
+        if not is_parameter and binding.node.type not in LOOPS:
+            return None
+        key = binding.owner.node.id if binding.owner is not None else binding.node.id
+        chosen = self._world.get(key)
+        if chosen is None:
+            if self._open is not None:
+                self._open.append(binding)
+            return None
+        if isinstance(chosen, Turn):
+            pattern = chosen.loop.child_by_field_name("left")
+            return part_of_item(pattern, chosen.item, name, self.containers)
+        given = given_for(chosen.call, chosen.function, binding, name, self._syntax)
+        if given is not None:
+            return Given(given, self._scopes.at(given.start_byte))
+        is_default = not Arguments.of(chosen.call, self._syntax).is_open
+        return Given(binding.value, binding.scope) if is_default and binding.value else None
+
+    def fold_item(self, binding: Binding, name: str, depth: int) -> Folded:
+        """Return the constant that a parameter or the variable of a loop is in this pass."""
+        item = self.item(binding, name)
+        if not isinstance(item, Given):
+            return item if isinstance(item, Known) else None
+        frame = self._world.get(binding.owner.node.id) if binding.owner is not None else None
+        before = self._world
+        if isinstance(frame, Frame) and frame.world is not None:
+            self._world = frame.world
+        try:
+            return self.fold(item.node, item.scope, depth)
+        finally:
+            self._world = before
+
+    def fold_held(self, node: Node, scope: Scope, depth: int) -> Folded:
+        """Return the constant that `TOPICS['scan']` or `TOPICS.get('scan')` is."""
+        held = self.containers
+        is_call = node.type == "call"
+        item = (held.value_of if is_call else held.subscripted)(node, scope, depth)
+        return self.fold(item.node, item.scope, depth) if item is not None else None
+
+    def returned(self, call: Node, scope: Scope, depth: int) -> Folded:
+        """Return the constant that a call of a function of the file gives."""
+        callee = call.child_by_field_name("function")
+        function = (
+            called_function(callee, scope, self, self._scopes, self._syntax)
+            if callee is not None
+            else None
+        )
+        value = result_of(function) if function is not None else None
+        if function is None or value is None or function.node.id in self._world:
+            return None
+        before = self._world
+        self._world = {**before, function.node.id: Frame(function, call, before)}
+        try:
+            return self.fold(value, function, depth)
+        finally:
+            self._world = before
+
+    def _sure_callers(self, function: Scope) -> list[Node]:
+        """Return the calls of the file that call a function for sure, and not from within."""
+        calls = self.callers_of(function)
+        found: list[Node] = []
+        for call in calls if len(calls) <= MOST_BINDINGS else ():
+            scope = self._scopes.at(call.start_byte)
+            if not scope.is_within(function) and self._calls_surely(call, scope, function):
+                found.append(call)
+        return found
+
+    def _calls_surely(self, call: Node, scope: Scope, function: Scope) -> bool:
+        callee, owner = call.child_by_field_name("function"), function.parent
+        if callee is None or owner is None:
+            return False
+        if function.name != "__init__" or not function.self_name:
+            return called_function(callee, scope, self, self._scopes, self._syntax) is function
+        made = made_class(call, scope, self._syntax)
+        if made is None or made is owner:
+            return made is owner
+        is_inherited = callee.type == "attribute" or "__init__" not in made.bindings
+        return is_inherited and owner in self.classes.bases(made)
+
+    def calls_of(self, name: str) -> list[Node]:
+        """Return the calls whose callee ends in a name."""
+        return self._calls.of(name)
+
+    def callers_of(self, function: Scope) -> list[Node]:
+        """Return the calls in the file that may call a function."""
+        owner = function.parent
+        if function.name != "__init__" or owner is None:
+            return self.calls_of(function.name)
+        callers = list(self.calls_of(owner.name))
+        for other in self.classes.derived(owner):
+            callers += self.calls_of(other.name)
+        for call in self.calls_of("__init__"):
+            inside = self._scopes.at(call.start_byte).enclosing("class")
+            if inside is not owner and inside is not None and owner in self.classes.bases(inside):
+                callers.append(call)
+        return callers
+
+    def keeps_default(self, binding: Binding, name: str) -> bool:
+        """Whether no caller in the file gives a parameter another value than its default."""
+        callers = self._callers(binding)
+        return callers is not None and callers.keep_default(binding, name)
+
+    def parameter(self, binding: Binding, name: str, depth: int) -> Folded:
+        """Return the constant that a parameter has wherever the file calls the function."""
+        if binding.owner is not None and binding.owner.node.id in self._world:
+            return self.fold_item(binding, name, depth)
+        with self.during(EVERYWHERE):
+            callers = self._callers(binding, depth)
+            folded = callers.value(binding, name) if callers is not None else None
+        return folded if folded is not None else self.fold_item(binding, name, depth)
+
+    def given(self, binding: Binding, name: str) -> list[tuple[Node | None, Scope]]:
+        """Return what the callers in the file give for a parameter."""
+        function = binding.owner
+        if function is None or function.kind != "function":
+            return []
+        found: list[tuple[Node | None, Scope]] = []
+        for call in self.callers_of(function)[:16]:
+            value = given_for(call, function, binding, name, self._syntax)
+            found.append((value, self._scopes.at(call.start_byte)))
+        return found
+
+    def _callers(self, binding: Binding, depth: int = 0) -> Callers | None:
+        function = binding.owner
+        if function is None:
+            return None
+        if self._words is None:
+            self._words = count_words(self._syntax.text)
+        calls = self.callers_of(function)
+        if len(calls) > MOST_BINDINGS:
+            return None
+        known = (self._syntax, self._scopes, self.fold, self._words)
+        return Callers(function, calls, *known, depth)
