@@ -11,7 +11,7 @@ from tree_sitter import Node
 
 from .arguments import Arguments
 from .calls import Argument
-from .constants import MOST_BINDINGS, MOST_DEEP, Folded, Names
+from .constants import MOST_BINDINGS, MOST_DEEP, Folded
 from .flow import reaching
 from .scopes import Binding, BindingKind, Scope, ScopeTree
 from .syntax import Syntax
@@ -19,6 +19,7 @@ from .syntax import Syntax
 _WORD = re.compile(rb"(?<!super\()\b[A-Za-z_]\w*")
 
 Fold = Callable[[Node | None, Scope, int], Folded]
+Bindings = Callable[[Node, Scope], list[Binding]]
 
 
 class Calls:
@@ -127,12 +128,20 @@ def _gives_self(call: Node) -> bool:
 
 
 def called_function(
-    callee: Node, scope: Scope, names: Names, scopes: ScopeTree, syntax: Syntax
+    callee: Node, scope: Scope, bindings_of: Bindings, scopes: ScopeTree, syntax: Syntax
 ) -> Scope | None:
-    """Return the function of the file that a call runs, None where that is not sure."""
+    """Return the function of the file that a call runs, None where that is not sure.
+
+    Args:
+        callee: what is called.
+        scope: the scope of the call.
+        bindings_of: returns what binds an attribute.
+        scopes: the scopes of the file.
+        syntax: the file.
+    """
     if callee.type == "attribute":
         holder = callee.child_by_field_name("object")
-        bindings = names.attribute_bindings(callee, scope)
+        bindings = bindings_of(callee, scope)
         function = bindings[0].owner if len(bindings) == 1 else None
         owner = function.parent if function is not None else None
         # `Class.method(object, …)` gives the object as well.

@@ -75,6 +75,9 @@ class Names(Protocol):
     def fold_held(self, node: Node, scope: Scope, depth: int) -> Folded:
         """Return the constant that `TOPICS['scan']` or `TOPICS.get('scan')` is."""
 
+    def option(self, node: Node, scope: Scope, depth: int) -> Folded:
+        """Return the default of `args.topic`, an option of the command line."""
+
     def returned(self, call: Node, scope: Scope, depth: int) -> Folded:
         """Return the constant that a call of a function of the file gives."""
 
@@ -174,6 +177,8 @@ class Constants:
         if text in ("value", "string_value") and holder.type == "call":
             return self._parameter_value(holder, scope, depth)
         bindings = self._names.attribute_bindings(node, scope, depth)
+        if not bindings:
+            return self._names.option(node, scope, depth)
         found = scope.lookup(self._syntax.slice(holder)) if holder.type == "identifier" else None
         if found is not None and found[0].self_name == self._syntax.slice(holder):
             return self._fold_all(bindings, text, depth)
@@ -207,7 +212,7 @@ class Constants:
         arguments = Arguments.of(node, self._syntax)
         for name in self._names.qualified(callee, scope):
             if name in _PARAMETER_READERS:
-                return _defaulted(self.fold(arguments.get(_PARAMETER_READERS[name]), scope, depth))
+                return as_default(self.fold(arguments.get(_PARAMETER_READERS[name]), scope, depth))
         if callee.type == "identifier" and self._syntax.slice(callee) == "str":
             inner = self.fold(arguments.get(Argument(0, "")), scope, depth)
             is_builtin = scope.lookup("str") is None and len(arguments.positional) == 1
@@ -259,7 +264,7 @@ class Constants:
         arguments = Arguments.of(call, self._syntax)
         if name == "declare_parameter":
             default = arguments.get(Argument(1, "value"))
-            return _defaulted(self.fold(default, scope, depth))
+            return as_default(self.fold(default, scope, depth))
         if name == "get_parameter_value":
             inner = callee.child_by_field_name("object")
             is_call = inner is not None and inner.type == "call"
@@ -283,7 +288,7 @@ class Constants:
             arguments = Arguments.of(call, self._syntax)
             if self._name(arguments, scope, depth) == wanted:
                 found.add(self.fold(arguments.get(Argument(1, "value")), scope, depth))
-        return _defaulted(found.pop()) if len(found) == 1 else None
+        return as_default(found.pop()) if len(found) == 1 else None
 
 
 _FOLDERS: dict[str, Callable[[Constants, Node, Scope, int], Folded]] = {
@@ -312,7 +317,8 @@ def without_none(bindings: list[Binding]) -> list[Binding]:
     ]
 
 
-def _defaulted(folded: Folded) -> Folded:
+def as_default(folded: Folded) -> Folded:
+    """Return a constant as what something has that the run may give another value."""
     if folded is not None and isinstance(folded.value, str):
         return Defaulted(folded.value)
     return None

@@ -11,7 +11,7 @@ from tree_sitter import Node
 
 from .arguments import Arguments
 from .calls import Argument
-from .constants import MOST_BINDINGS, MOST_DEEP, Folded, Known
+from .constants import MOST_BINDINGS, MOST_DEEP, Folded, Known, without_none
 from .flow import reaching
 from .scopes import Binding, BindingKind, Scope
 from .syntax import Syntax, parts_of
@@ -56,6 +56,9 @@ class Values(Protocol):
     def attribute_bindings(self, node: Node, scope: Scope, depth: int = 0) -> list[Binding]:
         """Return what an attribute of an object of the file is bound to."""
 
+    def result(self, call: Node, scope: Scope) -> Given | None:
+        """Return the expression that a call of a function of the file gives."""
+
 
 def changed_names(text: bytes) -> frozenset[bytes]:
     """Return the names of what a file changes the items of; attributes by their last name."""
@@ -91,7 +94,10 @@ class Containers:
             return None if self._is_changed(name) else self._bound(bindings, name, depth)
         if node.type == "subscript":
             item = self.subscripted(node, scope, depth)
-            return self.literal(item.node, item.scope, depth + 1) if item is not None else None
+            return self.literal(item.node, item.scope, depth + 1) if item else Given(node, scope)
+        given = self._values.result(node, scope) if node.type == "call" else None
+        if given is not None and not has_parameters(given.scope):
+            return self.literal(given.node, given.scope, depth + 1)
         return Given(node, scope) if node.named_child_count <= _LARGEST else None
 
     def subscripted(self, node: Node, scope: Scope, depth: int = 0) -> Given | None:
@@ -231,9 +237,13 @@ class Containers:
         return found[-1] if found else Given(default, scope) if default is not None else None
 
     def _bound(self, bindings: list[Binding], name: str, depth: int) -> Given | None:
+        bindings = without_none(bindings)
         if len(bindings) != 1:
             return None
         binding = bindings[0]
+        if _is_first_of_call(binding, name):
+            # `args, rest = parser.parse_known_args()`
+            return Given(binding.node.child_by_field_name("right") or binding.node, binding.scope)
         if binding.kind is BindingKind.VALUE and binding.value is not None:
             return self.literal(binding.value, binding.scope, depth + 1)
         item = self._values.item(binding, name)
@@ -262,6 +272,24 @@ def part_of_item(pattern: Node | None, item: Item, name: str, within: Containers
     pairs: Iterable[tuple[Node, Item]] = zip(targets, item, strict=True)
     found = (part_of_item(target, part, name, within) for target, part in pairs)
     return next((part for part in found if part is not None), None)
+
+
+def has_parameters(function: Scope) -> bool:
+    """Whether a function takes anything but the object that it is a method of."""
+    bindings = (each for bound in function.bindings.values() for each in bound)
+    parameters = [each for each in bindings if each.kind is BindingKind.PARAMETER]
+    return len(parameters) > bool(function.self_name)
+
+
+def _is_first_of_call(binding: Binding, name: str) -> bool:
+    """Whether a name gets the first of several values that a call gives."""
+    if binding.node.type != "assignment" or binding.value is not None:
+        return False
+    value, target = (binding.node.child_by_field_name(each) for each in ("right", "left"))
+    parts = parts_of(target)
+    first = (parts[0].text or b"") if parts else b""
+    is_call = value is not None and value.type == "call"
+    return is_call and first.decode("utf-8", "replace").rpartition(".")[2] == name
 
 
 def _has_splat(parts: list[Node]) -> bool:

@@ -15,6 +15,7 @@ from tree_sitter import Node
 from .arguments import Arguments
 from .callers import Callers, Calls, called_function, count_words, given_for
 from .classes import Classes
+from .command_line import option_default
 from .constants import MOST_BINDINGS, Folded, Known
 from .containers import Containers, Given, Item, changed_names, part_of_item
 from .runs import (
@@ -165,21 +166,29 @@ class Passes:
         item = (held.value_of if is_call else held.subscripted)(node, scope, depth)
         return self.fold(item.node, item.scope, depth) if item is not None else None
 
+    def option(self, node: Node, scope: Scope, depth: int) -> Folded:
+        """Return the default of `args.topic`, an option of the command line."""
+        return option_default(node, scope, self, self._scopes, self._syntax, depth)
+
+    def result(self, call: Node, scope: Scope) -> Given | None:
+        """Return the expression that a call of a function of the file gives."""
+        callee = call.child_by_field_name("function")
+        if callee is None:
+            return None
+        known = self.attribute_bindings, self._scopes, self._syntax
+        function = called_function(callee, scope, *known)
+        value = result_of(function) if function is not None else None
+        return Given(value, function) if value is not None and function is not None else None
+
     def returned(self, call: Node, scope: Scope, depth: int) -> Folded:
         """Return the constant that a call of a function of the file gives."""
-        callee = call.child_by_field_name("function")
-        function = (
-            called_function(callee, scope, self, self._scopes, self._syntax)
-            if callee is not None
-            else None
-        )
-        value = result_of(function) if function is not None else None
-        if function is None or value is None or function.node.id in self._world:
+        given = self.result(call, scope)
+        if given is None or given.scope.node.id in self._world:
             return None
         before = self._world
-        self._world = {**before, function.node.id: Frame(function, call, before)}
+        self._world = {**before, given.scope.node.id: Frame(given.scope, call, before)}
         try:
-            return self.fold(value, function, depth)
+            return self.fold(given.node, given.scope, depth)
         finally:
             self._world = before
 
@@ -198,7 +207,10 @@ class Passes:
         if callee is None or owner is None:
             return False
         if function.name != "__init__" or not function.self_name:
-            return called_function(callee, scope, self, self._scopes, self._syntax) is function
+            return (
+                called_function(callee, scope, self.attribute_bindings, self._scopes, self._syntax)
+                is function
+            )
         made = made_class(call, scope, self._syntax)
         if made is None or made is owner:
             return made is owner

@@ -119,3 +119,39 @@ PASSES = [
 @pytest.mark.parametrize(("body", "expected"), PASSES)
 def test_each_call_and_each_turn_of_a_loop_has_a_name(body, expected):
     assert names(body) == expected
+
+
+PARSER = (
+    "import argparse\np = argparse.ArgumentParser()\n"
+    "p.add_argument('-t', '--out-topic', default='a')\n"
+    "p.add_argument('--plain', dest='other', default='b')\np.add_argument('needed')\n"
+)
+READ = "rospy.Publisher(args.out_topic, String)\n"
+
+OPTIONS = [
+    (f"{PARSER}args = p.parse_args()\n{READ}", ["[a]"]),
+    (f"{PARSER}args, rest = p.parse_known_args()\n{READ}", ["[a]"]),
+    (f"{PARSER}args = p.parse_known_args()[0]\n{READ}", ["[a]"]),
+    (f"{PARSER}def get(a=1):\n    return p.parse_args(a)\nargs = get()\n{READ}", ["[a]"]),
+    (f"{PARSER}def run(args):\n    {READ}run(p.parse_args())\n", ["[a]"]),
+    (f"{PARSER}args = p.parse_args()\nrospy.Publisher('/' + args.other, String)\n", ["[/b]"]),
+    (f"{PARSER}args = p.parse_args()\nrospy.Publisher(args.needed, String)\n", [None]),
+    (f"{PARSER}args = load()\n{READ}", [None]),
+    (f"{PARSER}p.add_argument('--out-topic', default='c')\nargs = p.parse_args()\n{READ}", [None]),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("body", "expected"), OPTIONS)
+def test_an_option_of_the_command_line_has_its_default(body, expected):
+    assert names(body) == expected
+
+
+LISTS_FROM_FUNCTIONS = [
+    (f"def all():\n    return ['a', 'b']\nfor t in all():\n    {USE}", ["a", "b"]),
+    (f"def all(n):\n    return [n]\nfor t in all('a'):\n    {USE}all('b')\n", [None]),
+]
+
+
+@pytest.mark.parametrize(("body", "expected"), LISTS_FROM_FUNCTIONS)
+def test_a_list_that_a_function_makes_of_nothing_is_looped_over(body, expected):
+    assert names(body) == expected
