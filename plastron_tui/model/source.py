@@ -96,9 +96,10 @@ class SourceEndpoint(NamedTuple):
         span: the call.
         line: the call's line, from 1.
         file: the name of the file in its set that has the call, "" for the main file.
-        is_guess: whether the name or the type is no more than likely: the name is the default of
-            a parameter that another file may give another value, or the type is of the one module
-            imported whole that it may be of.
+        is_guess: whether the name, the type or the endpoint itself is no more than likely: the
+            name is the default of a parameter that another file may give another value, the type
+            is of the one module imported whole that it may be of, or what creates it is an object
+            of another file.
     """
 
     kind: EndpointKind

@@ -96,7 +96,8 @@ class _Finder:
         self, holder: Node, scope: Scope, shape: CallShape, arguments: Arguments
     ) -> bool:
         """Whether other calls may show that an object is a node, as this one does not."""
-        is_unknown = self._a.resolver.instance(holder, scope) is None
+        instance = self._a.resolver.instance(holder, scope)
+        is_unknown = instance is None or bool(instance.qualified)
         return shape.type is None and is_unknown and self._is_complete(shape, arguments)
 
     def _variable(self, holder: Node, scope: Scope) -> tuple[int, str] | None:
@@ -209,10 +210,12 @@ class _Finder:
             if instance.qualified == NODE:
                 return True
             if instance.qualified:
-                # A class of another file that goes by the name of a node, or a function that
-                # makes one.
+                # Of a class of another file, or made by a function of one: nothing but a node
+                # takes an interface type; what takes none says no more than what it is called.
                 is_called_node = _NODE_MAKER.search(instance.qualified) is not None
-                return is_called_node and self._is_typed(shape, arguments, scope)
+                may_be_node = instance.qualified.partition(".")[0] not in _NO_NODES
+                is_shown = is_called_node or (shape.type is not None and may_be_node)
+                return is_shown and self._is_typed(shape, arguments, scope)
             owner = instance.scope
             if owner is not None and resolver.derives_from(owner, self._node_classes):
                 return True
@@ -302,7 +305,14 @@ class _Finder:
                 self._nodes_by_use.add(variable)
         if owner is not None and not self._a.resolver.derives_from(owner, self._node_classes):
             owner = self.heir(owner) or owner
-        self._a.sites += [
-            Site(endpoint, call, scope, receiver, owner, arguments, shape, of_passes)
-            for endpoint, of_passes in created_by(self._a, call, shape, scope, arguments)
-        ]
+        is_guess = shape.node is None and self._may_be_other(holder, scope)
+        for endpoint, of_passes in created_by(self._a, call, shape, scope, arguments):
+            found = endpoint._replace(is_guess=endpoint.is_guess or is_guess)
+            site = Site(found, call, scope, receiver, owner, arguments, shape, of_passes)
+            self._a.sites.append(site)
+
+    def _may_be_other(self, holder: Node | None, scope: Scope) -> bool:
+        """Whether an object is of another file and has no name that nodes have."""
+        instance = self._a.resolver.instance(holder, scope)
+        qualified = instance.qualified if instance is not None else ""
+        return qualified not in ("", NODE) and not _NODE_MAKER.search(qualified)

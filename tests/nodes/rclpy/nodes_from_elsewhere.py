@@ -12,7 +12,7 @@ base.create_publisher(String, 'from_class', 10)
 made = make_node()
 made.create_publisher(String, 'from_function', 10)
 api = Client()
-api.create_publisher(String, 'not_a_node', 10)
+api.create_publisher(ODOMETRY, 'not_a_node', 10)
 
 
 def watch(node: Any, late: "rclpy.node.Node", other: Optional[Node] = None):

@@ -29,13 +29,13 @@ class Gateway(Node):
         factory = Factory()
         factory.create_service('api', 'http', self.up)
         factory.create_timer(1.0, self.up)
-        Factory().create_subscription(String, 'fake', self.up, 10)
+        Factory().create_subscription('fake', String, self.up, 10)
         self.qt = QTimer()
         self.qt.timeout.connect(self.up)
         self.action = ActionServer(self, String, 'fake_action', self.up)
         self.caller = ActionClient(self, String, 'fake_action')
         self.mqtt = mqtt.Client()
-        self.mqtt.create_publisher(String, 'mqtt', 1)
+        self.mqtt.create_publisher('mqtt', String, 1)
         self.real = self.create_publisher(String, 'real', 10)
 
     def up(self, *args):

@@ -155,3 +155,26 @@ LISTS_FROM_FUNCTIONS = [
 @pytest.mark.parametrize(("body", "expected"), LISTS_FROM_FUNCTIONS)
 def test_a_list_that_a_function_makes_of_nothing_is_looped_over(body, expected):
     assert names(body) == expected
+
+
+NODE_HEAD = "import rclpy\nfrom std_msgs.msg import String\nfrom other import KIND, Arm, make\n"
+SUBSCRIBE = "create_subscription(String, 'a', print, 1)\n"
+
+FOREIGN_OBJECTS = [
+    (f"arm = Arm()\narm.{SUBSCRIBE}", ["a"]),
+    (f"arm = Arm()\narm.{SUBSCRIBE}arm.create_timer(1.0, print)\n", ["a", None]),
+    (f"def f(arm: Arm):\n    arm.{SUBSCRIBE}", ["a"]),
+    (f"def f(arm: Arm | None):\n    arm.{SUBSCRIBE}", ["a"]),
+    (f"with Arm() as arm:\n    arm.{SUBSCRIBE}", ["a"]),
+    (f"make().{SUBSCRIBE}", ["a"]),
+    ("arm = Arm()\narm.create_subscription(KIND, 'a', print, 1)\n", []),
+    ("arm = Arm()\narm.create_timer(1.0, print)\n", []),
+    (f"import threading\narm = threading.Thread()\narm.{SUBSCRIBE}", []),
+]
+
+
+@pytest.mark.parametrize(("body", "expected"), FOREIGN_OBJECTS)
+def test_what_makes_something_of_an_interface_type_is_likely_to_be_a_node(body, expected):
+    source = read_python(Path("x.py"), one((NODE_HEAD + body).encode())).source
+    assert [each.name for each in source.endpoints] == expected
+    assert all(each.is_guess for each in source.endpoints)
