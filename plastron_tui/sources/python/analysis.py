@@ -62,7 +62,18 @@ class NodeSite:
 
 @dataclass(slots=True)
 class Analysis:
-    """All that the reader and the editor know of a file."""
+    """All that the reader and the editor know of a file.
+
+    Attributes:
+        syntax: the text and its tree.
+        library: the client library that it is read for.
+        scopes: the scopes of its names.
+        resolver: what its names stand for.
+        captures: what the query of the structure has found.
+        sites: the calls that create endpoints.
+        disguised: the objects of other libraries that do so as well, which no edit takes apart.
+        nodes: what makes the nodes.
+    """
 
     syntax: Syntax
     library: ClientLibrary
@@ -70,6 +81,7 @@ class Analysis:
     resolver: Resolver
     captures: dict[str, list[Node]]
     sites: list[Site] = field(default_factory=list)
+    disguised: list[Site] = field(default_factory=list)
     nodes: list[NodeSite] = field(default_factory=list)
 
     def first_sites(self) -> list[Site]:

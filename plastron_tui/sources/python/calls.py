@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.catalog import newest_distribution
+from plastron_tui.ros.interfaces import InterfaceName
 
 
 class Argument(NamedTuple):
@@ -33,6 +34,7 @@ class CallShape:
         type: the argument that is its interface type.
         callback: the argument that is called for each message, request or tick.
         node: the argument that is the node, where the callee is no method of it.
+        fixed: the name and the type, where no argument says them.
     """
 
     kind: EndpointKind
@@ -41,6 +43,7 @@ class CallShape:
     type: Argument | None = None
     callback: Argument | None = None
     node: Argument | None = None
+    fixed: tuple[str, InterfaceName] | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -77,6 +77,9 @@ def _endpoint(
     callback = arguments.get(shape.callback) if shape.callback is not None else None
     type_ = resolver.interface(type_node, scope) if type_node is not None else None
     text = name_node if name_node is not None else arguments.splat
+    if shape.fixed is not None:
+        name, type_ = shape.fixed
+        text = call.child_by_field_name("function")
     return SourceEndpoint(
         kind=shape.kind,
         name=name,

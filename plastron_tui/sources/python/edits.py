@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
@@ -153,7 +153,7 @@ class Edits:
         for change in changes:
             sites = find_sites(part_of(before, change.node), change)
             if not sites:
-                raise _not_there(change)
+                raise _not_there(self.analysis, change)
             _refuse_passes(change, sites)
             wanted.update(dict.fromkeys(sites, change.to))
         try:
@@ -321,8 +321,11 @@ class Edits:
             raise RefusedError(Diagnostic(codes.EDIT_REFUSED, message, help=remedy))
 
 
-def _not_there(change: Remove | Rename) -> RefusedError:
+def _not_there(analysis: Analysis, change: Remove | Rename) -> RefusedError:
     message = f"the file has no {change.kind.word} `{change.name}`"
+    for site in find_sites(replace(analysis, sites=analysis.disguised), change):
+        line, what = site.endpoint.line, site.endpoint.expression
+        message = f"the {change.kind.word} `{change.name}` is a part of `{what}` in line {line}"
     return RefusedError(Diagnostic(codes.EDIT_REFUSED, message, change.span))
 
 
@@ -352,7 +355,7 @@ def _removed(analysis: Analysis, change: Remove, expected: Found) -> bytes:
     kind = change.kind.word
     sites = find_sites(part_of(analysis, change.node), change)
     if not sites:
-        raise _not_there(change)
+        raise _not_there(analysis, change)
     _refuse_passes(change, sites)
     removal = plan_removal(analysis, sites)
     if removal.lines:

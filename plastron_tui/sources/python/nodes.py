@@ -14,6 +14,10 @@ from .site_owner import Owners
 def group(analysis: Analysis) -> tuple[SourceNode, ...]:
     """Sort the call sites into the nodes of the file."""
     makers = makers_of(analysis)
+    if analysis.disguised:
+        sites = [*analysis.sites, *analysis.disguised]
+        sites.sort(key=lambda site: site.call.start_byte)
+        analysis = replace(analysis, sites=sites)
     if not makers:
         return (_source_node(None, analysis.sites),) if analysis.sites else ()
     owned = _owned(makers, analysis)

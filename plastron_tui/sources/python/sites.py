@@ -11,6 +11,7 @@ from .arguments import Arguments
 from .calls import Argument, CallShape, ClientLibrary
 from .constants import Known
 from .created import created_by
+from .disguised import disguised
 from .names import NODE, Resolver
 from .scopes import Scope, build_scopes
 from .syntax import Syntax, parse
@@ -48,6 +49,7 @@ class _Finder:
         self._a = analysis
         self._functions = analysis.library.functions()
         self._methods = analysis.library.methods()
+        self._disguised = disguised(analysis.library.module)
         self._node_calls = analysis.library.node_calls
         self._node_classes = analysis.library.node_classes
         self._nodes_by_use: set[tuple[int, str]] = set()
@@ -79,6 +81,9 @@ class _Finder:
                 arguments = Arguments.of(call, self._a.syntax)
                 self._add(call, self._functions[qualified], scope, None, arguments)
                 return
+            for shape in self._disguised.get(qualified, ()):
+                arguments = Arguments.of(call, self._a.syntax)
+                self._add(call, shape, scope, None, arguments, self._a.disguised)
             if qualified in self._node_calls:
                 self._add_node(call, scope, self._node_calls[qualified])
                 return
@@ -288,8 +293,15 @@ class _Finder:
         return self._a.resolver.interface(arguments.get(shape.type), scope) is not None
 
     def _add(
-        self, call: Node, shape: CallShape, scope: Scope, holder: Node | None, arguments: Arguments
+        self,
+        call: Node,
+        shape: CallShape,
+        scope: Scope,
+        holder: Node | None,
+        arguments: Arguments,
+        sites: list[Site] | None = None,
     ) -> None:
+        sites = self._a.sites if sites is None else sites
         owner: Scope | None = None
         receiver = ""
         if shape.node is not None:
@@ -309,7 +321,7 @@ class _Finder:
         for endpoint, of_passes in created_by(self._a, call, shape, scope, arguments):
             found = endpoint._replace(is_guess=endpoint.is_guess or is_guess)
             site = Site(found, call, scope, receiver, owner, arguments, shape, of_passes)
-            self._a.sites.append(site)
+            sites.append(site)
 
     def _may_be_other(self, holder: Node | None, scope: Scope) -> bool:
         """Whether an object is of another file and has no name that nodes have."""

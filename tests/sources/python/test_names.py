@@ -178,3 +178,27 @@ def test_what_makes_something_of_an_interface_type_is_likely_to_be_a_node(body, 
     source = read_python(Path("x.py"), one((NODE_HEAD + body).encode())).source
     assert [each.name for each in source.endpoints] == expected
     assert all(each.is_guess for each in source.endpoints)
+
+
+ROS_1 = (
+    "import rospy, tf, tf2_ros, smach_ros\nfrom std_srvs.srv import Empty\nfrom a.msg import Go\n"
+)
+ROS_2 = "import rclpy, tf2_ros\nnode = rclpy.create_node('n')\n"
+
+DISGUISED = [
+    (f"{ROS_1}tf.TransformListener()\n", ["subscription /tf", "subscription /tf_static"]),
+    (f"{ROS_1}tf2_ros.TransformBroadcaster()\n", ["publisher /tf"]),
+    (f"{ROS_1}tf2_ros.StaticTransformBroadcaster()\n", ["publisher /tf_static"]),
+    (f"{ROS_1}smach_ros.SimpleActionState('go', Go)\n", ["action client go"]),
+    (f"{ROS_1}smach_ros.ServiceState('reset', Empty)\n", ["client reset"]),
+    (f"{ROS_1}smach_ros.MonitorState('seen', Go, print)\n", ["subscription seen"]),
+    ("import rospy\nfrom mine import tf\ntf.TransformListener()\nrospy.init_node('n')\n", []),
+    (f"{ROS_2}tf2_ros.TransformBroadcaster(node)\n", ["publisher /tf"]),
+    (f"{ROS_2}tf2_ros.Buffer()\n", []),
+]
+
+
+@pytest.mark.parametrize(("text", "expected"), DISGUISED)
+def test_objects_of_libraries_create_endpoints(text, expected):
+    source = read_python(Path("x.py"), one(text.encode())).source
+    assert [f"{each.kind.word} {each.name}" for each in source.endpoints] == expected

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from edits import AT, PUB, edit, edited, publish
+from edits import AT, PUB, SUB, edit, edited, publish
 
 from plastron_tui.model.kinds import Publisher
 from plastron_tui.model.source import Remove, Rename, Update
@@ -38,3 +38,11 @@ def test_one_of_several_endpoints_of_a_call_is_not_changed(text, change):
 def test_what_is_added_leaves_them_alone(text):
     after = edited(text, publish("more"))
     assert all(line in after for line in text.splitlines())
+
+
+def test_what_an_object_of_a_library_creates_is_not_taken_out():
+    rendered = edit(f"{HEAD}import tf\nlistener = tf.TransformListener()\n", Remove(SUB, "/tf", AT))
+    assert rendered.files is None
+    (found,) = rendered.diagnostics
+    message = "the subscription `/tf` is a part of `tf.TransformListener` in line 6"
+    assert (found.code, found.message) == ("edit-refused", message)

@@ -155,9 +155,9 @@ def _by_hand(source: SourceUnit, message: str, span: Span | None, remedy: str | 
 
 def _missing(work: Work, before: Analysis, after: Analysis, source: SourceUnit) -> list[Diagnostic]:
     """Return a warning for each endpoint that the result does not show."""
-    shown = Counter(_key(work, each) for each in after.sites)
+    shown = Counter(_key(work, each) for each in (*after.sites, *after.disguised))
     found = []
-    for site in before.sites:
+    for site in (*before.sites, *before.disguised):
         if site.endpoint.kind not in _KINDS or site.endpoint.name is None:
             continue
         key = _key(work, site)
