@@ -19,7 +19,7 @@ from .syntax import Syntax, parts_of
 MOST_ITEMS = 64
 """The most items of a list that are looked at; what people loop over for endpoints has ten."""
 
-_LARGEST = 1_000
+_LARGEST = 200
 """The most items of a container that anything is looked up in."""
 
 _LISTS = frozenset({"list", "tuple", "set", "expression_list"})

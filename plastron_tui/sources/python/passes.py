@@ -15,8 +15,8 @@ from tree_sitter import Node
 from .arguments import Arguments
 from .callers import Callers, Calls, called_function, count_words, given_for
 from .classes import Classes
-from .command_line import option_default
-from .constants import MOST_BINDINGS, Folded, Known
+from .command_line import Defaults, is_parsed, option_defaults
+from .constants import MOST_BINDINGS, Folded, Known, as_default
 from .containers import Containers, Given, Item, changed_names, part_of_item
 from .runs import (
     EVERYWHERE,
@@ -25,8 +25,8 @@ from .runs import (
     Turn,
     World,
     is_made_in,
+    is_making,
     is_related,
-    made_class,
     result_of,
 )
 from .scopes import Binding, BindingKind, Scope, ScopeTree
@@ -35,6 +35,9 @@ from .work_limits import Effort, bounded
 
 MOST_PASSES = 64
 """The most passes through a line that are told apart."""
+
+MOST_IN_ALL = 2_000
+"""The most passes that are looked at for all lines of a file."""
 
 
 class Passes:
@@ -48,6 +51,8 @@ class Passes:
         self._changed: frozenset[bytes] | None = None
         self._world = EVERYWHERE
         self._open: list[Binding] | None = None
+        self._passes_left = MOST_IN_ALL
+        self._defaults: Defaults | None = None
         self.classes = Classes(syntax, scopes)
         self.effort = Effort(len(syntax.text))
 
@@ -84,29 +89,29 @@ class Passes:
         A single one that says nothing where there are no more, or where it is not sure that the
         call is made in each of them.
         """
+        if self._passes_left <= 0:
+            return [EVERYWHERE]
         found: list[World] = []
         pending = [EVERYWHERE]
         is_known = False
         while pending:
             world = pending.pop(0)
-            options: list[tuple[int, Frame | Turn]] = []
+            self._passes_left -= world is not EVERYWHERE
             with self.during(world):
                 self._open = []
                 folded = self.fold(node, scope)
-                if folded is None:
-                    options = self._options(self._open)
+                options = self._options(self._open) if folded is None else []
             pending += [{**world, key: option} for key, option in options]
             if not options:
                 found.append(world)
                 is_known = is_known or folded is not None
-            if len(found) + len(pending) > MOST_PASSES:
+            if len(found) + len(pending) > MOST_PASSES or self._passes_left <= 0:
                 return [EVERYWHERE]
-        if not is_known or not all(
-            is_made_in(world, call, self._syntax, self.effort) for world in found
-        ):
+        is_made = (is_made_in(world, call, self._syntax, self.effort) for world in found)
+        if not is_known or not all(is_made):
             return [EVERYWHERE]
-        known = self._scopes, self.classes, self._syntax
-        related = [world for world in found if is_related(world, call, *known)]
+        file = self._scopes, self.classes, self._syntax
+        related = [world for world in found if is_related(world, call, *file)]
         return related or [EVERYWHERE]
 
     def _options(self, bindings: list[Binding]) -> list[tuple[int, Frame | Turn]]:
@@ -168,15 +173,21 @@ class Passes:
 
     def option(self, node: Node, scope: Scope, depth: int) -> Folded:
         """Return the default of `args.topic`, an option of the command line."""
-        return option_default(node, scope, self, self._scopes, self._syntax, depth)
+        if self._defaults is None:
+            self._defaults = option_defaults(self, self._scopes, self._syntax)
+        name = node.child_by_field_name("attribute")
+        found = self._defaults.get(self._syntax.slice(name), ()) if name is not None else ()
+        if not 0 < len(found) <= 8 or not is_parsed(node, scope, self, self._syntax, depth):
+            return None
+        values = {self.fold(*each, depth) for each in found}
+        return as_default(values.pop()) if len(values) == 1 else None
 
     def result(self, call: Node, scope: Scope) -> Given | None:
         """Return the expression that a call of a function of the file gives."""
         callee = call.child_by_field_name("function")
         if callee is None:
             return None
-        known = self.attribute_bindings, self._scopes, self._syntax
-        function = called_function(callee, scope, *known)
+        function = self._called(callee, scope)
         value = result_of(function) if function is not None else None
         return Given(value, function) if value is not None and function is not None else None
 
@@ -195,27 +206,19 @@ class Passes:
     def _sure_callers(self, function: Scope) -> list[Node]:
         """Return the calls of the file that call a function for sure, and not from within."""
         calls = self.callers_of(function)
-        found: list[Node] = []
-        for call in calls if len(calls) <= MOST_BINDINGS else ():
-            scope = self._scopes.at(call.start_byte)
-            if not scope.is_within(function) and self._calls_surely(call, scope, function):
-                found.append(call)
-        return found
+        known = [(call, self._scopes.at(call.start_byte)) for call in calls[: MOST_BINDINGS + 1]]
+        outside = [each for each in known if not each[1].is_within(function)]
+        is_known = len(calls) <= MOST_BINDINGS
+        return [each for each, at in outside if is_known and self._is_call_of(each, at, function)]
 
-    def _calls_surely(self, call: Node, scope: Scope, function: Scope) -> bool:
-        callee, owner = call.child_by_field_name("function"), function.parent
-        if callee is None or owner is None:
-            return False
-        if function.name != "__init__" or not function.self_name:
-            return (
-                called_function(callee, scope, self.attribute_bindings, self._scopes, self._syntax)
-                is function
-            )
-        made = made_class(call, scope, self._syntax)
-        if made is None or made is owner:
-            return made is owner
-        is_inherited = callee.type == "attribute" or "__init__" not in made.bindings
-        return is_inherited and owner in self.classes.bases(made)
+    def _is_call_of(self, call: Node, scope: Scope, function: Scope) -> bool:
+        callee = call.child_by_field_name("function")
+        if function.name == "__init__" and function.self_name:
+            return is_making(call, scope, function, self.classes, self._syntax)
+        return callee is not None and self._called(callee, scope) is function
+
+    def _called(self, callee: Node, scope: Scope) -> Scope | None:
+        return called_function(callee, scope, self.attribute_bindings, self._scopes, self._syntax)
 
     def calls_of(self, name: str) -> list[Node]:
         """Return the calls whose callee ends in a name."""
@@ -244,8 +247,8 @@ class Passes:
         """Return the constant that a parameter has wherever the file calls the function."""
         if binding.owner is not None and binding.owner.node.id in self._world:
             return self.fold_item(binding, name, depth)
+        callers = self._callers(binding, depth)
         with self.during(EVERYWHERE):
-            callers = self._callers(binding, depth)
             folded = callers.value(binding, name) if callers is not None else None
         return folded if folded is not None else self.fold_item(binding, name, depth)
 

@@ -16,8 +16,8 @@ from .work_limits import Effort
 
 LOOPS = frozenset({"for_statement", "for_in_clause"})
 
-_MOST_STATEMENTS = 500
-"""The most nodes of a function that is looked through for what it returns."""
+_MOST_STATEMENTS = 200
+"""The most statements of a block, or nodes of a function, that are looked through."""
 
 _EXITS = frozenset({"return_statement", "continue_statement", "break_statement", "raise_statement"})
 _DEFINITIONS = frozenset({"function_definition", "class_definition", "lambda"})
@@ -95,6 +95,16 @@ def is_related(
     return True
 
 
+def is_making(call: Node, scope: Scope, function: Scope, classes: Classes, syntax: Syntax) -> bool:
+    """Whether a call runs a constructor for sure: by the class's name, or that of an heir."""
+    callee, owner = call.child_by_field_name("function"), function.parent
+    made = made_class(call, scope, syntax)
+    if callee is None or owner is None or made is None or made is owner:
+        return made is not None and made is owner
+    is_inherited = callee.type == "attribute" or "__init__" not in made.bindings
+    return is_inherited and owner in classes.bases(made)
+
+
 def made_class(call: Node, scope: Scope, syntax: Syntax) -> Scope | None:
     """Return the class that a call makes an instance of, or completes the making of."""
     callee = call.child_by_field_name("function")
@@ -160,6 +170,8 @@ def is_always_reached(node: Node, region: Node, names: set[bytes], effort: Effor
             return False
         conditions += _conditions(parent, current)
         if parent.type == "block":
+            if parent.named_child_count > _MOST_STATEMENTS:
+                return False
             before = (each for each in parent.named_children if each.end_byte <= current.start_byte)
             for statement in before:
                 conditions += _exits(statement, effort)
@@ -201,8 +213,11 @@ def _exits(statement: Node, effort: Effort) -> Iterator[Node]:
         node, around = pending.pop()
         if node.type in _EXITS:
             yield from around
-        if node.type in _DEFINITIONS or not effort.spend():
+        if node.type in _DEFINITIONS:
             continue
+        if not effort.spend():
+            yield statement
+            return
         if node.type == "if_statement":
             around = (*around, *_tests(node))
         if node.type.endswith(("statement", "clause", "block")):
