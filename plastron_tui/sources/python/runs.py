@@ -16,7 +16,7 @@ from .work_limits import Effort
 
 LOOPS = frozenset({"for_statement", "for_in_clause"})
 
-_MOST_STATEMENTS = 200
+_MOST_STATEMENTS = 500
 """The most statements of a block, or nodes of a function, that are looked through."""
 
 _EXITS = frozenset({"return_statement", "continue_statement", "break_statement", "raise_statement"})
