@@ -186,6 +186,13 @@ WRITTEN_ANEW = Code(
     severity=Severity.WARNING,
 )
 
+WAKES_LOOP = Code(
+    "wakes-loop",
+    "A loop of a loaded file has no rate of its own: it goes on whenever `spin_once` has called "
+    "something, or has waited. What is added is called too, so that the loop runs more often.",
+    severity=Severity.WARNING,
+)
+
 MERGED_BY_HAND = Code(
     "merged-by-hand",
     "A generated file was changed by hand. It is kept, and what changed in the "

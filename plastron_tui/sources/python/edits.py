@@ -188,6 +188,7 @@ class Edits:
         label = self._label(change)
         for writer in writers:
             self.expected.update((label, key) for key in writer.endpoints)
+            self.notes += writer.notes
         self._tell_dropped(change.endpoint)
         self._read(text)
         self.analysis = analyze(text, self.analysis.library)

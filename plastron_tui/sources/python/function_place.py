@@ -89,6 +89,7 @@ def function_place(
         # In a script, functions stand before everything that runs.
         running = [site.call for site in analysis.sites if site.scope is module]
         running += [node.call for node in analysis.nodes if node.scope is module and node.call]
+        running += [each for each in analysis.syntax.root.named_children if _calls(each)]
         top = min([top, *map(_top_level, running)], key=lambda node: node.start_byte)
     behind = alike[-1] if alike else _last_definition(top)
     if behind is None:
@@ -97,6 +98,12 @@ def function_place(
         return FunctionPlace(at, "", 0 if is_first else _missing_before(text, at, gap), gap)
     at = _end_with_comments(text, line_end(text, behind.end_byte), "")
     return FunctionPlace(at, "", gap, _missing_after(text, at, gap))
+
+
+def _calls(statement: Node) -> bool:
+    """Whether a statement is a call and no more, as that of what starts ROS."""
+    inner = statement.named_children[0] if statement.named_child_count else None
+    return statement.type == "expression_statement" and inner is not None and inner.type == "call"
 
 
 def _top_level(node: Node) -> Node:

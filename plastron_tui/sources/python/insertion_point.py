@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, replace
 
 from tree_sitter import Node
@@ -28,8 +29,14 @@ KINDS = (
 )
 # Behind these nothing runs, or not while the node does.
 _LAST = frozenset({"while_statement", "return_statement", "raise_statement"})
+# What gets an endpoint, and does nothing with it yet.
+_HOLDING = frozenset(
+    {"add", "append", "dict", "extend", "insert", "list", "partial", "publish", "set", "setdefault"}
+    | {"tuple", "update", "ApproximateTimeSynchronizer", "Cache", "TimeSynchronizer"}
+)
 # What is around an endpoint and yet runs exactly once.
 _RUNS_ONCE = frozenset({"try_statement", "with_statement"})
+_GOES_ON = re.compile(rb"\bis_shutdown\(|\brclpy\.ok\(|\bspin\(")
 # More statements on one line than anybody writes; looking for the next takes the number of all.
 _MOST_ON_LINE = 100
 
@@ -193,7 +200,25 @@ def beside(analysis: Analysis, site: Site) -> Place | None:
     name = target_name(analysis, site) or ""
     while (following := _last_of(statement, name)) is not None:
         statement = following
-    return _place(analysis, statement, site.scope, site.receiver, site)
+    place = _place(analysis, statement, site.scope, site.receiver, site)
+    if place is None or not _is_handed_on(analysis, site):
+        return place
+    # What gets the endpoint may go on for as long as the node does.
+    return replace(place, offset=line_start(analysis.syntax.text, statement.start_byte))
+
+
+def _is_handed_on(analysis: Analysis, site: Site) -> bool:
+    """Whether a call is part of one that does more than to hold what it is given."""
+    statement = statement_of(site.call)
+    node = site.call.parent
+    while node is not None and node.id != statement.id:
+        if node.type == "call":
+            callee = node.child_by_field_name("function")
+            name = analysis.syntax.slice(callee).rpartition(".")[2] if callee is not None else ""
+            if name not in _HOLDING:
+                return True
+        node = node.parent
+    return False
 
 
 def _last_of(statement: Node, name: str) -> Node | None:
@@ -250,10 +275,8 @@ def climb(statement: Node) -> Node | None:
 
 def _stays(statement: Node) -> bool:
     """Whether a statement holds what the node does until it ends, so that nothing comes after."""
-    text = statement.text or b""
-    return statement.type != "while_statement" and any(
-        word in text for word in (b"is_shutdown(", b"rclpy.ok(", b".spin(")
-    )
+    is_loop = statement.type == "while_statement"
+    return not is_loop and _GOES_ON.search(statement.text or b"") is not None
 
 
 def _is_main_guard(statement: Node) -> bool:
@@ -299,8 +322,14 @@ def _place(
     ends = _ends_of_line(statement)
     if ends is None:
         return None
-    first, statement = ends
+    first, last = ends
     start = line_start(text, first.start_byte)
+    following = statement.next_named_sibling
+    while following is not None and following.end_byte <= last.end_byte:
+        if _stays(following) or following.type in _LAST:
+            return None
+        following = following.next_named_sibling
+    statement = last
     if text[start : first.start_byte].strip():
         return None
     function = scope.enclosing("function")

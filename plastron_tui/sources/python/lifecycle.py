@@ -45,7 +45,7 @@ def destroy_created(added: Addition, lines: list[str]) -> None:
     for function, statement in undoing.items():
         holder = function.self_name
         written = [f"{holder}.{method}({holder}.{name})" for method, name in calls]
-        text, is_before = added.analysis.syntax.text, statement.type == "return_statement"
+        text, is_before = added.analysis.syntax.text, _returns(statement)
         start = line_start(text, statement.start_byte)
         offset = start if is_before else line_end(text, statement.end_byte)
         added.writer.lines(offset, leading_space(added.analysis, statement), written)
@@ -57,6 +57,18 @@ def destroy_created(added: Addition, lines: list[str]) -> None:
             f"\treturn super().{transition}(state)",
         ]
         added.writer.function(method_place(added.analysis, added.place, ()), lines)
+
+
+def _returns(statement: Node) -> bool:
+    """Whether a statement may leave the function."""
+    pending = [statement]
+    while pending:
+        node = pending.pop()
+        if node.type == "return_statement":
+            return True
+        if not node.type.endswith("_definition"):
+            pending += node.named_children
+    return False
 
 
 def _destroying_method(analysis: Analysis, noun: str) -> str:

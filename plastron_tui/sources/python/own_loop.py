@@ -105,6 +105,23 @@ def is_endless(analysis: Analysis, loop: Node) -> bool:
     return _UNTIL_SHUTDOWN.fullmatch(text) is not None
 
 
+def woken_loop(added: Addition) -> Node | None:
+    """Return a loop of the node that goes on whenever something comes, and does not sleep."""
+    for loop in added.analysis.captures.get("while", []):
+        body = loop.child_by_field_name("body")
+        parts = statements_of(body) if body is not None else []
+        is_waiting = any(
+            each.type == "expression_statement"
+            and b"spin_once(" in (each.text or b"")
+            and _waits(added.analysis, each.named_children[0])
+            for each in parts
+        )
+        is_paced = any(is_sleep(added.analysis, each) for each in parts)
+        if is_waiting and len(parts) > 1 and not is_paced and is_endless(added.analysis, loop):
+            return loop
+    return None
+
+
 def is_sleep(analysis: Analysis, statement: Node) -> bool:
     """Whether a statement waits until a loop runs again."""
     return statement.type == "expression_statement" and ".sleep(" in analysis.syntax.slice(
@@ -127,10 +144,20 @@ def _is_main(added: Addition, loop: Node) -> bool:
     """Whether a loop starts with the node, ends with it, and sleeps once in each round."""
     analysis = added.analysis
     body = loop.child_by_field_name("body")
-    if body is None or not is_endless(analysis, loop):
+    if body is None or not is_endless(analysis, loop) or _is_behind_another(analysis, loop):
         return False
     is_paced = sum(is_sleep(analysis, each) for each in statements_of(body)) == 1
     return is_paced and _is_started(added, loop) and _runs_through(analysis, body)
+
+
+def _is_behind_another(analysis: Analysis, loop: Node) -> bool:
+    """Whether a loop only begins when one above it has ended."""
+    above = loop.prev_named_sibling
+    while above is not None:
+        if above.type == "while_statement" and is_endless(analysis, above):
+            return True
+        above = above.prev_named_sibling
+    return False
 
 
 def _is_started(added: Addition, node: Node) -> bool:

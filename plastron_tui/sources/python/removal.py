@@ -57,10 +57,10 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
         remove_uses(analysis, variable, sites, removal)
     if removal.lines:
         return removal
-    for variable in variables:
-        removal.statements += _placeholders(analysis, variable, removal)
     removal.statements += [statement for statement, _ in waits(analysis, sites)]
     remove_what_served(analysis, removal)
+    for variable in variables:
+        removal.statements += _placeholders(analysis, variable, removal)
     gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
     callbacks = stub_callbacks(analysis, removal.sites, gone)
     removal.statements += callbacks
@@ -130,6 +130,7 @@ def remove_uses(
     created = {statement.id for statement in removal.statements}
     cut = [splice for splice in removal.splices if not splice.text]
     publishing: list[Reference] = []
+    guards: list[Reference] = []
     rebound: set[int] = set()
     uses = references(variable, analysis)
     if sites[0].endpoint.kind is EndpointKind.CLIENT:
@@ -149,6 +150,8 @@ def remove_uses(
             removal.statements.append(reference.statement)
         elif reference.use is Use.BINDING:
             rebound.add(line_of(reference.node))
+        elif _is_guard(reference):
+            guards.append(reference)
         elif reference.use is not Use.NOTHING:
             removal.lines.add(line_of(reference.node))
     # What the variable holds besides matters only where something is done with it.
@@ -166,6 +169,22 @@ def remove_uses(
         if inside:
             removal.lines.add(line_of(reference.node))
     _remove_publishing(analysis, variable, publishing, removal)
+    if guards:
+        emptied = {each.id for each in emptied_blocks(analysis, removal.statements)}
+        kept = [each for each in guards if each.statement.id not in emptied]
+        removal.lines |= {line_of(each.node) for each in kept}
+
+
+def _is_guard(reference: Reference) -> bool:
+    """Whether a use only asks if there is an endpoint: `if self.pub is not None:`."""
+    condition, asked = reference.statement.child_by_field_name("condition"), reference.node
+    if reference.statement.type != "if_statement" or condition is None:
+        return False
+    if condition.type == "comparison_operator":
+        parts = parts_of(condition)
+        is_none = len(parts) == 2 and parts[1].type == "none"
+        return is_none and parts[0].id == asked.id
+    return condition.id == asked.id
 
 
 def _ends_endpoint(analysis: Analysis, reference: Reference) -> bool:

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 
 from tree_sitter import Node
 
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.kinds import Client, Publication, Publisher
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind
@@ -17,7 +18,7 @@ from .addition import Addition
 from .conventions import leading_space, method_naming, variable_naming
 from .function_place import function_place, method_place
 from .lifecycle import is_transition
-from .own_loop import is_sleep, own_block, statements_of
+from .own_loop import is_sleep, own_block, statements_of, woken_loop
 from .removal import callback_scope
 from .signatures import parameter_names, signatures_of
 from .splices import line_end, line_start
@@ -43,7 +44,17 @@ def add_publishing(added: Addition, publisher: Publisher) -> list[str]:
     lines: list[str] = []
     for rate, publications in by_rate.items():
         lines += _timer(added, rate, publications)
+    if by_rate and (loop := woken_loop(added)) is not None:
+        added.writer.notes.append(_wakes(added, int(loop.start_point.row) + 1))
     return lines
+
+
+def _wakes(added: Addition, line: int) -> Diagnostic:
+    """Return the warning that a timer lets a loop run more often."""
+    message = f"the loop in line {line} goes on whenever something comes: with the timer that sends"
+    message += f" `{added.name}` it runs more often than before"
+    help_ = "let the loop sleep at a rate, or spin in a thread of its own"
+    return Diagnostic(codes.WAKES_LOOP, message, added.endpoint.span, help=help_)
 
 
 def _fits(publication: Publication, own_rate: float | None) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 
+from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.source import EndpointKind, SourceEndpoint
 
 from .analysis import Analysis
@@ -32,6 +33,7 @@ class Writer:
         names: the names that the change brings into the file.
         words: all words of what is inserted.
         has_imports: whether imports are among the splices.
+        notes: what is to be told of the change.
     """
 
     analysis: Analysis
@@ -41,6 +43,7 @@ class Writer:
     names: set[str] = field(default_factory=set)
     words: set[str] = field(default_factory=set)
     has_imports: bool = False
+    notes: list[Diagnostic] = field(default_factory=list)
 
     def lines(self, offset: int, indent: str, lines: list[str]) -> None:
         """Insert lines at the start of a line; a tab in front of one is a level of indent."""

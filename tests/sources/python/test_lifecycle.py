@@ -33,7 +33,13 @@ HELPS = (
     "    def close(self):\n        if self.a_pub is not None:\n"
     "            self.destroy_publisher(self.a_pub)\n"
 )
+BRANCHES = (
+    "\n    def on_cleanup(self, state):\n        if self.a_pub is None:\n"
+    "            return super().on_cleanup(state)\n        else:\n"
+    "            return super().on_cleanup(state)\n"
+)
 NODES = {
+    "one that returns in branches": HEAD + CONFIGURE + BRANCHES + TAIL,
     "one that destroys": HEAD + CONFIGURE + DESTROYS + TAIL,
     "one that forgets": HEAD + CONFIGURE + FORGETS + TAIL,
     "one with a helper": HEAD + CONFIGURE + HELPS + TAIL,

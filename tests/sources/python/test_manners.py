@@ -42,3 +42,23 @@ def test_private_names_and_kept_handles():
     )
     assert "        self._b_service = self.create_service(Trigger, 'b', self._handle_b)\n" in text
     assert "    def _handle_b(self, request, response):\n" in text
+
+
+@pytest.mark.parametrize(
+    ("above", "is_apart"),
+    [
+        ("# Set up what is sent\n        self.pub = self.create_publisher(String, 'a', 10)", True),
+        ("self.pub = self.create_publisher(String, 'a', 10)", False),
+        ("self.sub = self.create_subscription(String, 'a', self.on_a, 10)", False),
+    ],
+)
+def test_a_section_of_its_own(above, is_apart):
+    text = edited(
+        "from rclpy.node import Node\nfrom std_msgs.msg import String\n\n\nclass A(Node):\n"
+        f"    def __init__(self):\n        super().__init__('a')\n        {above}\n\n"
+        "    def on_a(self, msg):\n        pass\n",
+        subscribe("b", callback="on_a"),
+    )
+    gap = "\n\n        self" if is_apart else "\n        self"
+    assert f"{gap}.b_sub = self.create_subscription(" in text
+    assert is_apart or "\n\n        self.b_sub" not in text

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from edits import edited, publish
+from edits import edit, edited, publish
 
 ROSPY = "import rospy\nfrom std_msgs.msg import String\n\n\n"
 RCLPY = "import rclpy\nfrom rclpy.node import Node\nfrom std_msgs.msg import String\n\n\n"
@@ -66,6 +66,10 @@ OWN = {
     "a timer that returns at its end": TICK.format("0.2, self.tick", "        return\n"),
 }
 OTHERS = {
+    "one that begins when another ends": SCRIPT.format(
+        "while True:\n    try:\n        rate.sleep()\n    except E:\n        break\n"
+        + WHILE.format("pub.publish('x')")
+    ),
     "until somebody listens": SCRIPT.format(
         "while pub.get_num_connections() == 0:\n    rate.sleep()\n"
     ),
@@ -120,3 +124,19 @@ def test_a_message_gets_a_timer_where_no_loop_surely_runs(case: str) -> None:
     after = edited(OTHERS[case], publish("out", data="hi"))
     assert "def publish_out(" in after
     assert after.count("Timer(") + after.count("create_timer(") == 1 + OTHERS[case].count("imer(")
+
+
+@pytest.mark.parametrize(
+    ("body", "is_woken"),
+    [
+        ("rclpy.spin_once(node, timeout_sec=0.5)\n    pub.publish(m)", True),
+        ("rclpy.spin_once(node)\n    pub.publish(m)", True),
+        ("rclpy.spin_once(node, timeout_sec=0)\n    pub.publish(m)", False),
+        ("rclpy.spin_once(node)", False),
+        ("rclpy.spin_once(node)\n    pub.publish(m)\n    time.sleep(1)", False),
+    ],
+)
+def test_it_is_told_that_a_loop_runs_more_often(body: str, is_woken: bool) -> None:
+    text = MAIN.format(f"while rclpy.ok():\n    {body}\n")
+    found = edit(text, publish("out", rate=7.0, data="x")).diagnostics
+    assert [str(each.code) for each in found] == ["wakes-loop"] * is_woken

@@ -251,6 +251,15 @@ def test_what_only_served_an_endpoint_goes_with_it():
     )
 
 
+@pytest.mark.parametrize("asked", ["p", "p is not None", "p != None"])
+def test_what_only_asks_for_an_endpoint_goes_with_it(asked):
+    head = f"{HEAD}{MORE}x = String, Int32\n"
+    before = f"{head}p = None\np = rospy.Publisher('t', String)\nif {asked}:\n    p.publish('a')\n"
+    assert edited(f"{before}{TAIL}", Remove(PUB, "t", AT)) == head + TAIL
+    (found,) = edit(f"{before}    print(x)\n{TAIL}", Remove(PUB, "t", AT)).diagnostics
+    assert found.code == "endpoint-in-use"
+
+
 IN_USE = {
     "unregistered on the way": ("s = rospy.Subscriber('t', String)\nf(s.unregister())\n", [4]),
     "asked for listeners": ("p = rospy.Publisher('t', String)\nif p.get_num_connections():\n"

@@ -299,6 +299,10 @@ NO_PLACES = {
         f"{RCLPY}def sleep(node, seconds):\n    timer = node.create_timer(seconds, print)\n"
         "    rclpy.spin_once(node)\n    timer.cancel()\n"
     ),
+    "a line that goes on for as long as the node": (
+        "import rclpy\nfrom rclpy.node import Node\n\n\n"
+        "def main():\n    rclpy.init(); node = Node('a'); rclpy.spin(node)\n"
+    ),
     "a callback": (
         f"{ROSPY}def on_name(msg):\n    pub = rospy.Publisher(msg.data, String, queue_size=1)\n\n\n"
         "def listen(name):\n    return rospy.wait_for_message(name, String)\n"
@@ -362,20 +366,19 @@ def test_an_endpoint_stands_behind_what_goes_with_the_one_before(following):
 
 
 @pytest.mark.parametrize(
-    ("above", "is_apart"),
+    ("line", "is_before"),
     [
-        ("# Set up what is sent\n        self.pub = self.create_publisher(String, 'a', 10)", True),
-        ("self.pub = self.create_publisher(String, 'a', 10)", False),
-        ("self.sub = self.create_subscription(String, 'a', self.on_a, 10)", False),
+        ("Talker(rospy.Publisher('a', String, queue_size=1)).loop()", True),
+        ("talk(rospy.Publisher('a', String, queue_size=1), 3)", True),
+        ("pubs.append(rospy.Publisher('a', String, queue_size=1))", False),
+        ("pub, n = rospy.Publisher('a', String, queue_size=1), 3", False),
     ],
 )
-def test_a_section_of_its_own(above, is_apart):
+def test_an_endpoint_stands_before_what_may_go_on_with_another(line, is_before):
     text = edited(
-        "from rclpy.node import Node\nfrom std_msgs.msg import String\n\n\nclass A(Node):\n"
-        f"    def __init__(self):\n        super().__init__('a')\n        {above}\n\n"
-        "    def on_a(self, msg):\n        pass\n",
-        subscribe("b", callback="on_a"),
+        "import rospy\nfrom std_msgs.msg import String\n\n"
+        f"rospy.init_node('n')\n{line}\nrospy.spin()\n",
+        subscribe("b"),
     )
-    gap = "\n\n        self" if is_apart else "\n        self"
-    assert f"{gap}.b_sub = self.create_subscription(" in text
-    assert is_apart or "\n\n        self.b_sub" not in text
+    new = "rospy.Subscriber('b', String, on_b)\n"
+    assert (f"{new}{line}\n" if is_before else f"{line}\n{new}") in text
