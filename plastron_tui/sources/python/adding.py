@@ -331,7 +331,8 @@ def _stub(added: Addition, name: str, interface: Interface) -> list[str]:
         returns = response.removesuffix("()")
         types = [messages.request_class(interface) if manner.says_types else "", returns]
     names = parameter_names(added.analysis, added.kind, takes)
-    lines = [manner.head(name, [*own, *zip(names, types, strict=False)], returns)]
+    given = added.handed.around(list(zip(names, types, strict=False)))
+    lines = [manner.head(name, [*own, *given], returns)]
     if manner.is_documented:
         lines.append(f'\t"""{does}"""')
     lines.append("\t" + added.log("info", names[0]))

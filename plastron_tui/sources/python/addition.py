@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from plastron_tui.model.kinds import Endpoint
 from plastron_tui.model.source import EndpointKind
@@ -14,6 +14,7 @@ from . import literals, naming
 from .analysis import Analysis
 from .conventions import conventions_of
 from .dialect import Dialect
+from .handed_on import HandedOn
 from .insertion_point import Place
 from .messages import Messages
 from .references import identifiers
@@ -28,6 +29,7 @@ class Addition:
 
     Attributes:
         variable: the source of the variable that holds it, "" where none does.
+        handed: what its callback gets besides what ROS gives it.
     """
 
     analysis: Analysis
@@ -40,6 +42,7 @@ class Addition:
     messages: Messages
     dialect: Dialect
     variable: str = ""
+    handed: HandedOn = field(default_factory=HandedOn)
 
     @classmethod
     def at(

@@ -17,7 +17,7 @@ def callback_target(node: Node | None, scope: Scope, analysis: Analysis) -> Node
     if node is not None and node.type == "identifier":
         node = _named_partial(node, scope, analysis) or node
     while node is not None and node.type == "call":
-        if not _is_partial(node, scope, analysis):
+        if not is_partial(node, scope, analysis):
             return None
         node = Arguments.of(node, analysis.syntax).get(Argument(0, ""))
     return node
@@ -30,9 +30,10 @@ def _named_partial(node: Node, scope: Scope, analysis: Analysis) -> Node | None:
         return None
     value = found[1][0].value
     is_call = value is not None and value.type == "call"
-    return value if value is not None and is_call and _is_partial(value, scope, analysis) else None
+    return value if value is not None and is_call and is_partial(value, scope, analysis) else None
 
 
-def _is_partial(call: Node, scope: Scope, analysis: Analysis) -> bool:
+def is_partial(call: Node, scope: Scope, analysis: Analysis) -> bool:
+    """Whether a call is `functools.partial(…)`."""
     callee = call.child_by_field_name("function")
     return any(name in _PARTIALS for name in analysis.resolver.qualified(callee, scope))

@@ -26,6 +26,7 @@ from plastron_tui.ros.interfaces import InterfaceName
 from .adding import plan_addition
 from .analysis import Analysis, Site
 from .dialect import Dialect
+from .existing_callbacks import NotCallableError
 from .imports import unused_imports
 from .lost import options_of, or_renames, written_anew
 from .messages import CannotAddError
@@ -209,6 +210,8 @@ class Edits:
             return
         try:
             self._update_in_place(change)
+        except NotCallableError:
+            raise
         except (CannotAddError, NotInPlaceError):
             self.analysis, self.expected = before, expected
             remove, add = change.apart

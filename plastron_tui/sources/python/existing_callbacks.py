@@ -23,6 +23,10 @@ _OPTIONAL = frozenset({"default_parameter", "typed_default_parameter"})
 _PLAIN_DECORATORS = frozenset({"@staticmethod", "@classmethod"})
 
 
+class NotCallableError(CannotAddError):
+    """A function does not take what it would be called with, wherever the call stands."""
+
+
 def existing_callback(added: Addition, wanted: str) -> str | None:
     """Return the source of a function that the file has, None for one that may be written.
 
@@ -62,7 +66,18 @@ def _called_beside(added: Addition, wanted: str) -> str | None:
 
 
 def check_parameters(added: Addition, callback: str) -> None:
-    """Raise an error where the file's function does not take what ROS calls it with.
+    """Raise an error where the file's function does not take what it would be called with.
+
+    Raises:
+        NotCallableError: it takes fewer arguments, or more.
+    """
+    message = misfit(added, callback)
+    if message is not None:
+        raise NotCallableError(codes.INVALID_FUNCTION, message, added.endpoint.span, _ANOTHER)
+
+
+def misfit(added: Addition, callback: str) -> str | None:
+    """Return why the file's function cannot be called, None where it can, as far as is known.
 
     rospy calls a callback with a message or a request; rclpy calls that of a service with a
     response besides, and that of a subscription with a `MessageInfo` besides where it takes two.
@@ -70,16 +85,17 @@ def check_parameters(added: Addition, callback: str) -> None:
     function = _function(added, callback)
     counts = _parameters(added, function) if function is not None else None
     if counts is None:
-        return
+        return None
     least, most = counts
     given = 2 if added.is_rclpy and added.kind is EndpointKind.SERVICE else 1
     ways = {given, 2} if added.is_rclpy else {given}
-    if not any(least <= each <= most for each in ways):
-        takes = least if least > given else int(most)
-        plural = "" if takes == 1 else "s"
-        name = callback.rpartition(".")[2]
-        message = f"`{name}` takes {takes} argument{plural}, and would be called with {given}"
-        _refuse(added, message)
+    given += len(added.handed)
+    if any(least <= each + len(added.handed) <= most for each in ways):
+        return None
+    takes = least if least > given else int(most)
+    plural = "" if takes == 1 else "s"
+    name = callback.rpartition(".")[2]
+    return f"`{name}` takes {takes} argument{plural}, and would be called with {given}"
 
 
 def _function(added: Addition, callback: str) -> Scope | None:

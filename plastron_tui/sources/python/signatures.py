@@ -10,7 +10,8 @@ from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
 
-from .analysis import Analysis
+from .analysis import Analysis, Site
+from .handed_on import handed_by_partial
 from .removal import callback_scope
 from .scopes import Scope
 from .syntax import parts_of
@@ -68,8 +69,11 @@ def signatures_of(analysis: Analysis, kind: EndpointKind) -> Signatures:
 def parameter_names(analysis: Analysis, kind: EndpointKind, usual: Sequence[str]) -> list[str]:
     """Return what the callbacks of a kind call what they get, as most of the file's do."""
     found: list[Counter[str]] = [Counter() for _ in usual]
-    for scope in _callbacks(analysis, (kind,)):
-        for count, each in zip(found, _parameters(scope), strict=False):
+    for site, scope in _called(analysis, (kind,)):
+        given = site.arguments.get(site.shape.callback) if site.shape.callback else None
+        wrapped = handed_by_partial(analysis, site, given) if given is not None else None
+        first = len(wrapped[1].before) if wrapped is not None else 0
+        for count, each in zip(found, _parameters(scope)[first:], strict=False):
             inner = each.named_children[0] if each.type == "typed_parameter" else each
             name = analysis.syntax.slice(inner)
             if inner.type == "identifier" and not name.startswith("_"):
@@ -82,12 +86,17 @@ def parameter_names(analysis: Analysis, kind: EndpointKind, usual: Sequence[str]
 
 
 def _callbacks(analysis: Analysis, kinds: Iterable[EndpointKind]) -> list[Scope]:
-    found: dict[int, Scope] = {}
+    return [scope for _, scope in _called(analysis, kinds)]
+
+
+def _called(analysis: Analysis, kinds: Iterable[EndpointKind]) -> list[tuple[Site, Scope]]:
+    """Return the callbacks of some kinds, each with the last call that hands it on."""
+    found: dict[int, tuple[Site, Scope]] = {}
     wanted = set(kinds)
     for site in analysis.sites:
         scope = callback_scope(analysis, site) if site.endpoint.kind in wanted else None
         if scope is not None and scope.node.type == "function_definition":
-            found[scope.node.id] = scope
+            found[scope.node.id] = site, scope
     return list(found.values())
 
 

@@ -15,7 +15,9 @@ from .addition import Addition
 from .analysis import Analysis
 from .conventions import target_name
 from .dialect import Dialect
+from .existing_callbacks import check_parameters, misfit
 from .generated import body_of, is_stub
+from .handed_on import HandedOn, handed_by_call, handed_by_partial
 from .insertion_point import beside
 from .removal import callback_scope, find_sites, stub_callbacks
 from .renaming import NotNamedError, plan_names
@@ -96,10 +98,29 @@ def _call(update: Replacement, interface: Interface) -> None:
         given.type == "identifier" and not _is_bound(analysis, given, site.scope, *kinds)
     ):
         raise NotInPlaceError
-    update.put(given, callback_for(update.added, interface))
+    _put_callback(update, given, interface)
     gone = [Splice(given.start_byte, given.end_byte)]
     stubs = stub_callbacks(analysis, [site], gone)
     update.splices += delete_statements(analysis.syntax.text, stubs)
+
+
+def _put_callback(update: Replacement, given: Node, interface: Interface) -> None:
+    """Write another callback, which gets what the call, or a `partial` around it, hands on."""
+    analysis, added, place = update.analysis, update.added, update.added.place
+    added.handed = by_call = handed_by_call(analysis, update.site)
+    wrapped = handed_by_partial(analysis, update.site, given)
+    if wrapped is not None:
+        before, keywords = wrapped[1].before, wrapped[1].behind
+        behind = handed_by_call(analysis, update.site, len(before)).behind
+        added.handed = HandedOn(before, (*behind, *keywords))
+    callback = callback_for(added, interface)
+    if added.place is not place:
+        # The function is defined behind the call, which would have to move there.
+        raise NotInPlaceError
+    if wrapped is not None and misfit(added, callback) is not None:
+        wrapped, added.handed = None, by_call
+    check_parameters(added, callback)
+    update.put(given if wrapped is None else wrapped[0], callback)
 
 
 def _respond(update: Replacement, interface: Interface) -> None:
