@@ -19,6 +19,7 @@ from .existing_callbacks import check_parameters, misfit
 from .generated import body_of, is_stub
 from .handed_on import HandedOn, handed_by_call, handed_by_partial
 from .insertion_point import beside
+from .message_filters import hands_on, takers
 from .removal import callback_scope, find_sites, stub_callbacks
 from .renaming import NotNamedError, plan_names
 from .replacing import NotInPlaceError, Replacement
@@ -125,17 +126,10 @@ def _put_callback(update: Replacement, given: Node, interface: Interface) -> Non
 
 def _respond(update: Replacement, interface: Interface) -> None:
     """Let a stub of rospy return a response of the new type; tell of a callback with code in it."""
-    analysis, found = update.analysis, update.site.endpoint
+    analysis = update.analysis
     function = callback_scope(analysis, update.site)
     if function is None or not is_stub(analysis, function, update.site):
-        callback = update.site.shape.callback
-        has_callback = callback is not None and update.site.arguments.get(callback) is not None
-        if has_callback and callback_of(update.added.endpoint) is None:
-            what = "its callback" if found.callback is None else f"`{found.callback}`"
-            message = f"{what} was written for `{found.type}`, and gets `{interface.name}`"
-            help_ = "change it by hand, or name another function with `calling`"
-            span = update.added.endpoint.span
-            update.notes.append(Diagnostic(codes.OTHER_TYPE, message, span, help=help_))
+        _tell_other_type(update, interface)
         return
     if update.added.is_rclpy:
         return
@@ -145,6 +139,26 @@ def _respond(update: Replacement, interface: Interface) -> None:
         if statement.type == "return_statement" and value is not None and value.type == "call":
             update.put(value, update.added.messages.response(interface))
     update.added.stand(is_nested=True)
+
+
+def _tell_other_type(update: Replacement, interface: Interface) -> None:
+    """Tell that code of the file takes messages of a type that it was not written for."""
+    site, found = update.site, update.site.endpoint
+    callback = site.shape.callback
+    was, help_ = "was", "change it by hand"
+    if callback is not None and site.arguments.get(callback) is not None:
+        what = "its callback" if found.callback is None else f"`{found.callback}`"
+        help_ += ", or name another function with `calling`"
+    elif hands_on(site):
+        names = takers(update.analysis, site)
+        was = "was" if len(names) < 2 else "were"
+        what = " and ".join(names) or f"what takes its messages from line {found.line} on"
+    else:
+        return
+    if callback_of(update.added.endpoint) is None:
+        message = f"{what} {was} written for `{found.type}`, and gets `{interface.name}`"
+        span = update.added.endpoint.span
+        update.notes.append(Diagnostic(codes.OTHER_TYPE, message, span, help=help_))
 
 
 def _is_bound(analysis: Analysis, node: Node, scope: Scope, *kinds: BindingKind) -> bool:
