@@ -15,6 +15,7 @@ from plastron_tui.ros.names import name_as_written
 from .analysis import Analysis, Site
 from .constants import Known
 from .conventions import conventions_of
+from .log_uses import is_only_told
 from .references import Use, references, variable_of
 from .removal import waits
 from .scopes import BindingKind, Scope
@@ -71,8 +72,8 @@ class _Said:
 def plan_names(analysis: Analysis, wanted: Mapping[Site, str]) -> Renaming:
     """Plan other names for call sites.
 
-    The strings that decide a name are changed where nothing else of the file uses them; elsewhere
-    the call says the new name itself.
+    The strings that decide a name are changed where nothing else of the file uses them, but to log
+    them; elsewhere the call says the new name itself.
 
     Raises:
         NotNamedError: a name comes from a parameter, and its default serves others as well.
@@ -150,10 +151,12 @@ def _deciding_alone(analysis: Analysis, said: Sequence[_Said]) -> list[_Said]:
 
 
 def _is_used_only(analysis: Analysis, node: Node, read: set[int]) -> bool:
-    """Whether a variable is used in some expressions alone."""
+    """Whether a variable is used in some expressions alone, and told in others at most."""
     variable = variable_of(node, analysis)
     return variable is not None and all(
-        use.use in (Use.BINDING, Use.NOTHING) or use.node.id in read
+        use.use in (Use.BINDING, Use.NOTHING)
+        or use.node.id in read
+        or is_only_told(analysis, use.node)
         for use in references(variable, analysis)
     )
 

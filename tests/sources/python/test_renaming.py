@@ -45,7 +45,7 @@ ROSPY = {
         {"'a'": "'b/c'"},
     ),
     "a constant of others too": (
-        "A = 'a'\nrospy.Subscriber(A, String, f)\nprint('on', A)\n",
+        "A = 'a'\nrospy.Subscriber(A, String, f)\nwork('on', A)\n",
         TOPIC,
         {"Subscriber(A": "Subscriber('b/c'"},
     ),
@@ -106,12 +106,54 @@ def test_the_name_alone_changes(tmp_path: Path, name: str) -> None:
 
 
 def test_a_name_that_is_handed_over_and_used_is_refused(tmp_path: Path) -> None:
-    body = "def make(t):\n    print(t)\n    rospy.Subscriber(t, String, f)\n\n\nmake('a')\n"
+    body = "def make(t):\n    work(t)\n    rospy.Subscriber(t, String, f)\n\n\nmake('a')\n"
     outcome = Outcome(tmp_path, "rospy", HEAD + body, TOPIC)
     assert outcome.text == HEAD + body
     (found,) = outcome.found
     assert found.code == "edit-refused"
     assert "line 6 does not say the name of the subscription `a` itself" in found.message
+
+
+TOLD = [
+    "rospy.loginfo('on %s', A)",
+    "rospy.logwarn_throttle(1, 'on {}'.format(A))",
+    "log(f'on {A}')",
+    "rospy.logdebug(('on ' + str(A),))",
+    "rospy.loginfo('on %s', rospy.resolve_name(A))",
+    "print('on', A, file=sys.stderr)",
+    "warnings.warn('no %s' % A)",
+    "logging.error('on %s', A)",
+    "self.get_logger().info(f'on {A}')",
+    "node._logger.warning('on %s, %s' % (A, 1))",
+    "rospy.wait_for_service(A)",
+]
+NOT_TOLD = [
+    "work(A)",
+    "rospy.loginfo(names[A])",
+    "rospy.loginfo(work(A))",
+    "rospy.loginfo('on' if A == 'a' else 'off')",
+    "text = 'on %s' % A",
+    "rospy.set_param('~in', A)",
+    "catalog.info(A)",
+]
+
+
+@pytest.mark.parametrize("use", TOLD + NOT_TOLD)
+@pytest.mark.parametrize("variable", ["A", "self.topic"])
+@pytest.mark.parametrize(
+    "statement", [TOPIC, "unsubscribe n from 'a'\nsubscribe n to 'b/c' of message_type String"]
+)
+def test_what_logs_a_name_logs_the_new_one(
+    tmp_path: Path, use: str, variable: str, statement: str
+) -> None:
+    text = f"import rospy, sys\nfrom rospy import loginfo as log\n{HEAD}\n\nclass N:\n"
+    text += "    def go(self):\n"
+    text += f"        A = 'a'  # the topic\n        {use}\n        rospy.Subscriber(A, String, f)\n"
+    text = text.replace("A", variable)
+    outcome = Outcome(tmp_path, "rospy", text, statement)
+    old, new = (" = 'a'", " = 'b/c'") if use in TOLD else (f"({variable}, Str", "('b/c', Str")
+    assert outcome.text == text.replace(old, new)
+    assert outcome.found == []
 
 
 RCLPY_HEAD = """\

@@ -240,7 +240,7 @@ SMALL = {
         "A = 'a'\nrospy.Subscriber(A, String, queue_size=3)\n", TOPIC, "-A = 'a'\n+A = 'b'",
     ),
     "a name that a constant says to others too": (
-        "A = 'a'\nrospy.Subscriber(A, String, queue_size=3)\nprint(A)\n",
+        "A = 'a'\nrospy.Subscriber(A, String, queue_size=3)\nwork(A)\n",
         TOPIC,
         "-rospy.Subscriber(A, String, queue_size=3)\n"
         "+rospy.Subscriber('b', String, queue_size=3)",
