@@ -190,7 +190,9 @@ class _Merge:
     def _edited(self, changes: list[Change]) -> FileSet:
         edited = self.target.edit(self.source, changes, self.catalog)
         if edited.files is not None:
-            self.lost = tuple(each for each in edited.diagnostics if each.code != codes.OTHER_TYPE)
+            self.lost = tuple(
+                each for each in edited.diagnostics if each.code == codes.WRITTEN_ANEW
+            )
             return edited.files
         # What is refused in the file as it is has the lines that the user sees.
         alone = (

@@ -178,6 +178,15 @@ OTHER_TYPE = Code(
     severity=Severity.WARNING,
 )
 
+GUESSED_NAME = Code(
+    "guessed-name",
+    "An endpoint of a loaded file is changed or taken out, and its name is no more than the "
+    "default of a parameter of a class or a function that the file itself never calls. Another "
+    "file that does may give another name: the endpoint that runs is another one then. Look at "
+    "what the other file gives.",
+    severity=Severity.WARNING,
+)
+
 WRITTEN_ANEW = Code(
     "written-anew",
     "A statement takes something out of a loaded file and another one writes it anew, under "

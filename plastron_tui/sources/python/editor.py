@@ -15,6 +15,7 @@ from .calls import LIBRARIES
 from .compiling import syntax_error
 from .dialect import Dialect
 from .edits import Edits, Found, RefusedError, endpoints_of
+from .guessed_names import tell_guessed_names
 from .imports import restore_imports
 from .keeps_running import never_called
 from .messages import CannotAddError
@@ -54,6 +55,7 @@ def edit_python(
     }
     catalog = catalog.with_undefined((kind, name) for kind, name in used if kind is not None)
     edits = Edits(before, catalog, dialect, endpoints_of(before))
+    edits.notes += tell_guessed_names(before, changes)
     try:
         edits.make(changes)
     except (CannotAddError, RefusedError) as refusal:

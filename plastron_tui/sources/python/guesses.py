@@ -22,17 +22,25 @@ def is_default_guess(
     node: Node, scope: Scope, resolver: Resolver, scopes: ScopeTree, syntax: Syntax
 ) -> bool:
     """Whether a constant is the default of a parameter of what the file itself never calls."""
+    return guessed_parameter(node, scope, resolver, scopes, syntax) is not None
+
+
+def guessed_parameter(
+    node: Node, scope: Scope, resolver: Resolver, scopes: ScopeTree, syntax: Syntax
+) -> tuple[str, Scope] | None:
+    """Return the parameter whose default a constant is, and its function that nothing calls."""
     if node.type == "string":
-        return False
+        return None
     for read in resolver.read_for(node, scope):
         if read.type != "identifier":
             continue
-        found = scopes.at(read.start_byte).lookup(syntax.slice(read))
+        name = syntax.slice(read)
+        found = scopes.at(read.start_byte).lookup(name)
         for binding in found[1][:MOST_BINDINGS] if found is not None else ():
             is_parameter = binding.kind is BindingKind.PARAMETER
             if is_parameter and binding.owner and not resolver.callers_of(binding.owner):
-                return True
-    return False
+                return name, binding.owner
+    return None
 
 
 def is_star_guess(bare: str, modules: list[str], distribution: str) -> bool:

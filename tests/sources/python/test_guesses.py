@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from file_sets import one
+from updates import Outcome
 
 from plastron_tui.model.inspection import inspect_json, inspect_text
 from plastron_tui.sources.python.reader import read_python
@@ -43,3 +44,28 @@ def test_what_another_file_may_say_otherwise_is_a_guess(text: str) -> None:
     assert found.type is not None
     assert ("(a guess)" in inspect_text(source)) is FILES[text]
     assert ('"guess": True' in str(inspect_json(source)).replace("'", '"')) is FILES[text]
+
+
+MADE = "\n\nDriver()\n"
+RETYPED = "subscribe n to 'scan' of message_type Int32 calling print"
+CHANGES = {
+    "n renames topic 'scan' to 'b'": CLASS.replace("'scan'", "'b'"),
+    "unsubscribe n from 'scan'": None,
+    f"unsubscribe n from 'scan'\n{RETYPED}": CLASS.replace("String", "Int32"),
+    "subscribe n to 'b' of message_type String": None,
+}
+
+
+@pytest.mark.parametrize("statements", CHANGES)
+def test_a_change_that_goes_by_a_guess_is_told(tmp_path: Path, statements: str) -> None:
+    outcome = Outcome(tmp_path, "rospy", CLASS, statements)
+    assert CHANGES[statements] in (None, outcome.text)
+    assert [(str(each.code), each.message, each.help) for each in outcome.found] == [
+        (
+            "guessed-name",
+            "the name `scan` in line 8 is the default of `topic`, for which another file may give "
+            "another name",
+            "look at what other files give to `Driver`",
+        )
+    ] * (not statements.startswith("subscribe"))
+    assert Outcome(tmp_path, "rospy", CLASS + MADE, statements).found == []
