@@ -11,7 +11,7 @@ import os
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import FileSet
 from plastron_tui.output.node_json import remember_all
 from plastron_tui.output.patch_stack import Layer, Layers, digest_of
@@ -66,11 +66,16 @@ class Derivation:
             path=shown if is_elsewhere else None,
             seen=((place.real.parent, place.manifest),),
         )
+        notes = self.work.placed(made)
         if place.index is None:
             derived = Derived(self._first(files, place, layer))
         else:
             derived = self._again(files, place, place.index, layer)
-        return derived._replace(diagnostics=(*self.work.placed(made), *derived.diagnostics))
+            known = place.layers[place.index]
+            if known.written == layer.written or _asks_the_same(layer, known):
+                # It was told when that was written, and may be removed by hand since.
+                notes = tuple(each for each in notes if each.code != codes.UNCALLED_FUNCTION)
+        return derived._replace(diagnostics=(*notes, *derived.diagnostics))
 
     @property
     def _is_mixed(self) -> bool:

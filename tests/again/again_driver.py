@@ -39,6 +39,7 @@ def main():
     status = rospy.Publisher("status", String, queue_size=10)
     rospy.Subscriber("command", String, on_command)
     rospy.Service("reset", Empty, on_reset)
+    on_command(String("start"))
     rate = rospy.Rate(5)
     while not rospy.is_shutdown():
         status.publish("fine")
@@ -64,6 +65,7 @@ class Robot(Node):
         self.create_subscription(String, "command", self.on_command, 10)
         self.create_service(Empty, "reset", self.on_reset)
         self.create_timer(0.2, self.tick)
+        self.on_command(String(data="start"))
 
     def on_command(self, msg):
         self.get_logger().info(msg.data)

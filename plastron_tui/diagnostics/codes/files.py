@@ -187,6 +187,14 @@ GUESSED_NAME = Code(
     severity=Severity.WARNING,
 )
 
+UNCALLED_FUNCTION = Code(
+    "uncalled-function",
+    "A statement takes away what called a function of a loaded file, and nothing else in the file "
+    "mentions it. A function with your code in it is kept; remove it by hand where no other file "
+    "uses it either.",
+    severity=Severity.WARNING,
+)
+
 WRITTEN_ANEW = Code(
     "written-anew",
     "A statement takes something out of a loaded file and another one writes it anew, under "

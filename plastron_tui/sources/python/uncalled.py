@@ -1,0 +1,93 @@
+"""Functions that an edit leaves with nobody to call them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from plastron_tui.diagnostics import Diagnostic, Span, codes
+from plastron_tui.model.source import Change, Remove, Update
+
+from .analysis import Analysis
+from .callers import count_words
+from .creation import line_of
+from .nodes import part_of
+from .removal import definition, find_sites, function_uses
+from .scopes import Scope
+
+# A message that lists more functions than these is not read.
+_MOST_NAMES = 8
+
+
+def tell_uncalled(
+    before: Analysis, after: Analysis, changes: Sequence[Change]
+) -> Diagnostic | None:
+    """Return a warning that names the functions which nothing in a file refers to any more.
+
+    Args:
+        before: the file as it was.
+        after: the file as it is.
+        changes: what was asked for.
+    """
+    # Few names are fewer than before; only for these is it asked where they are used.
+    rarer = count_words(before.syntax.text) - count_words(after.syntax.text)
+    words = {word.decode(before.syntax.encoding, "replace") for word in rarer}
+    called = {_path(each) for each in _functions(before, words) if _has_uses(before, each)}
+    found = [
+        each
+        for each in _functions(after, words)
+        if _path(each) in called and not _has_uses(after, each)
+    ]
+    if not found:
+        return None
+    listed = [f"`{each.name}` (line {line_of(each.node)})" for each in found]
+    more = len(listed) - _MOST_NAMES
+    listed[_MOST_NAMES:] = [f"{more} more"] if more > 0 else []
+    names = " and ".join(filter(None, (", ".join(listed[:-1]), listed[-1])))
+    message = f"nothing in the file calls {names} any more"
+    it = "it if it is" if len(found) == 1 else "them if they are"
+    span = _span(before, changes, {each.name for each in found})
+    return Diagnostic(codes.UNCALLED_FUNCTION, message, span, help=f"remove {it} of no other use")
+
+
+def _functions(analysis: Analysis, names: set[str]) -> list[Scope]:
+    """Return the functions of some names, without those that a decorator may give to others."""
+    return [
+        scope
+        for scope in analysis.scopes.all
+        if scope.kind == "function"
+        and scope.name in names
+        and definition(scope).type == "function_definition"
+    ]
+
+
+def _path(function: Scope) -> tuple[str, ...]:
+    """Return the names of a function and of what it is in."""
+    path: list[str] = []
+    scope: Scope | None = function
+    while scope is not None:
+        path.append(scope.name)
+        scope = scope.parent
+    return tuple(path)
+
+
+def _has_uses(analysis: Analysis, function: Scope) -> bool:
+    """Whether a file mentions a function, as a name or as a text, but for within itself."""
+    text = re.escape(analysis.syntax.encode(function.name))
+    if re.search(rb"""(["'])%b\1""" % text, analysis.syntax.text):
+        return True
+    whole = function.node
+    return any(
+        not whole.start_byte <= node.start_byte < whole.end_byte
+        for node in function_uses(analysis, function)
+    )
+
+
+def _span(before: Analysis, changes: Sequence[Change], names: set[str]) -> Span | None:
+    """Return the statement that took the call of one of some functions away."""
+    taking = [change for change in changes if isinstance(change, Remove | Update)]
+    for change in taking:
+        sites = find_sites(part_of(before, change.node), change)
+        if len(taking) == 1 or any(site.endpoint.callback in names for site in sites):
+            return change.span
+    return None
