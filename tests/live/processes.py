@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -48,6 +49,23 @@ def generate(program: str, output: Path, target: str) -> dict[str, Path]:
     return {file.name: file for file in sorted(output.glob("*.py"))}
 
 
+def edit(original: Path, statements: str, folder: Path, using: str = "") -> Path:
+    """Change the node of a file, in a folder; return the new file. The old one stays as it is.
+
+    With `using`, the new file is for that client library.
+    """
+    loaded = folder / original.name
+    shutil.copy(original, loaded)
+    program = loaded.with_suffix(".plastron")
+    library = f" using {using}" if using else ""
+    program.write_text(f"load '{original.name}' as node\n{statements}generate_node node{library}\n")
+    command = [PLASTRON, "generate", program, "-o", folder / "output"]
+    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert loaded.read_bytes() == original.read_bytes()
+    return folder / "output" / original.name
+
+
 class Process:
     """A process, and what it has printed so far."""
 
@@ -74,8 +92,16 @@ class Process:
 
     def wait_to_print(self, text: str, seconds: float = 60.0, count: int = 1) -> None:
         """Wait until it has printed a text, so often."""
+
+        def look() -> bool:
+            has_ended = self._popen.poll() is not None
+            if self.output.count(text) >= count:
+                return True
+            assert not has_ended, f"it ended without {text!r}"
+            return False
+
         try:
-            wait_until(lambda: self.output.count(text) >= count, repr(text), seconds)
+            wait_until(look, repr(text), seconds)
         except AssertionError as error:
             raise AssertionError(f"{error}, in:\n{self.output}") from None
 

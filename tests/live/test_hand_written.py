@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
-import subprocess
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -11,7 +9,7 @@ from pathlib import Path
 import pytest
 from graph import Graph
 from machine import mostly_long
-from processes import PLASTRON, own_tracebacks
+from processes import edit, own_tracebacks
 
 pytestmark = pytest.mark.live
 
@@ -107,7 +105,7 @@ QUICK = {"fleet.py"}
 def test_a_hand_written_node_does_what_the_program_asked(
     case: Case, ros1: Graph, tmp_path: Path
 ) -> None:
-    edited = _edit(case, tmp_path)
+    edited = edit(NODES / case.file, case.program, tmp_path)
     node = ros1.run_and_wait(edited)
     for kind, names in case.there.items():
         for name in names:
@@ -125,16 +123,3 @@ def test_a_hand_written_node_does_what_the_program_asked(
         assert not set(names) & set(found[kind]), found
     assert node.interrupt() == 0
     assert not own_tracebacks(node.output)
-
-
-def _edit(case: Case, folder: Path) -> Path:
-    """Load, change and generate, and return the new file; the old one stays as it is."""
-    original = NODES / case.file
-    shutil.copy(original, folder / case.file)
-    program = folder / "change.plastron"
-    program.write_text(f"load '{case.file}' as node\n{case.program}generate_node node\n")
-    command = [PLASTRON, "generate", program, "-o", folder / "output"]
-    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=60)
-    assert done.returncode == 0, done.stdout + done.stderr
-    assert (folder / case.file).read_bytes() == original.read_bytes()
-    return folder / "output" / case.file

@@ -1,0 +1,43 @@
+"""Rospy nodes that a person wrote send on ROS 2 what they send on ROS 1, for the same input."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from edited_nodes import CASES, NODES, Case
+from graph import Graph
+from machine import mostly_long
+from processes import edit
+from traffic import KINDS, Traffic, differences, plain, record
+
+pytestmark = pytest.mark.live
+
+PORTED = [case for case in CASES if case.file.startswith("rospy/")]
+QUICK = {"rospy/mux.py"}
+
+
+@pytest.mark.parametrize("case", mostly_long(PORTED, QUICK, lambda case: case.file))
+def test_a_port_sends_what_the_original_sends(
+    case: Case, ros1: Graph, ros2: Graph, tmp_path: Path
+) -> None:
+    ported = edit(NODES / case.file, "", tmp_path, using="rclpy")
+    before = record(ros1, NODES / case.file, case.steps, case.serves)
+    after = record(ros2, ported, case.steps, case.serves)
+
+    assert _endpoints(after) == _endpoints(before)
+    assert not differences(before.heard, after.heard, case.steps)
+    assert plain(before.answers) == plain(after.answers)
+    assert set(before.logs) == set(after.logs)
+
+
+def _endpoints(traffic: Traffic) -> dict[str, dict[str, Any]]:
+    """Return what both versions of ROS say of endpoints."""
+    return {
+        kind: {
+            name: (each["type"], each.get("latch"))
+            for name, each in traffic.endpoints[kind].items()
+        }
+        for kind in KINDS
+    }
