@@ -167,6 +167,17 @@ def test_an_import_stays_while_a_marked_line_uses_it(library: str, imports: str,
     assert imports.splitlines()[-1] not in text
 
 
+def test_an_import_goes_where_the_marked_line_is_rewritten() -> None:
+    text = ported(
+        "import rospy\nfrom std_msgs.msg import String\n\nrospy.init_node('n')\n"
+        "rospy.Subscriber('t', String, print, tcp_nodelay=True)\n",
+        "rospy",
+        "rclpy",
+    )
+    assert f"{MARK}tcp_nodelay\n" in text
+    assert "import rospy" not in text
+
+
 def test_an_import_of_a_function_does_not_serve_the_helpers() -> None:
     text = ported(
         "import rospy\n\n\ndef f():\n    import traceback\n\n\n"

@@ -41,6 +41,7 @@ def keep_used_imports(work: Work, roots: frozenset[str]) -> None:
     used = {
         name
         for mark in work.marks
+        if mark.node.id not in work.done  # else what is left in it has a mark of its own
         for node in walk(mark.node)
         if node.type == "identifier" and node.id not in work.done and not work.is_gone(node)
         for name in work.qualified(node)
