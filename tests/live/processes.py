@@ -49,16 +49,31 @@ def generate(program: str, output: Path, target: str) -> dict[str, Path]:
     return {file.name: file for file in sorted(output.glob("*.py"))}
 
 
-def edit(original: Path, statements: str, folder: Path, using: str = "") -> Path:
+def edit(
+    original: Path,
+    statements: str,
+    folder: Path,
+    *,
+    node: str | None = None,
+    using: str | None = None,
+) -> Path:
     """Change the node of a file, in a folder; return the new file. The old one stays as it is.
 
-    With `using`, the new file is for that client library.
+    Args:
+        original: the file.
+        statements: what the program says of `node`, one statement a line.
+        folder: gets a copy of the file, the program, and the new file.
+        node: which of the file's nodes.
+        using: the client library that the new file is for, if it is another.
     """
     loaded = folder / original.name
     shutil.copy(original, loaded)
     program = loaded.with_suffix(".plastron")
+    which = f" node '{node}'" if node else ""
     library = f" using {using}" if using else ""
-    program.write_text(f"load '{original.name}' as node\n{statements}generate_node node{library}\n")
+    program.write_text(
+        f"load '{original.name}'{which} as node\n{statements}generate_node node{library}\n"
+    )
     command = [PLASTRON, "generate", program, "-o", folder / "output"]
     done = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=60)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -6,13 +6,18 @@ from collections.abc import Collection
 from pathlib import Path
 
 import pytest
-from edited_nodes import CASES, NODES, QUICK, Case
 from graph import Graph
 from machine import mostly_long
+from played_nodes import NODES, Case
 from processes import edit
+from rclpy_edits import RCLPY_EDITS
+from rospy_edits import ROSPY_EDITS
 from traffic import KINDS, Fields, Traffic, differences, record, renamed, without
 
 pytestmark = pytest.mark.live
+
+CASES = ROSPY_EDITS + RCLPY_EDITS
+QUICK = {"rospy/mux.py", "rclpy/mode_keeper.py"}
 
 
 @pytest.mark.parametrize("case", mostly_long(CASES, QUICK, lambda case: case.file))
@@ -21,10 +26,11 @@ def test_an_edit_changes_only_what_it_names(
 ) -> None:
     library = case.file.split("/")[0]
     graph: Graph = request.getfixturevalue({"rospy": "ros1", "rclpy": "ros2"}[library])
-    edited = edit(NODES / case.file, case.statements, tmp_path)
+    edited = edit(NODES / case.file, case.statements, tmp_path, node=case.node)
     steps = without(case.steps, case.gone)
     before = record(graph, NODES / case.file, steps, case.serves)
-    after = record(graph, edited, [*renamed(steps, case.renames), *case.new], case.serves)
+    serves = {case.renames.get(name, name): each for name, each in case.serves.items()}
+    after = record(graph, edited, [*renamed(steps, case.renames), *case.new], serves)
 
     new = {step.name for step in case.new}
     for kind in KINDS:
@@ -33,7 +39,7 @@ def test_an_edit_changes_only_what_it_names(
         }
         found = {name: each for name, each in after.endpoints[kind].items() if name not in new}
         assert found == {case.renames.get(name, name): each for name, each in kept.items()}
-    heard = {topic: each for topic, each in before.heard.items() if topic not in case.gone}
+    heard = {topic: each for topic, each in before.heard.items() if topic not in {*case.gone, *new}}
     assert not differences(heard, _caused_by_both(case, after, heard), steps)
     added = [step.answer for step in case.new if step.kind == "call"]
     assert after.answers == [*before.answers, *added]
