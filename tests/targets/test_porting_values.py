@@ -44,6 +44,14 @@ PUBLISHED = [
     ("text.publish('a' + x)", "text.publish(String(data='a' + x))"),
     ("text.publish('a {}'.format(x))", "text.publish(String(data='a {}'.format(x)))"),
     ("text.publish(str(x))", "text.publish(String(data=str(x)))"),
+    ("text.publish(str(x)[::-1])", "text.publish(String(data=str(x)[::-1]))"),
+    ("number.publish(min(x))", "number.publish(Float64(data=float(min(x))))"),
+    ("number.publish(min(x, key=f))", f"{PUBLISH}number.publish(min(x, key=f))"),
+    ("point.publish(x)", "point.publish(x)"),
+    (
+        "rospy.Subscriber('t', String, lambda m: text.publish(m.data))",
+        "node.create_subscription(String, 't', lambda m: text.publish(String(data=m.data)), 10)",
+    ),
     ("text.publish(data=x)", "text.publish(String(data=x))"),
     ("text.publish()", "text.publish(String())"),
     ("text.publish(\n    'hello',\n)", "text.publish(\n    String(data='hello'),\n)"),
@@ -83,8 +91,8 @@ PUBLISHED = [
         "numbers.publish(Float32MultiArray(data=[float(each) for each in x]))",
     ),
     # Nobody knows what it is, or it is no message of the topic's type in rospy either.
-    ("text.publish(message)", "text.publish(message)"),
-    ("text.publish(make(1))", "text.publish(make(1))"),
+    ("text.publish(message)", f"{PUBLISH}text.publish(message)"),
+    ("text.publish(make(1))", f"{PUBLISH}text.publish(make(1))"),
     (
         "text.publish(rospy.get_param('~a'))",
         "text.publish(String(data=get_param('a')))",

@@ -112,8 +112,14 @@ def _kind(work: Work, node: Node) -> str | None:
 
 
 def _of_subscript(work: Work, node: Node) -> str | None:
-    """Return what an element of a sequence of floats is; that of a fixed array is numpy's."""
+    """Return what a part of a text or list is, or an element of a sequence of floats.
+
+    That of a fixed array is numpy's.
+    """
     items, index = (node.child_by_field_name(each) for each in ("value", "subscript"))
+    kind = kind_of(work, items)
+    if index is not None and index.type == "slice" and kind in ("str", "bytes", LIST):
+        return kind
     type_ = typed(work, items) if items is not None else None
     if not isinstance(type_, FieldType) or index is None or index.type == "slice":
         return None
@@ -159,6 +165,10 @@ def _of_call(work: Work, call: Node) -> str | None:
     name = work.slice(callee)
     if name in _BUILT_IN and work.scope(callee).lookup(name) is None:
         return _BUILT_IN[name]
+    if name in ("min", "max") and work.scope(callee).lookup(name) is None:
+        # Messages have no order: only a key compares them.
+        arguments = parts_of(call.child_by_field_name("arguments"))
+        return None if any(each.type == "keyword_argument" for each in arguments) else PLAIN
     for found in work.qualified(callee):
         if found in _FUNCTIONS:
             return _FUNCTIONS[found]

@@ -185,7 +185,11 @@ def _of_parameter(work: Work, binding: Binding, function: Scope) -> Section | No
 
 def _callers(work: Work, function: Scope) -> Iterator[Site]:
     for site in work.analysis.sites:
-        if site.endpoint.kind in _HANDED and work.callback_of(site) is function:
+        if site.endpoint.kind not in _HANDED or site.shape.callback is None:
+            continue
+        given = site.arguments.get(site.shape.callback)
+        is_itself = given is not None and given.id == function.node.id
+        if is_itself or work.callback_of(site) is function:
             yield site
 
 

@@ -133,14 +133,15 @@ def _port_set(work: Work, call: Node, arguments: Node) -> None:
 def _port_publish(work: Work, call: Node, callee: Node, arguments: Node) -> None:
     """Make the message that rospy makes of what is given to `publish`."""
     given = _given(arguments, work)
-    if given is not None and len(given) == 1 and given[0][0] is None:
-        value = given[0][1]
-        if not is_plain(kind_of(work, value)):
-            if some_plain(work, value):
-                _mark_publish(work, call)
-            return
     holder = callee.child_by_field_name("object")
     site = _site_of(work, holder, EndpointKind.PUBLISHER) if holder is not None else None
+    if given is not None and len(given) == 1 and given[0][0] is None:
+        value = given[0][1]
+        kind = kind_of(work, value)
+        if not is_plain(kind):
+            if some_plain(work, value) or (kind is None and _takes_value(work, site)):
+                _mark_publish(work, call)
+            return
     class_ = _visible_type(work, site, call) if site is not None else None
     if given is None or site is None or class_ is None or site.endpoint.type is None:
         if holder is not None and not _is_foreign(work, holder):
@@ -155,6 +156,23 @@ def _port_publish(work: Work, call: Node, callee: Node, arguments: Node) -> None
         _mark_publish(work, call)
         return
     _wrap(work, class_, parts_of(arguments), splices)
+
+
+def _takes_value(work: Work, site: Site | None) -> bool:
+    """Tell whether what a publisher takes may be the only field of its message, in rospy.
+
+    A publisher that nobody knows is one of the file's.
+    """
+    publishers = [
+        each for each in work.analysis.sites if each.endpoint.kind is EndpointKind.PUBLISHER
+    ]
+    for each in [site] if site is not None else publishers:
+        type_ = each.endpoint.type
+        fields = fields_of(work, type_, InterfaceKind.MESSAGE, "") if type_ is not None else None
+        types = list(fields.values()) if fields is not None else []
+        if len(types) != 1 or types[0] is None or types[0].package is not None:
+            return False
+    return site is not None or bool(publishers)
 
 
 def _wrap(work: Work, class_: str, items: list[Node], splices: list[Splice]) -> None:
