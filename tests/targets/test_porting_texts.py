@@ -202,6 +202,24 @@ TO_RCLPY = [
         "node.create_subscription(String, 't', lambda message: print(message, 'extra'), 1)",
     ),
     (
+        "for x in y:\n    rospy.Subscriber('t', String, print, callback_args=x)",
+        "for x in y:\n    node.create_subscription("
+        "String, 't', lambda message, args=x: print(message, args), 10)",
+    ),
+    (
+        "rospy.Subscriber('t', String, print, (1, 'extra'))",
+        "node.create_subscription(String, 't', lambda message: print(message, (1, 'extra')), 10)",
+    ),
+    (
+        "rospy.Service('s', Trigger, partial(answer, x))",
+        "node.create_service(\n    Trigger, 's', "
+        "lambda request, response, handler=partial(answer, x): handler(request)\n)",
+    ),
+    (
+        "rospy.Timer(rospy.Duration(1), make(x))",
+        "node.create_timer(1, lambda callback=make(x): callback(None))",
+    ),
+    (
         "rospy.Publisher('t', String, queue_size=None, latch=True)",
         "node.create_publisher(String, 't', "
         "QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL))",

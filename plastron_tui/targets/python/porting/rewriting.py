@@ -9,7 +9,7 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.sources.python.analysis import Site
 from plastron_tui.sources.python.constants import Known
-from plastron_tui.sources.python.scopes import Scope
+from plastron_tui.sources.python.scopes import BindingKind, Scope
 from plastron_tui.sources.python.splices import line_start
 from plastron_tui.sources.python.syntax import parts_of
 
@@ -79,6 +79,40 @@ def given_type(work: Work, site: Site) -> str:
 def callable_text(text: str) -> str:
     """Return an expression so that it can be called."""
     return text if text.replace(".", "").isidentifier() else f"({text})"
+
+
+def bound_early(work: Work, given: Node, wanted: str) -> tuple[str, str]:
+    """Return the parameter of a lambda that keeps what is given there, and how to speak of it.
+
+    A lambda works out what is in it when it is called: `args` is another one then, in a loop.
+    What is the same at all times needs no parameter.
+    """
+    text = work.text(given)
+    if _is_constant(work, given):
+        return "", text
+    name = work.free_name(wanted)
+    return f", {name}={text}", name
+
+
+def _is_constant(work: Work, given: Node) -> bool:
+    """Tell whether an expression is the same at all times: a value, or a function of a name."""
+    scope = work.scope(given)
+    if isinstance(work.analysis.resolver.fold(given, scope), Known):
+        return True
+    match given.type:
+        case "identifier":
+            found = scope.lookup(work.slice(given))
+            bindings = found[1] if found is not None else []
+        case "attribute":
+            bindings = work.analysis.resolver.attribute_bindings(given, scope)
+        case "lambda":
+            parameters = parts_of(given.child_by_field_name("parameters"))
+            return all(each.type == "identifier" for each in parameters)
+        case "tuple":
+            return all(_is_constant(work, each) for each in parts_of(given))
+        case _:
+            return given.type in ("integer", "float", "true", "false", "none")
+    return all(each.kind in (BindingKind.FUNCTION, BindingKind.IMPORT) for each in bindings)
 
 
 def parameters_of(function: Scope) -> tuple[Node | None, list[Node]]:

@@ -24,6 +24,7 @@ from .rclpy_words import port_words
 from .rewriting import (
     Writer,
     append_parameter,
+    bound_early,
     callable_text,
     given_type,
     mark_options,
@@ -164,7 +165,9 @@ def _subscription(node: str, work: Work, site: Site, name: str) -> str | None:
     mark_options(work, site, _OPTIONS, ("callback", "callback_args", "queue_size"))
     called = work.text(callback) if callback is not None else "lambda message: None"
     if extra is not None and callback is not None:
-        called = f"lambda message: {callable_text(called)}(message, {work.text(extra)})"
+        first, handler = bound_early(work, callback, "callback")
+        second, given = bound_early(work, extra, "args")
+        called = f"lambda message{first}{second}: {callable_text(handler)}(message, {given})"
     return f"{node}.create_subscription({type_}, {name}, {called}, {_depth(work, site, 4)})"
 
 
@@ -176,7 +179,8 @@ def _service(node: str, work: Work, site: Site, name: str) -> str | None:
     called = work.text(handler)
     function = work.callback_of(site)
     if function is None:
-        called = f"lambda request, response: {callable_text(called)}(request)"
+        bound, called = bound_early(work, handler, "handler")
+        called = f"lambda request, response{bound}: {callable_text(called)}(request)"
     else:
         _take_response(work, function)
     return f"{node}.create_service({_type(work, site)}, {name}, {called})"
@@ -196,7 +200,8 @@ def _timer(node: str, work: Work, site: Site, name: str) -> str | None:
     called = work.text(callback)
     function = work.callback_of(site)
     if function is None:
-        called = f"lambda: {callable_text(called)}(None)"
+        bound, called = bound_early(work, callback, "callback")
+        called = f"lambda{bound.removeprefix(',')}: {callable_text(called)}(None)"
     else:
         _give_default(work, function)
     return f"{node}.create_timer({_seconds(work, period)}, {called})"
