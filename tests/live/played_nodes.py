@@ -22,8 +22,8 @@ class Case:
     """
 
     file: str
-    statements: str
     steps: tuple[Step, ...]
+    statements: str = ""
     renames: Mapping[str, str] = field(default_factory=dict)
     gone: Collection[str] = ()
     new: tuple[Step, ...] = ()

@@ -11,6 +11,7 @@ from machine import mostly_long
 from played_nodes import NODES, Case
 from processes import edit
 from rospy_edits import ROSPY_EDITS
+from rospy_ports import ROSPY_PORTS
 from traffic import KINDS, Traffic, differences, plain, record
 
 pytestmark = pytest.mark.live
@@ -18,11 +19,11 @@ pytestmark = pytest.mark.live
 BY_HAND = {"rospy/light_switch.py", "rospy/wheels.py"}
 """What calls services, or publishes what may be a message, stays for somebody to port."""
 
-PORTED = [case for case in ROSPY_EDITS if case.file not in BY_HAND]
+CASES = [*ROSPY_PORTS, *(case for case in ROSPY_EDITS if case.file not in BY_HAND)]
 QUICK = {"rospy/mux.py"}
 
 
-@pytest.mark.parametrize("case", mostly_long(PORTED, QUICK, lambda case: case.file))
+@pytest.mark.parametrize("case", mostly_long(CASES, QUICK, lambda case: case.file))
 def test_a_port_sends_what_the_original_sends(
     case: Case, ros1: Graph, ros2: Graph, tmp_path: Path
 ) -> None:
