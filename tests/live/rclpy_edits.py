@@ -189,8 +189,8 @@ RCLPY_EDITS = [
     Case(
         "rclpy/camera_arm.py",
         (
-            send("/head/aim", {"data": 0.5}, *"/head/camera_arm/error"),
-            send("/camera_arm/home", {"data": 0.0}, *"/camera_arm/last"),
+            send("/head/aim", {"data": 0.5}, *JOINTS, "/head/camera_arm/error"),
+            send("/camera_arm/home", {"data": 0.0}, *JOINTS, "/camera_arm/last"),
         ),
         statements=(
             "node renames topic '~/error' to 'error'\n"

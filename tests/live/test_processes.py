@@ -1,13 +1,14 @@
-"""Which tracebacks in the output of a node are not rospy's own."""
+"""Which tracebacks in the output of a node are not rospy's own, and when a node has ended."""
 
 from __future__ import annotations
 
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
-from processes import own_tracebacks
+from processes import Process, own_tracebacks
 
 CALL = """\
   File "talker.py", line 3, in publish
@@ -52,3 +53,10 @@ def test_a_long_traceback_is_told_at_once() -> None:
         timeout=60,
     )
     assert done.stdout == "1\n", done.stderr
+
+
+def test_nobody_waits_for_what_a_process_that_ended_would_print(tmp_path: Path) -> None:
+    process = Process([sys.executable, "-c", "print('ready')"], os.environ, tmp_path / "log")
+    process.wait_to_print("ready")
+    with pytest.raises(AssertionError, match="it ended without 'set up', in:\nready"):
+        process.wait_to_print("set up")
