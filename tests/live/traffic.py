@@ -13,7 +13,11 @@ from graph import Graph
 from processes import own_tracebacks
 
 KINDS = ("publishers", "subscriptions", "services")
-LOG = re.compile(r"^\[(\w+)\] \[[\d.]+\](?: \[[\w./]+\])?: (.*)$", re.MULTILINE)
+# rospy itself warns of a connection that the player closed before it was of use.
+LOG = re.compile(
+    r"^\[(\w+)\] \[[\d.]+\](?: \[[\w./]+\])?: (?!Inbound TCP/IP connection failed)(.*)$",
+    re.MULTILINE,
+)
 
 Fields = Mapping[str, Any]
 
