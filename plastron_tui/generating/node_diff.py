@@ -70,14 +70,15 @@ def _changes(
             if (name := names.get(each.name or "")) in gone:
                 gone[name].append(each)
     same = _same(gone, new) if gone and new else {}
-    for name in sorted(gone.keys() - same.values()):
-        yield Remove(kind, name, node.removed.get(name), source.label)
     for name, endpoint in wanted.items():
         was = same.get(name, name)
         if endpoint.span is not None and was in present:
             yield Update(kind, was, endpoint, node.removed.get(was), source.label)
         elif endpoint.span is not None or is_sending(endpoint):
             yield Add(endpoint, source.label)
+    # What is new goes beside what it replaces, in the same class.
+    for name in sorted(gone.keys() - same.values()):
+        yield Remove(kind, name, node.removed.get(name), source.label)
 
 
 def _same(gone: Mapping[str, list[SourceEndpoint]], new: Mapping[str, Endpoint]) -> dict[str, str]:

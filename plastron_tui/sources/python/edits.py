@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter, defaultdict
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
@@ -11,13 +11,11 @@ from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.kinds import (
     Client,
     Endpoint,
-    EndpointKind,
     Publisher,
     Service,
     Subscription,
     callback_of,
     is_sending,
-    kind_of,
 )
 from plastron_tui.model.source import Add, Change, Remove, Rename, Update
 from plastron_tui.ros.catalog import Catalog
@@ -28,7 +26,7 @@ from .analysis import Analysis, Site
 from .dialect import Dialect
 from .existing_callbacks import NotCallableError
 from .imports import unused_imports
-from .lost import options_of, or_renames, written_anew
+from .lost import Exchange, or_renames
 from .messages import CannotAddError
 from .nodes import group, labels_of, part_of
 from .removal import find_sites, plan_removal
@@ -88,16 +86,6 @@ def _manner(endpoint: Endpoint) -> _Manner:
     return _Manner(type(endpoint), endpoint.type, callback is not None, messages)
 
 
-_Type = tuple[EndpointKind, InterfaceName | None]
-
-
-class _Dropped(NamedTuple):
-    """What the calls of an endpoint said that was taken out."""
-
-    name: str
-    options: list[str]
-
-
 @dataclass(slots=True)
 class Edits:
     """Changes on their way into a file.
@@ -122,7 +110,7 @@ class Edits:
     _work: int = 0
     _alike: set[_Manner] = field(default_factory=set)
     _last: tuple[Analysis, Writer] | None = None
-    _dropped: dict[_Type, list[_Dropped]] = field(default_factory=lambda: defaultdict(list))
+    _exchange: Exchange = field(default_factory=Exchange)
 
     def make(self, changes: Sequence[Change]) -> None:
         """Make changes, in their order.
@@ -147,6 +135,7 @@ class Edits:
                 self._remove(change)
             elif isinstance(change, Update):
                 self._update(change)
+        self.notes += self._exchange.notes(self.analysis)
 
     def _rename(self, changes: Sequence[Rename]) -> None:
         """Give endpoints other names, all at once."""
@@ -172,9 +161,7 @@ class Edits:
 
     def _remove(self, change: Remove) -> None:
         for site in find_sites(part_of(self.analysis, change.node), change):
-            if options := options_of(self.analysis, site):
-                dropped = _Dropped(change.name, options)
-                self._dropped[change.kind, site.endpoint.type].append(dropped)
+            self._exchange.take(self.analysis, site, change.name)
         text = _removed(self.analysis, change, self.expected)
         self._read(text)
         self.analysis = analyze(text, self.analysis.library)
@@ -190,17 +177,10 @@ class Edits:
         for writer in writers:
             self.expected.update((label, key) for key in writer.endpoints)
             self.notes += writer.notes
-        self._tell_dropped(change.endpoint)
+        self._exchange.add(change.endpoint)
         self._read(text)
         self.analysis = analyze(text, self.analysis.library)
         return len(writers)
-
-    def _tell_dropped(self, endpoint: Endpoint) -> None:
-        """Tell what was said of an endpoint that another one seems to take the place of."""
-        for name, options in self._dropped.pop((kind_of(type(endpoint)), endpoint.type), ()):
-            listed = ", ".join(f"`{option}`" for option in options)
-            message = f"{listed} of `{name}` is not kept for `{endpoint.name}`"
-            self.notes.append(written_anew(message, endpoint, name))
 
     def _update(self, change: Update) -> None:
         """Change an endpoint in place; take it out and write it anew where that cannot be."""

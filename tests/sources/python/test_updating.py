@@ -278,7 +278,7 @@ ANEW = {
     "another name and another type": (
         "rospy.Subscriber('a', Int32, queue_size=3)\nx = Int32\n",
         TOPIC,
-        f"{ON_B}\n-rospy.Subscriber('a', Int32, queue_size=3)",
+        f"{ON_B[:-1]}, queue_size=3)\n-rospy.Subscriber('a', Int32, queue_size=3)",
     ),
     "two go and one comes": (
         "rospy.Subscriber('a', String)\nrospy.Subscriber('c', String)\n",

@@ -27,12 +27,17 @@ OPTIONS = {
         "subscribe n to 'b' of message_type String\nsubscribe n to 'd' of message_type String",
         ["`tcp_nodelay=True` of `a` is not kept for `b`"],
     ),
-    "a length of a queue is no option": (
+    "a length of a queue": (
         "rospy.Subscriber('a', String, f, queue_size=1)\n"
         "rospy.Subscriber('c', String, f, queue_size=None)\n",
         "unsubscribe n from 'a'\nunsubscribe n from 'c'\n"
         "subscribe n to 'b' of message_type String\nsubscribe n to 'd' of message_type String",
-        [],
+        ["`queue_size=1` of `a` is not kept for `b`"],
+    ),
+    "another type, where nothing else can be meant": (
+        "rospy.Subscriber('a', String, f, queue_size=3, tcp_nodelay=True)\n",
+        "unsubscribe n from 'a'\nsubscribe n to 'b' of message_type Int32",
+        ["`tcp_nodelay=True` of `a` is not kept for `b`"],
     ),
     "nothing that takes its place": (
         "rospy.Subscriber('a', String, f, tcp_nodelay=True)\nrospy.Subscriber('c', Int32, f)\n",
