@@ -264,7 +264,7 @@ TO_RCLPY = [
     ),
     (
         "m = rospy.wait_for_message('t', String, timeout=5)",
-        "m = wait_for_message(String, node, 't', time_to_wait=5)[1]",
+        "m = wait_for_message(node.create_subscription(String, 't', lambda message: None, 1), 5)",
     ),
     (
         "p = rospy.Publisher('~a', String, queue_size=1)",
@@ -337,7 +337,7 @@ TO_RCLPY = [
     ),
     (
         "p = rospy.ServiceProxy('s', Trigger)\nanswer = p()",
-        f"p = node.create_client(Trigger, 's')\n{MARK}the call of p\nanswer = p()",
+        "p = node.create_client(Trigger, 's')\nanswer = call_service(p, Trigger.Request())",
     ),
     (
         "p = rospy.ServiceProxy('s', Trigger)\n\n\ndef ask(client):\n    return client()",

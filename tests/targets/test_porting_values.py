@@ -21,7 +21,7 @@ import std_msgs.msg
 from geometry_msgs.msg import Point, PointStamped, Twist
 from std_msgs.msg import Bool, Byte, Float32MultiArray, Float64, Header, Int32, String
 from std_srvs.srv import Empty, SetBool, Trigger, TriggerResponse
-from rospy_tutorials.srv import AddTwoInts, AddTwoIntsResponse
+from rospy_tutorials.srv import AddTwoInts, AddTwoIntsRequest, AddTwoIntsResponse
 
 rospy.init_node('n')
 text = rospy.Publisher('text', String, queue_size=1)
@@ -311,14 +311,25 @@ def test_names_that_are_bound_to_each_other_come_to_an_end() -> None:
     assert after_head(f"x = y = Twist()\n{tangle}text.publish(x)\nx.linear.x = 1")
 
 
-CALLED = ["proxy(5, 6)", "proxy(a=5, b=6)", "proxy.call(5, 6)", "proxy()"]
+CALLED = [
+    ("proxy(5, 6)", "call_service(proxy, AddTwoInts.Request(a=5, b=6))"),
+    ("proxy(a=5, b=6)", "call_service(proxy, AddTwoInts.Request(a=5, b=6))"),
+    ("proxy.call(5, 6)", "call_service(proxy, AddTwoInts.Request(a=5, b=6))"),
+    ("proxy()", "call_service(proxy, AddTwoInts.Request())"),
+    ("proxy(AddTwoIntsRequest(a=5))", "call_service(proxy, AddTwoIntsRequest(a=5))"),
+    ("proxy(ask)", None),
+    ("proxy(5)", None),
+    ("proxy(*numbers)", None),
+    ("proxy('a', 6)", None),
+]
 
 
-@pytest.mark.parametrize("call", CALLED)
-def test_a_call_of_a_client_is_marked(call: str) -> None:
+@pytest.mark.parametrize(("call", "written"), CALLED)
+def test_a_call_of_a_client(call: str, written: str | None) -> None:
     text = after_head(f"proxy = rospy.ServiceProxy('s', AddTwoInts)\nanswer = {call}")
     name = call.partition("(")[0]
-    assert text.endswith(f"\n{MARK}the call of {name}\nanswer = {call}\n")
+    mark = f"{MARK}the call of {name}\n" if written is None else ""
+    assert text.endswith(f"\n{mark}answer = {written or call}\n")
 
 
 WORDS = [

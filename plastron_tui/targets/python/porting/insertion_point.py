@@ -11,7 +11,8 @@ from .port_state import Work, walk
 
 _IMPORTS = frozenset({"import_statement", "import_from_statement", "future_import_statement"})
 _STANDARD = frozenset(
-    f"import {name}" for name in ("atexit", "os", "signal", "threading", "time", "traceback")
+    f"import {name}"
+    for name in ("atexit", "os", "queue", "signal", "threading", "time", "traceback")
 )
 _DEFINITIONS = frozenset({"function_definition", "class_definition", "decorated_definition"})
 
@@ -63,7 +64,9 @@ def add_header(work: Work) -> None:
         if all(each.kind is BindingKind.IMPORT and each.target == name for each in bindings)
         and not all(work.is_gone(each.node) for each in bindings)
     }
-    wanted = sorted(work.imports - present, key=lambda line: (line.startswith("from "), line))
+    wanted = sorted(
+        _joined(work.imports - present), key=lambda line: (line.startswith("from "), line)
+    )
     standard = [line for line in wanted if line in _STANDARD]
     others = [line for line in wanted if line not in _STANDARD]
     at = _first_import(work)
@@ -90,6 +93,18 @@ def add_header(work: Work) -> None:
         wanted_lines = 2 if work.helpers else 1
         missing = wanted_lines - lines if following.strip() else 0
         work.insert_first(end, "".join(helpers) + "\n" * max(missing, 0))
+
+
+def _joined(imports: set[str]) -> list[str]:
+    """Return import lines, those from one module in one."""
+    names: dict[str, list[str]] = {}
+    for line in sorted(imports):
+        module, _, name = line.partition(" import ")
+        names.setdefault(module, []).append(name)
+    return [
+        f"{module} import {', '.join(found)}" if module.startswith("from ") else module
+        for module, found in names.items()
+    ]
 
 
 def _indent(work: Work) -> str:

@@ -186,11 +186,7 @@ def _of_name(work: Work, node: Node) -> str | None:
         return MESSAGE
     if type_ is not None:
         return _of_field(type_)
-    if node.type == "identifier":
-        found = work.scope(node).lookup(work.slice(node))
-        bindings = found[1] if found is not None else []
-    else:
-        bindings = work.analysis.resolver.attribute_bindings(node, work.scope(node))
+    bindings = work.bindings(node)
     given = [each for each in without_none(bindings) if not _augments(each)]
     return _common([_of_binding(work, each) for each in given])
 

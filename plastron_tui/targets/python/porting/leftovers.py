@@ -65,6 +65,8 @@ def port_ending(work: Work, renamed: Mapping[str, str], remedies: Mapping[str, s
         holder = callee.child_by_field_name("object") if callee is not None else None
         if callee is None or part is None or holder is None or work.is_gone(call):
             continue
+        if call.id in work.done:
+            continue
         method, name = work.slice(part), work.slice(holder).rpartition(".")[2]
         kind = held.get(name, EndpointKind.TIMER if "timer" in name.lower() else None)
         is_timer = kind is EndpointKind.TIMER

@@ -2,25 +2,23 @@
 
 from __future__ import annotations
 
-import re
-
 from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.sources.python.analysis import Site
 from plastron_tui.sources.python.callbacks import callback_target
-from plastron_tui.sources.python.constants import Known, without_none
-from plastron_tui.sources.python.scopes import BindingKind, Scope
+from plastron_tui.sources.python.constants import Known
+from plastron_tui.sources.python.scopes import Scope
 from plastron_tui.sources.python.splices import Splice
 from plastron_tui.sources.python.syntax import parts_of
 
+from .endpoints import site_of, visible_type
 from .fields import Given, fields_of, write_fields, write_value
 from .kinds import LIST, is_plain, kind_of, some_plain
 from .message_types import constructed, field_type, section_of
 from .port_state import Work
 
-_CLIENT = re.compile(r"client|proxy|service|srv", re.IGNORECASE)
 _RESPONSE = "a handler of rclpy returns a response"
 _FUNCTIONS = ("function_definition", "lambda", "class_definition")
 
@@ -35,9 +33,7 @@ def port_plain(work: Work) -> None:
         if arguments.type != "argument_list":
             continue
         text = work.slice(callee)
-        if _is_client(work, callee):
-            work.mark(call, f"the call of {text}", "`call_async` a request, and take its future")
-        elif text == "setattr":
+        if text == "setattr":
             _port_set(work, call, arguments)
         elif text.endswith(".publish"):
             _port_publish(work, call, callee, arguments)
@@ -50,7 +46,7 @@ def port_plain(work: Work) -> None:
             _port_handler(work, site)
 
 
-def _given(arguments: Node, work: Work) -> Given | None:
+def given_to(work: Work, arguments: Node) -> Given | None:
     """Return what a call gives, None where a splat may hide more."""
     found: Given = []
     for each in parts_of(arguments):
@@ -70,20 +66,20 @@ def _given(arguments: Node, work: Work) -> Given | None:
 def _port_message(work: Work, call: Node, callee: Node, arguments: Node) -> None:
     """Name the fields of a message that is made, and make numbers what its fields assert."""
     made = constructed(work, callee)
-    given = _given(arguments, work)
+    given = given_to(work, arguments)
     if made is None or given == []:
         return
     fields = fields_of(work, *made)
     if given is None or given[0][0] is None:
         splices = write_fields(work, given, fields) if fields is not None and given else None
         if splices is not None:
-            _put(work, splices)
+            put(work, splices)
         elif any(each.type != "dictionary_splat" for each in parts_of(arguments)):
             work.mark(call, f"{work.slice(callee)} takes keywords only", "name the fields")
         return
     splices = write_fields(work, given, fields, is_sure=False) if fields is not None else []
     if splices is not None:
-        _put(work, splices)
+        put(work, splices)
         return
     missing = [name for name, _ in given if name is not None and not (fields or {}).get(name)]
     for name in missing:
@@ -104,7 +100,7 @@ def _port_assignment(work: Work, node: Node) -> None:
             splices = write_value(work, value, type_) if type_ is not None else []
             if splices is None:
                 work.mark(node, work.slice(target), f"the field takes a `{type_}`")
-            _put(work, splices or [])
+            put(work, splices or [])
         return
     types = [field_type(work, each) for each in targets]
     numbers = [each is not None and each.name.startswith("float") for each in types]
@@ -125,16 +121,16 @@ def _port_set(work: Work, call: Node, arguments: Node) -> None:
     name = folded.value if isinstance(folded, Known) else None
     types = {each.type for each in section.fields if name in (None, each.name)}
     if len(types) == 1:
-        _put(work, write_value(work, given[2], types.pop()) or [])
+        put(work, write_value(work, given[2], types.pop()) or [])
     elif any(each.name.startswith("float") for each in types):
         work.mark(call, "setattr", "a field of a number takes a `float` only")
 
 
 def _port_publish(work: Work, call: Node, callee: Node, arguments: Node) -> None:
     """Make the message that rospy makes of what is given to `publish`."""
-    given = _given(arguments, work)
+    given = given_to(work, arguments)
     holder = callee.child_by_field_name("object")
-    site = _site_of(work, holder, EndpointKind.PUBLISHER) if holder is not None else None
+    site = site_of(work, holder, EndpointKind.PUBLISHER) if holder is not None else None
     if given is not None and len(given) == 1 and given[0][0] is None:
         value = given[0][1]
         kind = kind_of(work, value)
@@ -142,7 +138,7 @@ def _port_publish(work: Work, call: Node, callee: Node, arguments: Node) -> None
             if some_plain(work, value) or (kind is None and _takes_value(work, site)):
                 _mark_publish(work, call)
             return
-    class_ = _visible_type(work, site, call) if site is not None else None
+    class_ = visible_type(work, site, call) if site is not None else None
     if given is None or site is None or class_ is None or site.endpoint.type is None:
         if holder is not None and not _is_foreign(work, holder):
             _mark_publish(work, call)
@@ -155,7 +151,7 @@ def _port_publish(work: Work, call: Node, callee: Node, arguments: Node) -> None
     if splices is None:
         _mark_publish(work, call)
         return
-    _wrap(work, class_, parts_of(arguments), splices)
+    wrap(work, class_, parts_of(arguments), splices)
 
 
 def _takes_value(work: Work, site: Site | None) -> bool:
@@ -175,14 +171,15 @@ def _takes_value(work: Work, site: Site | None) -> bool:
     return site is not None or bool(publishers)
 
 
-def _wrap(work: Work, class_: str, items: list[Node], splices: list[Splice]) -> None:
+def wrap(work: Work, class_: str, items: list[Node], splices: list[Splice]) -> None:
     """Put the call of a class around the values that it takes."""
     work.insert(items[0].start_byte, f"{class_}(")
-    _put(work, splices)
+    put(work, splices)
     work.insert(items[-1].end_byte, ")")
 
 
-def _put(work: Work, splices: list[Splice]) -> None:
+def put(work: Work, splices: list[Splice]) -> None:
+    """Note what values become."""
     for each in splices:
         if each.text or each.end > each.start:
             work.cut(each)
@@ -196,60 +193,6 @@ def _is_foreign(work: Work, holder: Node) -> bool:
     """Tell whether what publishes is of another library for sure."""
     found = work.analysis.resolver.instance(holder, work.scope(holder))
     return found is not None and bool(found.qualified) and "rospy." not in found.qualified
-
-
-def _site_of(work: Work, holder: Node, kind: EndpointKind) -> Site | None:
-    """Return the one call that makes what an expression holds."""
-    if holder.type == "call":
-        made = [holder]
-    else:
-        if holder.type == "identifier":
-            found = work.scope(holder).lookup(work.slice(holder))
-            bindings = found[1] if found is not None else []
-        else:
-            bindings = work.analysis.resolver.attribute_bindings(holder, work.scope(holder))
-        values = [each.value for each in without_none(bindings)]
-        made = [each for each in values if each is not None]
-        if len(made) != len(values):
-            return None
-    ids = {each.id for each in made}
-    sites = [each for each in work.analysis.sites if each.call.id in ids]
-    if not sites or len(sites) != len(ids) or len({each.endpoint.type for each in sites}) > 1:
-        return None
-    return sites[0] if all(each.endpoint.kind is kind for each in sites) else None
-
-
-def _visible_type(work: Work, site: Site, at: Node) -> str | None:
-    """Return what a place calls the type of an endpoint, None where it may not see it."""
-    given = site.arguments.get(site.shape.type) if site.shape.type is not None else None
-    if given is None or given.type not in ("identifier", "attribute"):
-        return None
-    names = work.analysis.resolver.qualified(given, site.scope)
-    if not names or names != work.analysis.resolver.qualified(given, work.scope(at)):
-        return None
-    first = given
-    while first.type == "attribute" and first.named_children:
-        first = first.named_children[0]
-    found = work.scope(at).lookup(work.slice(first))
-    is_import = found is None or all(each.kind is BindingKind.IMPORT for each in found[1])
-    return work.slice(given) if is_import else None
-
-
-def _is_client(work: Work, callee: Node) -> bool:
-    """Tell whether a callee is a client, which rospy calls as a function, or its `call`."""
-    part, holder = callee.child_by_field_name("attribute"), callee.child_by_field_name("object")
-    if part is not None and holder is not None and work.slice(part) == "call":
-        made = work.analysis.resolver.instance(holder, work.scope(holder))
-        if made is not None and made.qualified.endswith(".ServiceProxy"):
-            return True
-    found = work.analysis.resolver.instance(callee, work.scope(callee))
-    if found is not None:
-        return found.qualified.endswith(".ServiceProxy")
-    # A function that is handed a client: nothing else tells what its parameter is.
-    name = work.slice(callee)
-    has_clients = any(s.endpoint.kind is EndpointKind.CLIENT for s in work.analysis.sites)
-    bound = work.scope(callee).lookup(name) if has_clients and _CLIENT.search(name) else None
-    return bound is not None and any(each.kind is BindingKind.PARAMETER for each in bound[1])
 
 
 def _port_handler(work: Work, site: Site) -> None:
@@ -280,7 +223,7 @@ def _port_handler(work: Work, site: Site) -> None:
             value = next(iter(parts_of(node)), None)
             if not is_shared:
                 _port_return(work, site, node, value)
-            elif value is None or not _is_response(work, value):
+            elif value is None or not is_side(work, value, "Response"):
                 work.mark(node, "return a response", _RESPONSE)
         pending.extend(node.named_children)
 
@@ -297,9 +240,9 @@ def _wrapped_function(work: Work, site: Site, given: Node | None) -> Scope | Non
 
 def _port_return(work: Work, site: Site, statement: Node, value: Node | None) -> None:
     """Make a response of what is returned; mark what may be none."""
-    if value is not None and _is_response(work, value):
+    if value is not None and is_side(work, value, "Response"):
         return
-    type_, class_ = site.endpoint.type, _visible_type(work, site, statement)
+    type_, class_ = site.endpoint.type, visible_type(work, site, statement)
     given = _returned(work, value) if value is not None else None
     fields = fields_of(work, type_, InterfaceKind.SERVICE, "Response") if type_ else None
     splices = None
@@ -310,7 +253,7 @@ def _port_return(work: Work, site: Site, statement: Node, value: Node | None) ->
         return
     made = f"{class_}.Response("
     if value.type not in ("list", "tuple", "dictionary", "expression_list"):
-        _wrap(work, made[:-1], [value], splices)
+        wrap(work, made[:-1], [value], splices)
         return
     # The brackets go, and what is between them stays where it is.
     is_bare = value.type == "expression_list"
@@ -318,7 +261,7 @@ def _port_return(work: Work, site: Site, statement: Node, value: Node | None) ->
     end = value.end_byte if is_bare else value.end_byte - 1
     encode = work.analysis.syntax.encode
     work.cut(Splice(value.start_byte, start, encode(made)))
-    _put(work, splices)
+    put(work, splices)
     if value.type == "dictionary":
         _name_keys(work, value)
     work.cut(Splice(end, value.end_byte, b")"))
@@ -354,22 +297,18 @@ def _returned(work: Work, value: Node) -> Given | None:
     return [(None, value)]
 
 
-def _is_response(work: Work, value: Node) -> bool:
-    """Tell whether an expression is a response for sure: one that is made, or a name of one."""
+def is_side(work: Work, value: Node, side: str) -> bool:
+    """Tell whether an expression is a response, or request, for sure: one made, or a name of it."""
     if value.type == "parenthesized_expression":
-        return _is_response(work, value.named_children[0])
+        return is_side(work, value.named_children[0], side)
     if value.type == "conditional_expression":
         parts = parts_of(value)
-        return _is_response(work, parts[0]) and _is_response(work, parts[-1])
+        return is_side(work, parts[0], side) and is_side(work, parts[-1], side)
     callee = value.child_by_field_name("function")
     if callee is not None:
-        return any(
-            ".srv." in f".{name}" and name.endswith("Response") for name in work.qualified(callee)
-        )
-    found = work.scope(value).lookup(work.slice(value)) if value.type == "identifier" else None
-    bindings = found[1] if found is not None else []
+        return any(".srv." in f".{name}" and name.endswith(side) for name in work.qualified(callee))
     made = [
-        each.value is not None and each.value.type == "call" and _is_response(work, each.value)
-        for each in bindings
+        each.value is not None and each.value.type == "call" and is_side(work, each.value, side)
+        for each in work.bindings(value)
     ]
     return bool(made) and all(made)

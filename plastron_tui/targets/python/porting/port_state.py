@@ -14,7 +14,7 @@ from plastron_tui.ros.interfaces import FieldType, Section
 from plastron_tui.sources.python.analysis import Analysis, Site
 from plastron_tui.sources.python.callbacks import callback_target
 from plastron_tui.sources.python.references import STATEMENT_PARENTS
-from plastron_tui.sources.python.scopes import BindingKind, Scope
+from plastron_tui.sources.python.scopes import Binding, BindingKind, Scope
 from plastron_tui.sources.python.splices import (
     Splice,
     apply,
@@ -100,6 +100,13 @@ class Work:
     def qualified(self, node: Node) -> tuple[str, ...]:
         """Return the qualified names that an expression may stand for."""
         return self.analysis.resolver.qualified(node, self.scope(node))
+
+    def bindings(self, node: Node) -> list[Binding]:
+        """Return all that a name or an attribute is bound to."""
+        if node.type == "attribute":
+            return self.analysis.resolver.attribute_bindings(node, self.scope(node))
+        found = self.scope(node).lookup(self.slice(node)) if node.type == "identifier" else None
+        return found[1] if found is not None else []
 
     def text(self, node: Node) -> str:
         """Return the source of a node, with what is rewritten inside of it."""

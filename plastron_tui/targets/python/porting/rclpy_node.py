@@ -1,145 +1,33 @@
-"""From rospy to rclpy: what makes the node, and what runs it."""
+"""From rospy to rclpy: what makes the node, and where it is there."""
 
 from __future__ import annotations
 
 from tree_sitter import Node
 
-from plastron_tui.model.source import EndpointKind
 from plastron_tui.sources.python import literals
 from plastron_tui.sources.python.analysis import NodeSite
 from plastron_tui.sources.python.references import statement_of
 from plastron_tui.sources.python.syntax import parts_of
 
 from .insertion_point import first_call, top_level
-from .port_state import COMMENT, Mark, Work, first_of, walk
-from .rewriting import begins_line, first_statement, put_before, replace_by_opposite
+from .port_state import COMMENT, Mark, Work, first_of
+from .rewriting import begins_line, first_statement, put_before
 
-_INTERRUPT = ("rospy.ROSInterruptException", "rospy.exceptions.ROSInterruptException")
-_INTERRUPTS = "KeyboardInterrupt, ExternalShutdownException, ROSInterruptException"
-
-_SPIN = """\
-def {spin}():
-    \"\"\"Handle what comes until ROS ends; log what a callback raises.\"\"\"
-    while rclpy.ok():
-        try:
-            rclpy.spin({node})
-        except (KeyboardInterrupt, ExternalShutdownException):
-            break
-        except Exception:
-            if rclpy.ok():
-                {node}.get_logger().error(traceback.format_exc())
-"""
-_THREAD = """\
-def {thread}():
-    \"\"\"Handle what comes in a thread, until the program ends.\"\"\"
-    thread = threading.Thread(target={spin}, daemon=True)
-    thread.start()
-    atexit.register(thread.join)
-    atexit.register(rclpy.try_shutdown)
-"""
-# The handler of rclpy does not wake what sleeps at a rate.
-_TERM = """\
-    signal.signal(signal.SIGTERM, lambda number, frame: rclpy.try_shutdown())
-"""
-_WAIT = """\
-def {wait}():
-    \"\"\"Wait until ROS ends, while a thread handles what comes.\"\"\"
-    try:
-        while rclpy.ok():
-            time.sleep(0.1)
-    except KeyboardInterrupt:
-        pass
-"""
+_INIT = "rclpy.init"
+_NO_SIGNALS = "signal_handler_options=SignalHandlerOptions.NO"
+_SIGNALS = "from rclpy.signals import SignalHandlerOptions"
+_LEVELS = frozenset(f"rospy.{level}" for level in ("DEBUG", "INFO", "WARN", "ERROR", "FATAL"))
 
 
-def port_running(work: Work, node: str) -> bool:
-    """Rewrite what runs the node, outside of callbacks; tell whether a thread has to spin."""
-    anywhere = ("rospy.is_shutdown", "rospy.signal_shutdown")
-    calls: dict[str, list[Node]] = {name: [] for name in ("rospy.spin", "rospy.Rate", *anywhere)}
-    for call in work.analysis.captures.get("call", []):
-        callee = call.child_by_field_name("function")
-        if callee is not None:
-            is_free = not work.is_in_callback(call)
-            for name in work.qualified(callee):
-                found = name.replace("rospy.client.", "rospy.").replace("rospy.core.", "rospy.")
-                found = found.replace("rospy.timer.", "rospy.")
-                if found in calls and (is_free or found in anywhere):
-                    calls[found].append(call)
-            if is_free and "roslib.load_manifest" in work.qualified(callee):
-                work.delete(statement_of(call))
-    listens = {EndpointKind.SUBSCRIPTION, EndpointKind.SERVICE, EndpointKind.TIMER}
-    is_listening = any(site.endpoint.kind in listens for site in work.analysis.sites)
-    in_thread = bool(calls["rospy.Rate"]) or (is_listening and not calls["rospy.spin"])
-    spin, wait = work.free_name("spin"), work.free_name("wait")
-    for call in calls["rospy.Rate"]:
-        callee = call.child_by_field_name("function")
-        given = parts_of(call.child_by_field_name("arguments"))
-        if callee is not None:
-            work.replace(callee, f"{node}.create_rate")
-        for each in given[1:] + [each for each in given[:1] if each.type == "keyword_argument"]:
-            work.mark(call, work.slice(each).partition("=")[0], "`create_rate` takes a frequency")
-    for call in calls["rospy.is_shutdown"]:
-        replace_by_opposite(work, call, "rclpy.ok()")
-    for call in calls["rospy.signal_shutdown"]:
-        work.replace(call, "rclpy.try_shutdown()")
-    _port_handed_over(work)
-    for call in calls["rospy.spin"]:
-        work.replace(call, f"{wait}()" if in_thread else f"{spin}()")
-    if in_thread or calls["rospy.spin"]:
-        work.helpers.append(_SPIN.format(spin=spin, node=node))
-        work.imports.add("from rclpy.executors import ExternalShutdownException")
-        work.imports.add("import traceback")
-    if in_thread:
-        thread = work.free_name("spin_in_thread")
-        has_signals = any(
-            b"disable_signals" in (each.call.text or b"")
-            for each in work.analysis.nodes
-            if each.call
-        )
-        work.helpers.append(
-            _THREAD.format(thread=thread, spin=spin) + ("" if has_signals else _TERM)
-        )
-        work.imports.update(("import atexit", "import threading"))
-        if not has_signals:
-            work.imports.add("import signal")
-    if in_thread and calls["rospy.spin"]:
-        work.helpers.append(_WAIT.format(wait=wait))
-        work.imports.add("import time")
-    _port_interrupts(work)
-    return in_thread
+def make_node(work: Work, node: str, *, in_thread: bool, own_signals: bool) -> None:
+    """Make the node where it is there before all that needs it.
 
-
-def _port_handed_over(work: Work) -> None:
-    """Rewrite `rospy.signal_shutdown` where it is an argument, of what starts a thread, say."""
-    for node in walk(work.analysis.syntax.root):
-        is_name = node.type in ("attribute", "identifier")
-        is_argument = node.parent is not None and node.parent.type == "argument_list"
-        if is_name and is_argument and "rospy.signal_shutdown" in work.qualified(node):
-            work.replace(node, "lambda reason: rclpy.try_shutdown()")
-
-
-def _port_interrupts(work: Work) -> None:
-    """Rewrite `except rospy.ROSInterruptException`."""
-    for node in walk(work.analysis.syntax.root):
-        if node.type not in ("attribute", "identifier") or node.parent is None:
-            continue
-        parent = node.parent
-        if parent.type not in ("except_clause", "as_pattern", "tuple"):
-            continue
-        if not set(work.qualified(node)) & set(_INTERRUPT):
-            continue
-        outer = parent.parent.type if parent.parent is not None else ""
-        if parent.type == "except_clause" or outer == "except_clause":
-            is_item = parent.type == "tuple"
-            has_first = is_item and "KeyboardInterrupt" in work.slice(parent)
-            names = _INTERRUPTS.partition(", ")[2] if has_first else _INTERRUPTS
-            work.replace(node, names if is_item else f"({names})")
-            work.imports.add("from rclpy.executors import ExternalShutdownException")
-            work.imports.add("from rclpy.exceptions import ROSInterruptException")
-
-
-def make_node(work: Work, node: str, *, in_thread: bool) -> None:
-    """Make the node where it is there before all that needs it."""
+    Args:
+        work: the file.
+        node: the name of the node.
+        in_thread: whether a thread handles what comes.
+        own_signals: whether the file handles signals itself.
+    """
     inits = [each for each in work.analysis.nodes if each.call is not None]
     sites = [site.call for site in work.analysis.sites]
     if not inits:
@@ -152,17 +40,24 @@ def make_node(work: Work, node: str, *, in_thread: bool) -> None:
     if is_global and not _module_sites(work, inits[0]):
         work.constants.append(f"{node} = None")
     for init in inits:
-        _place(work, init, node, in_thread, can_move=len(inits) == 1)
+        lines = [f"{_INIT}({_NO_SIGNALS})" if own_signals else f"{_INIT}()"]
+        if own_signals:
+            work.imports.add(_SIGNALS)
+        _place(work, init, node, lines, in_thread=in_thread, can_move=len(inits) == 1)
 
 
-def _place(work: Work, init: NodeSite, node: str, in_thread: bool, *, can_move: bool) -> None:
+def _place(
+    work: Work, init: NodeSite, node: str, lines: list[str], *, in_thread: bool, can_move: bool
+) -> None:
+    """Write the lines that make the node, behind those that are given."""
     assert init.call is not None
     statement = statement_of(init.call)
     written = init.expression if init.name is None else literals.string(init.name)
-    lines = ["rclpy.init()", f"{node} = rclpy.create_node({written or literals.string('node')})"]
+    lines.append(f"{node} = rclpy.create_node({written or literals.string('node')})")
+    options = _options(work, init, node, lines)
     if in_thread:
         lines.append(f"{work.free_name('spin_in_thread')}()")
-    for option in _options(work, init, node, lines):
+    for option in options:
         remedy = _OPTIONS.get(option)
         work.marks.append(Mark(init.call, option, remedy, has_comment=True))
         lines.insert(1, f"{COMMENT}{option}")
@@ -204,8 +99,14 @@ def _options(work: Work, init: NodeSite, node: str, lines: list[str]) -> list[st
                 work.imports.add("import os")
                 continue
         if (option, given) == ("disable_signals", "True"):
-            lines[0] = "rclpy.init(signal_handler_options=SignalHandlerOptions.NO)"
-            work.imports.add("from rclpy.signals import SignalHandlerOptions")
+            lines[0] = f"{_INIT}({_NO_SIGNALS})"
+            work.imports.add(_SIGNALS)
+            continue
+        level = set(work.qualified(value)) if value is not None else set()
+        if option == "log_level" and len(level) == 1 and level <= _LEVELS:
+            severity = level.pop().rpartition(".")[2]
+            lines.append(f"{node}.get_logger().set_level(LoggingSeverity.{severity})")
+            work.imports.add("from rclpy.logging import LoggingSeverity")
             continue
         if option not in ("name", "node_name") and given != "False":
             options.append(option)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from tree_sitter import Node
 
 from plastron_tui.sources.python.constants import without_none
-from plastron_tui.sources.python.scopes import Binding
 from plastron_tui.sources.python.splices import Splice
 from plastron_tui.sources.python.syntax import parts_of
 
@@ -90,7 +89,7 @@ class _Times:
             sides = [self.kind(each) for each in parts_of(node)]
             return {(_TIME, _TIME): _LENGTH, (_TIME, _LENGTH): _TIME}.get(tuple(sides))  # type: ignore[arg-type]
         if node.type in ("identifier", "attribute"):
-            values = [each.value for each in without_none(self._bindings(node))]
+            values = [each.value for each in without_none(self._work.bindings(node))]
             is_time = bool(values) and all(
                 each is not None and each.type == "call" and self.kind(each) == _TIME
                 for each in values
@@ -145,7 +144,7 @@ class _Times:
             return False
         if self.kind(target) != _TIME:
             return False
-        key = tuple(sorted(each.node.id for each in self._bindings(target)))
+        key = tuple(sorted(each.node.id for each in self._work.bindings(target)))
         if key not in self._variables:
             self._variables[key] = True
             self._variables[key] = all(map(self._is_used_well, self._uses(target)))
@@ -172,9 +171,3 @@ class _Times:
             )
             == (target.type == "attribute")
         ]
-
-    def _bindings(self, node: Node) -> list[Binding]:
-        if node.type == "attribute":
-            return self._work.analysis.resolver.attribute_bindings(node, self._work.scope(node))
-        found = self._work.scope(node).lookup(self._work.slice(node))
-        return found[1] if found is not None else []

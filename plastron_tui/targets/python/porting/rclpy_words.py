@@ -34,6 +34,7 @@ _SIMPLE = re.compile(r"[A-Za-z_][\w.]*")
 _NAMES = frozenset({"rospy.get_name", "rospy.get_caller_id"})
 _TIMES = frozenset({"rospy.get_time", "rospy.Time.now", "rospy.get_rostime"})
 _QUESTIONS = _NAMES | _TIMES | {"rospy.get_namespace"}
+_ARGUMENTS = "rospy.myargv"
 
 
 def port_words(work: Work, node: str) -> None:
@@ -54,8 +55,20 @@ def port_words(work: Work, node: str) -> None:
             _port_log(work, call, callee, f"{node}.get_logger().{LOGS[log]}", often)
         elif name == "rospy.sleep":
             _port_sleep(work, call)
+        elif name == _ARGUMENTS:
+            _port_arguments(work, call, callee)
         elif name in _QUESTIONS:
             _port_question(work, call, name, node)
+
+
+def _port_arguments(work: Work, call: Node, callee: Node) -> None:
+    """Rewrite what takes the arguments of ROS out of those of the program."""
+    work.replace(callee, "remove_ros_args")
+    work.imports.add("from rclpy.utilities import remove_ros_args")
+    for each in parts_of(call.child_by_field_name("arguments")):
+        name = each.child_by_field_name("name")
+        if name is not None and work.slice(name) == "argv":
+            work.replace(name, "args")
 
 
 def _port_question(work: Work, call: Node, name: str, node: str) -> None:
@@ -111,13 +124,13 @@ def _port_sleep(work: Work, call: Node) -> None:
         work.done.add(given[0].id)
         work.cut(Splice(given[0].start_byte, inner[0].start_byte))
         work.cut(Splice(inner[0].end_byte, given[0].end_byte))
-    elif not _is_number(work, given[0]):
+    elif not is_number(work, given[0]):
         return
     work.replace(call.children[0], "time.sleep")
     work.imports.add("import time")
 
 
-def _is_number(work: Work, node: Node) -> bool:
+def is_number(work: Work, node: Node) -> bool:
     """Tell whether a value is a number for sure, or one that the file says nothing else of."""
     text = work.slice(node).lower()
     is_duration = "duration" in text or "rospy." in text or "sleep(" in text
@@ -128,11 +141,7 @@ def _is_number(work: Work, node: Node) -> bool:
 
 def _may_last(work: Work, node: Node) -> bool:
     """Tell whether a name may hold a duration."""
-    if node.type == "identifier":
-        found = work.scope(node).lookup(work.slice(node))
-        bindings = found[1] if found is not None else []
-    else:
-        bindings = work.analysis.resolver.attribute_bindings(node, work.scope(node))
+    bindings = work.bindings(node)
     values = [work.slice(each.value) for each in bindings if each.value is not None]
     return not values or len(values) < len(bindings) or any("uration" in each for each in values)
 

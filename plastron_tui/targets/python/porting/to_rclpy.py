@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from functools import partial
 
 from tree_sitter import Node
@@ -13,13 +14,16 @@ from plastron_tui.sources.python.calls import Argument
 from plastron_tui.sources.python.constants import Known
 from plastron_tui.sources.python.scopes import Scope
 
+from .endpoints import port_endpoint_methods
 from .insertion_point import add_header
 from .leftovers import mark_leftovers, port_ending
 from .plain import port_plain
 from .port_state import Work, walk
-from .rclpy_node import make_node, port_running
+from .rclpy_node import make_node
 from .rclpy_parameters import port_parameters
+from .rclpy_running import port_running
 from .rclpy_times import port_times
+from .rclpy_waits import Waits, find_waits, port_waits
 from .rclpy_words import port_words
 from .rewriting import (
     Writer,
@@ -61,13 +65,16 @@ def port_to_rclpy(work: Work) -> None:
     port_imports(work, _GONE)
     if old := _OLD_PYTHON.match(work.analysis.syntax.text):
         work.insert(old.end(1), "3")
-    runs_in_thread = port_running(work, node)
+    waits = find_waits(work)
+    running = port_running(work, node, waits=waits.needs_thread, in_callbacks=waits.in_callbacks)
     port_parameters(work, node)
     port_words(work, node)
     port_times(work, node)
     port_plain(work)
-    port_sites(work, _writers(node), _private_name)
-    make_node(work, node, in_thread=runs_in_thread)
+    port_waits(work, waits, node)
+    port_endpoint_methods(work, node)
+    port_sites(work, _writers(node, waits), _private_name)
+    make_node(work, node, in_thread=running.in_thread, own_signals=running.own_signals)
     port_ending(work, {"shutdown": "cancel"}, _ENDING)
     mark_leftovers(work, _LEFT, _ATTRIBUTES, _remedies(node))
     keep_used_imports(work, _GONE)
@@ -120,13 +127,13 @@ def _private_name(work: Work, site: Site, name: Node) -> str:
     return written
 
 
-def _writers(node: str) -> dict[EndpointKind, Writer]:
+def _writers(node: str, waits: Waits) -> dict[EndpointKind, Writer]:
     """Return what writes the calls, all of which are methods of the node."""
-    writers = {
+    writers: dict[EndpointKind, Callable[..., str | None]] = {
         EndpointKind.PUBLISHER: _publisher,
-        EndpointKind.SUBSCRIPTION: _subscription,
+        EndpointKind.SUBSCRIPTION: partial(_subscription, waits),
         EndpointKind.SERVICE: _service,
-        EndpointKind.CLIENT: _client,
+        EndpointKind.CLIENT: partial(_client, waits.group),
         EndpointKind.TIMER: _timer,
     }
     return {kind: partial(writer, node) for kind, writer in writers.items()}
@@ -145,9 +152,14 @@ def _publisher(node: str, work: Work, site: Site, name: str) -> str | None:
     return f"{node}.create_publisher({_type(work, site)}, {name}, {depth})"
 
 
-def _subscription(node: str, work: Work, site: Site, name: str) -> str | None:
+def _subscription(waits: Waits, node: str, work: Work, site: Site, name: str) -> str | None:
     type_ = _type(work, site)
     callee = site.shape.callees[0]
+    if waits.is_message(site):
+        timeout = site.arguments.get(Argument(2, "timeout"))
+        limit = f", {work.text(timeout)}" if timeout is not None else ""
+        made = f"{node}.create_subscription({type_}, {name}, lambda message: None, 1{waits.group})"
+        return f"{waits.names['message']}({made}{limit})"
     if callee == "message_filters.Subscriber":
         if (
             site.shape.callback is None
@@ -156,6 +168,8 @@ def _subscription(node: str, work: Work, site: Site, name: str) -> str | None:
             timeout = site.arguments.get(Argument(2, "timeout"))
             work.imports.add("from rclpy.wait_for_message import wait_for_message")
             limit = f", time_to_wait={work.text(timeout)}" if timeout is not None else ""
+            if timeout is not None:
+                work.mark(site.call, "timeout", "rclpy returns None where the time is up")
             return f"wait_for_message({type_}, {node}, {name}{limit})[1]"
         function = site.call.child_by_field_name("function")
         assert function is not None
@@ -186,9 +200,9 @@ def _service(node: str, work: Work, site: Site, name: str) -> str | None:
     return f"{node}.create_service({_type(work, site)}, {name}, {called})"
 
 
-def _client(node: str, work: Work, site: Site, name: str) -> str | None:
+def _client(group: str, node: str, work: Work, site: Site, name: str) -> str | None:
     mark_options(work, site, _OPTIONS, (), 2)
-    return f"{node}.create_client({_type(work, site)}, {name})"
+    return f"{node}.create_client({_type(work, site)}, {name}{group})"
 
 
 def _timer(node: str, work: Work, site: Site, name: str) -> str | None:

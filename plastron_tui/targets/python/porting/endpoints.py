@@ -1,0 +1,77 @@
+"""What a file does with its endpoints: which of them an expression holds."""
+
+from __future__ import annotations
+
+from tree_sitter import Node
+
+from plastron_tui.model.source import EndpointKind
+from plastron_tui.sources.python.analysis import Site
+from plastron_tui.sources.python.constants import without_none
+from plastron_tui.sources.python.references import statement_of
+from plastron_tui.sources.python.scopes import BindingKind
+
+from .port_state import Work
+from .rclpy_node import has_node
+
+_DESTROYED = {
+    (EndpointKind.PUBLISHER, "unregister"): "destroy_publisher",
+    (EndpointKind.SUBSCRIPTION, "unregister"): "destroy_subscription",
+    (EndpointKind.SERVICE, "shutdown"): "destroy_service",
+}
+_COUNTS = {
+    EndpointKind.PUBLISHER: "get_subscription_count",
+    EndpointKind.SUBSCRIPTION: "get_publisher_count",
+}
+
+
+def sites_of(work: Work, holder: Node) -> list[Site]:
+    """Return the calls that make what an expression holds, none where it may be another thing."""
+    values = [each.value for each in without_none(work.bindings(holder))]
+    ids = {each.id for each in ([holder] if holder.type == "call" else values) if each is not None}
+    sites = [each for each in work.analysis.sites if each.call.id in ids]
+    return sites if None not in values and len(sites) == len(ids) else []
+
+
+def site_of(work: Work, holder: Node, kind: EndpointKind) -> Site | None:
+    """Return a call that makes the endpoint of an expression; others make one of the same type."""
+    sites = sites_of(work, holder)
+    if not sites or len({each.endpoint.type for each in sites}) > 1:
+        return None
+    return sites[0] if all(each.endpoint.kind is kind for each in sites) else None
+
+
+def visible_type(work: Work, site: Site, at: Node) -> str | None:
+    """Return what a place calls the type of an endpoint, None where it may not see it."""
+    given = site.arguments.get(site.shape.type) if site.shape.type is not None else None
+    if given is None or given.type not in ("identifier", "attribute"):
+        return None
+    names = work.analysis.resolver.qualified(given, site.scope)
+    if not names or names != work.analysis.resolver.qualified(given, work.scope(at)):
+        return None
+    first = given
+    while first.type == "attribute" and first.named_children:
+        first = first.named_children[0]
+    found = work.scope(at).lookup(work.slice(first))
+    is_import = found is None or all(each.kind is BindingKind.IMPORT for each in found[1])
+    return work.slice(given) if is_import else None
+
+
+def port_endpoint_methods(work: Work, node: str) -> None:
+    """Rewrite what ends an endpoint for good, and what counts those at its other end."""
+    for call in work.analysis.captures.get("call", []):
+        callee, arguments = (call.child_by_field_name(each) for each in ("function", "arguments"))
+        part = callee.child_by_field_name("attribute") if callee is not None else None
+        holder = callee.child_by_field_name("object") if callee is not None else None
+        if part is None or holder is None or arguments is None or work.is_gone(call):
+            continue
+        kinds = {site.endpoint.kind for site in sites_of(work, holder)}
+        if len(kinds) != 1 or not has_node(work, call):
+            continue
+        [kind] = kinds
+        method = work.slice(part)
+        destroy = _DESTROYED.get((kind, method))
+        if destroy is not None and statement_of(call).named_children == [call]:
+            work.done.update((part.id, call.id))
+            work.replace(call, f"{node}.{destroy}({work.slice(holder)})")
+        elif method == "get_num_connections" and kind in _COUNTS:
+            work.replace(part, _COUNTS[kind])
