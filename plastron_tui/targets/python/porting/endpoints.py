@@ -18,6 +18,7 @@ _DESTROYED = {
     (EndpointKind.SUBSCRIPTION, "unregister"): "destroy_subscription",
     (EndpointKind.SERVICE, "shutdown"): "destroy_service",
 }
+_COUNT = "get_num_connections"
 _COUNTS = {
     EndpointKind.PUBLISHER: "get_subscription_count",
     EndpointKind.SUBSCRIPTION: "get_publisher_count",
@@ -64,14 +65,16 @@ def port_endpoint_methods(work: Work, node: str) -> None:
         holder = callee.child_by_field_name("object") if callee is not None else None
         if part is None or holder is None or arguments is None or work.is_gone(call):
             continue
+        method = work.slice(part)
+        if method != _COUNT and all(method != ending for _, ending in _DESTROYED):
+            continue
         kinds = {site.endpoint.kind for site in sites_of(work, holder)}
         if len(kinds) != 1 or not has_node(work, call):
             continue
         [kind] = kinds
-        method = work.slice(part)
         destroy = _DESTROYED.get((kind, method))
         if destroy is not None and statement_of(call).named_children == [call]:
             work.done.update((part.id, call.id))
             work.replace(call, f"{node}.{destroy}({work.slice(holder)})")
-        elif method == "get_num_connections" and kind in _COUNTS:
+        elif method == _COUNT and kind in _COUNTS:
             work.replace(part, _COUNTS[kind])

@@ -142,15 +142,15 @@ def find_waits(work: Work) -> Waits:
         callee = call.child_by_field_name("function")
         if callee is None:
             continue
-        can_wait = is_made and has_node(work, call)
         if _is_client(work, callee):
+            can_wait = is_made and has_node(work, call)
             made = _service_call(work, call, callee) if can_wait else None
             if made is not None:
                 waits.calls.append(made)
             else:
                 remedy = "`call_async` a request, and take its future"
                 work.mark(call, f"the call of {work.slice(callee)}", remedy)
-        elif can_wait:
+        elif b"wait_for_service" in (callee.text or b"") and is_made and has_node(work, call):
             part = callee.child_by_field_name("attribute")
             holder = callee.child_by_field_name("object")
             is_function = set(work.qualified(callee)) == {"rospy.wait_for_service"}

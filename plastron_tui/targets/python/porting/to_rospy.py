@@ -30,6 +30,7 @@ from .rewriting import (
     port_sites,
     put_before,
 )
+from .rospy_parameters import port_rospy_parameters
 from .rospy_words import port_rospy_words
 from .types import keep_used_imports, port_imports, target_type
 
@@ -97,6 +98,7 @@ def port_to_rospy(work: Work) -> None:
     port_executors(work)
     _port_running(work)
     _mark_coroutines(work)
+    port_rospy_parameters(work)
     port_rospy_words(work)
     port_sites(work, _WRITERS, _private_name)
     _port_nodes(work)
@@ -219,6 +221,7 @@ def _make_response(work: Work, function: Scope, made: str) -> bool:
         return False
     work.done.add(listed.id)
     name = own[1] if own[1].type == "identifier" else own[1].named_children[0]
+    work.replace(own[1], "")
     work.cut(delete_item(work.analysis.syntax.text, parameters, own[1]))
     work.done.update(node.id for node in walk(own[1]))
     put_before(work, first_statement(body), [f"{work.slice(name)} = {made}"])
