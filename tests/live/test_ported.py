@@ -85,12 +85,18 @@ class Repeater(Node):
         self.counted = self.create_publisher(Int32, "counted", 10)
         self.create_subscription(String, "words", self.hear, 10)
         self.create_service(SetBool, "switch", self.switch)
-        self.create_timer(0.05, self.tick)
+        self.declare_parameter("period", 0.05)
+        self.declare_parameters("", [("end", "!"), ("patience", 3600)])
+        self.started = self.get_clock().now()
+        self.create_timer(self.get_parameter("period").value, self.tick)
 
     def hear(self, msg):
+        patience = self.get_parameter("patience").get_parameter_value().integer_value
+        if (self.get_clock().now() - self.started).nanoseconds / 1e9 > patience:
+            return
         if self.is_on and rclpy.ok():
             self.get_logger().info(f"100% of {msg.data}")
-            self.repeated.publish(String(data=msg.data.upper() + "!"))
+            self.repeated.publish(String(data=msg.data.upper() + self.get_parameter("end").value))
 
     def switch(self, request, response):
         self.is_on = request.data
@@ -330,6 +336,7 @@ class Waits:
         self.done = rospy.Publisher("done", String, queue_size=10)
         self.words = rospy.Publisher("words", String, queue_size=10)
         self.last = rospy.Publisher("last", String, queue_size=10)
+        self.started = rospy.Time.now()
         rospy.on_shutdown(self.stop)
         rospy.Subscriber("words", String, self.hear)
         rospy.Timer(rospy.Duration(0.05), self.tick)
@@ -347,6 +354,9 @@ class Waits:
         self.words.publish("a word")
 
     def hear(self, message):
+        age = rospy.Time.now() - self.started
+        if age > rospy.Duration(3600) or self.started == rospy.Time(0):
+            return
         answer = self.switch(True)
         second = self.switch.call(data=False)
         self.done.publish("%s %s" % (answer.message, second.success))

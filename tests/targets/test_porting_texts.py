@@ -87,8 +87,7 @@ class Adder:
     def tick(self, event=None):
         point = PointStamped()
         point.header.stamp = node.get_clock().now().to_msg()
-        # port by hand: .secs
-        if point.header.stamp.secs > 5:
+        if point.header.stamp.sec > 5:
             self.points.publish(point)
 
 

@@ -332,7 +332,17 @@ def test_a_call_of_a_client(call: str, written: str | None) -> None:
     assert text.endswith(f"\n{mark}answer = {written or call}\n")
 
 
+def test_what_python_has_is_no_message_of_a_package_that_is_imported_whole() -> None:
+    text = after_head("from my_package.srv import *\nerror = ValueError('a', 1)")
+    assert text.endswith("\nerror = ValueError('a', 1)\n")
+    assert MARK not in text
+
+
 WORDS = [
+    (
+        "space = rospy.get_namespace()",
+        "space = (node.get_namespace().rstrip('/') + '/')",
+    ),
     ("rospy.loginfo('hello')", "node.get_logger().info('hello')"),
     ("rospy.loginfo('100%')", "node.get_logger().info('100%')"),
     ("rospy.loginfo('a %s', x)", "node.get_logger().info(f'a {x}')"),
@@ -428,8 +438,8 @@ BACK = [
     ("x.header.stamp = node.get_clock().now().to_msg()", "x.header.stamp = rospy.Time.now()"),
     ("x = Header(stamp=node.get_clock().now().to_msg())", "x = Header(stamp=rospy.Time.now())"),
     (
-        "x = node.get_clock().now().to_msg()",
-        f"{MARK}.get_clock\nx = node.get_clock().now().to_msg()",
+        "use(node.get_clock().now().to_msg())",
+        f"{MARK}.get_clock\nuse(node.get_clock().now().to_msg())",
     ),
     ("x = SetBool.Request(data=True)", "x = SetBoolRequest(data=True)"),
     ("x = client.call(SetBool.Request())", "x = client.call(SetBoolRequest())"),

@@ -130,6 +130,12 @@ def test_a_file_without_a_node_leaves_what_waits() -> None:
         assert f"{MARK}{what}\n" in text
 
 
+@pytest.mark.parametrize("line", ["hear.unregister()", "rospy.wait_for_message('t', String)"])
+def test_what_is_destroyed_while_others_go_on_is_no_error(line: str) -> None:
+    assert "        except InvalidHandle:\n" in after_head(line)
+    assert "InvalidHandle" not in after_head("rospy.wait_for_service('ask')")
+
+
 def test_the_level_of_the_log_is_set() -> None:
     text = after_head("rospy.init_node('m', log_level=rospy.DEBUG)", "import rospy\n")
     assert text.endswith("\nnode.get_logger().set_level(LoggingSeverity.DEBUG)\n")

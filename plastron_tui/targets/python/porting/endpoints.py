@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
@@ -57,13 +59,31 @@ def visible_type(work: Work, site: Site, at: Node) -> str | None:
     return work.slice(given) if is_import else None
 
 
+def destroys_endpoints(work: Work) -> bool:
+    """Tell whether the file ends an endpoint for good while others go on."""
+    return any(method != _COUNT for _, _, method, _ in _methods(work))
+
+
 def port_endpoint_methods(work: Work, node: str) -> None:
     """Rewrite what ends an endpoint for good, and what counts those at its other end."""
+    for call, holder, method, kind in _methods(work):
+        callee = call.child_by_field_name("function")
+        part = callee.child_by_field_name("attribute") if callee is not None else None
+        assert part is not None
+        work.done.update((part.id, call.id))
+        if method == _COUNT:
+            work.replace(part, _COUNTS[kind])
+        else:
+            work.replace(call, f"{node}.{_DESTROYED[kind, method]}({work.slice(holder)})")
+
+
+def _methods(work: Work) -> Iterator[tuple[Node, Node, str, EndpointKind]]:
+    """Yield the calls of methods that end or count, what they are of, and the kind of that."""
     for call in work.analysis.captures.get("call", []):
-        callee, arguments = (call.child_by_field_name(each) for each in ("function", "arguments"))
+        callee = call.child_by_field_name("function")
         part = callee.child_by_field_name("attribute") if callee is not None else None
         holder = callee.child_by_field_name("object") if callee is not None else None
-        if part is None or holder is None or arguments is None or work.is_gone(call):
+        if part is None or holder is None or work.is_gone(call):
             continue
         method = work.slice(part)
         if method != _COUNT and all(method != ending for _, ending in _DESTROYED):
@@ -72,9 +92,7 @@ def port_endpoint_methods(work: Work, node: str) -> None:
         if len(kinds) != 1 or not has_node(work, call):
             continue
         [kind] = kinds
-        destroy = _DESTROYED.get((kind, method))
-        if destroy is not None and statement_of(call).named_children == [call]:
-            work.done.update((part.id, call.id))
-            work.replace(call, f"{node}.{destroy}({work.slice(holder)})")
-        elif method == _COUNT and kind in _COUNTS:
-            work.replace(part, _COUNTS[kind])
+        is_statement = statement_of(call).named_children == [call]
+        is_count = method == _COUNT and kind in _COUNTS
+        if is_count or (is_statement and (kind, method) in _DESTROYED):
+            yield call, holder, method, kind

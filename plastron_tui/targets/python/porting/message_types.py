@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import builtins
 from collections.abc import Iterable, Iterator
 
 from tree_sitter import Node
@@ -25,6 +26,10 @@ _HANDED = {
 
 def constructed(work: Work, callee: Node) -> tuple[InterfaceName, InterfaceKind, str] | None:
     """Return what a class of rospy makes: an interface, its kind, and a service's side."""
+    name = work.slice(callee)
+    # A package that is imported whole has no `ValueError`.
+    if hasattr(builtins, name) and work.scope(callee).lookup(name) is None:
+        return None
     return _interface(work.qualified(callee))
 
 

@@ -34,7 +34,7 @@ def {spin}():
             {spins}
         except (KeyboardInterrupt, ExternalShutdownException):
             break
-        except Exception:
+{destroyed}        except Exception:
             if rclpy.ok():
                 {node}.get_logger().error(traceback.format_exc())
 """
@@ -42,6 +42,11 @@ def {spin}():
 _EXECUTOR = """\
     executor = MultiThreadedExecutor(num_threads=2)
     executor.add_node({node})
+"""
+# The executor looks at its endpoints while another thread may destroy one.
+_DESTROYED = """\
+        except InvalidHandle:
+            {node}.get_logger().debug(traceback.format_exc())
 """
 _SHUTDOWN = """\
 def {shutdown}():
@@ -86,7 +91,9 @@ class Running:
     own_signals: bool
 
 
-def port_running(work: Work, node: str, *, waits: bool, in_callbacks: bool) -> Running:
+def port_running(
+    work: Work, node: str, *, waits: bool, in_callbacks: bool, destroys: bool
+) -> Running:
     """Rewrite what runs the node, outside of callbacks, and what ends it.
 
     Args:
@@ -94,6 +101,7 @@ def port_running(work: Work, node: str, *, waits: bool, in_callbacks: bool) -> R
         node: the name of the node.
         waits: whether the file waits for what has to be handled meanwhile.
         in_callbacks: whether callbacks may do so.
+        destroys: whether the file destroys endpoints meanwhile.
     """
     calls = _calls(work)
     is_made = any(each.call is not None for each in work.analysis.nodes)
@@ -121,8 +129,13 @@ def port_running(work: Work, node: str, *, waits: bool, in_callbacks: bool) -> R
     if in_thread or calls["rospy.spin"]:
         executor = _EXECUTOR.format(node=node) if in_callbacks else ""
         spins = "executor.spin()" if in_callbacks else f"rclpy.spin({node})"
-        helper = _SPIN.format(spin=spin, executor=executor, spins=spins, node=node)
+        destroyed = _DESTROYED.format(node=node) if destroys else ""
+        helper = _SPIN.format(
+            spin=spin, executor=executor, spins=spins, destroyed=destroyed, node=node
+        )
         work.helpers.insert(0, helper)
+        if destroys:
+            work.imports.add("from rclpy.exceptions import InvalidHandle")
         work.imports.update((INTERRUPT_IMPORTS[0], "import traceback"))
         if in_callbacks:
             work.imports.add("from rclpy.executors import MultiThreadedExecutor")

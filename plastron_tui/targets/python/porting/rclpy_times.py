@@ -4,170 +4,117 @@ from __future__ import annotations
 
 from tree_sitter import Node
 
-from plastron_tui.sources.python.constants import without_none
 from plastron_tui.sources.python.splices import Splice
 from plastron_tui.sources.python.syntax import parts_of
 
-from .message_types import typed
 from .port_state import Work, walk
 from .rclpy_node import has_node
+from .times import Kind, Times, of_message, rename_parts
 
 _NOW = frozenset({"rospy.Time.now", "rospy.get_rostime"})
 _DURATION = frozenset({"rospy.Duration", "rospy.Duration.from_sec"})
-_TIME, _LENGTH = "time", "duration"
+_TIME = frozenset({"rospy.Time"})
+_PARTS = {"secs": "sec", "nsecs": "nanosec"}
+_CLASSES = {"time": "rclpy.time.Time", "duration": "rclpy.duration.Duration"}
 
 
 def port_times(work: Work, node: str) -> None:
     """Rewrite each time whose every use is known, with what is done with it."""
     times = _Times(work)
-    times.settle(work.analysis.captures.get("call", []))
-    for call in work.analysis.captures.get("call", []):
+    before = set(work.done)
+    for call in times.settle():
         callee = call.child_by_field_name("function")
-        names = set(work.qualified(callee)) if callee is not None else set()
-        if callee is None or not names or work.is_gone(call) or call.id in work.done:
+        if callee is None or work.is_gone(call) or call.id in work.done:
             continue
-        if names <= _NOW and times.is_known(call) and has_node(work, call):
+        names = set(work.qualified(callee))
+        given = parts_of(call.child_by_field_name("arguments"))
+        if names <= _NOW:
             work.replace(call, f"{node}.get_clock().now()")
             work.done.update(each.id for each in walk(call))
-        elif names <= _DURATION and times.kind(call) == _LENGTH and times.is_known(call):
-            [given] = parts_of(call.child_by_field_name("arguments"))
+        elif names <= _DURATION:
             work.replace(callee, "Duration")
-            work.insert(given.start_byte, "seconds=")
+            work.insert(given[0].start_byte, "seconds=")
             work.done.add(call.id)
             work.imports.add("from rclpy.duration import Duration")
-    for call in times.seconds:
+        else:
+            seconds = f"seconds={work.text(given[0])}, " if given else ""
+            clock = f"clock_type={node}.get_clock().clock_type"
+            work.replace(call, f"rclpy.time.Time({seconds}{clock})")
+            work.done.update(each.id for each in walk(call))
+            work.imports.add("import rclpy.time")
+    for call in times.read:
         callee = call.child_by_field_name("function")
         holder = callee.child_by_field_name("object") if callee is not None else None
-        if callee is None or holder is None:
+        if callee is not None and holder is not None:
+            work.done.update((callee.id, *(each.id for each in callee.named_children)))
+            _write_seconds(work, call, holder)
+    for each in times.stamps:
+        if each.id not in before:
+            is_operation = each.type == "binary_operator"
+            work.insert_first(each.start_byte, "(" if is_operation else "")
+            work.insert_last(each.end_byte, ").to_msg()" if is_operation else ".to_msg()")
+    _port_messages(work)
+    rename_parts(work, _PARTS)
+
+
+def _port_messages(work: Work) -> None:
+    """Rewrite `to_sec` and `to_nsec` of times in messages."""
+    encode = work.analysis.syntax.encode
+    for call in work.analysis.captures.get("call", []):
+        callee = call.child_by_field_name("function")
+        part = callee.child_by_field_name("attribute") if callee is not None else None
+        holder = callee.child_by_field_name("object") if callee is not None else None
+        name = work.slice(part) if part is not None else ""
+        if callee is None or holder is None or name not in ("to_sec", "to_nsec"):
+            continue
+        kind = of_message(work, holder)
+        if kind is None or work.is_gone(call):
             continue
         work.done.update((callee.id, *(each.id for each in callee.named_children)))
-        stands_alone = call.parent is not None and call.parent.type in (
-            "assignment",
-            "argument_list",
-            "return_statement",
+        made = _CLASSES[kind]
+        work.imports.add(f"import {made.rpartition('.')[0]}")
+        if name == "to_sec":
+            _write_seconds(work, call, holder, f"{made}.from_msg(", ")")
+        else:
+            work.insert(holder.start_byte, f"{made}.from_msg(")
+            work.cut(Splice(holder.end_byte, call.end_byte, encode(").nanoseconds")))
+
+
+def _write_seconds(
+    work: Work, call: Node, holder: Node, before: str = "", behind: str = ""
+) -> None:
+    """Write what `to_sec` gives; a division binds less closely than a call."""
+    stands_alone = call.parent is not None and call.parent.type in (
+        "assignment",
+        "argument_list",
+        "return_statement",
+    )
+    opening, closing = ("", "") if stands_alone else ("(", ")")
+    work.insert_first(call.start_byte, f"{opening}{before}")
+    seconds = work.analysis.syntax.encode(f"{behind}.nanoseconds / 1e9{closing}")
+    work.cut(Splice(holder.end_byte, call.end_byte, seconds))
+
+
+class _Times(Times):
+    """The times and durations of rospy that rclpy has as well."""
+
+    def kind_of_call(self, call: Node) -> Kind | None:
+        """Return whether a call asks for the time, or makes one, or a duration, of seconds."""
+        callee = call.child_by_field_name("function")
+        names = set(self.work.qualified(callee)) if callee is not None else set()
+        given = parts_of(call.child_by_field_name("arguments"))
+        is_plain = all(
+            each.type not in ("keyword_argument", "list_splat", "dictionary_splat")
+            for each in given
         )
-        opening, closing = ("", "") if stands_alone else ("(", ")")
-        encode = work.analysis.syntax.encode
-        work.insert_first(call.start_byte, opening)
-        seconds = encode(f".nanoseconds / 1e9{closing}")
-        work.cut(Splice(holder.end_byte, call.end_byte, seconds))
+        if not names or not is_plain:
+            return None
+        if (names <= _NOW and not given) or (names <= _TIME and len(given) <= 1):
+            return "time" if has_node(self.work, call) else None
+        return "duration" if names <= _DURATION and len(given) == 1 else None
 
-
-class _Times:
-    """What of a file are times and durations of rospy, all of whose uses rclpy has as well."""
-
-    def __init__(self, work: Work) -> None:
-        self._work = work
-        self._variables: dict[tuple[int, ...], bool] = {}
-        self.seconds: list[Node] = []
-        """The calls of `to_sec` on them."""
-
-    def settle(self, calls: list[Node]) -> None:
-        """Find out which variables are known: one that is not may be what another depends on."""
-        unknown = -1
-        while unknown != list(self._variables.values()).count(False):
-            unknown = list(self._variables.values()).count(False)
-            self._variables = {key: False for key, known in self._variables.items() if not known}
-            self.seconds.clear()
-            for call in calls:
-                if self.kind(call) is not None:
-                    self.is_known(call)
-
-    def kind(self, node: Node) -> str | None:
-        """Return whether an expression is a time or a duration for sure."""
-        if node.type == "parenthesized_expression":
-            return self.kind(node.named_children[0])
-        if node.type == "call":
-            callee = node.child_by_field_name("function")
-            names = set(self._work.qualified(callee)) if callee is not None else set()
-            given = parts_of(node.child_by_field_name("arguments"))
-            if names and names <= _NOW and not given and has_node(self._work, node):
-                return _TIME
-            is_one = len(given) == 1 and given[0].type not in ("keyword_argument", "list_splat")
-            return _LENGTH if names and names <= _DURATION and is_one else None
-        if node.type == "binary_operator" and any(each.type == "-" for each in node.children):
-            sides = [self.kind(each) for each in parts_of(node)]
-            return {(_TIME, _TIME): _LENGTH, (_TIME, _LENGTH): _TIME}.get(tuple(sides))  # type: ignore[arg-type]
-        if node.type in ("identifier", "attribute"):
-            values = [each.value for each in without_none(self._work.bindings(node))]
-            is_time = bool(values) and all(
-                each is not None and each.type == "call" and self.kind(each) == _TIME
-                for each in values
-            )
-            return _TIME if is_time else None
-        return None
-
-    def is_known(self, node: Node) -> bool:
-        """Tell whether all that is done with a value means the same in rclpy."""
-        parent = node.parent
-        if parent is None:
-            return False
-        match parent.type:
-            case "parenthesized_expression":
-                return self.is_known(parent)
-            case "binary_operator":
-                return self._has_known_sides(parent) and self.is_known(parent)
-            case "comparison_operator":
-                kinds = {self.kind(each) for each in parts_of(parent) if each.type != "none"}
-                return len(kinds) == 1 and self._has_known_sides(parent)
-            case "attribute":
-                call = parent.parent
-                part = parent.child_by_field_name("attribute")
-                is_seconds = part is not None and self._work.slice(part) == "to_sec"
-                if not is_seconds or call is None or call.type != "call":
-                    return False
-                if call not in self.seconds:
-                    self.seconds.append(call)
-                return True
-            case "assignment":
-                left = parent.child_by_field_name("left")
-                return left is not None and left.id != node.id and self._is_variable(left)
-        return False
-
-    def _has_known_sides(self, operation: Node) -> bool:
-        """Tell whether an operation is of times and durations that are rewritten, or of None."""
-        for each in parts_of(operation):
-            side = each
-            while side.type == "parenthesized_expression":
-                side = side.named_children[0]
-            is_operation = side.type == "binary_operator" and self._has_known_sides(side)
-            if side.type != "none" and (
-                self.kind(side) is None
-                or not (is_operation or side.type == "call" or self._is_variable(side))
-            ):
-                return False
-        return operation.type == "comparison_operator" or self.kind(operation) is not None
-
-    def _is_variable(self, target: Node) -> bool:
-        """Tell whether a variable holds times only, and every use of it is known."""
-        if target.type not in ("identifier", "attribute") or typed(self._work, target) is not None:
-            return False
-        if self.kind(target) != _TIME:
-            return False
-        key = tuple(sorted(each.node.id for each in self._work.bindings(target)))
-        if key not in self._variables:
-            self._variables[key] = True
-            self._variables[key] = all(map(self._is_used_well, self._uses(target)))
-        return self._variables[key]
-
-    def _is_used_well(self, use: Node) -> bool:
-        parent = use.parent
-        left = parent.child_by_field_name("left") if parent is not None else None
-        is_target = parent is not None and parent.type == "assignment" and left is not None
-        return (is_target and left is not None and left.id == use.id) or self.is_known(use)
-
-    def _uses(self, target: Node) -> list[Node]:
-        """Return all that may be the variable: what has its name in the file."""
-        part = target.child_by_field_name("attribute") or target
-        return [
-            node.parent if node.parent is not None and target.type == "attribute" else node
-            for node in walk(self._work.analysis.syntax.root)
-            if node.type == "identifier"
-            and self._work.slice(node) == self._work.slice(part)
-            and (
-                node.parent is not None
-                and node.parent.type == "attribute"
-                and node.parent.child_by_field_name("attribute") == node
-            )
-            == (target.type == "attribute")
-        ]
+    def reader(self, attribute: Node) -> Node | None:
+        """Return the call of `to_sec`."""
+        part, call = attribute.child_by_field_name("attribute"), attribute.parent
+        is_seconds = part is not None and self.work.slice(part) == "to_sec"
+        return call if is_seconds and call is not None and call.type == "call" else None

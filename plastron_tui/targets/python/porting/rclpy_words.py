@@ -7,14 +7,13 @@ from collections.abc import Mapping
 
 from tree_sitter import Node
 
-from plastron_tui.ros.interfaces import FieldType
 from plastron_tui.sources.python.splices import Splice
 from plastron_tui.sources.python.syntax import parts_of
 
 from .kinds import kind_of
-from .message_types import typed
 from .port_state import Work
 from .rclpy_node import has_node
+from .times import is_stamp
 
 LOGS: Mapping[str, str] = {
     "rospy.logdebug": "debug",
@@ -77,7 +76,8 @@ def _port_question(work: Work, call: Node, name: str, node: str) -> None:
     if arguments is None or parts_of(arguments) or not has_node(work, call):
         return
     if name == "rospy.get_namespace":
-        work.replace(call, f"{node}.get_namespace()")
+        # That of rospy ends in a slash, that of rclpy only where it is nothing else.
+        work.replace(call, f"({node}.get_namespace().rstrip('/') + '/')")
     elif name in _NAMES:
         work.replace(call, f"{node}.get_fully_qualified_name()")
     elif name == "rospy.get_time":
@@ -90,25 +90,6 @@ def _port_question(work: Work, call: Node, name: str, node: str) -> None:
 def _stands_alone(call: Node) -> bool:
     """Tell whether nothing beside a call binds closer than a division."""
     return call.parent is not None and call.parent.type in ("assignment", "argument_list")
-
-
-def is_stamp(work: Work, call: Node) -> bool:
-    """Tell whether the time goes into the stamp of a header, as it is."""
-    parent = call.parent
-    if parent is None:
-        return False
-    if parent.type == "assignment":
-        left = parent.child_by_field_name("left")
-        type_ = typed(work, left) if left is not None else None
-        if isinstance(type_, FieldType):
-            return type_.name in ("time", "Time") and not type_.is_array
-        return left is not None and f".{work.slice(left)}".endswith(".header.stamp")
-    if parent.type != "keyword_argument" or parent.parent is None or parent.parent.parent is None:
-        return False
-    name = parent.child_by_field_name("name")
-    made = parent.parent.parent.child_by_field_name("function")
-    is_header = made is not None and "std_msgs.msg.Header" in work.qualified(made)
-    return is_header and name is not None and work.slice(name) == "stamp"
 
 
 def _port_sleep(work: Work, call: Node) -> None:

@@ -28,11 +28,13 @@ class _Declared:
     Attributes:
         node: the call, or the item of a list, that declares it.
         name: the name.
+        quote: the quote of the name.
         default: the source of the default.
     """
 
     node: Node
     name: str
+    quote: str
     default: str
 
 
@@ -76,8 +78,7 @@ def _port_declaration(work: Work, call: Node, declared: _Declared) -> None:
 
 
 def _replace(work: Work, value: Node, declared: _Declared) -> None:
-    quote = "'" if declared.default.startswith("'") else '"'
-    name = declared.name.replace(".", "/")
+    name, quote = declared.name.replace(".", "/"), declared.quote
     work.done.update(each.id for each in walk(value))
     work.replace(value, f"rospy.get_param({quote}~{name}{quote}, {declared.default})")
 
@@ -114,7 +115,7 @@ def _declared(work: Work, call: Node) -> _Declared | None:
     is_all = len(parts_of(call.child_by_field_name("arguments"))) == 2
     if found is None or not is_all or not _is_literal(work, default):
         return None
-    return _Declared(call, found, work.slice(default))
+    return _Declared(call, found, work.slice(name)[0], work.slice(default))
 
 
 def _listed(work: Work, call: Node) -> list[_Declared]:
@@ -135,7 +136,7 @@ def _listed(work: Work, call: Node) -> list[_Declared]:
         name = _name(work, parts[0]) if len(parts) == 2 else None
         if name is None or not _is_literal(work, parts[1]):
             return []
-        found.append(_Declared(each, name, work.slice(parts[1])))
+        found.append(_Declared(each, name, work.slice(parts[0])[0], work.slice(parts[1])))
     return found
 
 

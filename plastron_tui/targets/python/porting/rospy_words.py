@@ -8,8 +8,8 @@ from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.sources.python.syntax import parts_of
 
 from .port_state import Work, walk
-from .rclpy_words import is_stamp
 from .rewriting import replace_by_opposite
+from .times import is_stamp
 from .types import target_type
 
 _LOGS = {
@@ -31,7 +31,7 @@ def port_rospy_words(work: Work) -> None:
             continue
         if "rclpy.ok" in work.qualified(callee):
             replace_by_opposite(work, call, "rospy.is_shutdown()")
-        chain = _chain(work, call)
+        chain = methods_of(work, call)
         given = parts_of(arguments)
         if chain[-1:] == ["to_msg"] and chain[-3:-1] == ["get_clock", "now"] and not given:
             if is_stamp(work, call):
@@ -51,7 +51,7 @@ def _replace(work: Work, node: Node, text: str) -> None:
     work.replace(node, text)
 
 
-def _chain(work: Work, call: Node) -> list[str]:
+def methods_of(work: Work, call: Node) -> list[str]:
     """Return the methods of `node.get_logger().info(…)`; all but the last take nothing."""
     methods: list[str] = []
     current: Node | None = call

@@ -14,7 +14,7 @@ from plastron_tui.sources.python.calls import Argument
 from plastron_tui.sources.python.constants import Known
 from plastron_tui.sources.python.scopes import Scope
 
-from .endpoints import port_endpoint_methods
+from .endpoints import destroys_endpoints, port_endpoint_methods
 from .insertion_point import add_header
 from .leftovers import mark_leftovers, port_ending
 from .plain import port_plain
@@ -66,7 +66,13 @@ def port_to_rclpy(work: Work) -> None:
     if old := _OLD_PYTHON.match(work.analysis.syntax.text):
         work.insert(old.end(1), "3")
     waits = find_waits(work)
-    running = port_running(work, node, waits=waits.needs_thread, in_callbacks=waits.in_callbacks)
+    running = port_running(
+        work,
+        node,
+        waits=waits.needs_thread,
+        in_callbacks=waits.in_callbacks,
+        destroys=bool(waits.messages) or destroys_endpoints(work),
+    )
     port_parameters(work, node)
     port_words(work, node)
     port_times(work, node)

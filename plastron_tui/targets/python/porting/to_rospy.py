@@ -31,6 +31,7 @@ from .rewriting import (
     put_before,
 )
 from .rospy_parameters import port_rospy_parameters
+from .rospy_times import port_rospy_times
 from .rospy_words import port_rospy_words
 from .types import keep_used_imports, port_imports, target_type
 
@@ -96,10 +97,11 @@ def port_to_rospy(work: Work) -> None:
     """Rewrite what makes rclpy nodes and their endpoints, and mark the rest of rclpy."""
     port_imports(work, _GONE)
     port_executors(work)
+    port_rospy_parameters(work)
     _port_running(work)
     _mark_coroutines(work)
-    port_rospy_parameters(work)
     port_rospy_words(work)
+    port_rospy_times(work)
     port_sites(work, _WRITERS, _private_name)
     _port_nodes(work)
     port_ending(work, {"cancel": "shutdown"}, _ENDING)
