@@ -14,7 +14,7 @@ from .names import Resolver
 from .scopes import BindingKind, Scope, ScopeTree
 from .syntax import Syntax
 
-_KINDS = tuple(kind.value for kind in InterfaceKind)
+_KINDS = frozenset(InterfaceKind)
 _WITHOUT_TYPES = sys.stdlib_module_names | {"rospy", "rclpy"}
 
 
@@ -44,19 +44,31 @@ def guessed_parameter(
 
 
 def is_star_guess(bare: str, modules: list[str], distribution: str) -> bool:
-    """Whether nothing but a lack of others says that a name is of a module imported whole.
+    """Whether a name that a module imported whole seems to bring in may be of something else.
 
-    Nothing is known to have it there, and something else may: another module, or a package that
-    the catalog knows to have such a type.
+    Python takes the last module that has it. A module that nothing is known of may have it, and
+    where none is known to, so may a package that the catalog knows to have such a type.
     """
-    names = index(distribution).names
-    packages, has_others = set(), False
+    known = index(distribution)
+    listed = {(name.package, kind) for kind in _KINDS for name in known.names[kind]}
+    packages: list[tuple[str, InterfaceKind]] = []
+    others = 0
+    is_known = is_last = False
     for module in modules:
         package, dot, kind = module.partition(".")
-        if dot and kind in _KINDS:
-            packages.add((package, InterfaceKind(kind)))
-        elif package not in _WITHOUT_TYPES:
-            has_others = True
-    if any(InterfaceName(package, bare) in names[kind] for package, kind in packages):
-        return False
-    return has_others or any(name.name == bare for _, kind in packages for name in names[kind])
+        if not (dot and kind in _KINDS):
+            if package not in _WITHOUT_TYPES:
+                others += 1
+                is_last = False
+            continue
+        place = package, InterfaceKind(kind)
+        packages.append(place)
+        if InterfaceName(package, bare) in known.names[place[1]]:
+            is_known = is_last = True
+        elif place not in listed or package in known.partial:
+            is_last = False
+    if is_known:
+        return not is_last
+    return len({*packages}) + others > 1 or any(
+        name.name == bare for _, kind in packages for name in known.names[kind]
+    )

@@ -25,8 +25,17 @@ FILES = {
     CLASS.replace("self.topic,", "'scan',"): False,
     f"import rospy\nfrom zephyr.msg import *\n{USE}": True,
     f"import rospy\nfrom zephyr.msg import *\nfrom helpers import *\n{USE}": True,
-    f"import rospy\nfrom std_msgs.msg import *\nfrom helpers import *\n{USE}": False,
-    f"import rospy\nfrom std_msgs.msg import *\nfrom zephyr.msg import *\n{USE}": False,
+    # Python takes the last module that has a name.
+    f"import rospy\nfrom std_msgs.msg import *\nfrom helpers import *\n{USE}": True,
+    f"import rospy\nfrom helpers import *\nfrom std_msgs.msg import *\n{USE}": False,
+    f"import rospy\nfrom std_msgs.msg import *\nfrom zephyr.msg import *\n{USE}": True,
+    f"import rospy\nfrom zephyr.msg import *\nfrom std_msgs.msg import *\n{USE}": False,
+    f"import rospy\nfrom std_msgs.msg import *\nfrom std_srvs.srv import *\n{USE}": False,
+    f"import rospy\nfrom std_msgs.msg import *\nfrom geometry_msgs.msg import *\n{USE}": False,
+    f"import rospy\nfrom std_msgs.msg import *\nfrom math import *\n{USE}": False,
+    f"import rospy\nfrom std_msgs.msg import *\nfrom zephyr.msg import *\n{USE}".replace(
+        "Float32MultiArray", "Wheel"
+    ): True,
     f"import rospy\nfrom math import *\nfrom zephyr.msg import *\n{USE}".replace(
         "Float32MultiArray", "Wheel"
     ): False,
