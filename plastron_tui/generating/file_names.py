@@ -45,30 +45,43 @@ class FileNames(NamedTuple):
         manifest: gives what is remembered of the files of a folder.
         program: the name of the program's file: nodes of one name in two programs are two.
         is_plain: whether a new file is called as its node is, without an ending.
+        written: the nodes that the program generates, by name, each with its client library.
     """
 
     output: Path
     manifest: Callable[[Path], Manifest]
     program: str
     is_plain: bool = False
+    written: frozenset[tuple[str, str]] = frozenset()
 
     def of(self, node: Node, target: Target) -> str:
         """Return the name of a node's main file: the one that it has, or what it is written to."""
         suffix = target.language.suffix
         new = f"{node.name}{suffix}" if self.is_plain else target.file_name(node)
         names = dict.fromkeys((new, *(f"{node.name}{ending}{suffix}" for ending in _ENDINGS)))
-        return next((name for name in names if self._holds(name, node, target)), new)
+        held = {name: self._library(name, node) for name in names}
+        own = (name for name, library in held.items() if library == target.name)
+        # A node that is no longer written for another client library takes that file along.
+        left = (
+            name
+            for name, library in held.items()
+            if library is not None and (node.name, library) not in self.written
+        )
+        return next(own, None) or next(left, new)
 
-    def _holds(self, name: str, node: Node, target: Target) -> bool:
-        """Tell whether a file was written for a node of the program, and not replaced since."""
+    def _library(self, name: str, node: Node) -> str | None:
+        """Return the client library of a file that was written for a node of the program.
+
+        None where the file was written for something else, or replaced since.
+        """
         manifest = self.manifest(self.output)
         known = manifest.bases.get(name, {})
-        written_for = (known.get("node"), known.get("library"), known.get("program"))
-        return (
-            written_for == (node.name, target.name, self.program)
-            and manifest.successor(name) is None
-            and (self.output / name).is_file()
-        )
+        is_own = (known.get("node"), known.get("program")) == (node.name, self.program)
+        if not is_own or manifest.successor(name) is not None:
+            return None
+        library = known.get("library")
+        is_there = isinstance(library, str) and (self.output / name).is_file()
+        return library if is_there else None
 
 
 def refuse_name(

@@ -117,7 +117,8 @@ class Planner:
 
         configuration = self._configuration
         is_plain = configuration.project.file_names == "plain"
-        return FileNames(configuration.output, manifest, self._author.name, is_plain)
+        written = frozenset((each.node.name, each.library) for each in self._generations)
+        return FileNames(configuration.output, manifest, self._author.name, is_plain, written)
 
     def plan(
         self, made: Sequence[Generated], *, is_preview: bool = False

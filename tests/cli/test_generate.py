@@ -157,6 +157,24 @@ def test_regenerating_keeps_handwork_and_adds_what_is_new(run: Run, here: Path) 
     assert "self.heard = message.data  # mine" in file.read_text()
 
 
+@pytest.mark.parametrize("is_still_written", [False, True])
+def test_a_node_keeps_its_file_for_another_library(
+    run: Run, here: Path, is_still_written: bool
+) -> None:
+    write(here, LISTENER.replace("generate_node listener", "generate_node listener using rospy"))
+    assert run("generate", "a.plastron").returncode == 0
+    ported = "generate_node listener using rclpy"
+    before = "generate_node listener using rospy\n" if is_still_written else ""
+    more = "subscribe listener to 'b' of message_type Int32\n"
+    write(here, LISTENER.replace("generate_node listener", before + more + ported))
+    expected = "listener_sub2.py" if is_still_written else "listener_sub1.py"
+    found = run("generate", "a.plastron")
+    assert (found.returncode, found.stderr) == (0, b"")
+    assert b"import rclpy" in (here / "output" / expected).read_bytes()
+    names = {path.name for path in (here / "output").glob("*.py")}
+    assert names == {"listener_sub1.py", expected}
+
+
 def test_plain_names_are_for_files_that_are_new(run: Run, here: Path) -> None:
     write(here, LISTENER)
     assert run("generate", "a.plastron").returncode == 0
