@@ -7,7 +7,7 @@ from typing import Any
 
 from plastron_tui.diagnostics import Code, Diagnostic, Edit, Fix, Label, Span, codes, guess, write
 from plastron_tui.language import statements as st
-from plastron_tui.language.declaration import DECLARATIONS, Statement
+from plastron_tui.language.declaration import Statement
 from plastron_tui.ros.catalog import DISTRIBUTIONS
 from plastron_tui.ros.names import (
     NameProblem,
@@ -146,20 +146,6 @@ class Checks:
         if problem is not None:
             raise Mistake(_wrong_name(statement, slot, name, problem))
 
-    def wrong_name(self, statement: Statement) -> Diagnostic | None:
-        """Return what is wrong with the name of a topic or service, whatever else is."""
-        slot = next((slot for slot in ("topic", "service") if hasattr(statement, slot)), None)
-        node = self._workspace.nodes.get(getattr(statement, "node", ""))
-        if slot is None or DECLARATIONS[type(statement)].undoes is not None:
-            return None
-        # A node that is not there may be for either ROS.
-        name: str = getattr(statement, slot)
-        versions = (1, 2) if node is None else (self.version_of(node),)
-        problems = [_CHECKS[slot](name, version) for version in versions]
-        if problems[0] is None or None in problems:
-            return None
-        return _wrong_name(statement, slot, name, problems[0])
-
     def function(
         self,
         statement: st.Subscribe | st.ProvidesService,
@@ -173,18 +159,7 @@ class Checks:
         function = statement.function
         if function is None:
             return
-        library = self._setting.libraries.get(node.library or self._setting.library)
-        if library is not None and library.is_keyword(function):
-            where = statement.span_of("function")
-            raise Mistake(
-                Diagnostic(
-                    codes.INVALID_FUNCTION,
-                    f"`{function}` is a keyword of {library.language} and cannot be a function",
-                    where,
-                    help=f"write `{function}_`",
-                    fix=write(f"{function}_", where),
-                )
-            )
+        self.function_name(statement, node)
         for other in others:
             if other.callback == function:
                 labels = () if other.span is None else (Label(other.span, "called here"),)
@@ -197,6 +172,26 @@ class Checks:
                         labels=labels,
                     )
                 )
+
+    def function_name(
+        self, statement: st.Subscribe | st.ProvidesService, node: Node | None
+    ) -> None:
+        """Check that a function may have its name in a node, None for one that is not there."""
+        function = statement.function
+        name = self._setting.library if node is None else node.library or self._setting.library
+        library = self._setting.libraries.get(name)
+        if function is None or library is None or not library.is_keyword(function):
+            return
+        where = statement.span_of("function")
+        raise Mistake(
+            Diagnostic(
+                codes.INVALID_FUNCTION,
+                f"`{function}` is a keyword of {library.language} and cannot be a function",
+                where,
+                help=f"write `{function}_`",
+                fix=write(f"{function}_", where),
+            )
+        )
 
     def take(self, statement: Statement, node: Node, kind: EndpointKind) -> str:
         """Take an endpoint away from a node, and return its name, or say that there is none."""

@@ -1,7 +1,7 @@
 """The interpreter: statements, from top to bottom, become a workspace.
 
-A statement with a mistake has no effect, and gives one diagnostic; what merely follows from a
-mistake gives none.
+A statement with a mistake has no effect, and gives one diagnostic for each; what merely follows
+from a mistake gives none.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from .node_statements import create_node, generate_node, load
 from .rename import rename
 from .run import Run
 from .stale_statements import late_changes
+from .statement_checks import all_wrong
 from .value_check import Fitter
 from .workspace import Node, Workspace
 
@@ -126,6 +127,6 @@ class Interpreter:
             try:
                 HANDLERS[type(statement)](run, statement)
             except Mistake as mistake:  # noqa: PERF203 - each statement has its own
-                for found in run.all_wrong(statement, mistake):
+                for found in all_wrong(run, statement, mistake):
                     run.report(statement, found)
                 run.consequences.add(statement)

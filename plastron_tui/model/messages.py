@@ -48,20 +48,23 @@ class Messages:
 
     def create(self, statement: st.CreateMessage) -> None:
         """Make the message that a statement asks for."""
-        self._checks.new_variable(statement, statement.variable)
+        variable = statement.variable
+        self._checks.new_variable(statement, variable)
+        version, self._workspace.messages[variable] = self.made(statement)
+        if version != self._version:
+            self._foreign[variable] = version
+        self._made[variable] = statement
+
+    def made(self, statement: st.CreateMessage) -> tuple[int, Message]:
+        """Return the message that a statement asks for, and the generation of ROS it is of."""
         try:
-            message = self._message_in(statement, self._version)
+            return self._version, self._message_in(statement, self._version)
         except Mistake:
             # The message may be meant for nodes of the other ROS.
             for version in self._other_versions():
                 with suppress(Mistake):
-                    message = self._message_in(statement, version)
-                    self._foreign[statement.variable] = version
-                    break
-            else:
-                raise
-        self._workspace.messages[statement.variable] = message
-        self._made[statement.variable] = statement
+                    return version, self._message_in(statement, version)
+            raise
 
     def _message_in(self, statement: st.CreateMessage, version: int) -> Message:
         """Make a message of the type that its name means in a generation of ROS."""

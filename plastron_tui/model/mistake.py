@@ -6,7 +6,7 @@ from plastron_tui.diagnostics import Diagnostic
 
 
 class Mistake(Exception):  # noqa: N818 - control flow, from a check to the interpreter
-    """The statement at hand has a mistake; without a diagnostic, it follows from another."""
+    """The statement at hand has mistakes; without a diagnostic, they follow from another."""
 
-    def __init__(self, diagnostic: Diagnostic | None = None) -> None:
-        self.diagnostic = diagnostic
+    def __init__(self, *diagnostics: Diagnostic) -> None:
+        self.diagnostics = diagnostics

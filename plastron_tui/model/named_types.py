@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 from plastron_tui.diagnostics import Diagnostic, Fix, write
 from plastron_tui.language import statements as st
-from plastron_tui.language.declaration import DECLARATIONS, Statement
+from plastron_tui.language.declaration import Statement
 from plastron_tui.ros.interfaces import Interface, InterfaceKind
 
 from .context import Setting
-from .kinds import INTERFACES
 from .libraries import default_library
 from .mistake import Mistake
 from .types import TypeProblem, TypeResolver
@@ -80,24 +78,6 @@ class NamedTypes:
             )
         }
         return Interface.undefined(found.pop(), kind) if len(found) == 1 else None
-
-    def unknown(self, statement: Any) -> Diagnostic | None:
-        """Return what is wrong with a type, whatever the broken node or message beside it is."""
-        slots = DECLARATIONS[type(statement)].slots
-        kind = next((INTERFACES[slot.kind] for slot in slots if slot.kind in INTERFACES), None)
-        if kind is None:
-            return None
-        node = self._workspace.nodes.get(getattr(statement, "node", ""))
-        version = self._version if node is None else self._setting.ros_version(node.library)
-        # A node that is not there may be for the other ROS.
-        others = {1, 2} - {version} if node is None else ()
-        try:
-            self.named(statement, statement.type, kind, version)
-        except Mistake as mistake:
-            found = (self._resolver(other).resolve(statement.type, kind) for other in others)
-            if all(isinstance(each, TypeProblem) for each in found):
-                return mistake.diagnostic
-        return None
 
     def _elsewhere(self, text: str, kind: InterfaceKind, version: int) -> str | None:
         """Say how to get the other ROS, which has a type, where nobody chose this one."""

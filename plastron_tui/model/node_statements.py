@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from plastron_tui.diagnostics import Diagnostic, Label, codes, write
 from plastron_tui.language import statements as st
 
@@ -10,12 +12,24 @@ from .mistake import Mistake
 from .run import Run
 from .workspace import Generation, Node
 
+if TYPE_CHECKING:
+    from .source import SourceUnit
+
 
 def create_node(run: Run, statement: st.CreateNode) -> None:
     """Make a node."""
     run.checks.new_variable(statement, statement.variable)
     library = run.checks.library(statement)
-    run.checks.name(statement, "name", statement.name, run.checks.version(library))
+    check_node_name(run, statement, run.checks.version(library))
+    run.node_names[statement.name] = statement.span
+    run.workspace.nodes[statement.variable] = Node(
+        statement.name, statement.variable, statement.span, library
+    )
+
+
+def check_node_name(run: Run, statement: st.CreateNode, version: int) -> None:
+    """Check that a node may have its name in a generation of ROS, and that no other has it."""
+    run.checks.name(statement, "name", statement.name, version)
     earlier = run.node_names.get(statement.name)
     if earlier is not None:
         raise Mistake(
@@ -27,17 +41,23 @@ def create_node(run: Run, statement: st.CreateNode) -> None:
                 labels=(Label(earlier, "first created here"),),
             )
         )
-    run.node_names[statement.name] = statement.span
-    run.workspace.nodes[statement.variable] = Node(
-        statement.name, statement.variable, statement.span, library
-    )
 
 
 def load(run: Run, statement: st.Load) -> None:
     """Read a node from a file."""
-    from .loading import loaded_node, node_in  # most programs load nothing
+    from .loading import loaded_node  # most programs load nothing
 
+    source = _read(run, statement)
     run.checks.new_variable(statement, statement.variable)
+    node = loaded_node(source, statement)
+    run.agreements.adopt(node, run.checks.version_of(node), statement)
+    run.workspace.nodes[statement.variable] = node
+
+
+def _read(run: Run, statement: st.Load) -> SourceUnit:
+    """Return the file that a statement loads, with the node that it means."""
+    from .loading import node_in
+
     generated = tuple(run.workspace.generations)
     loaded = run.setting.read(LoadRequest(statement.source, statement.is_path, generated))
     if loaded.source is None and run.consequences.may_name(statement.source, run.workspace.nodes):
@@ -52,15 +72,19 @@ def load(run: Run, statement: st.Load) -> None:
     source = node_in(loaded.source, statement)
     if isinstance(source, Diagnostic):
         raise Mistake(source)
-    node = loaded_node(source, statement)
-    run.agreements.adopt(node, run.checks.version_of(node), statement)
-    run.workspace.nodes[statement.variable] = node
+    return source
 
 
 def generate_node(run: Run, statement: st.GenerateNode) -> None:
     """Note that a node is to be written as it is now."""
     node = run.checks.node(statement)
     library = run.checks.library(statement) or node.library or run.setting.library
+    check_work(run, statement, node)
+    run.workspace.generations.append(Generation(node.snapshot(), library, statement.span))
+
+
+def check_work(run: Run, statement: st.GenerateNode, node: Node) -> None:
+    """Check that a node does anything."""
     if node.is_idle and node.source is None:
         if run.consequences.is_unfinished(node):
             raise Mistake
@@ -73,4 +97,3 @@ def generate_node(run: Run, statement: st.GenerateNode) -> None:
                 labels=(Label(node.span, "created here"),),
             )
         )
-    run.workspace.generations.append(Generation(node.snapshot(), library, statement.span))

@@ -21,12 +21,10 @@ RENAMED: dict[str, tuple[EndpointKind, ...]] = {
 def rename(run: Run, statement: st.Rename) -> None:
     """Give a topic, service, action or parameter of a node another name, on both its sides."""
     node = run.checks.node(statement)
-    kinds, version = _kinds(statement), run.checks.version_of(node)
+    kinds, version = kinds_of(statement), run.checks.version_of(node)
     new = run.name(statement, "new", version, kinds[0].facts.check_name)
     old = spelled(statement.old)
-    having = [kind for kind in kinds if old in node.names(kind)]
-    if not having:
-        raise _not_there(run, statement, node, kinds)
+    having = kinds_having(run, statement, node, kinds)
     _check_free(run, statement, node, having)
     _move(run, statement, node, having)
     for kind in having:
@@ -51,7 +49,8 @@ def _move(run: Run, statement: st.Rename, node: Node, kinds: list[EndpointKind])
         raise Mistake(conflict._replace(span=statement.span_of("new"), fix=None))
 
 
-def _kinds(statement: st.Rename) -> tuple[EndpointKind, ...]:
+def kinds_of(statement: st.Rename) -> tuple[EndpointKind, ...]:
+    """Return the kinds of endpoints that a statement may rename."""
     kinds = RENAMED.get(statement.what)
     if kinds is not None:
         return kinds
@@ -68,16 +67,21 @@ def _kinds(statement: st.Rename) -> tuple[EndpointKind, ...]:
     )
 
 
-def _not_there(
+def kinds_having(
     run: Run, statement: st.Rename, node: Node, kinds: tuple[EndpointKind, ...]
-) -> Mistake:
-    if run.consequences.explains(node, spelled(statement.old)):
-        return Mistake()
+) -> list[EndpointKind]:
+    """Return the kinds of which a node has something of the old name."""
+    old = spelled(statement.old)
+    having = [kind for kind in kinds if old in node.names(kind)]
+    if having:
+        return having
+    if run.consequences.explains(node, old):
+        raise Mistake
     where = statement.span_of("old")
     names = dict.fromkeys(name for kind in kinds for name in node.names(kind))
     remedy, fix = guess(statement.old, names, where, is_quoted=True)
     message = f"`{node.variable}` has no {statement.what} `{statement.old}`"
-    return Mistake(Diagnostic(codes.NOTHING_TO_RENAME, message, where, help=remedy, fix=fix))
+    raise Mistake(Diagnostic(codes.NOTHING_TO_RENAME, message, where, help=remedy, fix=fix))
 
 
 def _check_free(run: Run, statement: st.Rename, node: Node, kinds: list[EndpointKind]) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes, write
@@ -111,20 +111,19 @@ class Run:
             )
         return name
 
-    def all_wrong(self, statement: Statement, mistake: Mistake) -> Iterable[Diagnostic]:
-        """Return what is wrong with a statement: its mistake, and a name or type beside that."""
-        beside = (self.checks.wrong_name(statement), self.types.unknown(statement))
-        found = (mistake.diagnostic, *beside)
-        return {each.span: each for each in found if each is not None}.values()
-
     def add(self, statement: Statement, node: Node, endpoint: Endpoint) -> None:
         """Give a node an endpoint, if its type agrees with that of all who use the name."""
+        self.check_agreement(statement, node, endpoint)
+        self.agreements.join(node, self.checks.version_of(node), endpoint, statement)
+        node.put(endpoint)
+
+    def check_agreement(self, statement: Statement, node: Node, endpoint: Endpoint) -> None:
+        """Check that the type of an endpoint agrees with that of all who use the name."""
         version = self.checks.version_of(node)
-        conflict = self.agreements.join(node, version, endpoint, statement)
+        conflict = self.agreements.conflict(node, version, endpoint, statement)
         if conflict is not None:
             # Where the other use was to be taken away, it may be there because of a mistake.
-            raise Mistake(None if self.consequences.mentions(endpoint.name) else conflict)
-        node.put(endpoint)
+            raise Mistake(*() if self.consequences.mentions(endpoint.name) else (conflict,))
 
     def take(self, statement: Statement, kind: EndpointKind) -> None:
         """Take an endpoint away from the node of a statement."""

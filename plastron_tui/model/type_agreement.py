@@ -43,8 +43,17 @@ class Agreements:
         self, node: Node, version: int, endpoint: Endpoint, statement: Statement
     ) -> Diagnostic | None:
         """Note that a node uses a name; return what is wrong if others use another type."""
-        use = self._add(node, version, endpoint, statement)
-        if use is None:
+        conflict = self.conflict(node, version, endpoint, statement)
+        if conflict is None:
+            self._add(node, version, endpoint, statement)
+        return conflict
+
+    def conflict(
+        self, node: Node, version: int, endpoint: Endpoint, statement: Statement
+    ) -> Diagnostic | None:
+        """Return what is wrong if others use a name for another type than an endpoint's."""
+        use = self._uses.get(_place(node, version, kind_of(type(endpoint)), endpoint.name))
+        if use is None or use.type == endpoint.type:
             return None
         facts = kind_of(type(endpoint)).facts
         elsewhere = next(iter(use.users.values())).span
@@ -91,19 +100,14 @@ class Agreements:
         if not use.users:
             del self._uses[place]
 
-    def _add(self, node: Node, version: int, endpoint: Endpoint, where: Statement) -> _Use | None:
-        """Add a user, or return the use that is of another type."""
+    def _add(self, node: Node, version: int, endpoint: Endpoint, where: Statement) -> None:
+        """Add a user, unless others mean another type."""
         assert endpoint.type is not None
         kind = kind_of(type(endpoint))
         place = _place(node, version, kind, endpoint.name)
-        use = self._uses.get(place)
-        if use is None:
-            self._uses[place] = _Use(endpoint.type, {(node.variable, kind): where})
-            return None
-        if use.type != endpoint.type:
-            return use
-        use.users.setdefault((node.variable, kind), where)
-        return None
+        use = self._uses.setdefault(place, _Use(endpoint.type))
+        if use.type == endpoint.type:
+            use.users.setdefault((node.variable, kind), where)
 
 
 def _place(node: Node, version: int, kind: EndpointKind, name: str) -> _Place:

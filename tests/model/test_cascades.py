@@ -55,7 +55,7 @@ CASES: list[tuple[str, list[str]]] = [
         + "subscribe n to 'a' of message_type Strng\n"
         + "n provides_service 's' of service_type Triger\n"
         + "n publish m to 'b' of message_type std_msgs/msg/Strng\n",
-        ["unknown-statement", *["unknown-type"] * 3],
+        ["unknown-statement", *["unknown-type"] * 2, "unknown-message", "unknown-type"],
     ),
     (
         "create_node 'talker' as n using rclpy\n"

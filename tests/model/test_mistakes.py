@@ -42,7 +42,6 @@ MISTAKES: list[tuple[str, str, str, str | None]] = [
     ("create_node 'other' as n", "variable-exists", "n", "another name"),
     ("create_message n of message_type String and input none", "variable-exists", "n", None),
     ("create_node 'x' as m", "variable-exists", "m", None),
-    ("load driver as n", "variable-exists", "n", None),
     ("create_node 'talker' as t", "node-exists", "'talker'", None),
     ("create_node 'x' as _x", "invalid-variable", "_x", "write `x`"),
     ("create_node 'x' as x using rospi", "unknown-library", "rospi", "did you mean `rospy`?"),

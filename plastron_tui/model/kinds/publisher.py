@@ -7,12 +7,14 @@ from typing import TYPE_CHECKING, NamedTuple
 from plastron_tui.diagnostics import Diagnostic, Label, Span, codes, write
 from plastron_tui.language.statements import Publish
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+from plastron_tui.ros.names import spelled
 
 from ..mistake import Mistake
 
 if TYPE_CHECKING:
     from ..run import Run
     from ..values import MessageValue
+    from ..workspace import Node
 
 DEFAULT_RATE = 10.0
 """How often a message is published where the program does not say, in hertz."""
@@ -61,20 +63,25 @@ def publish(run: Run, statement: Publish) -> None:
     message = run.messages.find(statement)
     topic, type_ = run.interface(statement, node, "topic", InterfaceKind.MESSAGE)
     message = run.messages.for_version(message, checks.version_of(node))
-    _check_sent(statement, message, type_.name)
-    is_open = statement.rate is None
-    rate = DEFAULT_RATE if statement.rate is None else _rate(statement, statement.rate)
+    check_sent(statement, message, type_.name)
+    rate = rate_of(statement)
     publisher = node.of(Publisher).get(topic)
     earlier = () if publisher is None else publisher.publications
-    if earlier and any(publication.message is message for publication in earlier):
-        what = f"`{node.variable}` publishes `{message.variable}` to"
-        raise checks.exists_already(statement, "topic", node, codes.ALREADY_PUBLISHING, what)
+    check_unsent(run, statement, node, message)
     span = statement.span if publisher is None else publisher.span
-    sent = Publication(message, rate, statement.span, is_open)
+    sent = Publication(message, rate, statement.span, statement.rate is None)
     run.add(statement, node, Publisher(topic, type_.name, (*earlier, sent), span))
 
 
-def _check_sent(statement: Publish, message: Message, type_: InterfaceName) -> None:
+def check_unsent(run: Run, statement: Publish, node: Node, message: Message) -> None:
+    """Check that a node does not send a message to a topic yet."""
+    publisher = node.of(Publisher).get(spelled(statement.topic))
+    if publisher is not None and any(each.message is message for each in publisher.publications):
+        what = f"`{node.variable}` publishes `{message.variable}` to"
+        raise run.checks.exists_already(statement, "topic", node, codes.ALREADY_PUBLISHING, what)
+
+
+def check_sent(statement: Publish, message: Message, type_: InterfaceName) -> None:
     """Check that a message is of the type that its topic takes."""
     if message.value.type != type_:
         where = statement.span_of("type")
@@ -90,7 +97,9 @@ def _check_sent(statement: Publish, message: Message, type_: InterfaceName) -> N
         )
 
 
-def _rate(statement: Publish, rate: int | float) -> float:
+def rate_of(statement: Publish) -> float:
+    """Return how often a message is to be sent, in hertz."""
+    rate = DEFAULT_RATE if statement.rate is None else statement.rate
     if LOWEST_RATE <= rate <= HIGHEST_RATE:
         return float(rate)
     where = statement.span_of("rate")

@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING, NamedTuple
 from plastron_tui.diagnostics import Diagnostic, Label, Span, codes
 from plastron_tui.language.statements import ProvidesService
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+from plastron_tui.ros.names import spelled
 
 from .subscription import Subscription
 
 if TYPE_CHECKING:
     from ..run import Run
+    from ..workspace import Node
 
 
 class Service(NamedTuple):
@@ -25,16 +27,10 @@ class Service(NamedTuple):
 
 def provide(run: Run, statement: ProvidesService) -> None:
     """Let a node provide a service."""
-    checks = run.checks
-    node = checks.node(statement)
+    node = run.checks.node(statement)
     name, type_ = run.interface(statement, node, "service", InterfaceKind.SERVICE)
-    if name in node.of(Service):
-        what = f"`{node.variable}` provides"
-        raise checks.exists_already(statement, "service", node, codes.ALREADY_PROVIDING, what)
-    if statement.function is not None:
-        checks.function(statement, node, node.of(Subscription).values())
-        others = (each for each in node.of(Service).values() if each.type != type_.name)
-        checks.function(statement, node, others)
+    check_unprovided(run, statement, node)
+    check_handler(run, statement, node, type_.name)
     service = Service(name, type_.name, statement.function, statement.span)
     run.add(statement, node, service)
     other = run.elsewhere(node, service)
@@ -49,3 +45,20 @@ def provide(run: Run, statement: ProvidesService) -> None:
                 labels=(Label(other.span, "provided here"),),
             ),
         )
+
+
+def check_unprovided(run: Run, statement: ProvidesService, node: Node) -> None:
+    """Check that a node does not provide a service yet."""
+    if spelled(statement.service) in node.of(Service):
+        what = f"`{node.variable}` provides"
+        raise run.checks.exists_already(statement, "service", node, codes.ALREADY_PROVIDING, what)
+
+
+def check_handler(
+    run: Run, statement: ProvidesService, node: Node, type_: InterfaceName | None
+) -> None:
+    """Check that a function may take the requests of a type, None for one that is not known."""
+    if statement.function is not None:
+        run.checks.function(statement, node, node.of(Subscription).values())
+        others = (each for each in node.of(Service).values() if type_ not in (None, each.type))
+        run.checks.function(statement, node, others)

@@ -7,9 +7,11 @@ from typing import TYPE_CHECKING, NamedTuple
 from plastron_tui.diagnostics import Span, codes
 from plastron_tui.language.statements import Subscribe
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+from plastron_tui.ros.names import spelled
 
 if TYPE_CHECKING:
     from ..run import Run
+    from ..workspace import Node
 
 
 class Subscription(NamedTuple):
@@ -23,14 +25,23 @@ class Subscription(NamedTuple):
 
 def subscribe(run: Run, statement: Subscribe) -> None:
     """Let a node listen to a topic."""
-    checks = run.checks
-    node = checks.node(statement)
+    node = run.checks.node(statement)
     topic, type_ = run.interface(statement, node, "topic", InterfaceKind.MESSAGE)
-    if topic in node.of(Subscription):
+    check_unheard(run, statement, node)
+    check_callback(run, statement, node)
+    run.add(statement, node, Subscription(topic, type_.name, statement.function, statement.span))
+
+
+def check_unheard(run: Run, statement: Subscribe, node: Node) -> None:
+    """Check that a node does not listen to a topic yet."""
+    if spelled(statement.topic) in node.of(Subscription):
         what = f"`{node.variable}` subscribes to"
-        raise checks.exists_already(statement, "topic", node, codes.ALREADY_SUBSCRIBED, what)
+        raise run.checks.exists_already(statement, "topic", node, codes.ALREADY_SUBSCRIBED, what)
+
+
+def check_callback(run: Run, statement: Subscribe, node: Node) -> None:
+    """Check that a function may take messages."""
     if statement.function is not None:
         from .service import Service  # which imports this file
 
-        checks.function(statement, node, node.of(Service).values())
-    run.add(statement, node, Subscription(topic, type_.name, statement.function, statement.span))
+        run.checks.function(statement, node, node.of(Service).values())

@@ -1,0 +1,223 @@
+"""All that is wrong with a statement that has a mistake.
+
+The handler of a statement stops at the first mistake. The checks here look at its parts one by
+one: each at a slot, and at what cannot be told without others. Whatever several of them find at
+one place is one mistake.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from functools import partial
+from typing import Any
+
+from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.language import statements as st
+from plastron_tui.language.declaration import DECLARATIONS, Statement
+from plastron_tui.ros.interfaces import Interface
+from plastron_tui.ros.names import spelled
+
+from .kinds import EDITABLE, INTERFACES, EndpointKind, Message
+from .kinds.publisher import check_sent, check_unsent, rate_of
+from .kinds.service import check_handler, check_unprovided
+from .kinds.subscription import check_callback, check_unheard
+from .mistake import Mistake
+from .node_statements import check_node_name, check_work
+from .rename import RENAMED, kinds_having, kinds_of
+from .run import Run
+
+_Check = Callable[[Run, Any], object]
+
+_KINDS: dict[type[Statement], EndpointKind] = {kind.editing.made_by: kind for kind in EDITABLE}
+
+
+def all_wrong(run: Run, statement: Statement, mistake: Mistake) -> list[Diagnostic]:
+    """Return what is wrong with a statement, each mistake once, in their order.
+
+    Args:
+        run: what the statement works on.
+        statement: the statement.
+        mistake: the one that its handler stopped at.
+    """
+    found: dict[Span | None, Diagnostic] = {each.span: each for each in mistake.diagnostics}
+    for check in _CHECKS.get(type(statement), ()):
+        for each in _mistakes(check, run, statement) or ():
+            found.setdefault(each.span, each)
+    return sorted(found.values(), key=lambda each: each.span or statement.span)
+
+
+def _mistakes(check: Callable[..., object], *arguments: object) -> tuple[Diagnostic, ...] | None:
+    """Return what a check finds, None where it finds nothing."""
+    try:
+        check(*arguments)
+    except Mistake as mistake:
+        return mistake.diagnostics
+    return None
+
+
+def _any_passes(checks: Iterable[Callable[[], object]]) -> None:
+    """Raise what the first of some checks finds, unless one of them finds nothing."""
+    first: tuple[Diagnostic, ...] | None = None
+    for check in checks:
+        found = _mistakes(check)
+        if found is None:
+            return
+        first = found if first is None else first
+    raise Mistake(*first or ())
+
+
+def _versions(run: Run, statement: Any) -> tuple[int, ...]:
+    """Return the generations of ROS that a statement may be for: any, if its node is not there."""
+    node = run.workspace.nodes.get(statement.node)
+    return _any_version(run) if node is None else (run.checks.version_of(node),)
+
+
+def _any_version(run: Run) -> tuple[int, int]:
+    default = run.checks.version(None)
+    return default, 3 - default
+
+
+def _variable(run: Run, statement: st.CreateNode | st.CreateMessage | st.Load) -> None:
+    run.checks.new_variable(statement, statement.variable)
+
+
+def _library(run: Run, statement: st.CreateNode | st.GenerateNode) -> None:
+    run.checks.library(statement)
+
+
+def _node(run: Run, statement: Statement) -> None:
+    run.checks.node(statement)
+
+
+def _node_name(run: Run, statement: st.CreateNode) -> None:
+    library = statement.library
+    is_known = library is None or library in run.setting.libraries
+    versions = (run.checks.version(library),) if is_known else _any_version(run)
+    _any_passes(partial(check_node_name, run, statement, version) for version in versions)
+
+
+def _work(run: Run, statement: st.GenerateNode) -> None:
+    check_work(run, statement, run.checks.node(statement))
+
+
+def _created(run: Run, statement: st.CreateMessage) -> None:
+    run.messages.made(statement)
+
+
+def _name(run: Run, statement: Statement) -> None:
+    slot = _KINDS[type(statement)].editing.name_slot
+    written = getattr(statement, slot)
+    _any_passes(
+        partial(run.checks.name, statement, slot, written, version)
+        for version in _versions(run, statement)
+    )
+
+
+def _named_type(run: Run, statement: Any, version: int) -> Interface:
+    slots = DECLARATIONS[type(statement)].slots
+    kind = next(INTERFACES[slot.kind] for slot in slots if slot.kind in INTERFACES)
+    return run.types.named(statement, statement.type, kind, version)
+
+
+def _type(run: Run, statement: Statement) -> None:
+    versions = _versions(run, statement)
+    _any_passes(partial(_named_type, run, statement, version) for version in versions)
+
+
+def _request(run: Run, statement: st.ClientRequests) -> None:
+    def check(version: int) -> None:
+        run.types.fit(statement, _named_type(run, statement, version), version)
+
+    _any_passes(partial(check, version) for version in _versions(run, statement))
+
+
+def _agreement(run: Run, statement: Statement) -> None:
+    """Check a type against what others mean by the name; what the node has already is no other."""
+    node, kind = run.checks.node(statement), _KINDS[type(statement)]
+    _name(run, statement)
+    name = spelled(getattr(statement, kind.editing.name_slot))
+    if name not in node.by_kind[kind]:
+        type_ = _named_type(run, statement, run.checks.version_of(node))
+        run.check_agreement(statement, node, kind.editing.endpoint(name, type_.name))
+
+
+def _message(run: Run, statement: st.Publish) -> Message:
+    return run.messages.find(statement)
+
+
+def _sent(run: Run, statement: st.Publish) -> None:
+    message, is_there = _message(run, statement), statement.node in run.workspace.nodes
+
+    def check(version: int) -> None:
+        sent = run.messages.for_version(message, version) if is_there else message
+        check_sent(statement, sent, _named_type(run, statement, version).name)
+
+    _any_passes(partial(check, version) for version in _versions(run, statement))
+
+
+def _unsent(run: Run, statement: st.Publish) -> None:
+    node, message = run.checks.node(statement), _message(run, statement)
+    message = run.messages.for_version(message, run.checks.version_of(node))
+    check_unsent(run, statement, node, message)
+
+
+def _rate(_: Run, statement: st.Publish) -> None:
+    rate_of(statement)
+
+
+def _function(run: Run, statement: st.Subscribe | st.ProvidesService) -> None:
+    run.checks.function_name(statement, run.workspace.nodes.get(statement.node))
+
+
+def _unheard(run: Run, statement: st.Subscribe) -> None:
+    check_unheard(run, statement, run.checks.node(statement))
+
+
+def _callback(run: Run, statement: st.Subscribe) -> None:
+    check_callback(run, statement, run.checks.node(statement))
+
+
+def _unprovided(run: Run, statement: st.ProvidesService) -> None:
+    check_unprovided(run, statement, run.checks.node(statement))
+
+
+def _handler(run: Run, statement: st.ProvidesService) -> None:
+    node = run.checks.node(statement)
+    check_handler(run, statement, node, None)
+    type_ = _named_type(run, statement, run.checks.version_of(node))
+    check_handler(run, statement, node, type_.name)
+
+
+def _renamed(_: Run, statement: st.Rename) -> None:
+    kinds_of(statement)
+
+
+def _old(run: Run, statement: st.Rename) -> None:
+    kinds_having(run, statement, run.checks.node(statement), kinds_of(statement))
+
+
+def _new(run: Run, statement: st.Rename) -> None:
+    meant = RENAMED.get(statement.what)
+    # A name that no kind of thing may have is wrong whatever is meant.
+    kinds = [each[0] for each in RENAMED.values()] if meant is None else meant[:1]
+    _any_passes(
+        partial(run.checks.name, statement, "new", statement.new, version, kind.facts.check_name)
+        for kind in kinds
+        for version in _versions(run, statement)
+    )
+
+
+_CHECKS: dict[type[Statement], tuple[_Check, ...]] = {
+    st.CreateNode: (_node_name, _variable, _library),
+    st.Load: (_variable,),
+    st.CreateMessage: (_variable, _created),
+    st.Publish: (_node, _message, _name, _unsent, _type, _sent, _agreement, _rate),
+    st.Subscribe: (_node, _name, _unheard, _type, _agreement, _function, _callback),
+    st.ProvidesService: (_node, _name, _unprovided, _type, _agreement, _function, _handler),
+    st.ClientRequests: (_node, _name, _type, _agreement, _request),
+    st.Rename: (_node, _renamed, _old, _new),
+    st.GenerateNode: (_node, _work, _library),
+}
+"""What is looked at in each statement that may have several mistakes.
+
+Of two mistakes at one place the one of the earlier check is told."""

@@ -1,0 +1,134 @@
+"""Statements with several mistakes: each independent one is told, once."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import pytest
+from workspaces import LIBRARIES, FakeReader, catalog, endpoint, marked, source
+
+from plastron_tui.language import Document, lower
+from plastron_tui.language.declaration import DECLARATIONS
+from plastron_tui.model.context import Setting
+from plastron_tui.model.interpreter import interpret
+from plastron_tui.model.source import EndpointKind
+
+BEFORE = """\
+create_node 'node' as n
+create_node 'other' as o
+create_node 'idle' as i
+create_message m of message_type String and input "hi"
+o publish m to 'text' of message_type String
+subscribe n to 'heard' of message_type String calling hear
+n publish m to 'sent' of message_type String
+n provides_service 'given' of service_type Trigger calling give
+load driver as t
+"""
+
+SLOTS: dict[str, dict[str, list[str]]] = {
+    # Each slot: what is right first, then what is wrong, each alone.
+    "create_node {} as {} using {}": {
+        "'new'": ["'a b'", "'node'"],
+        "k": ["n", "_k"],
+        "rospy": ["rospi"],
+    },
+    "load {} as {}": {"driver": ["'nowhere.py'"], "k": ["n", "_k"]},
+    "create_message {} of message_type {} and input {}": {
+        "k": ["n", "_k"],
+        "String": ["Sting"],
+        '"a"': [],
+    },
+    "generate_node {} using {}": {"n": ["x", "i"], "rospy": ["rospi"]},
+    "subscribe {} to {} of message_type {} calling {}": {
+        "n": ["x"],
+        "'a'": ["'a b'", "'heard'"],
+        "String": ["Sting"],
+        "f": ["class", "give"],
+    },
+    "subscribe n to 'text' of message_type {} calling {}": {
+        "String": ["Int32"],
+        "f": ["class", "give"],
+    },
+    "{} provides_service {} of service_type {} calling {}": {
+        "n": ["x"],
+        "'a'": ["'a b'", "'given'"],
+        "SetBool": ["Sting"],
+        "f": ["class", "hear"],
+    },
+    "{} client_requests {} of service_type {} with input none": {
+        "n": ["x"],
+        "'a'": ["'a b'"],
+        "Trigger": ["Sting"],
+    },
+    "{} client_requests {} of service_type SetBool with input {}": {
+        "n": ["x"],
+        "'a'": ["'a b'"],
+        "True": ["1"],
+    },
+    "{} publish {} to {} of message_type {} at {} hz": {
+        "n": ["x"],
+        "m": ["y"],
+        "'a'": ["'a b'", "'sent'"],
+        "String": ["Sting", "Int32"],
+        "1": ["0"],
+    },
+    "{} renames {} {} to {}": {
+        "t": ["x"],
+        "topic": ["thing"],
+        "'scan'": ["'nope'"],
+        "'c'": ["'c d'"],
+    },
+}
+
+FOLLOWING = {
+    # What needs what is wrong itself.
+    frozenset({"x", "'heard'"}), frozenset({"x", "'given'"}), frozenset({"x", "'sent'"}),
+    frozenset({"y", "'sent'"}), frozenset({"y", "Int32"}), frozenset({"x", "give"}),
+    frozenset({"x", "hear"}), frozenset({"x", "'nope'"}), frozenset({"thing", "'nope'"}),
+}  # fmt: skip
+
+
+def _mistakes(line: str) -> list[str]:
+    """Return the texts that are marked in a line behind a program without mistakes."""
+    driver = source(endpoint(EndpointKind.SUBSCRIPTION, "scan", "sensor_msgs/LaserScan"))
+    setting = Setting("rospy", LIBRARIES, catalog, FakeReader({"driver": driver}))
+    text = BEFORE + line + "\n"
+    found = interpret(lower(Document(text.encode())), setting).diagnostics
+    return [marked(text, each) for each in found]
+
+
+def _cases() -> list[tuple[str, ...]]:
+    cases = []
+    for sentence, slots in SLOTS.items():
+        for one, two in combinations(slots, 2):
+            for a in slots[one]:
+                for b in slots[two]:
+                    line = sentence.format(*({one: a, two: b}.get(each, each) for each in slots))
+                    alone = (
+                        sentence.format(*({slot: bad}.get(each, each) for each in slots))
+                        for slot, bad in ((one, a), (two, b))
+                    )
+                    if frozenset({a, b}) not in FOLLOWING:
+                        cases.append((line, *alone))
+    return cases
+
+
+CASES = _cases()
+
+
+@pytest.mark.parametrize(("line", "first", "second"), CASES, ids=[case[0] for case in CASES])
+def test_two_mistakes_are_told_as_each_alone(line: str, first: str, second: str) -> None:
+    alone = [_mistakes(first), _mistakes(second)]
+    assert [len(found) for found in alone] == [1, 1]
+    assert _mistakes(line) == alone[0] + alone[1]
+
+
+def test_every_sentence_is_right_without_the_mistakes() -> None:
+    for sentence, slots in SLOTS.items():
+        assert _mistakes(sentence.format(*slots)) == [], sentence
+
+
+def test_every_statement_with_several_slots_is_in_the_table() -> None:
+    words = {word for sentence in SLOTS for word in sentence.split()}
+    for declaration in DECLARATIONS.values():
+        assert declaration.keyword in words or declaration.undoes is not None
