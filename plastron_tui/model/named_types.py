@@ -105,6 +105,6 @@ class NamedTypes:
     ) -> MessageValue:
         """Return the values of a statement as a message of a type."""
         value = self.fitters[version].fit(type_, statement)
-        if isinstance(value, Diagnostic):
-            raise Mistake(value)
+        if isinstance(value, tuple):
+            raise Mistake(*value)
         return value

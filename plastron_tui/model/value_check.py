@@ -62,40 +62,43 @@ class Fitter:
         self._leaves: dict[InterfaceName, Leaves | None] = {}
         # By identity, which the values keep as long as they stand here too.
         self._fitted: dict[int, tuple[Input, Interface, MessageValue]] = {}
+        self._misfits: list[Diagnostic] = []
         self._earlier: dict[int, tuple[Input, Interface, MessageValue]] = {}
         if earlier is not None and earlier._catalog is catalog:
             self._earlier = earlier._fitted
 
     def fit(
         self, type_: Interface, statement: CreateMessage | ClientRequests
-    ) -> MessageValue | Diagnostic:
-        """Return the checked value of a statement's input, or the first thing that does not fit."""
+    ) -> MessageValue | tuple[Diagnostic, ...]:
+        """Return the checked value of a statement's input, or all that does not fit."""
         values = statement.input
         if not values:
             return MessageValue(type_.name, {})
         known = self._earlier.get(id(values))
         if known is None or known[0] is not values or known[1] is not type_:
             found = self._fit(type_, statement)
-            if isinstance(found, Diagnostic):
+            if self._misfits:
                 # Values know where they stood when they were parsed.
-                return found.moved(statement.shift)
+                return tuple([each.moved(statement.shift) for each in self._misfits])
             known = values, type_, found
         self._fitted[id(values)] = known
         return known[2]
 
-    def _fit(
-        self, type_: Interface, statement: CreateMessage | ClientRequests
-    ) -> MessageValue | Diagnostic:
+    def _fit(self, type_: Interface, statement: CreateMessage | ClientRequests) -> MessageValue:
+        """Return the value of a statement's input, without what is noted as a misfit."""
+
         def where() -> Span:
             return span(statement.syntax.child_by_field_name("input") or statement.syntax)
 
+        self._misfits = []
         try:
             return self._message(type_.name, type_.fields, statement.input, where)
         except Misfit as misfit:
             found = misfit.diagnostic
             if not type_.fields and found.code == codes.WRONG_NUMBER_OF_VALUES:
-                return found._replace(fix=write("none", where()))
-            return found
+                found = found._replace(fix=write("none", where()))
+            self._misfits.append(found)
+            return MessageValue(type_.name, {})
 
     def _message(
         self, name: InterfaceName, fields: Sequence[Field], values: Sequence[Argument], where: Where
@@ -148,12 +151,14 @@ class Fitter:
         positional: Sequence[InputValue],
     ) -> MessageValue:
         pairs: list[_AtPath] = []
+        is_after_name = False
         for index, value in enumerate(values):
             if isinstance(value, NamedArgument):
                 pairs.append((value.path, value.value, value.syntax))
+                is_after_name = True
             elif index >= len(fields):
                 raise Misfit(wrong_count(name, fields, None, len(positional), span(value.syntax)))
-            elif index > 0 and isinstance(values[index - 1], NamedArgument):
+            elif is_after_name:
                 raise Misfit(
                     Diagnostic(
                         codes.VALUE_AFTER_NAMED,
@@ -178,29 +183,22 @@ class Fitter:
         deeper: dict[str, list[_AtPath]] = {}
         for path, value, syntax in pairs:
             head, *rest = path
+            length = len(path)
             field = by_name.get(head)
             if field is None:
-                where = path_span(syntax, len(path))
                 leaves = partial(self._leaves_of, name, fields)
-                raise Misfit(unknown_field(name, head, tuple(by_name), where, leaves))
-            if head in direct or (not rest and head in deeper):
-                raise Misfit(
-                    Diagnostic(
-                        codes.DUPLICATE_FIELD,
-                        f"`{head}` has a value already",
-                        path_span(syntax, len(path)),
-                    )
-                )
-            if not rest:
+                where = path_span(syntax, length)
+                self._misfits.append(unknown_field(name, head, tuple(by_name), where, leaves))
+            elif head in direct or (not rest and head in deeper):
+                what = f"`{head}` has a value already"
+                where = path_span(syntax, length)
+                self._misfits.append(Diagnostic(codes.DUPLICATE_FIELD, what, where))
+            elif not rest:
                 direct[head] = self._value(field.type, value, head)
             elif field.type.is_array or not self._has_parts(field.type):
-                raise Misfit(
-                    Diagnostic(
-                        codes.UNKNOWN_FIELD,
-                        f"`{head}` is of type `{field.type}` and has no fields",
-                        path_span(syntax, len(rest)),
-                    )
-                )
+                what = f"`{head}` is of type `{field.type}` and has no fields"
+                where = path_span(syntax, len(rest))
+                self._misfits.append(Diagnostic(codes.UNKNOWN_FIELD, what, where))
             else:
                 deeper.setdefault(head, []).append((tuple(rest), value, syntax))
         for head, inner in deeper.items():
@@ -215,14 +213,26 @@ class Fitter:
         if field.type.message is None:
             time = NestedValue(tuple([NamedArgument(*pair) for pair in pairs]), syntax)
             return self._value(field.type, time, field.name)
-        nested = self._nested_type(field.type, syntax)
+        try:
+            nested = self._nested_type(field.type, syntax)
+        except Misfit as misfit:
+            self._misfits.append(misfit.diagnostic)
+            return ()
         return self._by_path(nested.name, nested.fields, pairs)
 
     def _value(self, type_: FieldType, value: InputValue, field: str) -> Value:
-        if type_.is_array:
-            return self._array(type_, value, field)
-        if type_.package is not None:
-            return self._nested(type_, value, field)
+        """Return the value of a field; what does not fit is noted, and any value stands for it."""
+        try:
+            if type_.is_array:
+                return self._array(type_, value, field)
+            if type_.package is not None:
+                return self._nested(type_, value, field)
+            return self._scalar(type_, value, field)
+        except Misfit as misfit:
+            self._misfits.append(misfit.diagnostic)
+            return ()
+
+    def _scalar(self, type_: FieldType, value: InputValue, field: str) -> Value:
         wanted = primitive(type_.name, self._catalog.ros_version)
         if wanted is not None and wanted.parts and isinstance(value, NestedValue):
             return time_parts(type_, value, field)

@@ -38,6 +38,19 @@ SLOTS: dict[str, dict[str, list[str]]] = {
         "String": ["Sting"],
         '"a"': [],
     },
+    "create_message {} of message_type Point and input {}, {}": {
+        "k": ["n", "_k"],
+        "x=1": ["q=1"],
+        "z=1": ['z="s"', "w=1"],
+    },
+    "create_message k of message_type Twist and input {}, {}": {
+        "linear.x=1": ["linear.q=1", "linear=(q=1)"],
+        "angular.z=1": ["angular.z.y=1", "angular.z=True", "angular=1"],
+    },
+    "create_message k of message_type Int32MultiArray and input data=[{}, {}]": {
+        "1": ["True"],
+        "2": ['"a"'],
+    },
     "generate_node {} using {}": {"n": ["x", "i"], "rospy": ["rospi"]},
     "subscribe {} to {} of message_type {} calling {}": {
         "n": ["x"],
