@@ -181,16 +181,27 @@ def _misspelt(one: list[_User], other: list[_User], program: Program) -> Diagnos
         for each in program.statements
         if names.get(getattr(each, "node", "")) == spelled(getattr(each, slot, ""))
     ]
-    fix = Fix(f"write `'{name}'`", tuple(Edit(place, f"'{name}'") for place in places))
+    edits = tuple(Edit(place, f"'{name}'") for place in places)
     is_stated = bool(stated and places)
+    fix = Fix(f"write `'{name}'`", edits) if is_stated else None
+    if not is_stated and all(user.place for user in wrong):
+        of_each_node = {user.node.variable: user for user in wrong}.values()
+        renamings = tuple(_renaming(user, name) for user in of_each_node)
+        fix = Fix(f"rename it to `'{name}'`", renamings + edits)
     return Diagnostic(
         codes.MISSPELT_NAME,
         f"{_use(first)}, and {_use(right)}",
         places[0] if is_stated else first.span,
         help=f"did you mean `{name}`?",
-        fix=fix if is_stated else None,
+        fix=fix,
         labels=(Label(right.span, "the other name"),),
     )
+
+
+def _renaming(user: _User, name: str) -> Edit:
+    """Return the edit that renames what a node has of a file, in a line behind its `load`."""
+    what, old, end = user.kind.facts.named, user.endpoint.name, user.node.span.end
+    return Edit(Span(end, end), f"\n{user.node.variable} renames {what} '{old}' to '{name}'")
 
 
 def _use(user: _User) -> str:

@@ -132,7 +132,27 @@ def test_a_slip_in_a_file_is_told_with_its_line() -> None:
     (found,) = run("load one as a\nload odd as b\n", reader=READER).diagnostics
     assert found.code == "misspelt-name"
     assert "`b` subscribes to `scann` in line 1 of `driver.py`" in found.message
-    assert found.fix is None
+
+
+RENAMED = {
+    "load one as a\nload odd as b\n": "load one as a\nload odd as b\n"
+    "b renames topic 'scann' to 'scan'\n",
+    "load odd as b\nload one as a\ngenerate_node a": "load odd as b\nload one as a\n"
+    "a renames topic 'scan' to 'scann'\ngenerate_node a",
+    "load one as a\nload odd as b\nload odd as c": "load one as a\nload odd as b\n"
+    "b renames topic 'scann' to 'scan'\nload odd as c\nc renames topic 'scann' to 'scan'",
+}
+
+
+@pytest.mark.parametrize("text", RENAMED)
+def test_a_name_of_a_file_is_mended_by_a_line_behind_its_load(text: str) -> None:
+    (found,) = run(text, reader=READER).diagnostics
+    assert found.fix is not None
+    mended = text
+    for edit in sorted(found.fix.edits, reverse=True):
+        mended = mended[: edit.span.start] + edit.text + mended[edit.span.end :]
+    assert mended == RENAMED[text]
+    assert codes(mended, reader=READER) == []
 
 
 def test_a_guess_is_shown_and_no_ground_for_a_warning() -> None:
