@@ -168,7 +168,8 @@ changes of all that a program loads from one file are written to one file.
 
 No node gets the name of a file that Python, pytest, a shell or git runs by itself (`conftest.py`,
 `usercustomize.py`, `test_….py`, `.bashrc`), or of a module that nodes import (`rospy.py`), unless it
-is written over the file it came from.
+is written over the file it came from. Only a node that the program creates may be called a test:
+pytest can import its file, for nothing of it runs then.
 
 A program may be generated as often as you like: what it loads and wrote itself stands for what it
 started from at first, with what was changed by hand since ([more](commands.md#plastron-generate)).
