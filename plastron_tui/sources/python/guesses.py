@@ -46,8 +46,9 @@ def guessed_parameter(
 def is_star_guess(bare: str, modules: list[str], distribution: str) -> bool:
     """Whether a name that a module imported whole seems to bring in may be of something else.
 
-    Python takes the last module that has it. A module that nothing is known of may have it, and
-    where none is known to, so may a package that the catalog knows to have such a type.
+    Python takes the last module that has it. A package of types that nothing is known of may have
+    it. Where none is known to, so may any other module, or a package that the catalog knows to have
+    such a type.
     """
     known = index(distribution)
     listed = {(name.package, kind) for kind in _KINDS for name in known.names[kind]}
@@ -57,9 +58,7 @@ def is_star_guess(bare: str, modules: list[str], distribution: str) -> bool:
     for module in modules:
         package, dot, kind = module.partition(".")
         if not (dot and kind in _KINDS):
-            if package not in _WITHOUT_TYPES:
-                others += 1
-                is_last = False
+            others += package not in _WITHOUT_TYPES
             continue
         place = package, InterfaceKind(kind)
         packages.append(place)

@@ -26,7 +26,7 @@ FILES = {
     f"import rospy\nfrom zephyr.msg import *\n{USE}": True,
     f"import rospy\nfrom zephyr.msg import *\nfrom helpers import *\n{USE}": True,
     # Python takes the last module that has a name.
-    f"import rospy\nfrom std_msgs.msg import *\nfrom helpers import *\n{USE}": True,
+    f"import rospy\nfrom std_msgs.msg import *\nfrom helpers import *\n{USE}": False,
     f"import rospy\nfrom helpers import *\nfrom std_msgs.msg import *\n{USE}": False,
     f"import rospy\nfrom std_msgs.msg import *\nfrom zephyr.msg import *\n{USE}": True,
     f"import rospy\nfrom zephyr.msg import *\nfrom std_msgs.msg import *\n{USE}": False,
