@@ -46,7 +46,7 @@ class Merged(NamedTuple):
     Attributes:
         files: the files with the program's changes, None where the merge is refused.
         reason: why it is refused, to follow "the file was changed by hand, and".
-        notes: warnings: where program and file now differ.
+        notes: warnings: where program and file now differ, or would.
         unsent: warnings: what is sent in the program, and not from the file.
         lost: warnings: what was written by hand and is gone.
     """
@@ -89,7 +89,7 @@ def merge(
     try:
         return merge.result()
     except _RefusedError as refused:
-        return Merged(None, str(refused))
+        return Merged(None, str(refused), tuple(merge.notes))
 
 
 @dataclass(slots=True)
@@ -121,6 +121,10 @@ class _Merge:
         for key in dict.fromkeys((*base, *wanted, *(file if self.base is None else ()))):
             if key not in renamed and key not in renamed.values():
                 self._decide(key, base.get(key), wanted.get(key), file.get(key, []))
+        for change in self.updates:
+            before = base[change.kind, change.name]
+            if before.type != change.endpoint.type:
+                self._check_sending(change, before)
         sending: list[Change] = []
         for key, found in self.resends.items():
             if self._is_untouched(key, base[key]):
@@ -276,6 +280,21 @@ class _Merge:
         self.updates.append(self._updated(key, wanted))
         self.cut += found
 
+    def _check_sending(self, change: Update, base: Endpoint) -> None:
+        """Refuse to send from other lines than those that somebody changed.
+
+        What was written there, a condition for instance, would no longer count.
+        """
+        edited = self.target.edit(self.source, [change], self.catalog)
+        read = None if edited.files is None else self._read(edited.files)
+        if not _sends(base) or read is None:
+            return
+        is_anew = any(each.code == codes.WRITTEN_ANEW for each in edited.diagnostics)
+        more = len(_rates(change.endpoint) - _rates(base))
+        if is_anew or _timers(read) > _timers(self.source) + more:
+            name = _name((change.kind, change.name))
+            raise _RefusedError(f"so were the lines that send through the {name}")
+
     def _change_callback(
         self, key: EndpointKey, base: Endpoint, wanted: Endpoint, found: list[SourceEndpoint]
     ) -> None:
@@ -376,6 +395,14 @@ def _sends(endpoint: Endpoint) -> object:
             return list(sent)
         case _:
             return None
+
+
+def _rates(endpoint: Endpoint) -> set[float]:
+    return {x.rate for x in endpoint.publications} if isinstance(endpoint, Publisher) else set()
+
+
+def _timers(source: SourceUnit) -> int:
+    return sum(each.kind is EndpointKind.TIMER for each in source.endpoints)
 
 
 def _name(key: EndpointKey) -> str:

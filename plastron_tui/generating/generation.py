@@ -279,7 +279,7 @@ class _Creation:
         base, node = None if known is None else recall(known), self.generation.node
         merged = merge(read.source, base, node, target, catalog)
         made = None if base is None else target.render(base, catalog).files
-        if base is None or made is None or merged.is_whole:
+        if base is None or made is None:
             return merged
         sides = Sides(path, made, mine, present)
         return merge_created(merged, sides, (node, base), self.library)

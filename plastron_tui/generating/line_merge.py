@@ -6,22 +6,28 @@ program and hands want, there is no merge by lines.
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+from plastron_tui.model.kinds import EDITABLE
 from plastron_tui.model.source import FileSet, SourceUnit
 from plastron_tui.model.workspace import Node
 from plastron_tui.output.merge3 import merge_files
 
 from .endpoint_merge import Merged, call_sites, merge
-from .language_checks import is_worse
+from .language_checks import is_worse, mentions
+from .lost_lines import lost_lines, tell_lost
 
 if TYPE_CHECKING:
     from plastron_tui.targets.base import Target
 
     from .apply_changes import Library
+
+
+_NAME = re.compile(rb"[A-Za-z_]\w*", re.ASCII)
 
 
 class Sides(NamedTuple):
@@ -41,7 +47,11 @@ class Sides(NamedTuple):
 
 
 def merge_lines(
-    sides: Sides, nodes: Sequence[tuple[Node, Node | None]], target: Target
+    sides: Sides,
+    nodes: Sequence[tuple[Node, Node | None]],
+    target: Target,
+    *,
+    side_by_side: bool = False,
 ) -> FileSet | None:
     """Merge lines, and return files that hold what they are to hold, None where that fails.
 
@@ -50,9 +60,10 @@ def merge_lines(
         nodes: the nodes of the files as the program has them, each with what it had before; none
             where nothing is known but that the files can be read.
         target: the client library.
+        side_by_side: whether lines that follow each other may be changed by one side each.
     """
     path, base, mine, before = sides
-    files = merge_files(base, mine, before)
+    files = merge_files(base, mine, before, side_by_side=side_by_side)
     if files is None or is_worse(target.language, files, before, mine):
         return None
     merged, *others = (target.read(path, each).source for each in (files, before, mine))
@@ -65,7 +76,9 @@ def merge_lines(
 def merge_created(
     merged: Merged, sides: Sides, node: tuple[Node, Node], library: Library
 ) -> Merged:
-    """Merge the lines of a created node's file, where endpoints left something out.
+    """Merge the lines of a created node's file, where endpoints refuse or leave something out.
+
+    What is left out all the same is told.
 
     Args:
         merged: what endpoints made of it.
@@ -73,23 +86,55 @@ def merge_created(
         node: the node as the program has it, and what it had before.
         library: what it is written for.
     """
+    merged = tell_lost_in(merged, sides, library.target)
+    if merged.files is not None and merged.is_whole:
+        return merged
+    files = _by_lines(merged, sides, node, library)
+    return merged if files is None else Merged(files, notes=merged.notes)
+
+
+def tell_lost_in(merged: Merged, sides: Sides, target: Target) -> Merged:
+    """Add a warning for each line written by hand that a merge does not keep."""
+    if merged.files is None:
+        return merged
+    lost = lost_lines(sides.base, sides.before, merged.files)
+    source = target.read(sides.path, sides.before).source if lost else None
+    told = () if source is None else tell_lost(sides.path, source, lost)
+    return merged._replace(lost=(*merged.lost, *told))
+
+
+def _by_lines(
+    merged: Merged, sides: Sides, node: tuple[Node, Node], library: Library
+) -> FileSet | None:
+    """Merge lines into what the program asks for, None where that fails."""
     target, catalog = library
-    files = merge_lines(sides, [node], target)
-    if files is None or merged.files is None:
-        return merged
-    by_lines, by_endpoints = (
-        target.read(sides.path, each).source for each in (files, merged.files)
+    files = merge_lines(sides, [node], target, side_by_side=True)
+    if files is None or _has_stray_name(sides, files, target):
+        return None
+    by_lines = target.read(sides.path, files).source
+    if by_lines is None:
+        return None
+    if merged.files is None:
+        if node[0].endpoints.keys() != node[1].endpoints.keys():
+            return None
+    elif _sites(by_lines) != _sites(target.read(sides.path, merged.files).source):
+        return None
+    again = merge(by_lines, node[1], node[0], target, catalog)
+    return files if again.files == files else None
+
+
+def _has_stray_name(sides: Sides, files: FileSet, target: Target) -> bool:
+    """Tell whether handwork uses a name that the program wrote before, and no longer does."""
+    before, now = (
+        {word.decode() for _, text in each.texts for word in _NAME.findall(text)}
+        for each in (sides.base, sides.mine)
     )
-    if by_lines is None or _sites(by_lines) != _sites(by_endpoints):
-        return merged
-    if merge(by_lines, node[1], node[0], target, catalog).files != files:
-        return merged
-    return merged._replace(files=files, lost=(), unsent=())
+    return any(mentions(target.language, files, name) for name in before - now)
 
 
 def _sites(source: SourceUnit | None) -> Counter[tuple[object, ...]]:
-    """Return what a file creates, with types and callbacks."""
-    endpoints = () if source is None else source.endpoints
+    """Return what a file creates but timers, with types and callbacks."""
+    endpoints = [] if source is None else (x for x in source.endpoints if x.kind in EDITABLE)
     return Counter((x.kind, x.name, x.expression, x.type, x.callback) for x in endpoints)
 
 

@@ -18,7 +18,7 @@ from plastron_tui.output.patch_stack import Layer, Layers, digest_of
 
 from .apply_changes import Adaptation
 from .destination import Place, Writing, find_place, found_by
-from .line_merge import Sides, merge_lines
+from .line_merge import Sides, merge_lines, tell_lost_in
 from .node_files import NodeFiles, are_recorded
 from .user_edits import cover, kept_handwork, of_other_program, unmergeable
 
@@ -210,8 +210,10 @@ class Derivation:
             if read is None or node.source is None:
                 return merged._replace(files=None)
             made = merge(read.only(node.source.label), base, node, target, catalog)
-            merged = Merged(made.files, made.reason, (*merged.notes, *made.all_notes))
-        return merged
+            told = () if made.files is None else made.all_notes
+            merged = Merged(made.files, made.reason, (*merged.notes, *told))
+        merged = tell_lost_in(merged, sides, target)
+        return merged._replace(notes=merged.all_notes, lost=())
 
 
 def _asks_the_same(layer: Layer, known: Layer) -> bool:

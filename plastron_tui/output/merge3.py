@@ -30,6 +30,25 @@ class _Chunk(NamedTuple):
             return self.ours
         return self.theirs if self.ours == self.base else None
 
+    def side_by_side(self) -> _Lines | None:
+        """Return the lines where one side changed the first of them, and the other the rest.
+
+        What is ours has to be other lines instead of some: next to lines that go, or that are
+        new, what is theirs may have been written for them.
+        """
+        base, ours, theirs = self
+        for cut in range(len(base) + 1):
+            head, tail = base[:cut], base[cut:]
+            if head and ours[len(ours) - len(tail) :] == tail and theirs[:cut] == head:
+                mine, other = ours[: len(ours) - len(tail)], theirs[cut:]
+                if mine and other:
+                    return mine + other
+            if tail and theirs[len(theirs) - len(tail) :] == tail and ours[:cut] == head:
+                other, mine = theirs[: len(theirs) - len(tail)], ours[cut:]
+                if mine and other:
+                    return other + mine
+        return None
+
 
 class _Match(NamedTuple):
     """Lines of the base, from `start` to `end`, that another text has from `other` on."""
@@ -39,7 +58,9 @@ class _Match(NamedTuple):
     other: int
 
 
-def merge_files(base: FileSet, ours: FileSet, theirs: FileSet) -> FileSet | None:
+def merge_files(
+    base: FileSet, ours: FileSet, theirs: FileSet, *, side_by_side: bool = False
+) -> FileSet | None:
     """Return files with the changes of both sides, None where they touch the same lines.
 
     A file that one side does not have stays out only where the other left it as it was.
@@ -55,7 +76,7 @@ def merge_files(base: FileSet, ours: FileSet, theirs: FileSet) -> FileSet | None
         elif before is None or mine is None or other is None:
             return None
         else:
-            text = merge_lines(before, mine, other)
+            text = merge_lines(before, mine, other, side_by_side=side_by_side)
             if text is None:
                 return None
         if text is not None:
@@ -77,11 +98,18 @@ def replay_files(base: FileSet, changed: FileSet, onto: FileSet) -> FileSet:
     return replayed
 
 
-def merge_lines(base: bytes, ours: bytes, theirs: bytes) -> bytes | None:
-    """Return a text with the changes of both sides, None where they touch the same lines."""
+def merge_lines(
+    base: bytes, ours: bytes, theirs: bytes, *, side_by_side: bool = False
+) -> bytes | None:
+    """Return a text with the changes of both sides, None where they touch the same lines.
+
+    Lines that follow each other count as the same, unless they may stand `side_by_side`.
+    """
     merged: _Lines = []
     for chunk in _chunks(base, ours, theirs):
         lines = chunk.merged()
+        if lines is None and side_by_side:
+            lines = chunk.side_by_side()
         if lines is None:
             return None
         merged += lines
@@ -93,7 +121,7 @@ def replay(base: bytes, changed: bytes, onto: bytes) -> bytes:
 
     What was changed in lines that `onto` does not have is left out, and what was added below one.
     """
-    lines, new, target = _split(base), _split(changed), _split(onto)
+    lines, new, target = split_lines(base), split_lines(changed), split_lines(onto)
     places = {
         match.start + i: match.other + i
         for match in _matches(lines, target)
@@ -101,7 +129,7 @@ def replay(base: bytes, changed: bytes, onto: bytes) -> bytes:
     }
     merged: _Lines = []
     done = 0
-    for start, end, first, last in _changes(lines, new):
+    for start, end, first, last in changed_lines(lines, new):
         at = places.get(start) if start < end else places.get(start - 1, -1 if not start else None)
         is_there = all(places.get(i) == (at or 0) + i - start for i in range(start, end))
         if at is None or not is_there:
@@ -112,7 +140,7 @@ def replay(base: bytes, changed: bytes, onto: bytes) -> bytes:
     return b"".join(merged + target[done:])
 
 
-def _changes(base: _Lines, other: _Lines) -> Iterator[tuple[int, int, int, int]]:
+def changed_lines(base: _Lines, other: _Lines) -> Iterator[tuple[int, int, int, int]]:
     """Yield what differs: the lines from start to end of the base, and those of the other."""
     done = at = 0
     for start, end, first in [*_matches(base, other), _Match(len(base), len(base), len(other))]:
@@ -123,7 +151,7 @@ def _changes(base: _Lines, other: _Lines) -> Iterator[tuple[int, int, int, int]]
 
 def _chunks(base: bytes, ours: bytes, theirs: bytes) -> Iterator[_Chunk]:
     """Cut three texts where all of them have the same lines."""
-    lines = [_split(text) for text in (base, ours, theirs)]
+    lines = [split_lines(text) for text in (base, ours, theirs)]
     at = [0, 0, 0]
     ends = [len(each) for each in lines]
     for start, end, mine, other in [
@@ -136,7 +164,7 @@ def _chunks(base: bytes, ours: bytes, theirs: bytes) -> Iterator[_Chunk]:
         at = [end, mine + end - start, other + end - start]
 
 
-def _split(text: bytes) -> _Lines:
+def split_lines(text: bytes) -> _Lines:
     """Split a text at line feeds only."""
     lines = [line + b"\n" for line in text.split(b"\n")]
     last = lines.pop()[:-1]

@@ -35,6 +35,27 @@ def test_merge(base: str, ours: str, theirs: str, expected: str | None) -> None:
     assert merge_lines(text(base), text(theirs), text(ours)) == result
 
 
+SIDE_BY_SIDE = [
+    ("abcd", "aXcd", "abYd", "aXYd"),
+    ("abcd", "abXd", "aYcd", "aYXd"),
+    ("abcd", "aXcd", "abYcd", "aXYcd"),
+    ("abcd", "aXcd", "aYbcd", "aYXcd"),
+    ("abcd", "aXcd", "aYcd", None),
+    ("abcd", "acd", "abYd", None),  # lines that go: what follows them may have been theirs
+    ("abcd", "acd", "abYcd", None),
+    ("abcd", "aXbcd", "aYbcd", None),
+    ("abcd", "abXcd", "abYd", None),
+    ("abcd", "aXcd", "abd", None),
+]
+
+
+@pytest.mark.parametrize(("base", "ours", "theirs", "expected"), SIDE_BY_SIDE)
+def test_lines_side_by_side(base: str, ours: str, theirs: str, expected: str | None) -> None:
+    result = None if expected is None else text(expected)
+    assert merge_lines(text(base), text(ours), text(theirs), side_by_side=True) == result
+    assert merge_lines(text(base), text(ours), text(theirs)) is None
+
+
 REPLAYS = [
     ("abc", "abc", "xyz", "xyz"),
     ("abPc", "abPXc", "abc", "abc"),  # below a line that is not there
