@@ -15,12 +15,8 @@ from typing import NamedTuple
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.kinds import (
     EDITABLE,
-    Client,
     Endpoint,
     EndpointKey,
-    Publisher,
-    Service,
-    Subscription,
     callback_of,
 )
 from plastron_tui.model.source import (
@@ -29,6 +25,7 @@ from plastron_tui.model.source import (
     EndpointKind,
     FileSet,
     Remove,
+    Rename,
     SourceEndpoint,
     SourceUnit,
     Update,
@@ -37,6 +34,16 @@ from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets.base import Target
 
+from .call_sites import (
+    call_sites,
+    count_timers,
+    has_type,
+    rates,
+    sends,
+    shown_lines,
+    shown_name,
+    with_callback,
+)
 from .language_checks import definitions, mentions
 
 
@@ -101,6 +108,7 @@ class _Merge:
     node: Node
     target: Target
     catalog: Catalog
+    renames: list[Change] = field(default_factory=list)
     adds: list[Change] = field(default_factory=list)
     updates: list[Update] = field(default_factory=list)
     removes: list[Change] = field(default_factory=list)
@@ -123,15 +131,17 @@ class _Merge:
                 self._decide(key, base.get(key), wanted.get(key), file.get(key, []))
         for change in self.updates:
             before = base[change.kind, change.name]
-            if before.type != change.endpoint.type:
-                self._check_sending(change, before)
+            if before.type != change.endpoint.type and self._sends_past(change, before):
+                name = shown_name((change.kind, change.name))
+                raise _RefusedError(f"so were the lines that send through the {name}")
         sending: list[Change] = []
         for key, found in self.resends.items():
-            if self._is_untouched(key, base[key]):
-                sending.append(self._updated(key, wanted[key]))
+            change = self._updated(key, wanted[key])
+            if self._is_untouched(key, base[key]) and not self._sends_past(change, base[key]):
+                sending.append(change)
             elif not self._is_untouched(key, wanted[key]):
                 self._tell_resend(key, found)
-        files = self._edited([*self.adds, *self.updates, *sending, *self.removes])
+        files = self._edited([*self.renames, *self.adds, *self.updates, *sending, *self.removes])
         self._check_callbacks(files)
         notes = (*self.notes, *self._orphans(files))
         return Merged(files, "", notes, tuple(self.unsent), self.lost)
@@ -160,7 +170,9 @@ class _Merge:
             for old, key in said:
                 found = file.get(old, [])
                 is_same = len(found) == 1 and base[old].type == wanted[key].type == found[0].type
-                is_sent = bool(_sends(base[old])) and not self._is_untouched(old, base[old])
+                is_sent = sends(base[old]) != sends(wanted[key]) and not self._is_untouched(
+                    old, base[old]
+                )
                 if is_same and key not in file and not is_sent:
                     renamed[old] = key
         return renamed
@@ -175,11 +187,15 @@ class _Merge:
         self, old: EndpointKey, base: Endpoint, wanted: Endpoint, found: SourceEndpoint
     ) -> None:
         """Give an endpoint of the file another name; what it calls stays, unless that differs."""
+        self.cut.append(found)
+        if sends(base) and sends(base) == sends(wanted):
+            # What was written around the lines that send stays there.
+            self.renames.append(Rename(*old, wanted.name, node=self.source.label))
+            return
         callback = found.callback
         if callback_of(wanted) == callback_of(base) and callback and callback.isidentifier():
-            wanted = _with_callback(wanted, callback)
+            wanted = with_callback(wanted, callback)
         self.updates.append(self._updated(old, wanted))
-        self.cut.append(found)
 
     def _check_callbacks(self, files: FileSet) -> None:
         """Refuse files in which a callback that holds handwork has got a twin."""
@@ -219,7 +235,7 @@ class _Merge:
         elif base is None:
             self._add(key, wanted, found)
         elif not found:
-            self._tell(f"the {_name(key)} was taken out by hand, and stays out")
+            self._tell(f"the {shown_name(key)} was taken out by hand, and stays out")
         else:
             self._update(key, base, wanted, found)
 
@@ -228,21 +244,29 @@ class _Merge:
         if not found:
             return
         if base is None:
-            raise _RefusedError(f"it has the {_name(key)}, which the program does not have")
+            raise _RefusedError(f"it has the {shown_name(key)}, which the program does not have")
         if len(found) > 1:
-            raise _RefusedError(f"the {_name(key)} is created in lines {_lines(found)}")
-        if not _has_type(found[0], base):
+            raise _RefusedError(f"the {shown_name(key)} is created in lines {shown_lines(found)}")
+        if not has_type(found[0], base):
             raise _RefusedError(
-                f"the {_name(key)}, which the program no longer has, is of type "
+                f"the {shown_name(key)}, which the program no longer has, is of type "
                 f"`{found[0].type}` in line {found[0].line}"
             )
-        self.removes.append(Remove(*key, node=self.source.label))
+        remove = Remove(*key, node=self.source.label)
+        self.removes.append(remove)
         self.cut += found
+        # Whose timer it is that does other things as well is known of created nodes only.
+        timers = len(rates(base)) if self.node.source is None else 0
+        files = self.target.edit(self.source, [remove], self.catalog).files if timers else None
+        read = None if files is None else self._read(files)
+        if read is not None and count_timers(read) > max(0, count_timers(self.source) - timers):
+            message = f"a timer that sent through the {shown_name(key)} is kept, and sends no more"
+            self._tell(message, found[0])
 
     def _add(self, key: EndpointKey, wanted: Endpoint, found: list[SourceEndpoint]) -> None:
         if not found:
             self.adds.append(Add(wanted, self.source.label))
-        elif not all(_has_type(each, wanted) for each in found):
+        elif not all(has_type(each, wanted) for each in found):
             raise _RefusedError(self._differing(key, wanted, found))
 
     def _update(
@@ -251,14 +275,14 @@ class _Merge:
         """Bring an endpoint that all three have up to date."""
         if base.type != wanted.type:
             self._change_type(key, base, wanted, found)
-        elif not all(_has_type(each, wanted) for each in found):
+        elif not all(has_type(each, wanted) for each in found):
             self._tell(
-                f"the {_name(key)} is of type `{found[0].type}` by hand, not `{wanted.type}`",
+                f"the {shown_name(key)} is of type `{found[0].type}` by hand, not `{wanted.type}`",
                 found[0],
             )
         elif callback_of(wanted) not in {None, callback_of(base), found[0].callback}:
             self._change_callback(key, base, wanted, found)
-        elif _sends(wanted) != _sends(base):
+        elif sends(wanted) != sends(base):
             self.resends[key] = found[0]
 
     def _change_type(
@@ -267,33 +291,31 @@ class _Merge:
         if all(each.type == wanted.type for each in found):
             return
         if len(found) > 1:
-            raise _RefusedError(f"the {_name(key)} is created in lines {_lines(found)}")
-        if not _has_type(found[0], base):
+            raise _RefusedError(f"the {shown_name(key)} is created in lines {shown_lines(found)}")
+        if not has_type(found[0], base):
             raise _RefusedError(self._differing(key, wanted, found))
         callback = found[0].callback
         if callback is not None and callback.isidentifier() and callback_of(wanted) is None:
             # What was written in the callback goes on being called.
-            wanted = _with_callback(wanted, callback)
+            wanted = with_callback(wanted, callback)
             if self._stays(callback, Remove(*key, node=self.source.label)):
                 message = f"`{callback}` was written for `{base.type}`, and gets `{wanted.type}`"
                 self._tell(message, found[0])
         self.updates.append(self._updated(key, wanted))
         self.cut += found
 
-    def _check_sending(self, change: Update, base: Endpoint) -> None:
-        """Refuse to send from other lines than those that somebody changed.
+    def _sends_past(self, change: Update, base: Endpoint) -> bool:
+        """Tell whether an update sends from other lines than those that somebody changed.
 
         What was written there, a condition for instance, would no longer count.
         """
         edited = self.target.edit(self.source, [change], self.catalog)
         read = None if edited.files is None else self._read(edited.files)
-        if not _sends(base) or read is None:
-            return
+        if not sends(base) or read is None:
+            return False
         is_anew = any(each.code == codes.WRITTEN_ANEW for each in edited.diagnostics)
-        more = len(_rates(change.endpoint) - _rates(base))
-        if is_anew or _timers(read) > _timers(self.source) + more:
-            name = _name((change.kind, change.name))
-            raise _RefusedError(f"so were the lines that send through the {name}")
+        more = max(0, len(rates(change.endpoint)) - len(rates(base)))
+        return is_anew or count_timers(read) > count_timers(self.source) + more
 
     def _change_callback(
         self, key: EndpointKey, base: Endpoint, wanted: Endpoint, found: list[SourceEndpoint]
@@ -301,7 +323,7 @@ class _Merge:
         is_own = callback_of(base) in {None, found[0].callback}
         if len(found) > 1 or not is_own:
             message = (
-                f"the {_name(key)} calls another function by hand than `{callback_of(wanted)}`"
+                f"the {shown_name(key)} calls another function by hand than `{callback_of(wanted)}`"
             )
             self._tell(message, found[0])
             return
@@ -309,9 +331,9 @@ class _Merge:
         self.cut += found
 
     def _differing(self, key: EndpointKey, wanted: Endpoint, found: list[SourceEndpoint]) -> str:
-        other = next(each for each in found if not _has_type(each, wanted))
+        other = next(each for each in found if not has_type(each, wanted))
         return (
-            f"the {_name(key)} is of type `{other.type}` in line {other.line}, "
+            f"the {shown_name(key)} is of type `{other.type}` in line {other.line}, "
             f"but of type `{wanted.type}` in the program"
         )
 
@@ -344,7 +366,7 @@ class _Merge:
 
     def _tell_resend(self, key: EndpointKey, found: SourceEndpoint) -> None:
         what = "calls" if key[0] is EndpointKind.CLIENT else "messages"
-        message = f"the {what} of the {_name(key)} are changed in the program only"
+        message = f"the {what} of the {shown_name(key)} are changed in the program only"
         self.unsent.append(self._note(message, found))
 
     def _tell(self, message: str, found: SourceEndpoint | None = None) -> None:
@@ -361,53 +383,3 @@ class _Merge:
             help=remedy
             or "change the file by hand; `--force --diff` shows what would be written anew",
         )
-
-
-def call_sites(source: SourceUnit) -> dict[EndpointKey, list[SourceEndpoint]]:
-    """Return the call sites of a file; a name from a parameter counts by its default."""
-    found: dict[EndpointKey, list[SourceEndpoint]] = {}
-    for endpoint in source.endpoints:
-        name = endpoint.name if endpoint.name is not None else endpoint.default
-        if name is not None and endpoint.kind in EDITABLE:
-            found.setdefault((endpoint.kind, name), []).append(endpoint)
-    return found
-
-
-def _has_type(found: SourceEndpoint, endpoint: Endpoint) -> bool:
-    """Tell whether a call site may be of an endpoint's type: a type that is not known may be."""
-    return found.type is None or found.type == endpoint.type
-
-
-def _with_callback(endpoint: Endpoint, name: str) -> Endpoint:
-    match endpoint:
-        case Subscription() | Service():
-            return endpoint._replace(callback=name)
-        case _:
-            return endpoint
-
-
-def _sends(endpoint: Endpoint) -> object:
-    """Return what is sent through an endpoint, and how often, to be compared."""
-    match endpoint:
-        case Publisher(publications=sent):
-            return [(each.rate, each.message.value) for each in sent]
-        case Client(requests=sent):
-            return list(sent)
-        case _:
-            return None
-
-
-def _rates(endpoint: Endpoint) -> set[float]:
-    return {x.rate for x in endpoint.publications} if isinstance(endpoint, Publisher) else set()
-
-
-def _timers(source: SourceUnit) -> int:
-    return sum(each.kind is EndpointKind.TIMER for each in source.endpoints)
-
-
-def _name(key: EndpointKey) -> str:
-    return f"{key[0].word} `{key[1]}`"
-
-
-def _lines(found: list[SourceEndpoint]) -> str:
-    return " and ".join(str(each.line) for each in found)

@@ -17,7 +17,8 @@ from plastron_tui.model.source import FileSet, SourceUnit
 from plastron_tui.model.workspace import Node
 from plastron_tui.output.merge3 import merge_files
 
-from .endpoint_merge import Merged, call_sites, merge
+from .call_sites import call_sites
+from .endpoint_merge import Merged, merge
 from .language_checks import is_worse, mentions
 from .lost_lines import lost_lines, tell_lost
 

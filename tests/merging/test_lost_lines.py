@@ -44,6 +44,43 @@ def test_lines_that_send_keep_what_stands_around_them(folder: Folder, edit: str)
     assert folder.file().read_text() == expected
 
 
+GUARD = "        if not self.enabled:  # mine\n            return\n"
+CHANGED = {
+    "type and rate": (
+        PUBLISH_INT + " at 4 hz",
+        [('String(data="hello")', "Int32(data=5)"), ("String", "Int32"), ("1 / 2", "1 / 4")],
+    ),
+    "name": (f"{PUBLISH} at 2 hz".replace("'a'", "'b'"), [('"a"', '"b"')]),
+    "one more message": (
+        f"{PUBLISH} at 2 hz\n{PUBLISH.replace('hello', 'bye')} at 2 hz",
+        [('"hello")\n', f'"hello")\n{SEND}        message = String(data="bye")\n')],
+    ),
+}
+
+
+@pytest.mark.parametrize("change", CHANGED)
+def test_nothing_is_sent_past_a_condition(folder: Folder, change: str) -> None:
+    after, expected = CHANGED[change]
+    folder.generate(KEEP, f"{PUBLISH} at 2 hz")
+    folder.edit("        message = String", f"{GUARD}        message = String")
+    text = folder.file().read_text()
+    outcome = folder.generate(KEEP, after)
+    assert len(outcome.warnings) == 1
+    for old, new in expected:
+        text = text.replace(old, new)
+    assert folder.file().read_text() == text
+
+
+@pytest.mark.parametrize("after", ["", PUBLISH_INT.replace("'a'", "'b'") + " at 2 hz"])
+def test_a_timer_that_is_kept_and_sends_no_more_is_told(folder: Folder, after: str) -> None:
+    folder.generate(KEEP, f"{PUBLISH} at 2 hz")
+    folder.edit("        message = String", f"{GUARD}        message = String")
+    outcome = folder.generate(KEEP, after)
+    told = "a timer that sent through the publisher `a` is kept, and sends no more"
+    assert f"merged-by-hand: {told}" in outcome.warnings
+    assert GUARD in folder.file().read_text()
+
+
 @pytest.mark.parametrize(
     ("old", "new"),
     [
