@@ -71,6 +71,17 @@ def test_nothing_is_sent_past_a_condition(folder: Folder, change: str) -> None:
     assert folder.file().read_text() == text
 
 
+def test_a_condition_stays_where_endpoints_are_added_too(folder: Folder) -> None:
+    folder.generate(KEEP, f"{PUBLISH} at 2 hz")
+    folder.edit(*SENDING["a condition"])
+    outcome = folder.generate(KEEP, f"{PUBLISH_INT} at 2 hz", SUBSCRIBE_INT)
+    assert (outcome.conflicts, len(outcome.warnings)) == ([], 1)
+    text = folder.file().read_text()
+    assert f"message = Int32(data=5)\n{SENDING['a condition'][1]}" in text
+    assert text.count("create_timer(") + text.count("rospy.Timer(") == 1
+    assert "self.on_a" in text
+
+
 @pytest.mark.parametrize("after", ["", PUBLISH_INT.replace("'a'", "'b'") + " at 2 hz"])
 def test_a_timer_that_is_kept_and_sends_no_more_is_told(folder: Folder, after: str) -> None:
     folder.generate(KEEP, f"{PUBLISH} at 2 hz")
