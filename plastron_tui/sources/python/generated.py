@@ -186,6 +186,11 @@ def is_calling_function(analysis: Analysis, function: Scope) -> bool:
     return True
 
 
+def is_own_helper(function: Scope) -> bool:
+    """Whether a function is the one that Plastron writes to call services with."""
+    return function.name == "call" and list(function.bindings)[1:3] == ["client", "request"]
+
+
 def is_own_call(analysis: Analysis, reference: Reference) -> bool:
     """Whether a use is `self.call(self.client, request)` with the method that Plastron writes."""
     arguments = reference.node.parent

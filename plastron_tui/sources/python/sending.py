@@ -17,6 +17,7 @@ from . import literals, naming
 from .addition import Addition
 from .conventions import leading_space, method_naming, variable_naming
 from .function_place import function_place, method_place
+from .generated import is_own_helper
 from .lifecycle import is_transition
 from .own_loop import is_sleep, own_block, statements_of, woken_loop
 from .removal import callback_scope
@@ -228,7 +229,7 @@ def _call_in_own_method(added: Addition, requests: list[str]) -> bool:
         return False
     methods = {scope.name: scope for scope in added.analysis.scopes.all if scope.parent is owner}
     caller, helper = methods.get("call_services"), methods.get("call")
-    if caller is None or helper is None or list(helper.bindings)[1:3] != ["client", "request"]:
+    if caller is None or helper is None or not is_own_helper(helper):
         return False
     block = caller.node.child_by_field_name("body")
     is_on_one_line = block is None or block.start_point.row == caller.node.start_point.row

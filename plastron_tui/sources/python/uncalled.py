@@ -11,6 +11,7 @@ from plastron_tui.model.source import Change, Remove, Update
 from .analysis import Analysis
 from .callers import count_words
 from .creation import line_of
+from .generated import is_own_helper
 from .nodes import part_of
 from .removal import definition, find_sites, function_uses
 from .scopes import Scope
@@ -36,7 +37,7 @@ def tell_uncalled(
     found = [
         each
         for each in _functions(after, words)
-        if _path(each) in called and not _has_uses(after, each)
+        if _path(each) in called and not _has_uses(after, each) and not is_own_helper(each)
     ]
     if not found:
         return None
