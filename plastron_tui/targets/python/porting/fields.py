@@ -76,7 +76,7 @@ def write_value(
 ) -> list[Splice] | None:
     """Make a value of the type that a field has; None where it may not be what it takes."""
     is_open = not is_sure and not some_plain(work, value) and value.type not in ("list", "tuple")
-    is_open = is_open and not _is_unchecked(type_)
+    is_open = is_open and not is_unchecked(type_)
     found = _AS_IT_IS if is_open else _value(work, value, type_)
     if found is None:
         return None if is_sure else []
@@ -89,7 +89,7 @@ def write_value(
     ]
 
 
-def _is_unchecked(type_: FieldType) -> bool:
+def is_unchecked(type_: FieldType) -> bool:
     """Tell whether rclpy reads whatever a field holds as the memory of a `float` or a `bool`.
 
     Source: the `convert_from_py` of `rosidl_generator_py`; a setter checks only where

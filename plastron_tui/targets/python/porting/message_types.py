@@ -178,9 +178,11 @@ def _of_bound(work: Work, binding: Binding) -> Section | None:
 
 
 def _of_parameter(work: Work, binding: Binding, function: Scope) -> Section | None:
-    if binding.index != bool(function.self_name):
-        return None
-    callers = _callers(work, function)
+    is_first = binding.index == bool(function.self_name)
+    callers = list(_callers(work, function)) if is_first else []
+    if not callers and binding.value is not None:
+        made = typed(work, binding.value) if binding.value.type == "call" else None
+        return made if isinstance(made, Section) else None
     types = {(site.endpoint.type, _HANDED[site.endpoint.kind]) for site in callers}
     if len(types) != 1:
         return None

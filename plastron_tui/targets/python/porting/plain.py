@@ -14,13 +14,15 @@ from plastron_tui.sources.python.splices import Splice
 from plastron_tui.sources.python.syntax import parts_of
 
 from .endpoints import site_of, visible_type
-from .fields import Given, fields_of, write_fields, write_value
+from .fields import Fields, Given, fields_of, is_unchecked, write_fields, write_value
 from .kinds import LIST, is_plain, kind_of, some_plain
 from .message_types import constructed, field_type, section_of
 from .port_state import Work
 
 _RESPONSE = "a handler of rclpy returns a response"
 _FUNCTIONS = ("function_definition", "lambda", "class_definition")
+_PATTERNS = ("pattern_list", "tuple_pattern", "list_pattern")
+_SEQUENCES = ("expression_list", "tuple", "list")
 
 
 def port_plain(work: Work) -> None:
@@ -76,6 +78,8 @@ def _port_message(work: Work, call: Node, callee: Node, arguments: Node) -> None
             put(work, splices)
         elif any(each.type != "dictionary_splat" for each in parts_of(arguments)):
             work.mark(call, f"{work.slice(callee)} takes keywords only", "name the fields")
+        else:
+            _port_splats(work, call, work.slice(callee), arguments, fields or {})
         return
     splices = write_fields(work, given, fields, is_sure=False) if fields is not None else []
     if splices is not None:
@@ -87,28 +91,57 @@ def _port_message(work: Work, call: Node, callee: Node, arguments: Node) -> None
         work.mark(call, f"{name} of {work.slice(callee)}", remedy)
 
 
+def _port_splats(work: Work, call: Node, class_: str, arguments: Node, fields: Fields) -> None:
+    """Make numbers of what `**{...}` gives; mark what may be given otherwise."""
+    for each in parts_of(arguments):
+        held = each.named_children[0]
+        given = _returned(work, held) if held.type == "dictionary" else None
+        splices = write_fields(work, given, fields, is_sure=False) if given is not None else None
+        if splices is not None:
+            put(work, splices)
+        elif any(type_ is not None and is_unchecked(type_) for type_ in fields.values()):
+            work.mark(call, f"the fields of {class_}", "a field of a number takes a `float` only")
+
+
 def _port_assignment(work: Work, node: Node) -> None:
     """Make a number what the field of a message asserts: `twist.linear.x = 1`."""
     left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
     if left is None or right is None or right.type == "assignment":
         return
-    targets = parts_of(left) if left.type in ("pattern_list", "tuple_pattern") else [left]
-    values = parts_of(right) if right.type in ("expression_list", "tuple") else [right]
-    if len(targets) == len(values):
-        for target, value in zip(targets, values, strict=True):
-            type_ = field_type(work, target)
-            splices = write_value(work, value, type_) if type_ is not None else []
-            if splices is None:
-                work.mark(node, work.slice(target), f"the field takes a `{type_}`")
-            put(work, splices or [])
+    _port_targets(work, node, left, right)
+
+
+def _port_targets(work: Work, node: Node, left: Node, right: Node) -> None:
+    """Make numbers of what is put into fields, through `v.x, (v.y, v.z) = 1, (2, 3)`."""
+    targets = parts_of(left) if left.type in _PATTERNS else [left]
+    values = parts_of(right) if right.type in _SEQUENCES else [right]
+    is_splat = any("splat" in each.type for each in (*targets, *values))
+    if left.type not in _PATTERNS:
+        type_ = field_type(work, left)
+        splices = write_value(work, right, type_) if type_ is not None else []
+        if splices is None:
+            work.mark(node, work.slice(left), f"the field takes a `{type_}`")
+        put(work, splices or [])
         return
-    types = [field_type(work, each) for each in targets]
+    if len(targets) == len(values) and right.type in _SEQUENCES and not is_splat:
+        for target, value in zip(targets, values, strict=True):
+            _port_targets(work, node, target, value)
+        return
+    types = [field_type(work, each) for each in _leaves(left)]
     numbers = [each is not None and each.name.startswith("float") for each in types]
-    if all(numbers) and not any(each is None or each.is_array for each in types):
+    is_flat = len(types) == len(targets) and not is_splat
+    if is_flat and all(numbers) and not any(each is None or each.is_array for each in types):
         work.insert(right.start_byte, "map(float, ")
         work.insert(right.end_byte, ")")
     elif any(numbers):
         work.mark(node, "fields of numbers", "give each its `float(...)`")
+
+
+def _leaves(target: Node) -> list[Node]:
+    """Return the targets of an assignment, without the patterns around them."""
+    if target.type not in _PATTERNS:
+        return [target]
+    return [leaf for each in parts_of(target) for leaf in _leaves(each)]
 
 
 def _port_set(work: Work, call: Node, arguments: Node) -> None:

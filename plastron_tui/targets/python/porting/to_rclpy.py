@@ -14,6 +14,7 @@ from plastron_tui.sources.python.calls import Argument
 from plastron_tui.sources.python.constants import Known
 from plastron_tui.sources.python.scopes import Scope
 
+from .arrays import port_arrays
 from .endpoints import destroys_endpoints, port_endpoint_methods
 from .insertion_point import add_header
 from .leftovers import mark_leftovers, port_ending
@@ -77,6 +78,7 @@ def port_to_rclpy(work: Work) -> None:
     port_words(work, node)
     port_times(work, node)
     port_plain(work)
+    port_arrays(work)
     port_waits(work, waits, node)
     port_endpoint_methods(work, node)
     port_sites(work, _writers(node, waits), _private_name)

@@ -1,0 +1,48 @@
+"""What goes into the fields of messages in ways of Python, brought to rclpy: before → after."""
+
+from __future__ import annotations
+
+import ast
+
+import pytest
+from ported_nodes import MARK, ported
+
+HEAD = """\
+import rospy
+from geometry_msgs.msg import Vector3
+from sensor_msgs.msg import JointState
+from shape_msgs.msg import Plane
+from std_msgs.msg import Float64
+
+rospy.init_node('n')
+v = Vector3()
+js = JointState()
+p = Plane()
+"""
+FIELDS = [
+    ("v.x, (v.y, v.z) = 1, (2, w)", "v.x, (v.y, v.z) = 1.0, (2.0, float(w))"),
+    ("v.x, (v.y, v.z) = 1, pair", "v.x, (v.y, v.z) = 1.0, map(float, pair)"),
+    ("[v.x, v.y] = [1, 2]", "[v.x, v.y] = [1.0, 2.0]"),
+    ("v.x, (v.y, v.z) = pair", f"{MARK}fields of numbers\nv.x, (v.y, v.z) = pair"),
+    ("v.x, v.y = *a, 1", f"{MARK}fields of numbers\nv.x, v.y = *a, 1"),
+    ("a, (b, c) = 1, (2, 3)", "a, (b, c) = 1, (2, 3)"),
+    ("w = Vector3(**{'x': 1})", "w = Vector3(**{'x': 1.0})"),
+    ("w = Vector3(**given)", f"{MARK}the fields of Vector3\nw = Vector3(**given)"),
+    ("def f(m=Float64(3)): m.data = 5", "def f(m=Float64(data=3.0)): m.data = 5.0"),
+    ("def f(a, m=Float64()): m.data = a", "def f(a, m=Float64()): m.data = float(a)"),
+    ("js.position += [1, 2]", "js.position.extend([1, 2])"),
+    ("js.position += more, more", f"{MARK}js.position\njs.position += more, more"),
+    ("js.position *= 2", f"{MARK}js.position\njs.position *= 2"),
+    ("js.name += ['a']", "js.name += ['a']"),
+    ("js.position.append(1)", "js.position.append(1)"),
+    ("js.position.sort()", f"{MARK}js.position.sort\njs.position.sort()"),
+    ("p.coef.append(1)", f"{MARK}p.coef\np.coef.append(1)"),
+    ("p.coef += [1]", f"{MARK}p.coef\np.coef += [1]"),
+]
+
+
+@pytest.mark.parametrize(("before", "after"), FIELDS)
+def test_what_goes_into_fields(before: str, after: str) -> None:
+    text, _ = ported(HEAD + before + "\n", "rospy")
+    ast.parse(text)
+    assert text.endswith(f"\np = Plane()\n{after}\n")
