@@ -21,8 +21,10 @@ from .port_state import COMMENT, SEPARATOR, Mark, Work
 from .to_rclpy import port_to_rclpy
 from .to_rospy import port_to_rospy
 from .types import target_type
+from .unused_imports import without_unused
 
 _PORTS = {"rclpy": port_to_rclpy, "rospy": port_to_rospy}
+_LEFT = {"rospy": ("rospy", "roslib"), "rclpy": ("rclpy",)}
 _KINDS = {
     EndpointKind.PUBLISHER: ("publisher of", InterfaceKind.MESSAGE),
     EndpointKind.SUBSCRIPTION: ("subscription to", InterfaceKind.MESSAGE),
@@ -73,6 +75,7 @@ def _ported(source: SourceUnit, work: Work, library: str, limit: int) -> Rendere
             work.mark(site.call, f"the name {_one_line(site.endpoint.expression)}", _CHECK)
         _mark_type(work, site)
     made = without_contexts(work.result(limit))
+    made = without_unused(made, _LEFT[source.library], work.freed)
     text = wrap_new_lines(source.files.main, made, limit)
     lines = _comment_lines(text)
     found = [_listed(mark, source, library, lines) for mark in _in_order(work.marks)]

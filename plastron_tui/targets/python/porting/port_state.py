@@ -65,6 +65,7 @@ class Work:
         before: the types of the distribution that it comes from.
         kinds: what expressions give, by the ids of their nodes.
         types: the types of messages and their fields, by the ids of the expressions.
+        freed: imported names whose uses are written otherwise.
     """
 
     analysis: Analysis
@@ -78,6 +79,7 @@ class Work:
     before: Catalog = field(init=False)
     kinds: dict[int, str | None] = field(default_factory=dict)
     types: dict[int, Section | FieldType | None] = field(default_factory=dict)
+    freed: set[str] = field(default_factory=set)
     _splices: list[Splice] = field(default_factory=list)
     _last: list[Splice] = field(default_factory=list)
     _deleted: list[Node] = field(default_factory=list)

@@ -81,4 +81,5 @@ def _port_side(work: Work, node: Node) -> None:
     class_ = f"{found.name}{parts[3]}"
     if work.scope(node).lookup(class_) is None:
         work.imports.add(f"from {found.package}.srv import {class_}")
+        work.freed.add(found.name)
         _replace(work, node, class_)

@@ -94,7 +94,8 @@ def _port_types(work: Work, node: Node, module: str) -> None:
         if side and work.catalog.ros_version == 2:
             alias = f"{used} = {type_.name}.{side}"
             is_top = node.parent is not None and node.parent.type == "module"
-            (work.constants if is_top else aliases).append(alias)
+            if _is_used(work, used):
+                (work.constants if is_top else aliases).append(alias)
             entry = type_.name
         else:
             entry = (
@@ -142,9 +143,15 @@ def _is_moved(work: Work, type_: InterfaceName) -> bool:
 
 def _is_used(work: Work, name: str) -> bool:
     return any(
-        node.type == "identifier" and work.slice(node) == name
+        node.type == "identifier" and work.slice(node) == name and not _is_imported(node)
         for node in walk(work.analysis.syntax.root)
     )
+
+
+def _is_imported(node: Node) -> bool:
+    """Tell whether an identifier stands in an import."""
+    parents = ("dotted_name", "aliased_import", "import_from_statement")
+    return node.parent is not None and node.parent.type in parents
 
 
 def _split(name: str) -> tuple[str, str]:
