@@ -18,6 +18,7 @@ UNUSED = [
     ("from rospy import a, b as c\na()\n", "from rospy import a\na()\n"),
     ("from rospy import *\nx = 1\n", "from rospy import *\nx = 1\n"),
     ("from a.srv import B, C\nC()\n", "from a.srv import C\nC()\n"),
+    ("from a.srv import B\nx.B(B=1)\n", "x.B(B=1)\n"),
     ("from a.srv import D\nimport os\n", "from a.srv import D\nimport os\n"),
     ("try:\n    import rospy\nexcept E:\n    x = 1\n", "try:\n    pass\nexcept E:\n    x = 1\n"),
 ]

@@ -153,7 +153,7 @@ USED = [
     ("rospy", "import rospy", "def f():\n    return rospy.get_param('/x')"),
     ("rospy", "import rospy\nfrom rospy import AnyMsg", "AnyMsg"),
     ("rospy", "import rospy, sys", "rospy.AnyMsg"),
-    ("rclpy", "import rclpy\nfrom rclpy.time import Time", "Time()"),
+    ("rclpy", "import rclpy\nfrom rclpy.clock import Clock", "Clock()"),
 ]
 
 

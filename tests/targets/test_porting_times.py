@@ -105,7 +105,7 @@ BACK = [
         f"a = {NOW}.to_msg()\nb = a.sec + a.nanosec\nc = PointStamped()\nc.header.stamp = a",
         "a = rospy.Time.now()\nb = a.secs + a.nsecs\nc = PointStamped()\nc.header.stamp = a",
     ),
-    (f"a = {NOW}\nuse(a)", f"{MARK}.get_clock\na = {NOW}\nuse(a)"),
+    (f"a = {NOW}\nuse(a)", "a = rospy.Time.now()\nuse(a)"),
     (
         f"node.declare_parameter('a', 1.5)\nx = {GET}('a').value",
         "x = rospy.get_param('~a', 1.5)",

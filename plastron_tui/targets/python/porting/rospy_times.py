@@ -37,7 +37,8 @@ def port_rospy_times(work: Work) -> None:
     for each in times.stamps:
         callee = each.child_by_field_name("function")
         holder = callee.child_by_field_name("object") if callee is not None else None
-        if holder is not None and each.id not in work.done:
+        if callee is not None and holder is not None and each.id not in work.done:
+            work.done.update((callee.id, *(part.id for part in callee.named_children)))
             work.cut(Splice(holder.end_byte, each.end_byte))
     rename_parts(work, _PARTS)
 

@@ -32,6 +32,7 @@ from .rewriting import (
 )
 from .rospy_parameters import port_rospy_parameters
 from .rospy_times import port_rospy_times
+from .rospy_values import port_rospy_values
 from .rospy_words import port_rospy_words
 from .types import keep_used_imports, port_imports, target_type
 
@@ -67,6 +68,8 @@ _ATTRIBUTES = {
     "sec": "a time of ROS 1 has `secs`",
     "nanosec": "a time of ROS 1 has `nsecs`",
     "nanoseconds": "a time of ROS 1 has `to_nsec()`",
+    "to_msg": "a message takes a time of rospy as it is",
+    "seconds_nanoseconds": "a time of ROS 1 has `secs` and `nsecs`",
     "Request": "rospy has it beside the service's class: `AddTwoIntsRequest`",
     "Response": "rospy has it beside the service's class: `AddTwoIntsResponse`",
 }
@@ -102,6 +105,7 @@ def port_to_rospy(work: Work) -> None:
     _mark_coroutines(work)
     port_rospy_words(work)
     port_rospy_times(work)
+    port_rospy_values(work)
     port_sites(work, _WRITERS, _private_name)
     _port_nodes(work)
     port_ending(work, {"cancel": "shutdown"}, _ENDING)

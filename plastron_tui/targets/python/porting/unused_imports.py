@@ -88,5 +88,7 @@ def _used(syntax: Syntax) -> tuple[set[str], set[str]]:
             names.add(syntax.slice(node))
         elif node.type == "attribute":
             paths.add(syntax.slice(node))
-        pending += node.named_children
+        part = {"attribute": "attribute", "keyword_argument": "name"}.get(node.type, "")
+        unbound = node.child_by_field_name(part) if part else None
+        pending += [each for each in node.named_children if each != unbound]
     return names, paths

@@ -1,0 +1,61 @@
+"""Times, durations and helpers of rclpy, brought to rospy wherever they stand: before → after."""
+
+from __future__ import annotations
+
+import ast
+
+import pytest
+from ported_nodes import MARK, ported
+
+HEAD = """\
+import rclpy
+import rclpy.time
+import tf2_ros
+from builtin_interfaces.msg import Duration as Lasting
+from rclpy.duration import Duration
+from rclpy.time import Time
+from rclpy.utilities import remove_ros_args
+from tf2_ros import TransformListener
+
+rclpy.init()
+node = rclpy.create_node("n")
+"""
+NOW = "node.get_clock().now()"
+VALUES = [
+    (f"use({NOW})", "use(rospy.Time.now())"),
+    (f"use({NOW}.to_msg())", "use(rospy.Time.now())"),
+    (f"use({NOW}.nanoseconds)", "use(rospy.Time.now().to_nsec())"),
+    ("use(rclpy.time.Time())", "use(rospy.Time())"),
+    ("use(Time(seconds=3))", "use(rospy.Time(3))"),
+    ("use(Time(nanoseconds=x))", "use(rospy.Time(0, x))"),
+    ("use(Time(seconds=3, nanoseconds=x))", "use(rospy.Time(3, x))"),
+    (
+        "use(Time(seconds=0.5, nanoseconds=x))",
+        f"{MARK}rclpy.time.Time\nuse(Time(seconds=0.5, nanoseconds=x))",
+    ),
+    ("use(rclpy.time.Duration(seconds=x))", "use(rospy.Duration(x))"),
+    ("use(Duration(seconds=x).to_msg())", "use(rospy.Duration(x))"),
+    ("use(Lasting(sec=1, nanosec=2))", "use(rospy.Duration(1, 2))"),
+    ("use(Lasting())", "use(rospy.Duration())"),
+    ("use(Time.from_msg(m.header.stamp))", "use(m.header.stamp)"),
+    ("use(Time.from_msg(m.stamp).nanoseconds)", "use(m.stamp.to_nsec())"),
+    ("use(a.to_msg())", f"{MARK}.to_msg\nuse(a.to_msg())"),
+    ("use(remove_ros_args(args=a))", "use(rospy.myargv(argv=a))"),
+    ("tf2_ros.Buffer()", "tf2_ros.Buffer()"),
+    ("TransformListener(b, node)", "TransformListener(b)"),
+    ("TransformListener(b, node, spin_thread=True)", "TransformListener(b)"),
+    ("tf2_ros.TransformBroadcaster(node=node)", "tf2_ros.TransformBroadcaster()"),
+    (
+        "tf2_ros.TransformBroadcaster(node, qos=q)",
+        f"{MARK}tf2_ros.TransformBroadcaster\ntf2_ros.TransformBroadcaster(node, qos=q)",
+    ),
+]
+
+
+@pytest.mark.parametrize(("before", "after"), VALUES)
+def test_values_of_rclpy(before: str, after: str) -> None:
+    text, _ = ported(f"{HEAD}{before}\n", "rclpy")
+    ast.parse(text)
+    assert text.endswith(f'rospy.init_node("n")\n{after}\n')
+    assert text.count(MARK) == after.count(MARK)
+    assert ("Lasting" in text) == ("Lasting" not in before)
