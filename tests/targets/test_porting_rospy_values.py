@@ -59,3 +59,34 @@ def test_values_of_rclpy(before: str, after: str) -> None:
     assert text.endswith(f'rospy.init_node("n")\n{after}\n')
     assert text.count(MARK) == after.count(MARK)
     assert ("Lasting" in text) == ("Lasting" not in before)
+
+
+NONE = ", which is None\n"
+NODES = [
+    ("n = rclpy.create_node('n')\nrclpy.spin(n)", 'rospy.init_node("n")\nrospy.spin()'),
+    (
+        "n = rclpy.create_node('n')\nn.create_publisher(n.kind, 'x', 1)",
+        f"n = rospy.init_node(\"n\")\n{MARK}n{NONE}rospy.Publisher('x', n.kind, queue_size=1)",
+    ),
+    (
+        "n = rclpy.create_node('n')\nhelp(n)\nx.n(n=1)",
+        f'n = rospy.init_node("n")\n{MARK}n{NONE}help(n)\nx.n(n=1)',
+    ),
+    (
+        "n = rclpy.create_node('n')\nn.get_name()",
+        f'n = rospy.init_node("n")\n{MARK}.get_name\nn.get_name()',
+    ),
+    (
+        "class A:\n    def f(self):\n        self.n = rclpy.create_node('n')\n"
+        "        help(self.n)\n\n\nclass B:\n    def f(self):\n        help(self.n)",
+        'class A:\n    def f(self):\n        self.n = rospy.init_node("n")\n'
+        f"        {MARK}self.n{NONE}        help(self.n)\n\n\n"
+        "class B:\n    def f(self):\n        help(self.n)",
+    ),
+]
+
+
+@pytest.mark.parametrize(("before", "after"), NODES)
+def test_what_holds_a_node(before: str, after: str) -> None:
+    text, _ = ported(f"import rclpy\nrclpy.init()\n{before}\n", "rclpy")
+    assert text == f"import rospy\n{after}\n"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from itertools import chain
@@ -167,6 +168,18 @@ class Work:
             gone.start_byte <= node.start_byte and node.end_byte <= gone.end_byte
             for gone in self._deleted
         )
+
+    def is_written(self, name: Node) -> bool:
+        """Tell whether a name is in the new file: not taken away, nor rewritten without it."""
+        if self.is_gone(name):
+            return False
+        words = re.compile(rf"(?<![\w.]){re.escape(self.slice(name))}(?!\w)")
+        around = [
+            each.text.decode(self.analysis.syntax.encoding, "replace")
+            for each in (*self._splices, *self._last)
+            if each.start <= name.start_byte and name.end_byte <= each.end
+        ]
+        return all(words.search(text) is not None for text in around)
 
     def is_in_callback(self, node: Node) -> bool:
         """Tell whether a node is in the body of a callback, which is carried over as it is."""

@@ -18,6 +18,7 @@ from plastron_tui.sources.python.syntax import parts_of
 from .contexts import port_context, port_executors
 from .insertion_point import add_header
 from .leftovers import mark_leftovers, port_ending
+from .node_uses import port_node_uses
 from .port_state import Work, walk
 from .rewriting import (
     Writer,
@@ -110,6 +111,7 @@ def port_to_rospy(work: Work) -> None:
     _port_nodes(work)
     port_ending(work, {"cancel": "shutdown"}, _ENDING)
     mark_leftovers(work, _LEFT, {k: v or "" for k, v in _ATTRIBUTES.items()}, _REMEDIES)
+    port_node_uses(work)
     keep_used_imports(work, _GONE)
     work.imports.add("import rospy")
     add_header(work)
