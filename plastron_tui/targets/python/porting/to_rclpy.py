@@ -14,6 +14,7 @@ from plastron_tui.sources.python.calls import Argument
 from plastron_tui.sources.python.constants import Known
 from plastron_tui.sources.python.scopes import Scope
 
+from .actions import mark_actions
 from .arrays import port_arrays
 from .endpoints import destroys_endpoints, port_endpoint_methods
 from .insertion_point import add_header
@@ -84,6 +85,7 @@ def port_to_rclpy(work: Work) -> None:
     port_sites(work, _writers(node, waits), _private_name)
     make_node(work, node, in_thread=running.in_thread, own_signals=running.own_signals)
     port_ending(work, {"shutdown": "cancel"}, _ENDING)
+    mark_actions(work)
     mark_leftovers(work, _LEFT, _ATTRIBUTES, _remedies(node))
     keep_used_imports(work, _GONE)
     work.imports.add("import rclpy")

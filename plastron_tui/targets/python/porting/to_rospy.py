@@ -15,6 +15,7 @@ from plastron_tui.sources.python.scopes import Scope
 from plastron_tui.sources.python.splices import Splice, delete_item, line_start
 from plastron_tui.sources.python.syntax import parts_of
 
+from .actions import mark_actions
 from .contexts import port_context, port_executors
 from .insertion_point import add_header
 from .leftovers import mark_leftovers, port_ending
@@ -110,6 +111,7 @@ def port_to_rospy(work: Work) -> None:
     port_sites(work, _WRITERS, _private_name)
     _port_nodes(work)
     port_ending(work, {"cancel": "shutdown"}, _ENDING)
+    mark_actions(work)
     mark_leftovers(work, _LEFT, {k: v or "" for k, v in _ATTRIBUTES.items()}, _REMEDIES)
     port_node_uses(work)
     keep_used_imports(work, _GONE)

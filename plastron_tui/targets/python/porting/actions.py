@@ -1,0 +1,123 @@
+"""Actions: the classes of ROS 1 are messages, those of ROS 2 are interfaces of their own."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from tree_sitter import Node
+
+from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+
+from .port_state import Work, walk
+from .types import target_type
+
+_OF_ROS_1 = re.compile(r"(\w+)\.msg\.(\w+?)(Action|(?:Action)?(?:Goal|Result|Feedback))$", re.ASCII)
+_OF_ROS_2 = re.compile(r"(?!rclpy\.)(\w+)\.action\.(\w+)", re.ASCII)
+_MOVED = {
+    InterfaceName("move_base_msgs", "MoveBase"): InterfaceName("nav2_msgs", "NavigateToPose"),
+}
+_IMPORTS = ("import_statement", "import_from_statement")
+_STATUS = {
+    "action_msgs.msg.GoalStatus.STATUS_SUCCEEDED": "SUCCEEDED",
+    "action_msgs.msg.GoalStatus.STATUS_ABORTED": "ABORTED",
+    "action_msgs.msg.GoalStatus.STATUS_CANCELED": "PREEMPTED",
+}
+"""The ends of a goal, as the `GoalStatus` of `actionlib_msgs` calls them."""
+
+
+def mark_actions(work: Work) -> None:
+    """Mark the import and each use of a class of an action, which the other ROS has not."""
+    find = _class_of_ros_1 if work.catalog.ros_version == 2 else _class_of_ros_2
+    known = _actions(work)
+    for statement in walk(work.analysis.syntax.root):
+        if statement.type == "import_from_statement" and not work.is_gone(statement):
+            module = statement.child_by_field_name("module_name")
+            for each in statement.children_by_field_name("name"):
+                name = each.child_by_field_name("name") or each
+                path = f"{work.slice(module)}.{work.slice(name)}" if module is not None else ""
+                _mark(work, statement, find(work, [path], known))
+        elif statement.type in ("identifier", "attribute") and not (
+            _is_part(statement) or _is_imported(statement) or work.is_gone(statement)
+        ):
+            _mark(work, statement, find(work, work.qualified(statement), known))
+    if work.catalog.ros_version == 1:
+        _port_status(work)
+
+
+_Class = tuple[str, str]
+"""What a class is called, and what to write instead."""
+
+
+def _mark(work: Work, node: Node, found: _Class | None) -> None:
+    if found is not None:
+        work.mark(node, *found)
+
+
+def _actions(work: Work) -> frozenset[str]:
+    """Return the actions of ROS 1 whose own class the file imports: `MoveBaseAction`."""
+    return frozenset(
+        each.target.removesuffix("Action")
+        for scope in work.analysis.scopes.all
+        for bindings in scope.bindings.values()
+        for each in bindings
+        if each.target is not None and ".msg." in each.target and each.target.endswith("Action")
+    )
+
+
+def _class_of_ros_1(work: Work, names: Iterable[str], known: frozenset[str]) -> _Class | None:
+    for name in names:
+        found = _OF_ROS_1.match(name)
+        if found is None:
+            continue
+        package, action, side = found.groups()
+        type_ = InterfaceName(package, action)
+        is_own = f"{package}.msg.{action}" in known or side == "Action" or type_ in _MOVED
+        if not is_own and work.before.find(type_, InterfaceKind.ACTION) is None:
+            continue
+        target = _MOVED.get(type_) or target_type(work, type_, InterfaceKind.ACTION)[0]
+        part = "" if side == "Action" else f".{side}"
+        words = name.rpartition(".")[2]
+        if target is None:
+            return words, f"an action of ROS 2 is `{action}{part}` of a package's `action`"
+        return words, f"`{target.name}{part}` of `{target.package}.action`"
+    return None
+
+
+def _class_of_ros_2(work: Work, names: Iterable[str], known: frozenset[str]) -> _Class | None:
+    for name in names:
+        found = _OF_ROS_2.match(name)
+        if found is not None:
+            package, action = found.groups()
+            return action, f"`{action}Action`, `{action}Goal` of `{package}.msg`"
+    return None
+
+
+def _port_status(work: Work) -> None:
+    for node in walk(work.analysis.syntax.root):
+        part = node.child_by_field_name("attribute") if node.type == "attribute" else None
+        if part is None or work.is_gone(node):
+            continue
+        [name, *others] = work.qualified(node) or ("",)
+        if others or not name.startswith("action_msgs.msg.GoalStatus.STATUS_"):
+            continue
+        if name in _STATUS:
+            work.replace(part, _STATUS[name])
+        else:
+            work.mark(node, work.slice(part), "`actionlib_msgs` has other states")
+
+
+def _is_part(node: Node) -> bool:
+    """Tell whether a node is in a longer dotted name, or names an argument."""
+    parent = node.parent
+    if parent is None or parent.type == "attribute":
+        return True
+    name = parent.child_by_field_name("name")
+    return parent.type == "keyword_argument" and name is not None and name.id == node.id
+
+
+def _is_imported(node: Node) -> bool:
+    current = node.parent
+    while current is not None and current.type not in _IMPORTS:
+        current = current.parent
+    return current is not None
