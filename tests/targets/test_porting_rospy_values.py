@@ -90,3 +90,43 @@ NODES = [
 def test_what_holds_a_node(before: str, after: str) -> None:
     text, _ = ported(f"import rclpy\nrclpy.init()\n{before}\n", "rclpy")
     assert text == f"import rospy\n{after}\n"
+
+
+CLASS = """\
+import rclpy
+from std_srvs.srv import Trigger
+
+
+class Robot:
+    def __init__(self, host):
+        self.host = host
+
+    def use(self):
+        {inside}
+
+
+class A(rclpy.node.Node):
+    def __init__(self):
+        super().__init__("a")
+        self.client = self.create_client(Trigger, "s")
+        {line}
+"""
+WAIT = f"{MARK}wait_for_service returns None, and raises on a timeout"
+METHODS = [
+    ("pass", "self.robot = Robot(self)", ""),
+    ("self.host.create_client(*a)", "self.robot = Robot(self)", f"{MARK}Robot(self)"),
+    ("self.host.declare_parameter('a', f())", "x = Robot(self)", f"{MARK}Robot(self)"),
+    ("self.host.declare_parameter('a', f())", "x = Robot(1)", ""),
+    ("pass", "while not self.client.wait_for_service(timeout_sec=1.0): pass", WAIT),
+    ("pass", "self.client.wait_for_service(1.0)", WAIT),
+    ("pass", "self.client.wait_for_service()", ""),
+]
+
+
+@pytest.mark.parametrize(("inside", "line", "mark"), METHODS)
+def test_what_a_node_is_asked(inside: str, line: str, mark: str) -> None:
+    text, _ = ported(CLASS.format(inside=inside, line=line), "rclpy")
+    ast.parse(text)
+    above = f"        {mark}\n" if mark else ""
+    assert text.endswith(f'ServiceProxy("s", Trigger)\n{above}        {line}\n')
+    assert (MARK in text.partition("class A")[0]) == (inside != "pass")

@@ -1,13 +1,20 @@
-"""From rclpy to rospy: what holds the node, which `rospy.init_node` does not return."""
+"""From rclpy to rospy: what uses the node, which is no object in rospy."""
 
 from __future__ import annotations
+
+import re
 
 from tree_sitter import Node
 
 from plastron_tui.sources.python.scopes import Scope
 from plastron_tui.sources.python.splices import Splice
+from plastron_tui.sources.python.syntax import parts_of
 
 from .port_state import Work, comment_place, walk
+
+_WAIT = "it takes `timeout`, and raises a `rospy.ROSException` where the time is up"
+_METHODS = re.compile(r"\.(create|declare|destroy|get|set|add_on_set)_\w+")
+"""Marks of what a node has in rclpy."""
 
 _NONE = "`rospy.init_node` returns None"
 
@@ -32,6 +39,40 @@ def port_node_uses(work: Work) -> None:
         for use in uses:
             if _line(work, use) not in marked:
                 work.mark(use, f"{work.slice(use)}, which is None", _NONE)
+
+
+def mark_waits(work: Work) -> None:
+    """Mark what reads whether a service is there: rospy tells it by an exception."""
+    for call in work.analysis.captures.get("call", []):
+        callee = call.child_by_field_name("function")
+        part = callee.child_by_field_name("attribute") if callee is not None else None
+        if part is None or work.slice(part) != "wait_for_service" or work.is_gone(call):
+            continue
+        is_alone = call.parent is not None and call.parent.type == "expression_statement"
+        if not is_alone or parts_of(call.child_by_field_name("arguments")):
+            work.mark(call, "wait_for_service returns None, and raises on a timeout", _WAIT)
+
+
+def mark_helpers(work: Work) -> None:
+    """Mark where a node hands itself to an object of the file that uses what rospy has not."""
+    owners = [
+        owner
+        for owner in work.analysis.scopes.classes()
+        if any(
+            owner.start <= mark.node.start_byte < owner.end and _METHODS.fullmatch(mark.what)
+            for mark in work.marks
+        )
+    ]
+    nodes = {site.owner.node.id for site in work.analysis.nodes if site.owner is not None}
+    for call in work.analysis.captures.get("call", []):
+        callee = call.child_by_field_name("function")
+        given = parts_of(call.child_by_field_name("arguments"))
+        if callee is None or work.is_gone(call) or "self" not in map(work.slice, given):
+            continue
+        made = {each.owner for each in work.bindings(callee)}
+        is_helper = any(owner in made and owner.node.id not in nodes for owner in owners)
+        if is_helper:
+            work.mark(call, f"{work.slice(callee)}(self)", "it uses methods of a node of rclpy")
 
 
 def _line(work: Work, node: Node) -> int:

@@ -19,7 +19,7 @@ from .actions import mark_actions
 from .contexts import port_context, port_executors
 from .insertion_point import add_header
 from .leftovers import mark_leftovers, port_ending
-from .node_uses import port_node_uses
+from .node_uses import mark_helpers, mark_waits, port_node_uses
 from .port_state import Work, walk
 from .rewriting import (
     Writer,
@@ -48,6 +48,12 @@ _INTERRUPTS = (
 )
 
 _ATTRIBUTES = {
+    "create_client": "`rospy.ServiceProxy(name, type)`",
+    "create_publisher": "`rospy.Publisher(name, type, queue_size=...)`",
+    "create_rate": "`rospy.Rate(...)`",
+    "create_service": "`rospy.Service(name, type, handler)`",
+    "create_subscription": "`rospy.Subscriber(name, type, callback)`",
+    "create_timer": "`rospy.Timer(rospy.Duration(...), callback)`",
     "get_logger": "`rospy.loginfo(...)`, `rospy.logwarn(...)`",
     "get_clock": "`rospy.Time.now()`",
     "declare_parameter": "`rospy.get_param('~name', default)`",
@@ -104,6 +110,7 @@ def port_to_rospy(work: Work) -> None:
     port_executors(work)
     port_rospy_parameters(work)
     _port_running(work)
+    mark_waits(work)
     _mark_coroutines(work)
     port_rospy_words(work)
     port_rospy_times(work)
@@ -113,6 +120,7 @@ def port_to_rospy(work: Work) -> None:
     port_ending(work, {"cancel": "shutdown"}, _ENDING)
     mark_actions(work)
     mark_leftovers(work, _LEFT, {k: v or "" for k, v in _ATTRIBUTES.items()}, _REMEDIES)
+    mark_helpers(work)
     port_node_uses(work)
     keep_used_imports(work, _GONE)
     work.imports.add("import rospy")
@@ -331,8 +339,6 @@ def _port_method(work: Work, call: Node, callee: Node, alone: Node | None) -> No
         arguments = call.child_by_field_name("arguments")
         inner = work.text(arguments) if arguments is not None else "()"
         work.replace(call, f"rospy.Rate{inner}")
-    elif name == "wait_for_service" and b"timeout_sec" in (call.text or b""):
-        work.mark(call, "timeout_sec", "`timeout=`; rospy raises where the time is up")
 
 
 def _port_nodes(work: Work) -> None:
