@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections import Counter
 
+from tree_sitter import Node
+
 from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.model.source import EndpointKind, SourceUnit
 from plastron_tui.ros.catalog import Catalog
@@ -71,8 +73,11 @@ def _ported(source: SourceUnit, work: Work, library: str, limit: int) -> Rendere
     before = work.analysis
     _PORTS[library](work)
     for site in before.first_sites():
-        if site.endpoint.name is None and site.endpoint.kind in _KINDS and site.endpoint.expression:
-            work.mark(site.call, f"the name {_one_line(site.endpoint.expression)}", _CHECK)
+        endpoint = site.endpoint
+        given = site.arguments.get(site.shape.name)
+        is_open = endpoint.name is None and endpoint.kind in _KINDS and endpoint.expression
+        if is_open and not _is_absolute(work, given):
+            work.mark(site.call, _name_of(endpoint.expression), _CHECK)
         _mark_type(work, site)
     made = without_contexts(work.result(limit))
     made = without_unused(made, _LEFT[source.library], work.freed)
@@ -103,11 +108,31 @@ def _mark_type(work: Work, site: Site) -> None:
         work.mark(site.call, str(type_), remedy if found is None else f"it is `{found}` there")
 
 
+_LONGEST = 60
 _CHECK = "the file decides the name as it runs: see that it is one of the other ROS"
 
 
-def _one_line(text: str) -> str:
-    return " ".join(text.split())[:60]
+def _name_of(expression: str) -> str:
+    """Return what a mark calls a name: its expression, where that is short enough to be read."""
+    text = " ".join(expression.split())
+    return f"the name {text}" if len(text) <= _LONGEST else "the name that is made here"
+
+
+def _is_absolute(work: Work, name: Node | None) -> bool:
+    """Tell whether a name begins with a slash whatever it is made of; it means the same then."""
+    while name is not None:
+        if name.type == "string":
+            content = work.slice(name).lstrip("rRbBuUfF").lstrip("\"'")
+            return content.startswith("/")
+        callee = name.child_by_field_name("function")
+        holder = callee.child_by_field_name("object") if callee is not None else None
+        if name.type == "parenthesized_expression":
+            name = name.named_children[0]
+        elif callee is not None and work.slice(callee).endswith(".format"):
+            name = holder
+        else:
+            name = name.child_by_field_name("left") if name.type == "binary_operator" else None
+    return False
 
 
 def _in_order(marks: list[Mark]) -> list[Mark]:

@@ -190,8 +190,23 @@ def _port_rates(work: Work, node: str, calls: list[Node]) -> None:
         given = parts_of(call.child_by_field_name("arguments"))
         if callee is not None:
             work.replace(callee, f"{node}.create_rate")
+        if _is_repeated(call):
+            remedy = "make it once, before the loop: each call makes one more timer of the node"
+            work.mark(call, "create_rate in a loop", remedy)
         for each in given[1:] + [each for each in given[:1] if each.type == "keyword_argument"]:
             work.mark(call, work.slice(each).partition("=")[0], "`create_rate` takes a frequency")
+
+
+def _is_repeated(call: Node) -> bool:
+    """Tell whether a call is in a loop of its function."""
+    current: Node | None = call
+    while current is not None and current.type not in ("function_definition", "lambda"):
+        inner, current = current, current.parent
+        if current is not None and current.type in ("while_statement", "for_statement"):
+            ahead = current.child_by_field_name("right")
+            if ahead is None or ahead.id != inner.id:
+                return True
+    return False
 
 
 def _port_hooks(work: Work, calls: list[Node]) -> str:

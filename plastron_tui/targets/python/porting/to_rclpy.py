@@ -21,6 +21,7 @@ from .insertion_point import add_header
 from .leftovers import mark_leftovers, port_ending
 from .plain import port_plain
 from .port_state import Work, walk
+from .python_2 import port_python_2
 from .rclpy_node import make_node
 from .rclpy_parameters import port_parameters
 from .rclpy_running import port_running
@@ -67,6 +68,7 @@ def port_to_rclpy(work: Work) -> None:
     port_imports(work, _GONE)
     if old := _OLD_PYTHON.match(work.analysis.syntax.text):
         work.insert(old.end(1), "3")
+    port_python_2(work)
     waits = find_waits(work)
     running = port_running(
         work,

@@ -1,0 +1,63 @@
+"""What stays of rospy and of Python 2 where nobody looks at it, brought to rclpy."""
+
+from __future__ import annotations
+
+import ast
+
+import pytest
+from ported_nodes import MARK, ported
+
+HEAD = "import rospy\nfrom std_msgs.msg import String\n\nrospy.init_node('n')\n"
+LOOP = f"{MARK}create_rate in a loop\n"
+LONG = "'" + "x" * 60 + "'"
+LINES = [
+    ("x = raw_input('a')", "x = input('a')"),
+    ("def raw_input(x): pass\nraw_input(1)", "def raw_input(x): pass\nraw_input(1)"),
+    ("for i in xrange(3): pass", "for i in range(3): pass"),
+    ("for a, b in x.iteritems(): pass", "for a, b in x.items(): pass"),
+    ("x = six.iteritems(y)", "x = six.iteritems(y)"),
+    ("x = y.has_key(1)", f"{MARK}.has_key\nx = y.has_key(1)"),
+    ("rospy.Rate(9).sleep()", "node.create_rate(9).sleep()"),
+    (
+        "while x:\n    rospy.Rate(9).sleep()",
+        f"while x:\n    {LOOP}    node.create_rate(9).sleep()",
+    ),
+    ("for x in f(rospy.Rate(9)): pass", "for x in f(node.create_rate(9)): pass"),
+    (
+        "while x:\n    def f():\n        return rospy.Rate(9)",
+        "while x:\n    def f():\n        return node.create_rate(9)",
+    ),
+    (
+        "p = rospy.Publisher('/x/' + a, String, queue_size=1)",
+        "p = node.create_publisher(String, '/x/' + a, 1)",
+    ),
+    (
+        "p = rospy.Publisher('/{}/x'.format(a), String, queue_size=1)",
+        "p = node.create_publisher(String, '/{}/x'.format(a), 1)",
+    ),
+    (
+        "p = rospy.Publisher(('/%s' % a), String, queue_size=1)",
+        "p = node.create_publisher(String, ('/%s' % a), 1)",
+    ),
+    (
+        "p = rospy.Publisher(f'/{a}', String, queue_size=1)",
+        "p = node.create_publisher(String, f'/{a}', 1)",
+    ),
+    (
+        "p = rospy.Publisher('x/' + a, String, queue_size=1)",
+        f"{MARK}the name 'x/' + a\np = node.create_publisher(String, 'x/' + a, 1)",
+    ),
+    (
+        f"p = rospy.Publisher(a + {LONG}, String, queue_size=1)",
+        f"{MARK}the name that is made here\n"
+        f"p = node.create_publisher(\n    String, a + {LONG}, 1\n)",
+    ),
+]
+
+
+@pytest.mark.parametrize(("before", "after"), LINES)
+def test_a_line_of_rospy(before: str, after: str) -> None:
+    text, _ = ported(f"{HEAD}{before}\n", "rospy")
+    ast.parse(text)
+    assert text.endswith(f"\n{after}\n")
+    assert text.count(MARK) == after.count(MARK)
