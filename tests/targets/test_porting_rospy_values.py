@@ -36,6 +36,8 @@ VALUES = [
     ("use(rclpy.time.Duration(seconds=x))", "use(rospy.Duration(x))"),
     ("use(Duration(seconds=x).to_msg())", "use(rospy.Duration(x))"),
     ("use(Lasting(sec=1, nanosec=2))", "use(rospy.Duration(1, 2))"),
+    ("x: Time = Time()", "x: rospy.Time = rospy.Time()"),
+    ("def f(x: Lasting): pass", "def f(x: rospy.Duration): pass"),
     ("use(Lasting())", "use(rospy.Duration())"),
     ("use(Time.from_msg(m.header.stamp))", "use(m.header.stamp)"),
     ("use(Time.from_msg(m.stamp).nanoseconds)", "use(m.stamp.to_nsec())"),

@@ -437,10 +437,7 @@ BACK = [
     ("x = rclpy.ok() and y", "x = (not rospy.is_shutdown()) and y"),
     ("x.header.stamp = node.get_clock().now().to_msg()", "x.header.stamp = rospy.Time.now()"),
     ("x = Header(stamp=node.get_clock().now().to_msg())", "x = Header(stamp=rospy.Time.now())"),
-    (
-        "use(node.get_clock().now().to_msg())",
-        f"{MARK}.get_clock\nuse(node.get_clock().now().to_msg())",
-    ),
+    ("use(node.get_clock().now().to_msg())", "use(rospy.Time.now())"),
     ("x = SetBool.Request(data=True)", "x = SetBoolRequest(data=True)"),
     ("x = client.call(SetBool.Request())", "x = client.call(SetBoolRequest())"),
     (

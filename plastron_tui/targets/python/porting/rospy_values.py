@@ -68,6 +68,8 @@ def port_rospy_values(work: Work) -> None:
     for node in walk(work.analysis.syntax.root):
         if node.type in ("identifier", "attribute") and _SAME & set(work.qualified(node)):
             work.done.add(node.id)
+        elif node.type == "type":
+            _port_annotation(work, node)
         elif node.type == "attribute":
             _port_nanoseconds(work, node)
 
@@ -167,6 +169,15 @@ def _port_nanoseconds(work: Work, node: Node) -> None:
     if _is_made(work, holder) and part.id not in work.done:
         work.replace(part, "to_nsec()")
         work.done.add(node.id)
+
+
+def _port_annotation(work: Work, node: Node) -> None:
+    """Rewrite the class of times or durations where it says what a name holds."""
+    [held, *others] = node.named_children
+    names = set(work.qualified(held)) if held.type in ("identifier", "attribute") else set()
+    if not others and len(names) == 1 and (made := _MADE.get(*names)) is not None:
+        work.freed.add(work.slice(held).partition(".")[0])
+        _put(work, held, made)
 
 
 def _is_made(work: Work, node: Node) -> bool:
