@@ -186,3 +186,17 @@ def test_an_import_of_a_function_does_not_serve_the_helpers() -> None:
         "rclpy",
     )
     assert "\nimport traceback\n" in f"\n{text}"
+
+
+def test_an_executor_that_another_function_uses_stays() -> None:
+    text = ported(
+        f"from rclpy.executors import SingleThreadedExecutor\n{CLASS}"
+        "def turn():\n    executor.spin_once()\n\n\n"
+        "node = A()\nexecutor = SingleThreadedExecutor()\nexecutor.add_node(node)\n",
+        "rclpy",
+        "rospy",
+    )
+    assert text.endswith(
+        f"\n{MARK}rclpy.executors.SingleThreadedExecutor\n"
+        "executor = SingleThreadedExecutor()\nexecutor.add_node(node)\n"
+    )

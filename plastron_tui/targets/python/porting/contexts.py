@@ -74,14 +74,16 @@ def port_executors(work: Work) -> None:
 
 def _port_executor(work: Work, made: Node, name: str) -> None:
     """Rewrite all that is done with an executor, if every use of it is known."""
-    scope = work.scope(made)
+    owner = work.scope(made).lookup(name)
     uses = [
         node
         for node in walk(work.analysis.syntax.root)
         if node.type == "identifier"
         and work.slice(node) == name
-        and work.scope(node) is scope
-        and node.start_byte >= made.end_byte
+        and owner is not None
+        and (found := work.scope(node).lookup(name)) is not None
+        and found[0] is owner[0]
+        and not made.start_byte <= node.start_byte < made.end_byte
     ]
     calls = [(node.parent.parent, node.parent) for node in uses if node.parent is not None]
     gone, spins = [], []
