@@ -375,7 +375,7 @@ if __name__ == "__main__":
 
 
 @pytest.mark.parametrize("graph", ["ros2"], indirect=True)
-@pytest.mark.parametrize("end", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("end", mostly_long([signal.SIGINT, signal.SIGTERM], [signal.SIGINT]))
 def test_a_ported_callback_waits_for_a_service(
     graph: Graph, tmp_path: Path, end: signal.Signals
 ) -> None:
