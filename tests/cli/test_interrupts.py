@@ -58,7 +58,9 @@ def generate_with_signal(
         *(pytest.param(call, marks=pytest.mark.long) for call in (2, COUNT // 2, COUNT + 1)),
     ],
 )
-@pytest.mark.parametrize("name", ["fsync", "rename", "replace", "open"])
+@pytest.mark.parametrize(
+    "name", mostly_long(["fsync", "rename", "replace", "open"], ["rename", "open"])
+)
 @pytest.mark.parametrize("has_files", mostly_long([False, True], [True]))
 def test_interrupt_while_writing(here: Path, name: str, call: int, has_files: bool) -> None:
     program = here / "a.plastron"
@@ -96,7 +98,7 @@ def test_termination_leaves_nothing(here: Path) -> None:
     assert not (here / "output").exists()
 
 
-@pytest.mark.parametrize("written", [1, 200, 399])
+@pytest.mark.parametrize("written", mostly_long([1, 200, 399], [200]))
 def test_interrupt_from_outside(here: Path, written: int) -> None:
     count = 400
     (here / "a.plastron").write_text(many(count))

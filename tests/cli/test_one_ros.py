@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from command_line import Run
+from machine import mostly_long
 from one_ros import CASES, GOOD, UNKNOWN_TYPE, unknown_type
 
 from plastron_tui.runtime import environment
@@ -14,7 +15,7 @@ from plastron_tui.runtime.environment import Found
 from plastron_tui.session import Options, Session
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", mostly_long(CASES, list(CASES)[::3]))
 def test_all_commands_are_for_the_same_ros(
     name: str, run: Run, here: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

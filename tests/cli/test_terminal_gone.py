@@ -96,7 +96,11 @@ def closing(tmp_path: Path) -> Closing:
 # Where nothing says that the terminal has gone (`nohup`), what is written says so.
 @pytest.mark.parametrize(
     ("options", "shown", "ignores"),
-    [((), b"create", False), (("--watch",), b"chatter", False), (("--watch",), b"chatter", True)],
+    [
+        ((), b"create", False),
+        pytest.param(("--watch",), b"chatter", False, marks=pytest.mark.long),
+        pytest.param(("--watch",), b"chatter", True, marks=pytest.mark.long),
+    ],
 )
 @pytest.mark.live
 def test_a_run_ends_with_its_nodes(

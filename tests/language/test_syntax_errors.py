@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
-from machine import examples
+from machine import examples, mostly_long
 from plastron_programs import EXAMPLES, broken_lines, read
 
 from plastron_tui.diagnostics import Diagnostic
@@ -209,7 +209,7 @@ NEIGHBOURS = [
 ]
 
 
-@pytest.mark.parametrize("line", NEIGHBOURS)
+@pytest.mark.parametrize("line", mostly_long(NEIGHBOURS, NEIGHBOURS[::4]))
 def test_each_of_two_broken_lines_has_a_mistake_of_its_own(line: str) -> None:
     for other in NEIGHBOURS:
         first, second = read(f"{line}\n{other}\n").diagnostics

@@ -17,7 +17,7 @@ from traffic import KINDS, Fields, Traffic, differences, record, renamed, withou
 pytestmark = pytest.mark.live
 
 CASES = ROSPY_EDITS + RCLPY_EDITS
-QUICK = {"rospy/mux.py", "rclpy/mode_keeper.py"}
+QUICK = {"rclpy/mode_keeper.py"}
 
 
 @pytest.mark.parametrize("case", mostly_long(CASES, QUICK, lambda case: case.file))

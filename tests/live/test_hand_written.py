@@ -98,10 +98,9 @@ CASES = [
         prints=("/fleet/add: success: False",),
     ),
 ]  # fmt: skip
-QUICK = {"fleet.py"}
 
 
-@pytest.mark.parametrize("case", mostly_long(CASES, QUICK, lambda case: case.file))
+@pytest.mark.parametrize("case", mostly_long(CASES, (), lambda case: case.file))
 def test_a_hand_written_node_does_what_the_program_asked(
     case: Case, ros1: Graph, tmp_path: Path
 ) -> None:

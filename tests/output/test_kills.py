@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from machine import mostly_long
 
 DRIVER = Path(__file__).with_name("kill_driver.py")
 SCENES = ("created", "fresh", "in place", "forced", "recovery", "save")
@@ -37,7 +38,7 @@ def test_killed_at_each_rename(tmp_path: Path) -> None:
     assert broken(tmp_path, "fresh", "kill", "replace", "rename") == 5
 
 
-@pytest.mark.parametrize("event", ["EIO", "clean", "read"])
+@pytest.mark.parametrize("event", mostly_long(["EIO", "clean", "read"], ["EIO"]))
 def test_saving_reports_what_is_on_the_disk(tmp_path: Path, event: str) -> None:
     assert broken(tmp_path, "save", event) >= 15
 

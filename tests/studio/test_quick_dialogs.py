@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
+from machine import mostly_long
 from studio_driver import PROGRAM, Driver, studio
 from textual import events
 from textual.widgets import Button
@@ -24,7 +25,9 @@ async def quickly(driver: Driver, *keys: str) -> None:
     await driver.until(lambda: app._keys_worker is None or app._keys_worker.is_finished)
 
 
-@pytest.mark.parametrize("keys", [["enter"], ["ctrl+u"], ["alt+w"]])
+@pytest.mark.parametrize(
+    "keys", mostly_long([["enter"], ["ctrl+u"], ["alt+w"]], ["enter"], lambda keys: keys[0])
+)
 async def test_the_welcome_leads_on_to_the_wizard(tmp_path: Path, keys: Sequence[str]) -> None:
     async with studio(None, (80, 24), welcome=True) as driver:
         await driver.dialog("Welcome")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from machine import mostly_long
 from one_ros import CASES, UNKNOWN_TYPE, unknown_type
 from studio_driver import studio
 
@@ -13,7 +14,7 @@ from plastron_tui.studio.wizard.context import Scene
 from plastron_tui.studio.wizard.libraries import ros_of
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", mostly_long(CASES, list(CASES)[::3]))
 async def test_the_studio_is_for_the_same_ros(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -79,9 +79,7 @@ async def through(it: WizardDriver, declaration: Declaration, go_on: Step, pick:
         await go_on()
 
 
-@pytest.mark.parametrize(
-    "declaration", mostly_long(ALL, (*QUICK, "subscribe", "generate_node", "stop_request"), keyword)
-)
+@pytest.mark.parametrize("declaration", mostly_long(ALL, (*QUICK, "stop_request"), keyword))
 async def test_by_keyboard_alone(declaration: Declaration, file: Path) -> None:
     before = program_for(declaration, file)
     async with wizard(file) as it:
