@@ -166,7 +166,9 @@ def _check_removal(before: Text, after: Text, change: Remove) -> Iterator[str]:
 def _is_gone_local(line: bytes, after: Text) -> bool:
     """Whether a line only gave a value to, or filled, a variable that is nowhere any more."""
     assigned = re.match(rb"\s+(\w+)[\w.]*\s*[=(]", line)
-    return assigned is not None and not re.search(rb"\b%s\b" % assigned[1], after.source.files.main)
+    return assigned is not None and not re.search(
+        rb"(?<![.\w])%s\b" % assigned[1], after.source.files.main
+    )
 
 
 def _is_gone_timer(key: Key, after: Text) -> bool:
