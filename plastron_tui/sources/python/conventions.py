@@ -225,6 +225,10 @@ def callback_naming(analysis: Analysis, kind: EndpointKind) -> Naming:
             found = _split(name, _CALLBACK_WORDS)
             if found is not None:
                 return _joined(*found)
+    for site in reversed(analysis.sites):
+        found = _split(site.endpoint.callback or "", ("callback", "cb"))
+        if found is not None:
+            return _joined(*found)
     return method_naming(analysis, "handle" if kind is EndpointKind.SERVICE else "on")
 
 

@@ -89,7 +89,7 @@ def function_place(
         # In a script, functions stand before everything that runs.
         running = [site.call for site in analysis.sites if site.scope is module]
         running += [node.call for node in analysis.nodes if node.scope is module and node.call]
-        running += [each for each in analysis.syntax.root.named_children if _calls(each)]
+        running += _running(analysis.syntax.root)
         top = min([top, *map(_top_level, running)], key=lambda node: node.start_byte)
     behind = alike[-1] if alike else _last_definition(top)
     if behind is None:
@@ -98,6 +98,17 @@ def function_place(
         return FunctionPlace(at, "", 0 if is_first else _missing_before(text, at, gap), gap)
     at = _end_with_comments(text, line_end(text, behind.end_byte), "")
     return FunctionPlace(at, "", gap, _missing_after(text, at, gap))
+
+
+def _running(module: Node) -> list[Node]:
+    """Return the calls of a script, those among its imports left out."""
+    found: list[Node] = []
+    for each in module.named_children:
+        if each.type in ("import_statement", "import_from_statement"):
+            found.clear()
+        elif _calls(each):
+            found.append(each)
+    return found
 
 
 def _calls(statement: Node) -> bool:

@@ -8,7 +8,7 @@ from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import EndpointKind
 
 from .analysis import Analysis
-from .own_loop import is_endless
+from .own_loop import is_endless, sleeps_by_spinning
 
 # rclpy calls nothing unless something spins: a function, an executor, or a navigator's methods.
 _SPINNING = re.compile(r"spin|executor|add_node|navigator", re.IGNORECASE)
@@ -40,6 +40,15 @@ def never_called(before: Analysis, after: Analysis) -> Diagnostic | None:
     names = {*_called(before), *(name for name in _called(after) if name.startswith("spin"))}
     if callback is None:
         return None
+    if any(
+        body is not None and sleeps_by_spinning(before, body)
+        for loop in before.captures.get("while", [])
+        for body in [loop.child_by_field_name("body")]
+    ):
+        message = "the loop of the file sleeps until `spin_once` calls its rate: if that calls"
+        message += f" `{callback}` instead, it sleeps for ever"
+        remedy = "let the node spin in a thread of its own first"
+        return Diagnostic(codes.EDIT_REFUSED, message, help=remedy)
     if after.library.node_classes:
         spinning = {name for name in names if _SPINNING.search(name)}
         runs = bool(spinning - _BRIEF) or (bool(spinning) and _is_repeated(before))

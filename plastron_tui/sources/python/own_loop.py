@@ -170,9 +170,28 @@ def _is_started(added: Addition, node: Node) -> bool:
     return Starting(analysis).is_starting(function) and is_sure(node, function)
 
 
+def sleeps_by_spinning(analysis: Analysis, body: Node) -> bool:
+    """Whether the body of a loop spins once, and sleeps with a rate that only that wakes.
+
+    The timer of a rate wakes who sleeps (`rclpy/timer.py`). A `spin_once` that calls something else
+    instead lets the loop sleep for ever.
+    """
+    text = analysis.syntax.text
+    return (
+        b"spin_once(" in (body.text or b"")
+        and b".create_rate(" in text
+        and b"Thread(" not in text
+        and any(
+            is_sleep(analysis, each) and not (each.text or b"").startswith(b"time.")
+            for each in statements_of(body)
+        )
+    )
+
+
 def _runs_through(analysis: Analysis, body: Node) -> bool:
     """Whether a body surely comes to its end, in no time to speak of."""
     statements = parts_of(body)
+    may_spin = sleeps_by_spinning(analysis, body)
     if len(statements) == 1 and statements[0].type == "try_statement":
         handlers = [each for each in statements[0].children if each.type == "except_clause"]
         if not all(_INTERRUPT.search(_head(each)) for each in handlers):
@@ -181,7 +200,8 @@ def _runs_through(analysis: Analysis, body: Node) -> bool:
     pending = [(each, _LEAVING) for each in statements if each.id not in ending]
     while pending:
         node, leaving = pending.pop()
-        if node.type in leaving or node.type == "while_statement" or _waits(analysis, node):
+        is_waiting = _waits(analysis, node) and not (may_spin and b"spin_once" in _head(node))
+        if node.type in leaving or node.type == "while_statement" or is_waiting:
             return False
         is_handler = node.type == "except_clause" and _INTERRUPT.search(_head(node))
         if node.type in _FUNCTIONS or is_handler:

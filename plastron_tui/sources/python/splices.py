@@ -206,7 +206,7 @@ def _indent(text: bytes, start: int) -> bytes:
 def _is_prose(comment: bytes) -> bool:
     """Whether a comment is made of words: no code, no ruler, and nothing that tools read."""
     said = comment.lstrip(b"#").strip()
-    is_code = _CODE.search(said) is not None or said.endswith((b")", b":", b",", b"]", b"}"))
+    is_code = _CODE.search(said) is not None or said.endswith((b":", b",", b"]", b"}"))
     return bool(said) and _NO_WORDS.search(comment) is None and not is_code
 
 

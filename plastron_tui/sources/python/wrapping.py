@@ -16,6 +16,8 @@ from .syntax import Syntax, parse, parts_of
 
 # PEP 8, black, and what teams agree on.
 _USUAL = (ROS_1, 88, 100, 120)
+# So many lines may be longer than what a file keeps to.
+_FEW = 2
 
 # So many broken calls tell how a file breaks them.
 _MOST_CALLS = 200
@@ -30,7 +32,7 @@ def line_limit(text: bytes, library: str, said: int | None) -> int:
     """Return how long the lines of a file may be: as its settings say, or as it keeps to."""
     if said is not None:
         return said
-    return ROS_2 if library == "rclpy" else _longest(text)
+    return _longest(text, ROS_2 if library == "rclpy" else ROS_1)
 
 
 def wrap_new_lines(before: bytes, after: bytes, limit: int) -> bytes:
@@ -72,11 +74,12 @@ def _is_like(line: str, other: str) -> bool:
     return match.quick_ratio() > _ALIKE and match.ratio() > _ALIKE
 
 
-def _longest(text: bytes) -> int:
-    """Return the usual limit that the lines of code keep to."""
+def _longest(text: bytes, allowed: int) -> int:
+    """Return the usual limit that the lines of code keep to, but for a few."""
     code = (line.rstrip() for line in text.splitlines() if not line.lstrip().startswith(b"#"))
-    longest = max((len(line.decode("utf-8", "replace")) for line in code), default=0)
-    return next((each for each in _USUAL if longest <= each), longest)
+    lengths = sorted((len(line.decode("utf-8", "replace")) for line in code), reverse=True)
+    longest = next(iter(lengths[_FEW:]), 0)
+    return next((each for each in (allowed, *_USUAL) if longest <= each >= allowed), longest)
 
 
 def _wrap(syntax: Syntax, start: int, end: int, style: Brackets) -> list[Splice]:

@@ -58,8 +58,8 @@ ADDITIONS = {
         [
             ("import String\n", "import String\nfrom std_srvs.srv import Empty, EmptyResponse\n"),
             ("self.in_cb)\n", "self.in_cb)\n"
-                             "        rospy.Service('stop', Empty, self.handle_stop)\n"),
-            ("publish(msg)\n", "publish(msg)\n\n    def handle_stop(self, request):\n"
+                             "        rospy.Service('stop', Empty, self.stop_cb)\n"),
+            ("publish(msg)\n", "publish(msg)\n\n    def stop_cb(self, request):\n"
                                "        rospy.loginfo('stop: %s', request)\n"
                                "        return EmptyResponse()\n"),
         ],

@@ -16,6 +16,10 @@ LOOP = (
     "import time\n{}while rclpy.ok():\n    pub.publish(String(data='again'))\n    time.sleep(0.5)\n"
 ).format(NODES["rclpy"])
 BRIEF = "while not ready():\n    pass\nrclpy.spin_until_future_complete(node, pub.wait())\n"
+# Who calls `sleep` waits until the timer of the rate is called.
+SLEEPS = NODES["rclpy"] + (
+    "rate = node.create_rate(5)\nwhile rclpy.ok():\n    rclpy.spin_once(node)\n    rate.sleep()\n"
+)
 CALLED = {
     "a subscription": subscribe("x"),
     "a service": provide("x"),
@@ -47,6 +51,7 @@ RUNNING = {
         (NODES["rclpy"], "the file does not keep spinning, so that `"),
         (NODES["rclpy"] + BRIEF, "the file does not keep spinning, so that `"),
         (LOOP, "the file does not keep spinning, so that `"),
+        (SLEEPS, "the loop of the file sleeps until `spin_once` calls its rate: if that calls `"),
     ],
 )
 def test_what_is_never_called_is_not_added(case: str, text: str, why: str) -> None:

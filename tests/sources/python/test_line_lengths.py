@@ -13,7 +13,7 @@ from plastron_tui.model.source import Update
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.sources.python import edit_python, read_python
 from plastron_tui.sources.python.line_length import find_line_length, said_line_length
-from plastron_tui.sources.python.wrapping import wrap_new_lines
+from plastron_tui.sources.python.wrapping import line_limit, wrap_new_lines
 
 NODE = """\
 from rclpy.node import Node
@@ -163,3 +163,9 @@ def test_settings_that_cannot_be_read_say_nothing(tmp_path):
     (tmp_path / "pyproject.toml").write_text("[tool.ruff]\nline-length = 'wide'\n")
     (tmp_path / ".flake8").write_text("[flake8]\nmax-line-length = 70\n" + " " * 70_000)
     assert find_line_length(tmp_path / "node.py") is None
+
+
+@pytest.mark.parametrize(("long", "limit"), [(0, 99), (2, 99), (3, 120), (9, 120)])
+def test_a_few_lines_do_not_tell_what_a_file_keeps_to(long, limit):
+    text = "x = 1\n" * 20 + ("y = " + "1" * 110 + "\n") * long
+    assert line_limit(text.encode(), "rclpy", None) == limit

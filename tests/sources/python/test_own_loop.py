@@ -64,6 +64,9 @@ OWN = {
     "a timer that goes on": TICK_1.format(", oneshot=False"),
     "a timer that goes on, by position": TICK_1.format(", False"),
     "a timer that returns at its end": TICK.format("0.2, self.tick", "        return\n"),
+    "one that spinning wakes": MAIN.format(
+        "while rclpy.ok():\n    rclpy.spin_once(node)\n    rate.sleep()\n"
+    ),
 }
 OTHERS = {
     "one that begins when another ends": SCRIPT.format(
@@ -92,9 +95,6 @@ OTHERS = {
     ),
     "that waits for a key": SCRIPT.format(WHILE.format("key = input()")),
     "that waits in it": SCRIPT.format(WHILE.format("while busy:\n        pass")),
-    "that waits for what comes": MAIN.format(
-        "while rclpy.ok():\n    rclpy.spin_once(node)\n    rate.sleep()\n"
-    ),
     "as often as something comes": MAIN.format("while rclpy.ok():\n    rclpy.spin_once(node)\n"),
     "in a callback": CALLBACK.format(""),
     "in a method that is run when asked": RUN.format("if input():\n    a.run()\nrospy.spin()\n"),

@@ -164,6 +164,7 @@ LINES = {
     "a comment on another one too": (
         "# the publishers\n{}b = publisher()\n", "# the publishers\nb = publisher()\n"
     ),
+    "its comment, with an aside": ("a = 1\n# Greet (all)\n{}\nb = 2\n", "a = 1\n\nb = 2\n"),
     "a comment of more lines": ("# Greet, add\n{}b = 2\n", "# Greet, add\nb = 2\n"),
     "code in a comment": ("# p = None\n{}\nb = 2\n", "# p = None\n\nb = 2\n"),
     "a ruler": ("# ---- Greet ----\n{}\nb = 2\n", "# ---- Greet ----\n\nb = 2\n"),

@@ -338,6 +338,14 @@ def test_a_function_stands_behind_the_constants():
     assert "SPEED = 5\n\n\ndef on_text" in text
 
 
+def test_a_function_stands_behind_the_imports():
+    load = (
+        "import roslib\nroslib.load_manifest('a')\nimport rospy\nfrom std_msgs.msg import String\n"
+    )
+    text = edited(f"{load}rospy.init_node('n')\nrospy.spin()\n", subscribe("text"))
+    assert text.startswith(f"{load}\n\ndef on_text")
+
+
 def test_a_method_stands_behind_what_tells_the_end_of_another():
     text = edited(
         "import rospy\nfrom std_msgs.msg import String\n\n\nclass A:\n    def __init__(self):\n"
