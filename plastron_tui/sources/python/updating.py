@@ -19,6 +19,7 @@ from .existing_callbacks import check_parameters, misfit
 from .generated import body_of, is_stub
 from .handed_on import HandedOn, handed_by_call, handed_by_partial
 from .insertion_point import beside
+from .lost import written_anew
 from .message_filters import hands_on, takers
 from .removal import callback_scope, find_sites, stub_callbacks
 from .renaming import NotNamedError, plan_names
@@ -122,6 +123,11 @@ def _put_callback(update: Replacement, given: Node, interface: Interface) -> Non
         wrapped, added.handed = None, by_call
     check_parameters(added, callback)
     update.put(given if wrapped is None else wrapped[0], callback)
+    if wrapped is None and given.type == "lambda":
+        old = update.site.endpoint
+        text = " ".join(analysis.syntax.slice(given).split())
+        message = f"`{text}` of `{old.name}` is not kept for `{added.name}`"
+        update.notes.append(written_anew(message, added.endpoint, old.name or added.name))
 
 
 def _respond(update: Replacement, interface: Interface) -> None:

@@ -156,3 +156,10 @@ def test_a_function_that_is_defined_later_is_there_when_the_call_is_made(tmp_pat
     call = "rospy.Subscriber('a', String, hear)\n\n\ndef later(msg):\n    print(msg)\n\n"
     text = outcome(tmp_path, "rospy", call, "later").text
     assert text.index("def later") < text.index("String, later)") < text.index("rospy.spin()")
+
+
+def test_it_is_told_that_a_lambda_goes(tmp_path: Path) -> None:
+    call = "rospy.Subscriber('a', String, lambda m: seen.append(m))"
+    (found,) = (each for each in outcome(tmp_path, "rospy", call, "on_a").found)
+    assert found.code == "written-anew"
+    assert found.message == "`lambda m: seen.append(m)` of `a` is not kept for `a`"
