@@ -203,6 +203,14 @@ WRITTEN_ANEW = Code(
     severity=Severity.WARNING,
 )
 
+SHARED_NAME = Code(
+    "shared-name",
+    "An endpoint is added to a class of a loaded file whose objects are told what to call their "
+    "other endpoints. Where there are several objects, each creates it by the same name; rospy "
+    "takes no second service of a name.",
+    severity=Severity.WARNING,
+)
+
 WAKES_LOOP = Code(
     "wakes-loop",
     "A loop of a loaded file has no rate of its own: it goes on whenever `spin_once` has called "

@@ -37,6 +37,7 @@ from .messages import CannotAddError
 from .removal import callback_scope
 from .scopes import Scope
 from .sending import add_calls, add_publishing, keep_running
+from .shared_names import shared_name
 from .signatures import parameter_names, signatures_of
 from .surroundings import holds_handles, is_attribute_style, starts_section
 from .writing import Writer
@@ -91,6 +92,8 @@ def plan_addition(
         _use_present(added, present)
     else:
         lines = _create(added)
+        if (note := shared_name(added)) is not None:
+            writer.notes.append(note)
     if isinstance(endpoint, Publisher):
         lines += add_publishing(added, endpoint)
     elif isinstance(endpoint, Client):

@@ -1,7 +1,7 @@
 """Functions and names as the file writes its own."""
 
 import pytest
-from edits import edited, provide, subscribe
+from edits import edit, edited, provide, subscribe
 
 MANNERS = {
     "types": (
@@ -62,3 +62,20 @@ def test_a_section_of_its_own(above, is_apart):
     gap = "\n\n        self" if is_apart else "\n        self"
     assert f"{gap}.b_sub = self.create_subscription(" in text
     assert is_apart or "\n\n        self.b_sub" not in text
+
+
+PER_OBJECT = (
+    "import rospy\nfrom std_msgs.msg import String\n\n\nclass Joint:\n"
+    "    def __init__(self, number):\n"
+    "        self.pub = rospy.Publisher({}, String, queue_size=1)\n"
+    "\n\nrospy.init_node('n')\nJoint(make())\nJoint(make())\nrospy.spin()\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("name", "is_told"),
+    [("'joint' + str(number)", True), ("f'joint{number}'", True), ("'j'", False)],
+)
+def test_it_is_told_that_each_object_creates_an_endpoint(name, is_told):
+    found = edit(PER_OBJECT.format(name), provide("stop")).diagnostics
+    assert [str(each.code) for each in found] == ["shared-name"] * is_told

@@ -1,0 +1,50 @@
+"""Endpoints of one name in a class whose objects have endpoints of names of their own."""
+
+from __future__ import annotations
+
+from tree_sitter import Node
+
+from plastron_tui.diagnostics import Diagnostic, codes
+
+from .addition import Addition
+from .analysis import Site
+from .scopes import BindingKind, Scope
+
+
+def shared_name(added: Addition) -> Diagnostic | None:
+    """Return a warning where each object of a class creates an endpoint of one name.
+
+    An object that says what its other endpoints are called is seldom the only one of its class.
+    rospy takes no second service of a name: `rospy/impl/tcpros_service.py`.
+    """
+    place, analysis = added.place, added.analysis
+    owner = place.owner
+    is_node = any(
+        node.owner is owner or (node.scope.enclosing("function") is place.scope)
+        for node in analysis.nodes
+    )
+    if owner is None or is_node:
+        return None
+    for site in analysis.sites:
+        if site.scope.enclosing("function") is place.scope and _has_parameter(site, place.scope):
+            message = f"each object of `{owner.name}` creates `{added.name}`, while line "
+            message += f"{site.endpoint.line} gives each a name of its own"
+            help_ = "add it to what makes the objects, if there are several"
+            return Diagnostic(codes.SHARED_NAME, message, added.endpoint.span, help=help_)
+    return None
+
+
+def _has_parameter(site: Site, function: Scope) -> bool:
+    """Whether the name of an endpoint is made of a parameter of the function around it."""
+    given = site.arguments.get(site.shape.name) if site.shape.name is not None else None
+    pending: list[Node] = [given] if given is not None else []
+    while pending:
+        node = pending.pop()
+        pending += node.named_children
+        bindings = function.bindings.get((node.text or b"").decode("utf-8", "replace"), [])
+        is_name = node.type == "identifier" and any(
+            each.kind is BindingKind.PARAMETER for each in bindings
+        )
+        if is_name and (node.text or b"").decode("utf-8", "replace") != function.self_name:
+            return True
+    return False
