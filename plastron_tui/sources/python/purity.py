@@ -15,6 +15,7 @@ _PURE_FUNCTIONS = frozenset(
     {"rospy.Time.now", "rospy.get_rostime", "rospy.get_time", "rospy.Time", "rospy.Duration"}
     | {"rospy.Time.from_sec", "rospy.Duration.from_sec", "time.time", "rospy.get_name"}
     | {"rospy.get_namespace", "rospy.get_caller_id", "socket.gethostname"}
+    | {"copy.copy", "copy.deepcopy", "json.dumps", "struct.pack"}
     | {"rclpy.duration.Duration", "rclpy.qos.QoSProfile"}
 )
 # What a node's clock is asked; nothing else of these names changes anything either.
@@ -25,7 +26,8 @@ _PURE_METHODS = frozenset(
     | {"flatten", "reshape", "cv2_to_imgmsg", "imgmsg_to_cv2"}
 )
 # All of these modules work out and change nothing.
-_PURE_MODULES = ("math.", "tf.transformations.", "tf_transformations.", "transforms3d.")
+_PURE_MODULES = ("math.", "numpy.", "tf.transformations.", "tf_transformations.", "transforms3d.")
+_DOING = ("numpy.random.", "numpy.save", "numpy.load", "numpy.copyto", "numpy.put", "numpy.seterr")
 _PURE_TYPES = frozenset(
     {"identifier", "string", "integer", "float", "true", "false", "none", "attribute", "subscript"}
     | {"list", "tuple", "dictionary", "pair", "set", "parenthesized_expression", "binary_operator"}
@@ -71,10 +73,15 @@ def _is_pure_call(analysis: Analysis, call: Node) -> bool:
         return True
     names = resolver.qualified(callee, scope)
     if names:
-        return all(each in _PURE_FUNCTIONS or each.startswith(_PURE_MODULES) for each in names)
+        return all(_is_known(each) for each in names)
     method = callee.child_by_field_name("attribute")
     name = analysis.syntax.slice(method) if method is not None else ""
     return name in _PURE_METHODS or (name == "get" and _is_of_mapping(call))
+
+
+def _is_known(name: str) -> bool:
+    is_pure = name.startswith(_PURE_MODULES) and not name.startswith(_DOING)
+    return name in _PURE_FUNCTIONS or is_pure
 
 
 def _is_of_mapping(call: Node) -> bool:

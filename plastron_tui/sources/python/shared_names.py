@@ -15,7 +15,7 @@ def shared_name(added: Addition) -> Diagnostic | None:
     """Return a warning where each object of a class creates an endpoint of one name.
 
     An object that says what its other endpoints are called is seldom the only one of its class.
-    rospy takes no second service of a name: `rospy/impl/tcpros_service.py`.
+    rospy takes no second service of a name: `rospy/service.py`.
     """
     place, analysis = added.place, added.analysis
     owner = place.owner

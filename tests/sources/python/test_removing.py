@@ -211,11 +211,12 @@ def test_lines_around_what_is_removed(case):
 @pytest.mark.parametrize(
     ("value", "is_kept"),
     [("d.get('k')", False), ("d.get(True)", True), ("d.get()", True), ("rospy.get_name()", False),
-     ("Point(*d)", True), ("String(*d)", False), ("take()", True)],
+     ("Point(*d)", True), ("numpy.max(d)", False), ("numpy.random.rand()", True),
+     ("String(*d)", False), ("take()", True)],
 )  # fmt: skip
 def test_what_made_a_message_is_kept_where_it_does_something_else(value, is_kept):
     text = edited(
-        f"{HEAD}{MORE}x = String, Int32\n\n\ndef f(d):\n    m = String()\n"
+        f"import numpy\n{HEAD}{MORE}x = String, Int32\n\n\ndef f(d):\n    m = String()\n"
         f"    m.data = {value}\n    p.publish(m)\n\n\np = rospy.Publisher('t', String)\n{TAIL}",
         Remove(PUB, "t", AT),
     )
