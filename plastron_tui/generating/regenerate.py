@@ -26,6 +26,10 @@ if TYPE_CHECKING:
     from .endpoint_merge import Merged
 
 
+# What an edit leaves behind is told when it is made; who runs the program again knows.
+_ONCE = (codes.UNCALLED_FUNCTION, codes.STILL_NAMED)
+
+
 class Derived(NamedTuple):
     """The files of a loaded node, or why there are none."""
 
@@ -74,7 +78,7 @@ class Derivation:
             known = place.layers[place.index]
             if known.written == layer.written or _asks_the_same(layer, known):
                 # It was told when that was written, and may be removed by hand since.
-                notes = tuple(each for each in notes if each.code != codes.UNCALLED_FUNCTION)
+                notes = tuple(each for each in notes if each.code not in _ONCE)
         return derived._replace(diagnostics=(*notes, *derived.diagnostics))
 
     @property

@@ -211,6 +211,13 @@ SHARED_NAME = Code(
     severity=Severity.WARNING,
 )
 
+STILL_NAMED = Code(
+    "still-named",
+    "A loaded file goes on saying the name of something that is removed or called otherwise: in a "
+    "text that is the name, or in what it logs. Comments are not looked at.",
+    severity=Severity.WARNING,
+)
+
 WAKES_LOOP = Code(
     "wakes-loop",
     "A loop of a loaded file has no rate of its own: it goes on whenever `spin_once` has called "

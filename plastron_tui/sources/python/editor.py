@@ -21,6 +21,7 @@ from .keeps_running import never_called
 from .messages import CannotAddError
 from .sites import analyze
 from .splices import apply
+from .still_named import tell_still_named
 from .uncalled import tell_uncalled
 from .unresolved import lost_names, meanings
 from .wrapping import line_limit, wrap_new_lines
@@ -84,9 +85,8 @@ def edit_python(
     silent = never_called(before, analysis)
     if silent is not None:
         return Rendered(None, (silent,))
-    uncalled = tell_uncalled(before, analysis, changes)
-    if uncalled is not None:
-        edits.notes.append(uncalled)
+    told = (tell_uncalled(before, analysis, changes), tell_still_named(analysis, changes))
+    edits.notes += [each for each in told if each is not None]
     return Rendered(source.files.with_main(analysis.syntax.text), tuple(edits.notes))
 
 

@@ -1,0 +1,77 @@
+"""Lines that go on saying a name which an edit took out of a file."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+from tree_sitter import Node
+
+from plastron_tui.diagnostics import Diagnostic, Span, codes
+from plastron_tui.model.source import Change, Remove, Rename, Update
+
+from .analysis import Analysis
+from .creation import line_of
+from .references import statement_of
+
+# A message that lists more lines than these is not read.
+_MOST_LINES = 8
+# Shorter names are words as well.
+_FEWEST_LETTERS = 4
+_LOGGING = re.compile(r"\b(log\w*|print|debug|info|warn\w*|error|fatal)\(")
+
+
+def tell_still_named(after: Analysis, changes: Sequence[Change]) -> Diagnostic | None:
+    """Return a warning that names the lines of code which say what is called otherwise now.
+
+    That are texts which are the name, and what is logged with it. Comments and docstrings are for
+    people, who see that they are old.
+    """
+    left = {site.endpoint.name for site in after.sites}
+    for change in changes:
+        old, span = _old_name(change)
+        if old is None or old in left:
+            continue
+        lines = sorted({line_of(node) for node in _texts(after, old)})
+        if lines:
+            message = f"{_says(lines)} `{old}`"
+            return Diagnostic(codes.STILL_NAMED, message, span, help="change it by hand")
+    return None
+
+
+def _says(lines: Sequence[int]) -> str:
+    listed = ", ".join(map(str, lines[:_MOST_LINES]))
+    if (more := len(lines) - _MOST_LINES) > 0:
+        listed += f" and {more} more"
+    return f"line {listed} still says" if len(lines) == 1 else f"lines {listed} still say"
+
+
+def _old_name(change: Change) -> tuple[str | None, Span | None]:
+    """Return the name that a change takes out, and where a statement says so."""
+    match change:
+        case Remove() | Rename():
+            return change.name, change.span
+        case Update() if change.name != change.endpoint.name:
+            return change.name, change.span
+    return None, None
+
+
+def _texts(analysis: Analysis, name: str) -> Iterator[Node]:
+    """Yield the texts of a file that are a name, or that log it."""
+    bare = name.lstrip("~/")
+    if len(bare) < _FEWEST_LETTERS:
+        return
+    word = re.compile(rb"(?<![\w/])[~/]*%s(?![\w/])" % re.escape(bare.encode()))
+    for found in word.finditer(analysis.syntax.text):
+        node = analysis.syntax.root.descendant_for_byte_range(found.start(), found.end())
+        while node is not None and node.type in ("string_content", "escape_sequence"):
+            node = node.parent
+        if node is None or node.type != "string":
+            continue
+        statement = statement_of(node)
+        if statement.named_child_count == 1 and statement.named_children[0].id == node.id:
+            continue
+        parts = [each for each in node.named_children if each.type == "string_content"]
+        is_whole = [analysis.syntax.slice(each).lstrip("~/") for each in parts] == [bare]
+        if is_whole or _LOGGING.search(analysis.syntax.slice(statement)) is not None:
+            yield node
