@@ -54,7 +54,7 @@ _CLASSES = {
     EndpointKind.SERVICE: "Service",
     EndpointKind.CLIENT: "ServiceProxy",
 }
-# What is made anew in each call is of that call alone.
+# A plain name, which may be another one's profile as well.
 _NAME = re.compile(r"[\w.]+")
 _QUEUE = re.compile(r"[1-9]\d{0,5}$")
 
@@ -217,26 +217,9 @@ def _arguments(added: Addition, model: Site | None, class_: str, callback: str) 
         if model is not None and keyword in model.arguments.keywords:
             is_named = True
         parts.append(f"{keyword}={queue}" if is_named else queue)
-    if group := _callback_group(added):
+    if group := added.callback_group(added.kind):
         parts.append(f"callback_group={group}")
     return ", ".join(parts)
-
-
-def _callback_group(added: Addition) -> str:
-    """Return the callback group that all endpoints of the kind beside the new one are in."""
-    given = set(_given_beside(added, Argument(-1, "callback_group")))
-    found = given.pop() if len(given) == 1 else ""
-    return found if added.is_rclpy and _NAME.fullmatch(found) else ""
-
-
-def _given_beside(added: Addition, argument: Argument) -> list[str]:
-    """Return what the endpoints of the kind beside the new one say, "" for those that do not."""
-    return [
-        added.analysis.syntax.slice(given) if given is not None else ""
-        for site in added.analysis.sites
-        if site.endpoint.kind is added.kind and site.scope is added.place.scope
-        for given in [site.arguments.get(argument)]
-    ]
 
 
 def _shape(added: Addition) -> CallShape:
@@ -258,7 +241,7 @@ def _queue(added: Addition, model: Site | None) -> str:
         return alike
     if _QUEUE.match(text):
         return text
-    beside = _given_beside(added, at)
+    beside = added.given_beside(added.kind, at)
     if len(beside) > 1 and set(beside) == {text} and _NAME.fullmatch(text):
         return text
     is_needed = added.is_rclpy or added.kind is EndpointKind.PUBLISHER

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 
 from plastron_tui.model.kinds import Endpoint
@@ -12,6 +13,7 @@ from plastron_tui.ros.interfaces import Interface
 
 from . import literals, naming
 from .analysis import Analysis
+from .calls import Argument
 from .conventions import conventions_of
 from .dialect import Dialect
 from .handed_on import HandedOn
@@ -21,6 +23,9 @@ from .references import identifiers
 from .scopes import Scope
 from .typeimports import FileImports
 from .writing import Writer
+
+# What is made anew in each call is of that call alone.
+_NAME = re.compile(r"[\w.]+")
 
 
 @dataclass(slots=True)
@@ -143,3 +148,18 @@ class Addition:
         """Whether the methods of the class around the endpoint see the node as it does."""
         holder = self.place.receiver.partition(".")[0]
         return self.place.owner is not None and holder in ("", self.place.self_name)
+
+    def callback_group(self, kind: EndpointKind) -> str:
+        """Return the callback group that all endpoints of a kind beside this one are in."""
+        given = set(self.given_beside(kind, Argument(-1, "callback_group")))
+        found = given.pop() if len(given) == 1 else ""
+        return found if self.is_rclpy and _NAME.fullmatch(found) else ""
+
+    def given_beside(self, kind: EndpointKind, argument: Argument) -> list[str]:
+        """Return what the endpoints of a kind beside this one say, "" for those that do not."""
+        return [
+            self.analysis.syntax.slice(given) if given is not None else ""
+            for site in self.analysis.sites
+            if site.endpoint.kind is kind and site.scope is self.place.scope
+            for given in [site.arguments.get(argument)]
+        ]

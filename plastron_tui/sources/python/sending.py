@@ -123,7 +123,9 @@ def _timer_variable(added: Addition) -> str:
 
 def _timer_call(added: Addition, period: str, callback: str) -> str:
     if added.is_rclpy:
-        return f"{added.place.receiver}.create_timer({period}, {callback}"
+        group = added.callback_group(EndpointKind.TIMER)
+        end = f", callback_group={group}" if group else ""
+        return f"{added.place.receiver}.create_timer({period}, {callback}{end}"
     timer = added.rospy("Timer")
     duration = added.rospy("Duration")
     return f"{timer}({duration}({period}), {callback}"

@@ -1,7 +1,7 @@
 """Functions and names as the file writes its own."""
 
 import pytest
-from edits import edit, edited, provide, subscribe
+from edits import edit, edited, provide, publish, subscribe
 
 MANNERS = {
     "types": (
@@ -79,3 +79,14 @@ PER_OBJECT = (
 def test_it_is_told_that_each_object_creates_an_endpoint(name, is_told):
     found = edit(PER_OBJECT.format(name), provide("stop")).diagnostics
     assert [str(each.code) for each in found] == ["shared-name"] * is_told
+
+
+def test_a_timer_is_in_the_group_of_the_others():
+    text = edited(
+        "from rclpy.node import Node\nfrom std_msgs.msg import String\n\n\nclass A(Node):\n"
+        "    def __init__(self):\n        super().__init__('a')\n        self.group = make()\n"
+        "        self.timer = self.create_timer(1.0, self.tick, callback_group=self.group)\n\n"
+        "    def tick(self):\n        wait()\n        return\n        wait()\n",
+        publish("b", rate=4.0, data="x"),
+    )
+    assert "self.create_timer(0.25, self.publish_b, callback_group=self.group)\n" in text
