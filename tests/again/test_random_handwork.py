@@ -48,8 +48,7 @@ class Writer:
         if what == "subscription":
             self.topics.append(f"mine_{number}")
         new = {
-            # A sentence above an endpoint goes with it; code that is commented out does not.
-            "comment": [f"{indent}# mine = {number}"],
+            "comment": [f"{indent}# mine {number}"],
             "callback": [f"{indent}mine_{number} = 1"],
             "function": [f"def mine_{number}():", "    return 1", "", ""],
             "subscription": [listening.format(f"mine_{number}")],

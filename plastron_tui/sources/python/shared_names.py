@@ -14,7 +14,7 @@ from .scopes import BindingKind, Scope
 def shared_name(added: Addition) -> Diagnostic | None:
     """Return a warning where each object of a class creates an endpoint of one name.
 
-    An object that says what its other endpoints are called is seldom the only one of its class.
+    An object that has to be told what its other endpoints are called is seldom the only one.
     rospy takes no second service of a name: `rospy/service.py`.
     """
     place, analysis = added.place, added.analysis
@@ -35,7 +35,7 @@ def shared_name(added: Addition) -> Diagnostic | None:
 
 
 def _has_parameter(site: Site, function: Scope) -> bool:
-    """Whether the name of an endpoint is made of a parameter of the function around it."""
+    """Whether the name of an endpoint is made of what the function around it has to be given."""
     given = site.arguments.get(site.shape.name) if site.shape.name is not None else None
     pending: list[Node] = [given] if given is not None else []
     while pending:
@@ -43,7 +43,7 @@ def _has_parameter(site: Site, function: Scope) -> bool:
         pending += node.named_children
         bindings = function.bindings.get((node.text or b"").decode("utf-8", "replace"), [])
         is_name = node.type == "identifier" and any(
-            each.kind is BindingKind.PARAMETER for each in bindings
+            each.kind is BindingKind.PARAMETER and each.value is None for each in bindings
         )
         if is_name and (node.text or b"").decode("utf-8", "replace") != function.self_name:
             return True

@@ -17,6 +17,9 @@ _NO_WORDS = re.compile(
 _BLANK_LINE = re.compile(rb"^[ \t]*\r?$", re.M)
 # What calls and comments have in common that are about one kind of endpoint.
 _KINDS = (b"publish", b"subscri", b"servi", b"client")
+_WORD = re.compile(rb"[a-z]{3,}")
+_CAPITAL = re.compile(rb"(?<=[a-z])([A-Z])")
+_STEM = 5
 _BLANKS = re.compile(rb"[ \t]*")
 _HEADER = re.compile(rb"(?:\xef\xbb\xbf)?(?:[ \t]*(?:#[^\n]*)?\r?\n)*")
 _CODE = re.compile(rb"\w\(|=|^(from|import|if|for|while|return|del|pass)\b")
@@ -168,13 +171,13 @@ def _blank_after(text: bytes, end: int) -> list[int]:
 def _over_comment(text: bytes, lines: Splice) -> int:
     """Return where deleted lines begin, with the comment above them that speaks of them alone.
 
-    A comment that a statement still follows may speak of that one. What heads the file, draws a
-    line, tells a tool something, or is code, stays.
+    What heads the file, draws a line, tells a tool something, or is code, stays.
     """
     indent = _indent(text, lines.start)
     following = text[lines.end : line_end(text, lines.end)]
     is_followed = bool(following.strip()) and not following.lstrip().startswith(b"#")
     is_followed = is_followed and len(_indent(text, lines.end)) >= len(indent)
+    speaks = _speaks_of if is_followed else _is_about
     start = lines.start
     while start > 0:
         previous = line_start(text, start - 1)
@@ -184,7 +187,7 @@ def _over_comment(text: bytes, lines: Splice) -> int:
         if not _is_prose(line):
             return lines.start
         start = previous
-    if is_followed and not _speaks_of(text[start : lines.start], text, lines):
+    if not speaks(text[start : lines.start], text, lines):
         return lines.start
     header = _HEADER.match(text)
     return lines.start if header is not None and header.end() >= start else start
@@ -196,6 +199,21 @@ def _speaks_of(comment: bytes, text: bytes, lines: Splice) -> bool:
     following = text[lines.end : blank.start() if blank is not None else len(text)].lower()
     gone, said = text[lines.start : lines.end].lower(), comment.lower()
     return any(word in said and word in gone and word not in following for word in _KINDS)
+
+
+def _is_about(comment: bytes, text: bytes, lines: Splice) -> bool:
+    """Whether a comment has a word of what is deleted, or is in no language that code is in.
+
+    Words count as the same that begin alike: `publishing`, and `create_publisher`.
+    """
+    said = {word[:_STEM] for word in _WORD.findall(comment.lower())}
+    gone = {word[:_STEM] for word in _WORD.findall(_split_words(text[lines.start : lines.end]))}
+    return not said or not said.isdisjoint(gone)
+
+
+def _split_words(code: bytes) -> bytes:
+    """Return code in small letters, the words of its names apart: `TrafficSign` is two."""
+    return _CAPITAL.sub(rb" \1", code).lower()
 
 
 def _indent(text: bytes, start: int) -> bytes:

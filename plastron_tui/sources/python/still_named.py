@@ -66,7 +66,7 @@ def _texts(analysis: Analysis, name: str) -> Iterator[Node]:
         node = analysis.syntax.root.descendant_for_byte_range(found.start(), found.end())
         while node is not None and node.type in ("string_content", "escape_sequence"):
             node = node.parent
-        if node is None or node.type != "string":
+        if node is None or node.type != "string" or _is_default(node):
             continue
         statement = statement_of(node)
         if statement.named_child_count == 1 and statement.named_children[0].id == node.id:
@@ -75,3 +75,8 @@ def _texts(analysis: Analysis, name: str) -> Iterator[Node]:
         is_whole = [analysis.syntax.slice(each).lstrip("~/") for each in parts] == [bare]
         if is_whole or _LOGGING.search(analysis.syntax.slice(statement)) is not None:
             yield node
+
+
+def _is_default(node: Node) -> bool:
+    """Whether a text is what a parameter is where no caller says otherwise."""
+    return node.parent is not None and node.parent.type.endswith("default_parameter")

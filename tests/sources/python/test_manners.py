@@ -66,7 +66,7 @@ def test_a_section_of_its_own(above, is_apart):
 
 PER_OBJECT = (
     "import rospy\nfrom std_msgs.msg import String\n\n\nclass Joint:\n"
-    "    def __init__(self, number):\n"
+    "    def __init__(self, number, t='joint'):\n"
     "        self.pub = rospy.Publisher({}, String, queue_size=1)\n"
     "\n\nrospy.init_node('n')\nJoint(make())\nJoint(make())\nrospy.spin()\n"
 )
@@ -74,7 +74,7 @@ PER_OBJECT = (
 
 @pytest.mark.parametrize(
     ("name", "is_told"),
-    [("'joint' + str(number)", True), ("f'joint{number}'", True), ("'j'", False)],
+    [("'joint' + str(number)", True), ("f'joint{number}'", True), ("'j'", False), ("t", False)],
 )
 def test_it_is_told_that_each_object_creates_an_endpoint(name, is_told):
     found = edit(PER_OBJECT.format(name), provide("stop")).diagnostics

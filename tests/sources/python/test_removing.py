@@ -152,10 +152,10 @@ LINES = {
     "no gap": ("a = 1\n{}b = 2\n", "a = 1\nb = 2\n"),
     "no gap at the start of a block": ("if f():\n    {}\n    b = 2\n", "if f():\n    b = 2\n"),
     "no gap at the end": ("a = 1\n\n{}", "a = 1\n"),
-    "its comment": ("a = 1\n\n# Greet people\n{}\nb = 2\n", "a = 1\n\nb = 2\n"),
-    "a comment above another one": ("# Greet\n{}# Add\nb = 2\n", "# Add\nb = 2\n"),
+    "its comment": ("a = 1\n\n# Publish greetings\n{}\nb = 2\n", "a = 1\n\nb = 2\n"),
+    "a comment above another one": ("# Publish\n{}# Add\nb = 2\n", "# Add\nb = 2\n"),
     "its comment at the end of a block": (
-        "def f():\n    a = 1\n    # Greet\n    {}\n\nb = 2\n",
+        "def f():\n    a = 1\n    # Publish\n    {}\n\nb = 2\n",
         "def f():\n    a = 1\n\n\nb = 2\n",
     ),
     "its comment, which no line below is about": (
@@ -164,7 +164,7 @@ LINES = {
     "a comment on another one too": (
         "# the publishers\n{}b = publisher()\n", "# the publishers\nb = publisher()\n"
     ),
-    "its comment, with an aside": ("a = 1\n# Greet (all)\n{}\nb = 2\n", "a = 1\n\nb = 2\n"),
+    "its comment, with an aside": ("a = 1\n# Publish (to all)\n{}\nb = 2\n", "a = 1\n\nb = 2\n"),
     "a comment of more lines": ("# Greet, add\n{}b = 2\n", "# Greet, add\nb = 2\n"),
     "code in a comment": ("# p = None\n{}\nb = 2\n", "# p = None\n\nb = 2\n"),
     "a ruler": ("# ---- Greet ----\n{}\nb = 2\n", "# ---- Greet ----\n\nb = 2\n"),
@@ -196,6 +196,10 @@ LINES = {
     "a loop over what is made": (
         "for z in f():\n    {}b = 2\n", "for z in f():\n    pass\nb = 2\n"
     ),
+    "a comment that is not about it": (
+        "a = 1\n\n# Greet\n{}\nb = 2\n", "a = 1\n\n# Greet\n\nb = 2\n"
+    ),
+    "a comment in another script": ("a = 1\n\n# 发布\n{}\nb = 2\n", "a = 1\n\nb = 2\n"),
 }  # fmt: skip
 
 
