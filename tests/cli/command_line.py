@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import signal
 import subprocess
@@ -93,3 +94,27 @@ def snapshot(folder: Path) -> dict[str, bytes | str | None]:
         else:
             found[name] = path.read_bytes() if path.is_file() else None
     return found
+
+
+def write(folder: Path, text: str, name: str = "a.plastron") -> None:
+    (folder / name).write_text(text)
+
+
+def endpoints(run: Run, file: Path) -> dict[str, list[str]]:
+    """Return the names of what a file holds, by kind."""
+    result = run("inspect", "--format", "json", file)
+    assert result.returncode == 0, result.stderr.decode()
+    (node,) = json.loads(result.stdout)["nodes"]
+    kinds = {"publishers": "topic", "subscriptions": "topic", "services": "service"}
+    return {kind: [found[key] for found in node[kind]] for kind, key in kinds.items() if node[kind]}
+
+
+def fill_in(file: Path, more: str = "") -> str:
+    """Fill in a callback as a user does, and add a function of the user's own."""
+    text = file.read_text()
+    assert "def on_chatter(" in text
+    head, tail = text.split("\n\n\ndef ", 1)
+    text = f"{head}\n        self.heard = message.data  # mine{more}\n\n\n"
+    text += f"def own():\n    return 'mine'\n\n\ndef {tail}"
+    file.write_text(text)
+    return text

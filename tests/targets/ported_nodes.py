@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 from collections import Counter
 from pathlib import Path
 
@@ -47,7 +48,38 @@ def listener():
 if __name__ == "__main__":
     listener()
 '''
-LISTENER_2 = '''\
+HEAD = """\
+import rospy
+import std_msgs.msg
+from geometry_msgs.msg import Point, PointStamped, Twist
+from std_msgs.msg import Bool, Byte, Float32MultiArray, Float64, Header, Int32, String
+from std_srvs.srv import Empty, SetBool, Trigger, TriggerResponse
+from rospy_tutorials.srv import AddTwoInts, AddTwoIntsRequest, AddTwoIntsResponse
+
+rospy.init_node('n')
+text = rospy.Publisher('text', String, queue_size=1)
+number = rospy.Publisher('number', Float64, queue_size=1)
+whole = rospy.Publisher('whole', Int32, queue_size=1)
+flag = rospy.Publisher('flag', Bool, queue_size=1)
+octet = rospy.Publisher('octet', Byte, queue_size=1)
+point = rospy.Publisher('point', Point, queue_size=1)
+stamped = rospy.Publisher('stamped', PointStamped, queue_size=1)
+numbers = rospy.Publisher('numbers', Float32MultiArray, queue_size=1)
+dotted = rospy.Publisher('dotted', std_msgs.msg.String, queue_size=1)
+"""
+SPIN = '''\
+def spin():
+    """Handle what comes until ROS ends; log what a callback raises."""
+    while rclpy.ok():
+        try:
+            rclpy.spin(node)
+        except (KeyboardInterrupt, ExternalShutdownException):
+            break
+        except Exception:
+            if rclpy.ok():
+                node.get_logger().error(traceback.format_exc())
+'''
+LISTENER_2 = f'''\
 #!/usr/bin/env python3
 """Hears things."""
 
@@ -61,17 +93,7 @@ from std_msgs.msg import String
 node = None
 
 
-def spin():
-    """Handle what comes until ROS ends; log what a callback raises."""
-    while rclpy.ok():
-        try:
-            rclpy.spin(node)
-        except (KeyboardInterrupt, ExternalShutdownException):
-            break
-        except Exception:
-            if rclpy.ok():
-                node.get_logger().error(traceback.format_exc())
-
+{SPIN}
 
 LOUD = "!"
 
@@ -88,7 +110,7 @@ def callback(data):
 def listener():
     global node
     rclpy.init()
-    node = rclpy.create_node(f"listener_{os.getpid()}")
+    node = rclpy.create_node(f"listener_{{os.getpid()}}")
     node.create_subscription(String, "chatter", callback, 10)
     # spin() simply keeps python from exiting
     spin()
@@ -122,3 +144,9 @@ def endpoints(read: SourceUnit) -> Counter[tuple[EndpointKind, str]]:
         for each in read.endpoints
         if each.kind in EDITABLE and each.name is not None
     )
+
+
+def after_head(before: str) -> str:
+    text, _ = ported(HEAD + before + "\n", "rospy")
+    ast.parse(text)
+    return text

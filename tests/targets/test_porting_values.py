@@ -6,7 +6,7 @@ import ast
 import textwrap
 
 import pytest
-from ported_nodes import MARK, ported
+from ported_nodes import MARK, after_head, ported
 
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import FieldType
@@ -15,25 +15,6 @@ from plastron_tui.sources.python.sites import analyze
 from plastron_tui.targets.python.porting.fields import write_fields
 from plastron_tui.targets.python.porting.port_state import Work
 
-HEAD = """\
-import rospy
-import std_msgs.msg
-from geometry_msgs.msg import Point, PointStamped, Twist
-from std_msgs.msg import Bool, Byte, Float32MultiArray, Float64, Header, Int32, String
-from std_srvs.srv import Empty, SetBool, Trigger, TriggerResponse
-from rospy_tutorials.srv import AddTwoInts, AddTwoIntsRequest, AddTwoIntsResponse
-
-rospy.init_node('n')
-text = rospy.Publisher('text', String, queue_size=1)
-number = rospy.Publisher('number', Float64, queue_size=1)
-whole = rospy.Publisher('whole', Int32, queue_size=1)
-flag = rospy.Publisher('flag', Bool, queue_size=1)
-octet = rospy.Publisher('octet', Byte, queue_size=1)
-point = rospy.Publisher('point', Point, queue_size=1)
-stamped = rospy.Publisher('stamped', PointStamped, queue_size=1)
-numbers = rospy.Publisher('numbers', Float32MultiArray, queue_size=1)
-dotted = rospy.Publisher('dotted', std_msgs.msg.String, queue_size=1)
-"""
 PUBLISH = f"{MARK}publish takes a message\n"
 RETURN = f"{MARK}return a response\n"
 
@@ -178,12 +159,6 @@ PUBLISHED = [
     ("x = make()\nx.linear.x = 1", "x = make()\nx.linear.x = 1.0"),
     ("x = make()\nx.x = 1", "x = make()\nx.x = 1"),
 ]
-
-
-def after_head(before: str) -> str:
-    text, _ = ported(HEAD + before + "\n", "rospy")
-    ast.parse(text)
-    return text
 
 
 @pytest.mark.parametrize(("before", "after"), PUBLISHED)
@@ -336,80 +311,6 @@ def test_what_python_has_is_no_message_of_a_package_that_is_imported_whole() -> 
     text = after_head("from my_package.srv import *\nerror = ValueError('a', 1)")
     assert text.endswith("\nerror = ValueError('a', 1)\n")
     assert MARK not in text
-
-
-WORDS = [
-    (
-        "space = rospy.get_namespace()",
-        "space = (node.get_namespace().rstrip('/') + '/')",
-    ),
-    ("rospy.loginfo('hello')", "node.get_logger().info('hello')"),
-    ("rospy.loginfo('100%')", "node.get_logger().info('100%')"),
-    ("rospy.loginfo('a %s', x)", "node.get_logger().info(f'a {x}')"),
-    ("rospy.logwarn('%s is %s', x, y.z)", "node.get_logger().warning(f'{x} is {y.z}')"),
-    ("rospy.logerr('a %d', x)", "node.get_logger().error('a %d' % (x,))"),
-    ("rospy.logfatal('%s %s', f(x), y)", "node.get_logger().fatal('%s %s' % (f(x), y))"),
-    ("rospy.logdebug('{} %s', x)", "node.get_logger().debug('{} %s' % (x,))"),
-    ("rospy.loginfo('a' 'b %s', x)", "node.get_logger().info('a' 'b %s' % (x,))"),
-    ("rospy.loginfo('5%% of %.2f', x)", "node.get_logger().info('5%% of %.2f' % (x,))"),
-    ("rospy.loginfo('a %s' % x)", "node.get_logger().info('a %s' % x)"),
-    ("rospy.loginfo(x)", "node.get_logger().info(str(x))"),
-    (
-        "rospy.loginfo('at %s', rospy.get_time())",
-        "node.get_logger().info('at %s' % (node.get_clock().now().nanoseconds / 1e9,))",
-    ),
-    ("rospy.loginfo(rospy.get_name())", "node.get_logger().info(node.get_fully_qualified_name())"),
-    ("name = rospy.get_name() + 'x'", "name = node.get_fully_qualified_name() + 'x'"),
-    ("rospy.loginfo('a %s')", "node.get_logger().info('a %s')"),
-    ("rospy.loginfo('a', x)", f"{MARK}rospy.loginfo\nrospy.loginfo('a', x)"),
-    ("rospy.loginfo('%(a)s', x)", f"{MARK}rospy.loginfo\nrospy.loginfo('%(a)s', x)"),
-    ("rospy.loginfo('%*d', 1, x)", f"{MARK}rospy.loginfo\nrospy.loginfo('%*d', 1, x)"),
-    ("rospy.loginfo(x, y)", f"{MARK}rospy.loginfo\nrospy.loginfo(x, y)"),
-    ("rospy.loginfo(*x)", f"{MARK}rospy.loginfo\nrospy.loginfo(*x)"),
-    (
-        "rospy.loginfo('a', exc_info=True)",
-        f"{MARK}rospy.loginfo\nrospy.loginfo('a', exc_info=True)",
-    ),
-    ("x = rospy.is_shutdown() or y", "x = (not rclpy.ok()) or y"),
-    ("x = not rospy.is_shutdown() and y", "x = rclpy.ok() and y"),
-    ("x.header.stamp = rospy.Time.now()", "x.header.stamp = node.get_clock().now().to_msg()"),
-    (
-        "x = Header()\nx.stamp = rospy.Time.now()",
-        "x = Header()\nx.stamp = node.get_clock().now().to_msg()",
-    ),
-    (
-        "myheader.stamp = rospy.Time.now()",
-        f"{MARK}rospy.Time.now\nmyheader.stamp = rospy.Time.now()",
-    ),
-    ("x = Header(stamp=rospy.Time.now())", "x = Header(stamp=node.get_clock().now().to_msg())"),
-    ("x = rospy.Time.now()", "x = node.get_clock().now()"),
-    ("f(rospy.Time.now())", f"{MARK}rospy.Time.now\nf(rospy.Time.now())"),
-    (
-        "text.publish('it is %s' % rospy.get_time())",
-        "text.publish(String(data='it is %s' % (node.get_clock().now().nanoseconds / 1e9)))",
-    ),
-]
-
-
-@pytest.mark.parametrize(("before", "after"), WORDS)
-def test_what_a_node_says_and_asks(before: str, after: str) -> None:
-    text = after_head(before)
-    assert text.endswith(f"\n{after}\n")
-    assert text.count(MARK) == after.count(MARK)
-
-
-@pytest.mark.parametrize(("before", "after"), WORDS)
-def test_a_callback_says_the_same(before: str, after: str) -> None:
-    body = textwrap.indent(before, "    ")
-    text = after_head(f"def hear(msg):\n{body}\n\n\nrospy.Subscriber('s', String, hear)")
-    assert f"def hear(msg):\n{textwrap.indent(after, '    ')}\n" in text
-
-
-def test_what_stands_before_the_node_is_made_is_marked() -> None:
-    text, _ = ported("import rospy\n\n\ndef main(name):\n    rospy.loginfo('a')\n"
-                     "    rospy.init_node(name)\n    rospy.loginfo('b')\n", "rospy")  # fmt: skip
-    assert f"    {MARK}rospy.loginfo\n    rospy.loginfo('a')\n" in text
-    assert "    node.get_logger().info('b')\n" in text
 
 
 BACK_HEAD = """\

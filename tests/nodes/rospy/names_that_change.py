@@ -8,7 +8,7 @@ from std_msgs.msg import String
 TOPIC = 'first'
 TOPIC = 'second'
 MODE = 'idle'
-GROWN = '/root'
+GROWN = '/tree'
 GROWN += '/leaf'
 STEADY = 'steady'
 FOR = 'nobody'
