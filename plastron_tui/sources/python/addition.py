@@ -24,7 +24,7 @@ from .scopes import Scope
 from .typeimports import FileImports
 from .writing import Writer
 
-# What is made anew in each call is of that call alone.
+# What is called otherwise may be made anew in each call.
 _NAME = re.compile(r"[\w.]+")
 
 

@@ -35,11 +35,8 @@ class Calls:
         if self._by_name is None:
             self._by_name = {}
             for call in self._calls:
-                callee = call.child_by_field_name("function")
-                if callee is not None and callee.type == "attribute":
-                    callee = callee.child_by_field_name("attribute")
-                if callee is not None and callee.type == "identifier":
-                    self._by_name.setdefault(self._syntax.slice(callee), []).append(call)
+                if called := self._syntax.called_name(call):
+                    self._by_name.setdefault(called, []).append(call)
         return self._by_name.get(name, [])
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from functools import cached_property
 
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import Change, Rename, SourceUnit
@@ -23,7 +24,7 @@ from .sites import analyze
 from .splices import apply
 from .still_named import tell_still_named
 from .uncalled import tell_uncalled
-from .unresolved import lost_names, meanings
+from .unresolved import Meanings, lost_names, meanings
 from .wrapping import line_limit, wrap_new_lines
 
 
@@ -68,16 +69,16 @@ def edit_python(
     restored = apply(analysis.syntax.text, restore_imports(before, analysis))
     if restored != analysis.syntax.text:
         analysis = analyze(restored, library)
-    problem = _problem(before, analysis, edits.expected)
+    standard = _Standard(before)
+    problem = standard.problem(analysis, edits.expected)
     # Of a call that gets another name one string changes, unless a linter asks for more.
     is_renamed = all(isinstance(change, Rename) for change in changes)
     if problem is None and not (is_renamed and line_length is None):
-        text = analysis.syntax.text
         limit = line_limit(before.syntax.text, source.library, line_length)
-        wrapped = wrap_new_lines(before.syntax.text, text, limit)
-        if wrapped != text:
+        wrapped = wrap_new_lines(before.syntax.text, analysis.syntax, limit)
+        if wrapped != analysis.syntax.text:
             again = analyze(wrapped, library)
-            if _problem(before, again, edits.expected) is None:
+            if standard.problem(again, edits.expected) is None:
                 analysis = again
     if problem is not None:
         message = f"the change of `{source.path.name}` would {problem}"
@@ -97,22 +98,37 @@ def not_encodable(source: SourceUnit, error: UnicodeEncodeError) -> Diagnostic:
     return Diagnostic(codes.EDIT_REFUSED, message, help="save the file in UTF-8 first")
 
 
-def _problem(before: Analysis, after: Analysis, expected: Found) -> str | None:
-    """Return what is wrong with a changed file, None where nothing is."""
-    if after.syntax.errors > before.syntax.errors:
-        return "leave a file that parses worse"
-    if after.syntax.encoding != before.syntax.encoding:
-        return "change the file's encoding"
-    if endpoints_of(after) != +expected:
-        return "change other endpoints than the ones asked for"
-    if not _has_same_nodes(before, after):
-        return "change the nodes of the file"
-    if syntax_error(before.syntax.text) is None and syntax_error(after.syntax.text) is not None:
-        return "leave a file that does not compile"
-    lost = lost_names(meanings(after), meanings(before))
-    if lost:
-        return f"use `{lost[0]}`, which nothing in the file defines any more"
-    return None
+class _Standard:
+    """A file as it was, than which a changed one may be no worse."""
+
+    def __init__(self, before: Analysis) -> None:
+        self._before = before
+
+    @cached_property
+    def _compiles(self) -> bool:
+        return syntax_error(self._before.syntax.text) is None
+
+    @cached_property
+    def _meanings(self) -> Meanings:
+        return meanings(self._before)
+
+    def problem(self, after: Analysis, expected: Found) -> str | None:
+        """Return what is wrong with a changed file, None where nothing is."""
+        before = self._before
+        if after.syntax.errors > before.syntax.errors:
+            return "leave a file that parses worse"
+        if after.syntax.encoding != before.syntax.encoding:
+            return "change the file's encoding"
+        if endpoints_of(after) != +expected:
+            return "change other endpoints than the ones asked for"
+        if not _has_same_nodes(before, after):
+            return "change the nodes of the file"
+        if self._compiles and syntax_error(after.syntax.text) is not None:
+            return "leave a file that does not compile"
+        lost = lost_names(meanings(after), self._meanings)
+        if lost:
+            return f"use `{lost[0]}`, which nothing in the file defines any more"
+        return None
 
 
 def _has_same_nodes(before: Analysis, after: Analysis) -> bool:

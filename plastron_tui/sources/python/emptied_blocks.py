@@ -26,14 +26,16 @@ def emptied_blocks(
         ranges: what else goes, from a start to an end.
     """
     found = _Emptied(analysis, gone, ranges)
-    pending = list(gone)
+    # Each block is asked once, however many of its statements go.
+    pending = list({each.parent.id: each.parent for each in gone if each.parent}.values())
     while pending:
-        block = pending.pop().parent
-        owner = block.parent if block is not None else None
+        block = pending.pop()
+        owner = block.parent
         more = found.with_block(owner) if owner is not None and found.is_empty(block) else None
         if more is not None and not found.is_gone(more):
             found.add(more)
-            pending.append(more)
+            if more.parent is not None:
+                pending.append(more.parent)
     return found.statements
 
 

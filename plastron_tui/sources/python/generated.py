@@ -13,6 +13,7 @@ from .references import Reference
 from .scopes import Scope
 from .syntax import parts_of
 
+_SENDING = re.compile(r"_?(publish|call)(_|[A-Z])")
 _LOGGERS = frozenset({"loginfo", "info", "print"})
 # `chatter: %s`, `chatter: {message}`: what a stub logs.
 _LABELLED = re.compile(r"[\w/~]+: (%s|\{\w+\})$")
@@ -94,12 +95,10 @@ def _is_default_response(
 
 def _is_log(analysis: Analysis, call: Node, parameters: list[str]) -> bool:
     """Whether a call logs the whole message, as Plastron's stubs do, and nothing else."""
-    callee = call.child_by_field_name("function")
     arguments = call.child_by_field_name("arguments")
-    if call.type != "call" or callee is None or arguments is None:
+    if call.type != "call" or arguments is None:
         return False
-    name = analysis.syntax.slice(callee).rpartition(".")[2]
-    if name not in _LOGGERS:
+    if analysis.syntax.called_name(call) not in _LOGGERS:
         return False
     given = [_content(analysis, node) for node in parts_of(arguments)]
     return (
@@ -133,7 +132,7 @@ def is_publishing_function(
     analysis: Analysis, function: Scope, publishing: list[Reference]
 ) -> bool:
     """Whether a function does nothing but fill in messages and send them on one publisher."""
-    if not function.name.lstrip("_").startswith("publish") or has_comments(function):
+    if not is_named_as_own(function) or has_comments(function):
         return False
     sending = {reference.statement.id for reference in publishing}
     statements = body_of(function)
@@ -161,7 +160,7 @@ _CALLING = frozenset(
 def is_calling_function(analysis: Analysis, function: Scope) -> bool:
     """Whether a function does what Plastron writes to call one service, and nothing else."""
     block = function.node.child_by_field_name("body")
-    if not function.name.lstrip("_").startswith("call") or has_comments(function) or block is None:
+    if not is_named_as_own(function) or has_comments(function) or block is None:
         return False
     if "once it is there, and log its answer." not in analysis.syntax.slice(block)[:200]:
         return False
@@ -186,6 +185,11 @@ def is_calling_function(analysis: Analysis, function: Scope) -> bool:
     return True
 
 
+def is_named_as_own(function: Scope) -> bool:
+    """Whether a function is called as those that Plastron writes to send something."""
+    return _SENDING.match(function.name) is not None
+
+
 def is_own_helper(function: Scope) -> bool:
     """Whether a function is the one that Plastron writes to call services with."""
     return function.name == "call" and list(function.bindings)[1:3] == ["client", "request"]
@@ -195,11 +199,9 @@ def is_own_call(analysis: Analysis, reference: Reference) -> bool:
     """Whether a use is `self.call(self.client, request)` with the method that Plastron writes."""
     arguments = reference.node.parent
     call = arguments.parent if arguments is not None else None
-    callee = call.child_by_field_name("function") if call is not None else None
-    if arguments is None or call is None or callee is None or call.type != "call":
+    if arguments is None or call is None or call.type != "call":
         return False
-    name = analysis.syntax.slice(callee).rpartition(".")[2]
-    if name != "call" or arguments.named_child_count != 2:
+    if analysis.syntax.called_name(call) != "call" or arguments.named_child_count != 2:
         return False
     helper = next(
         (

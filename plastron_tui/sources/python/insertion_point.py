@@ -212,11 +212,8 @@ def _is_handed_on(analysis: Analysis, site: Site) -> bool:
     statement = statement_of(site.call)
     node = site.call.parent
     while node is not None and node.id != statement.id:
-        if node.type == "call":
-            callee = node.child_by_field_name("function")
-            name = analysis.syntax.slice(callee).rpartition(".")[2] if callee is not None else ""
-            if name not in _HOLDING:
-                return True
+        if node.type == "call" and analysis.syntax.called_name(node) not in _HOLDING:
+            return True
         node = node.parent
     return False
 

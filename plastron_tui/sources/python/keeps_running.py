@@ -74,13 +74,8 @@ def _is_repeated(analysis: Analysis) -> bool:
 
 def _called(analysis: Analysis) -> list[str]:
     """Return the names of the functions and classes that a file calls."""
-    callees = (call.child_by_field_name("function") for call in analysis.captures.get("call", []))
-    names = (
-        each.child_by_field_name("attribute") if each.type == "attribute" else each
-        for each in callees
-        if each is not None and each.type in ("attribute", "identifier")
-    )
-    return [analysis.syntax.slice(each) for each in names if each is not None]
+    names = map(analysis.syntax.called_name, analysis.captures.get("call", []))
+    return [name for name in names if name]
 
 
 def _starts(analysis: Analysis) -> bool:

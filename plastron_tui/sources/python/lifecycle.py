@@ -26,12 +26,9 @@ def is_transition(analysis: Analysis, place: Place) -> bool:
     """Whether a place is in a transition of a lifecycle node, which runs once in each cycle."""
     if place.owner is None or place.scope.name not in _UNDONE_BY:
         return False
-    scopes = [place.owner, *analysis.resolver.classes.bases(place.owner)]
+    bases = analysis.resolver.foreign_bases(place.owner)
     return place.receiver == place.self_name and any(
-        name.startswith("rclpy.lifecycle.")
-        for scope in scopes
-        for base in scope.bases
-        for name in analysis.resolver.qualified(base, scope.parent or scope)
+        name.startswith("rclpy.lifecycle.") for name in bases
     )
 
 

@@ -13,6 +13,7 @@ from plastron_tui.model.source import Update
 from plastron_tui.ros.interfaces import InterfaceName
 
 from .analysis import Analysis, Site
+from .references import is_member
 from .scopes import BindingKind
 
 
@@ -87,17 +88,8 @@ def is_computed(analysis: Analysis, expression: Node) -> bool:
     while pending:
         node = pending.pop()
         pending.extend(node.named_children)
-        if node.type != "identifier":
+        if node.type != "identifier" or is_member(node):
             continue
-        parent = node.parent
-        if parent is not None and parent.type == "keyword_argument":
-            name = parent.child_by_field_name("name")
-            if name is not None and name.id == node.id:
-                continue
-        if parent is not None and parent.type == "attribute":
-            attribute = parent.child_by_field_name("attribute")
-            if attribute is not None and attribute.id == node.id:
-                continue
         found = analysis.scopes.at(node.start_byte).lookup(analysis.syntax.slice(node))
         if found is not None and any(b.kind is not BindingKind.IMPORT for b in found[1]):
             return True

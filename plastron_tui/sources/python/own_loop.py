@@ -11,6 +11,7 @@ from plastron_tui.model.source import EndpointKind
 
 from .addition import Addition
 from .analysis import Analysis, Site
+from .generated import is_named_as_own
 from .rates import loop_rate, timer_rate
 from .references import statement_of
 from .removal import callback_scope, function_uses
@@ -43,31 +44,34 @@ def own_block(added: Addition) -> OwnBlock | None:
     analysis = added.analysis
     loops = [node for node in analysis.captures.get("while", []) if is_loop(added, node)]
     timers = [site for site in analysis.sites if site.endpoint.kind is EndpointKind.TIMER]
-    loops = [node for node in loops if _is_main(added, node)] or loops
-    if len(loops) + len(timers) != 1:
+    starting = Starting(analysis)
+    mains = [node for node in loops if _is_main(added, node, starting)]
+    if len(mains or loops) + len(timers) != 1:
         return None
-    return _loop_block(added, loops[0]) if loops else _timer_block(added, timers[0])
+    if loops:
+        return _loop_block(added, mains[0]) if mains else None
+    return _timer_block(added, timers[0], starting)
 
 
 def _loop_block(added: Addition, loop: Node) -> OwnBlock | None:
     analysis = added.analysis
     function = analysis.scopes.at(loop.start_byte).enclosing("function") or analysis.scopes.module
     is_later = function is not added.place.scope or loop.start_byte >= added.place.offset
-    if not (is_later and _sees(added, function) and _is_main(added, loop)):
+    if not (is_later and _sees(added, function)):
         return None
     body = loop.child_by_field_name("body")
     return OwnBlock(body, loop_rate(analysis, loop)) if body and _is_plain(loop, body) else None
 
 
-def _timer_block(added: Addition, timer: Site) -> OwnBlock | None:
+def _timer_block(added: Addition, timer: Site, starting: Starting) -> OwnBlock | None:
     analysis, function = added.analysis, callback_scope(added.analysis, timer)
-    if function is None or function.name.startswith(("publish_", "call_")):
+    if function is None or is_named_as_own(function):
         return None
     body = function.node.child_by_field_name("body")
     if body is None or not _is_plain(function.node, body) or not _sees(added, function):
         return None
     is_alone = len(function_uses(analysis, function)) == 1
-    if is_once(timer) or not is_alone or not _is_started(added, timer.call):
+    if is_once(timer) or not is_alone or not _is_started(added, timer.call, starting):
         return None
     ends = (b".cancel(", b".shutdown(", b"destroy_timer(")
     if any(word in (body.text or b"") for word in ends) or not _runs_through(analysis, body):
@@ -140,14 +144,14 @@ def statements_of(block: Node) -> list[Node]:
     return statements
 
 
-def _is_main(added: Addition, loop: Node) -> bool:
+def _is_main(added: Addition, loop: Node, starting: Starting) -> bool:
     """Whether a loop starts with the node, ends with it, and sleeps once in each round."""
     analysis = added.analysis
     body = loop.child_by_field_name("body")
     if body is None or not is_endless(analysis, loop) or _is_behind_another(analysis, loop):
         return False
     is_paced = sum(is_sleep(analysis, each) for each in statements_of(body)) == 1
-    return is_paced and _is_started(added, loop) and _runs_through(analysis, body)
+    return is_paced and _is_started(added, loop, starting) and _runs_through(analysis, body)
 
 
 def _is_behind_another(analysis: Analysis, loop: Node) -> bool:
@@ -160,14 +164,14 @@ def _is_behind_another(analysis: Analysis, loop: Node) -> bool:
     return False
 
 
-def _is_started(added: Addition, node: Node) -> bool:
+def _is_started(added: Addition, node: Node, starting: Starting) -> bool:
     """Whether a loop or a timer surely runs as the node starts, or where the endpoint is made."""
     analysis, beside = added.analysis, added.place.statement.parent
     statement = statement_of(node)
     if beside is not None and statement.parent is not None and statement.parent.id == beside.id:
         return True
     function = analysis.scopes.at(node.start_byte).enclosing("function") or analysis.scopes.module
-    return Starting(analysis).is_starting(function) and is_sure(node, function)
+    return starting.is_starting(function) and is_sure(node, function)
 
 
 def sleeps_by_spinning(analysis: Analysis, body: Node) -> bool:
@@ -218,8 +222,7 @@ def _head(node: Node) -> bytes:
 
 def _waits(analysis: Analysis, node: Node) -> bool:
     """Whether a call takes as long as something else wants."""
-    callee = node.child_by_field_name("function") if node.type == "call" else None
-    name = analysis.syntax.slice(callee).rpartition(".")[2] if callee is not None else ""
+    name = analysis.syntax.called_name(node) if node.type == "call" else ""
     if name != "spin_once":
         return name in _WAITING
     return re.search(rb"timeout_sec\s*=\s*0(\.0*)?\s*[,)]", node.text or b"") is None

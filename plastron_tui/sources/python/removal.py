@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind, Remove, Rename, Update
@@ -57,7 +59,8 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
         remove_uses(analysis, variable, sites, removal)
     if removal.lines:
         return removal
-    removal.statements += [statement for statement, _ in waits(analysis, sites)]
+    for found in waits(analysis, sites).values():
+        removal.statements += [statement for statement, _ in found]
     remove_what_served(analysis, removal)
     for variable in variables:
         removal.statements += _placeholders(analysis, variable, removal)
@@ -98,13 +101,13 @@ def remove_what_served(analysis: Analysis, removal: Removal) -> None:
     removal.statements += emptied_blocks(analysis, removal.statements)
 
 
-def waits(analysis: Analysis, sites: list[Site]) -> list[tuple[Node, Node]]:
-    """Return the statements that wait for a service, each with the argument that names it.
+def waits(analysis: Analysis, sites: Iterable[Site]) -> dict[str | None, list[tuple[Node, Node]]]:
+    """Return the statements that wait for clients' services, each with the argument that names it.
 
     Where the service is not there they would keep the node waiting for ever.
     """
     names = {site.endpoint.name for site in sites if site.endpoint.kind is EndpointKind.CLIENT}
-    found = []
+    found: dict[str | None, list[tuple[Node, Node]]] = {}
     for call in analysis.captures.get("call", []) if names else []:
         statement = call.parent
         if statement is None or statement.type != "expression_statement":
@@ -115,11 +118,12 @@ def waits(analysis: Analysis, sites: list[Site]) -> list[tuple[Node, Node]]:
             continue
         given = Arguments.of(call, analysis.syntax).get(Argument(0, "service"))
         folded = analysis.resolver.fold(given, scope)
-        name = folded.value if isinstance(folded, Known) else None
-        if given is None or not isinstance(name, str):
+        value = folded.value if isinstance(folded, Known) else None
+        if given is None or not isinstance(value, str):
             continue
-        if name_as_read(name, analysis.library.ros_version) in names:
-            found.append((statement, given))
+        name = name_as_read(value, analysis.library.ros_version)
+        if name in names:
+            found.setdefault(name, []).append((statement, given))
     return found
 
 

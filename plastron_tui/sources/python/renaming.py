@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from tree_sitter import Node
 
+from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.names import name_as_written
 
 from .analysis import Analysis, Site
@@ -78,7 +79,12 @@ def plan_names(analysis: Analysis, wanted: Mapping[Site, str]) -> Renaming:
     Raises:
         NotNamedError: a name comes from a parameter, and its default serves others as well.
     """
-    said = [each for site, new in wanted.items() for each in _said(analysis, site, new)]
+    waiting = waits(analysis, wanted)
+    said: list[_Said] = []
+    for site, new in wanted.items():
+        is_client = site.endpoint.kind is EndpointKind.CLIENT
+        waits_for = waiting.get(site.endpoint.name, []) if is_client else []
+        said += _said(analysis, site, new, [node for _, node in waits_for])
     own = _deciding_alone(analysis, said)
     texts: dict[tuple[int, int], bytes] = {}
     for each in said:
@@ -92,11 +98,11 @@ def plan_names(analysis: Analysis, wanted: Mapping[Site, str]) -> Renaming:
     return Renaming(splices, list(wanted), names)
 
 
-def _said(analysis: Analysis, site: Site, new: str) -> Iterable[_Said]:
+def _said(analysis: Analysis, site: Site, new: str, waiting: Sequence[Node]) -> Iterable[_Said]:
     given = site.arguments.get(site.shape.name)
     places = [(given, site.scope)]
     # A node that waited for a service of the old name would wait for ever.
-    places += [(node, analysis.scopes.at(node.start_byte)) for _, node in waits(analysis, [site])]
+    places += [(node, analysis.scopes.at(node.start_byte)) for node in waiting]
     for node, scope in places:
         if node is None:
             raise NotNamedError(site)

@@ -16,9 +16,9 @@ from .addition import Addition
 from .analysis import Analysis, Site
 from .creation import Removal, remove_creation
 from .emptied_blocks import emptied_blocks
-from .generated import is_docstring, is_own_call
+from .generated import is_docstring, is_named_as_own, is_own_call
 from .lost import is_computed, written_anew
-from .own_loop import is_loop, is_sleep
+from .own_loop import is_loop, is_once, is_sleep
 from .rates import Pace, is_shared, loop_pace, timer_pace
 from .references import Reference, Use, Variable, identifiers, references
 from .removal import remove_uses, remove_what_served, timers_of
@@ -214,14 +214,10 @@ def _runner(added: Addition, statement: Node) -> _Runner | None:
     if function is None or function.node.id != owner.id:
         return None
     timers = timers_of(analysis, function)
-    if len(timers) != 1 or (not added.is_rclpy and _is_once(timers[0])):
+    if len(timers) != 1 or is_once(timers[0]):
         return None
     pace = timer_pace(analysis, timers[0])
-    return _Runner(block, pace, timer=timers[0], is_own=function.name.startswith("publish_"))
-
-
-def _is_once(timer: Site) -> bool:
-    return "oneshot" in timer.arguments.keywords or len(timer.arguments.positional) > 2
+    return _Runner(block, pace, timer=timers[0], is_own=is_named_as_own(function))
 
 
 def _repace(

@@ -36,15 +36,17 @@ def shared_name(added: Addition) -> Diagnostic | None:
 
 def _has_parameter(site: Site, function: Scope) -> bool:
     """Whether the name of an endpoint is made of what the function around it has to be given."""
-    given = site.arguments.get(site.shape.name) if site.shape.name is not None else None
+    given = site.arguments.get(site.shape.name)
     pending: list[Node] = [given] if given is not None else []
     while pending:
         node = pending.pop()
         pending += node.named_children
-        bindings = function.bindings.get((node.text or b"").decode("utf-8", "replace"), [])
-        is_name = node.type == "identifier" and any(
-            each.kind is BindingKind.PARAMETER and each.value is None for each in bindings
-        )
-        if is_name and (node.text or b"").decode("utf-8", "replace") != function.self_name:
+        if node.type != "identifier":
+            continue
+        name = (node.text or b"").decode("utf-8", "replace")
+        if name != function.self_name and any(
+            each.kind is BindingKind.PARAMETER and each.value is None
+            for each in function.bindings.get(name, [])
+        ):
             return True
     return False

@@ -11,6 +11,7 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 
 from .analysis import Analysis, Site
+from .generated import is_docstring
 from .handed_on import handed_by_partial
 from .removal import callback_scope
 from .scopes import Scope
@@ -107,9 +108,7 @@ def _parameters(scope: Scope) -> list[Node]:
 
 def _is_documented(scope: Scope) -> bool:
     first = next(iter(parts_of(scope.node.child_by_field_name("body"))), None)
-    if first is None or first.type != "expression_statement":
-        return False
-    return first.named_children[0].type in ("string", "concatenated_string")
+    return first is not None and is_docstring(first)
 
 
 def _are_most(said: Sequence[bool]) -> bool:

@@ -12,13 +12,13 @@ from plastron_tui.model.source import Change, Remove, Rename, Update
 
 from .analysis import Analysis
 from .creation import line_of
+from .log_uses import is_only_told
 from .references import statement_of
 
 # A message that lists more lines than these is not read.
 _MOST_LINES = 8
 # Shorter names are words as well.
 _FEWEST_LETTERS = 4
-_LOGGING = re.compile(r"\b(log\w*|print|debug|info|warn\w*|error|fatal)\(")
 
 
 def tell_still_named(after: Analysis, changes: Sequence[Change]) -> Diagnostic | None:
@@ -73,7 +73,7 @@ def _texts(analysis: Analysis, name: str) -> Iterator[Node]:
             continue
         parts = [each for each in node.named_children if each.type == "string_content"]
         is_whole = [analysis.syntax.slice(each).lstrip("~/") for each in parts] == [bare]
-        if is_whole or _LOGGING.search(analysis.syntax.slice(statement)) is not None:
+        if is_whole or is_only_told(analysis, node):
             yield node
 
 

@@ -74,6 +74,13 @@ class Syntax:
         """Return the source between two offsets."""
         return self.text[start:end].decode(self.encoding, "replace")
 
+    def called_name(self, call: Node | None) -> str:
+        """Return the last name of what a call calls, "" for what has none or is no call."""
+        callee = call.child_by_field_name("function") if call is not None else None
+        if callee is not None and callee.type == "attribute":
+            callee = callee.child_by_field_name("attribute")
+        return self.slice(callee) if callee is not None and callee.type == "identifier" else ""
+
     def encode(self, text: str) -> bytes:
         """Return new source in the encoding of the file.
 

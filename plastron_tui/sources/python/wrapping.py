@@ -12,7 +12,7 @@ from .layout import Brackets, fit
 from .line_length import ROS_1, ROS_2
 from .references import statement_of
 from .splices import Splice, apply, line_start
-from .syntax import Syntax, parse, parts_of
+from .syntax import Syntax, parts_of
 
 # PEP 8, black, and what teams agree on.
 _USUAL = (ROS_1, 88, 100, 120)
@@ -35,16 +35,15 @@ def line_limit(text: bytes, library: str, said: int | None) -> int:
     return _longest(text, ROS_2 if library == "rclpy" else ROS_1)
 
 
-def wrap_new_lines(before: bytes, after: bytes, limit: int) -> bytes:
+def wrap_new_lines(before: bytes, syntax: Syntax, limit: int) -> bytes:
     """Break the lines of a text that are too long, and were not before an edit.
 
     Args:
         before: the text before it was edited.
-        after: the text now.
+        syntax: the text now.
         limit: how long a line may be.
     """
-    known = {line.rstrip() for line in before.splitlines()}
-    syntax = parse(after)
+    known, after = {line.rstrip() for line in before.splitlines()}, syntax.text
     splices: list[Splice] = []
     gone: list[str] | None = None
     style: Brackets | None = None

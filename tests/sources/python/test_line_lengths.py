@@ -13,6 +13,7 @@ from plastron_tui.model.source import Update
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.sources.python import edit_python, read_python
 from plastron_tui.sources.python.line_length import find_line_length, said_line_length
+from plastron_tui.sources.python.syntax import parse
 from plastron_tui.sources.python.wrapping import line_limit, wrap_new_lines
 
 NODE = """\
@@ -101,8 +102,8 @@ def test_a_replaced_argument_goes_on_a_line_of_its_own():
 def test_a_line_that_was_too_long_stays_one():
     line = "sub = node.create_subscription(String, {}, callback_with_a_long_name, queue_of_ten)\n"
     before, after = (line.format(f"'{name}'").encode() for name in ("text", "texts"))
-    assert wrap_new_lines(before, after, 60) == after
-    assert wrap_new_lines(b"", after, 60) != after
+    assert wrap_new_lines(before, parse(after), 60) == after
+    assert wrap_new_lines(b"", parse(after), 60) != after
 
 
 TEXTS = ["s = '''\n{}(a, b)\n'''\n", "# {}(a, b)\n", "x = '{}'\n"]
@@ -111,7 +112,7 @@ TEXTS = ["s = '''\n{}(a, b)\n'''\n", "# {}(a, b)\n", "x = '{}'\n"]
 @pytest.mark.parametrize("text", TEXTS)
 def test_what_is_no_code_is_not_broken(text):
     after = text.format("word" * 20).encode()
-    assert wrap_new_lines(b"", after, 60) == after
+    assert wrap_new_lines(b"", parse(after), 60) == after
 
 
 LISTS = ["lambda a, b: a", "c for b, c in d", "*a"]
@@ -120,7 +121,7 @@ LISTS = ["lambda a, b: a", "c for b, c in d", "*a"]
 @pytest.mark.parametrize("item", LISTS)
 def test_a_comma_of_an_item_parts_nothing(item):
     after = f"function({'x' * 40}, [{item}])\n".encode()
-    assert wrap_new_lines(b"", after, 30) == (
+    assert wrap_new_lines(b"", parse(after), 30) == (
         f"function(\n    {'x' * 40},\n    [{item}],\n)\n".encode()
     )
 
@@ -128,7 +129,7 @@ def test_a_comma_of_an_item_parts_nothing(item):
 def test_a_long_import_is_broken():
     names = ", ".join(f"Name{number}" for number in range(8))
     after = f"from package.msg import {names}\n".encode()
-    broken = wrap_new_lines(b"", after, 70)
+    broken = wrap_new_lines(b"", parse(after), 70)
     assert broken == f"from package.msg import (\n    {names}\n)\n".encode()
 
 

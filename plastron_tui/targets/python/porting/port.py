@@ -16,6 +16,7 @@ from plastron_tui.sources.python.calls import LIBRARIES
 from plastron_tui.sources.python.compiling import syntax_error
 from plastron_tui.sources.python.editor import not_encodable
 from plastron_tui.sources.python.sites import analyze
+from plastron_tui.sources.python.syntax import parse
 from plastron_tui.sources.python.wrapping import line_limit, wrap_new_lines
 
 from .contexts import without_contexts
@@ -81,7 +82,7 @@ def _ported(source: SourceUnit, work: Work, library: str, limit: int) -> Rendere
         _mark_type(work, site)
     made = without_contexts(work.result(limit))
     made = without_unused(made, _LEFT[source.library], work.freed)
-    text = wrap_new_lines(source.files.main, made, limit)
+    text = wrap_new_lines(source.files.main, parse(made), limit)
     lines = _comment_lines(text)
     found = [_listed(mark, source, library, lines) for mark in _in_order(work.marks)]
     after = analyze(text, LIBRARIES[library])
