@@ -127,11 +127,11 @@ def _by_lines(
 
 def _has_stray_name(sides: Sides, files: FileSet, target: Target) -> bool:
     """Tell whether handwork uses a name that the program wrote before, and no longer does."""
-    before, now = (
+    before, now, there = (
         {word.decode() for _, text in each.texts for word in _NAME.findall(text)}
-        for each in (sides.base, sides.mine)
+        for each in (sides.base, sides.mine, files)
     )
-    return any(mentions(target.language, files, name) for name in before - now)
+    return any(mentions(target.language, files, name) for name in (before - now) & there)
 
 
 def _sites(source: SourceUnit | None) -> Counter[tuple[object, ...]]:

@@ -188,7 +188,7 @@ def graph_of(workspace: Workspace) -> Graph:
             ends = hubs.get(name)
             if ends is None:
                 ends = hubs[name] = {each: [] for each in KINDS_AT[kind.facts.interface]}
-            is_guess = endpoint.span is None and (kind, written) in guesses
+            is_guess = (kind, written) in guesses
             ends[kind].append(End(shown, kind, endpoint, is_guess))
     return Graph(
         tuple(nodes),

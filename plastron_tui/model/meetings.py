@@ -19,7 +19,7 @@ from .workspace import Node, Workspace
 
 _LONGEST = 100
 """The longest name that is looked at, in characters: each of them may be the slip."""
-_MOST = 1_000
+_MOST = 200
 """How many names that one side alone uses are compared at most."""
 _OPPOSITES = frozenset({frozenset({"ping", "pong"}), frozenset({"near", "rear"})})
 """Words of a letter's difference that people name two things by."""
@@ -81,7 +81,7 @@ def _meetings(workspace: Workspace, version_of: Callable[[Node], int]) -> _Meeti
         for (kind, written), endpoint in node.endpoints.items():
             assert kind.facts.interface is not None
             place = kind.facts.interface, version, resolved_name(node.name, written)
-            is_guess = endpoint.span is None and (kind, written) in guesses
+            is_guess = (kind, written) in guesses
             found[place].append(_User(node, kind, endpoint, is_guess))
     return found
 

@@ -63,13 +63,11 @@ class NamedTypes:
         node = self._workspace.nodes.get(getattr(statement, "node", ""))
         if node is None or node.source is None or getattr(statement, "input", None):
             return None
-        package, _, name = text.replace(f"/{kind.value}/", "/").rpartition("/")
         found = {
             each.type
             for each in node.source.endpoints
             if each.type is not None
             and each.kind.facts.interface is kind
-            and (each.type.package, each.type.name) == (package or each.type.package, name)
             and text
             in (
                 each.type.name,

@@ -91,8 +91,8 @@ class Node:
         """Return the names that the node has of a kind, as far as its file says them."""
         if kind in self.by_kind:
             return self.by_kind[kind].keys()
-        there = () if self.source is None else self.source.endpoints
-        names = dict.fromkeys(each.name for each in there if each.kind is kind and each.name)
+        there = () if self.source is None else self.source.of_kind(kind)
+        names = dict.fromkeys(each.name for each in there if each.name)
         new = {each.name: now for (of, now), each in self.renamed.items() if of is kind}
         return [new.get(name, name) for name in names]
 
@@ -103,9 +103,11 @@ class Node:
 
     @property
     def guesses(self) -> frozenset[EndpointKey]:
-        """What its file is only guessed to have."""
+        """What its file is only guessed to have, and the program says nothing of."""
         there = () if self.source is None else self.source.endpoints
-        return frozenset((each.kind, each.name) for each in there if each.is_guess and each.name)
+        found = {(each.kind, each.name) for each in there if each.is_guess and each.name}
+        have = self.endpoints if found else {}
+        return frozenset(key for key in found if key in have and have[key].span is None)
 
     @property
     def endpoints(self) -> dict[EndpointKey, Endpoint]:

@@ -45,6 +45,7 @@ class Planner:
         self._author = author
         self._manifest = manifest
         self._generations = generations
+        self._written = frozenset((each.node.name, each.library) for each in generations)
 
     def generated(self) -> tuple[Generated, ...]:
         """Make the files of all that is generated.
@@ -117,8 +118,8 @@ class Planner:
 
         configuration = self._configuration
         is_plain = configuration.project.file_names == "plain"
-        written = frozenset((each.node.name, each.library) for each in self._generations)
-        return FileNames(configuration.output, manifest, self._author.name, is_plain, written)
+        name = self._author.name
+        return FileNames(configuration.output, manifest, name, is_plain, self._written)
 
     def plan(
         self, made: Sequence[Generated], *, is_preview: bool = False

@@ -181,3 +181,23 @@ def test_the_type_of_a_response_goes_with_it() -> None:
         "def set(request: SetBoolRequest):\n    response = SetBoolResponse()\n    return response"
         in text
     )
+
+
+def test_a_name_that_a_call_has_as_a_keyword_is_no_use_of_a_time() -> None:
+    text, found = ported(
+        "import rospy\nrospy.init_node('n')\nstart = rospy.Time.now()\n"
+        "print((rospy.Time.now() - start).to_sec())\nplot(start=3)\n",
+        "rospy",
+    )
+    assert MARK not in text, found
+    assert "start = node.get_clock().now()\n" in text
+
+
+def test_a_name_of_many_classes_is_looked_at_once() -> None:
+    classes = "".join(
+        f"class C{n}:\n    def __init__(self):\n        self.last = rospy.Time.now()\n\n"
+        "    def age(self):\n        return rospy.Time.now() - self.last\n\n\n"
+        for n in range(200)
+    )
+    text, _ = ported(f"import rospy\n\n\n{classes}rospy.init_node('n')\n", "rospy")
+    assert text.count("class C") == 200

@@ -59,7 +59,7 @@ def _endpoints(variable: str, node: Node) -> Iterator[Entry]:
     for kind, endpoints in node.by_kind.items():
         word, (sign, tone) = kind.word, SIGNS[kind]
         for name, endpoint in endpoints.items():
-            is_guess = endpoint.span is None and (kind, name) in guesses
+            is_guess = (kind, name) in guesses
             # In order and not by name: there may be thousands, and all are made at every key.
             yield Entry(
                 f"{word} {variable} {name}",

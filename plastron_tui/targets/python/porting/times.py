@@ -9,6 +9,7 @@ from tree_sitter import Node
 
 from plastron_tui.ros.interfaces import FieldType
 from plastron_tui.sources.python.constants import without_none
+from plastron_tui.sources.python.references import identifiers, is_member
 from plastron_tui.sources.python.syntax import parts_of
 
 from .message_types import typed
@@ -71,7 +72,7 @@ class Times(ABC):
 
     def __init__(self, work: Work) -> None:
         self.work = work
-        self._variables: dict[tuple[int, ...], bool] = {}
+        self._variables: dict[tuple[str, str], bool] = {}
         self._open: set[tuple[int, ...]] = set()
         self.read: list[Node] = []
         """What reads the seconds or nanoseconds of them."""
@@ -191,7 +192,9 @@ class Times(ABC):
             return False
         if self.kind(target) is None:
             return False
-        key = tuple(sorted(each.node.id for each in self.work.bindings(target)))
+        # All that has the name is looked at, so that variables of one name share the answer.
+        part = target.child_by_field_name("attribute") or target
+        key = target.type, self.work.slice(part)
         if key not in self._variables:
             self._variables[key] = True
             self._variables[key] = all(map(self._is_used_well, self._uses(target)))
@@ -206,15 +209,8 @@ class Times(ABC):
     def _uses(self, target: Node) -> list[Node]:
         """Return all that may be the variable: what has its name in the file."""
         part = target.child_by_field_name("attribute") or target
-        return [
-            node.parent if node.parent is not None and target.type == "attribute" else node
-            for node in walk(self.work.analysis.syntax.root)
-            if node.type == "identifier"
-            and self.work.slice(node) == self.work.slice(part)
-            and (
-                node.parent is not None
-                and node.parent.type == "attribute"
-                and node.parent.child_by_field_name("attribute") == node
-            )
-            == (target.type == "attribute")
-        ]
+        nodes = identifiers(self.work.slice(part), self.work.analysis)
+        if target.type != "attribute":
+            return [node for node in nodes if not is_member(node)]
+        holders = (node.parent for node in nodes if is_member(node))
+        return [each for each in holders if each is not None and each.type == "attribute"]
