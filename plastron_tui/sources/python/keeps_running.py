@@ -16,7 +16,8 @@ _SPINNING = re.compile(r"spin|executor|add_node|navigator", re.IGNORECASE)
 _BRIEF = frozenset({"spin_once", "spin_until_future_complete"})
 # rospy calls in threads of its own, for as long as the main thread does anything.
 _STAYING = re.compile(
-    r"spin|shutdown|sleep|wait|loop|exec_?$|show|run|start|join|serve|input|pause|listen|main",
+    r"spin|shutdown|sleep|wait(?!_for_(service|message|server|transform))|loop|exec_?$|show|run"
+    r"|start|join|serve|input|pause|listen|main",
     re.IGNORECASE,
 )
 _CALLED = (
@@ -55,7 +56,9 @@ def never_called(before: Analysis, after: Analysis) -> Diagnostic | None:
         what, remedy = "does not keep spinning", "let the node spin first, with `rclpy.spin(node)`"
     else:
         has_loop = before.captures.get("while") or before.captures.get("loop")
-        runs = bool(has_loop) or any(_STAYING.search(name) for name in names)
+        # What a function of the file does is in the file as well.
+        foreign = names - {each.name for each in before.scopes.all if each.kind == "function"}
+        runs = bool(has_loop) or any(_STAYING.search(name) for name in foreign)
         what, remedy = "ends at once", "let the node go on first, with `rospy.spin()`"
     if runs:
         return None

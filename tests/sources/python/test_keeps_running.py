@@ -16,6 +16,11 @@ LOOP = (
     "import time\n{}while rclpy.ok():\n    pub.publish(String(data='again'))\n    time.sleep(0.5)\n"
 ).format(NODES["rclpy"])
 BRIEF = "while not ready():\n    pass\nrclpy.spin_until_future_complete(node, pub.wait())\n"
+# It calls once, and ends.
+ASKS = NODES["rospy"] + (
+    "def main():\n    rospy.wait_for_service('x')\n    helpers.call('x')\n\n\n"
+    "if __name__ == '__main__':\n    main()\n"
+)
 # Who calls `sleep` waits until the timer of the rate is called.
 SLEEPS = NODES["rclpy"] + (
     "rate = node.create_rate(5)\nwhile rclpy.ok():\n    rclpy.spin_once(node)\n    rate.sleep()\n"
@@ -30,6 +35,7 @@ RUNNING = {
     "rospy": (
         "rospy.spin()\n",
         "rospy.sleep(5)\n",
+        "helpers.main()\n",
         "while True:\n    pass\n",
         "window.mainloop()\n",
         "for each in steps():\n    print(each)\n",
@@ -48,6 +54,7 @@ RUNNING = {
     ("text", "why"),
     [
         (NODES["rospy"], "the file ends at once, so that `"),
+        (ASKS, "the file ends at once, so that `"),
         (NODES["rclpy"], "the file does not keep spinning, so that `"),
         (NODES["rclpy"] + BRIEF, "the file does not keep spinning, so that `"),
         (LOOP, "the file does not keep spinning, so that `"),
