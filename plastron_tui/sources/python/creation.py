@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from tree_sitter import Node
@@ -39,6 +40,16 @@ class Removal:
 def line_of(node: Node) -> int:
     """Return the line of a node, counted from 1."""
     return int(node.start_point.row) + 1
+
+
+def read_in(analysis: Analysis, gone: Iterable[Splice]) -> list[Site]:
+    """Return the parameters that are read in what is deleted: that is done no more."""
+    return [
+        site
+        for site in analysis.sites
+        if site.endpoint.kind is EndpointKind.PARAMETER
+        and any(each.start <= site.call.start_byte < each.end for each in gone)
+    ]
 
 
 def remove_creation(analysis: Analysis, site: Site, removal: Removal) -> list[Variable]:

@@ -8,19 +8,27 @@ from .analysis import Analysis
 from .syntax import parts_of
 
 _PURE_BUILTINS = frozenset(
-    {"abs", "bool", "dict", "float", "int", "len", "list", "max", "min", "range", "round", "set"}
-    | {"sorted", "str", "sum", "tuple", "zip"}
+    {"abs", "all", "any", "bool", "bytearray", "bytes", "chr", "dict", "divmod", "enumerate"}
+    | {"float", "format", "getattr", "hasattr", "hex", "int", "isinstance", "len", "list", "max"}
+    | {"min", "ord", "pow", "range", "repr", "reversed", "round", "set", "sorted", "str", "sum"}
+    | {"tuple", "type", "zip"}
 )
 _PURE_FUNCTIONS = frozenset(
     {"rospy.Time.now", "rospy.get_rostime", "rospy.get_time", "rospy.Time", "rospy.Duration"}
     | {"rospy.Time.from_sec", "rospy.Duration.from_sec", "time.time", "rospy.get_name"}
     | {"rospy.get_namespace", "rospy.get_caller_id", "socket.gethostname"}
+    | {"rospy.get_param", "rospy.has_param", "rospy.is_shutdown", "rospy.resolve_name"}
+    | {"rospy.rostime.get_rostime", "rospy.rostime.get_time", "rospy.Rate"}
     | {"copy.copy", "copy.deepcopy", "json.dumps", "struct.pack"}
-    | {"rclpy.duration.Duration", "rclpy.qos.QoSProfile"}
+    | {"time.monotonic", "time.perf_counter", "time.time_ns", "datetime.datetime.now"}
+    | {"uuid.uuid1", "uuid.uuid4", "os.path.join", "os.path.basename", "os.path.dirname"}
+    | {"rclpy.duration.Duration", "rclpy.qos.QoSProfile", "rclpy.time.Time", "rclpy.ok"}
+    | {"cv2.cvtColor", "cv2.imencode", "cv2.resize", "cv_bridge.CvBridge"}
 )
 # What a node's clock is asked; nothing else of these names changes anything either.
 _PURE_METHODS = frozenset(
     {"get_clock", "now", "to_msg", "to_sec", "to_nsec", "seconds_nanoseconds", "from_sec"}
+    | {"get_parameter", "get_parameter_value", "get_name", "get_namespace"}
     | {"format", "join", "split", "strip", "lower", "upper", "encode", "decode", "replace"}
     | {"keys", "values", "items", "index", "count", "copy", "tolist", "tobytes", "astype"}
     | {"flatten", "reshape", "cv2_to_imgmsg", "imgmsg_to_cv2"}
@@ -42,7 +50,17 @@ _PURE_TYPES = frozenset(
         "type_conversion",
         "comment",
     }
+    | {"list_comprehension", "dictionary_comprehension", "set_comprehension", "if_clause"}
+    | {"generator_expression", "for_in_clause", "lambda", "lambda_parameters"}
 )
+# A value that some of these have is only worked out at times.
+_AT_TIMES = frozenset(
+    {"boolean_operator", "conditional_expression", "lambda", "list_comprehension"}
+    | {"dictionary_comprehension", "set_comprehension", "generator_expression"}
+)
+# What these have for a value, others may have too.
+_SHARED = frozenset({"identifier", "attribute", "subscript", "await"})
+_SHARING = frozenset({"get", "getattr", "max", "min", "next", "pop", "setdefault"})
 
 
 def is_pure(analysis: Analysis, expression: Node) -> bool:
@@ -57,6 +75,30 @@ def is_pure(analysis: Analysis, expression: Node) -> bool:
             return False
         pending.extend(node.named_children)
     return True
+
+
+def doing_part(analysis: Analysis, expression: Node) -> Node | None:
+    """Return the one call in an expression that may do something besides having a value.
+
+    None where no call does, where several do, or where it depends whether one is made.
+    """
+    node = expression
+    while True:
+        if node.type == "call" and not _is_pure_call(analysis, node):
+            return node
+        doing = [each for each in node.named_children if not is_pure(analysis, each)]
+        if len(doing) != 1 or node.type in _AT_TIMES or node.type not in {*_PURE_TYPES, "call"}:
+            return None
+        node = doing[0]
+
+
+def is_fresh(analysis: Analysis, value: Node) -> bool:
+    """Whether an object is made by an expression, so that nothing else knows of it."""
+    if value.type == "call":
+        return analysis.syntax.called_name(value) not in _SHARING
+    if value.type in ("parenthesized_expression", "boolean_operator", "conditional_expression"):
+        return all(is_fresh(analysis, each) for each in parts_of(value))
+    return value.type not in _SHARED
 
 
 def _is_pure_call(analysis: Analysis, call: Node) -> bool:

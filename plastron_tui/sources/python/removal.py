@@ -14,7 +14,7 @@ from .arguments import Arguments
 from .callbacks import callback_target
 from .calls import Argument
 from .constants import Known
-from .creation import Removal, line_of, remove_creation
+from .creation import Removal, line_of, read_in, remove_creation
 from .emptied_blocks import emptied_blocks
 from .generated import is_calling_function, is_own_call, is_publishing_function, is_stub
 from .imports import unused_imports
@@ -74,6 +74,7 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
     gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
     removal.splices = gone + names
     removal.statements = []
+    removal.sites += read_in(analysis, removal.splices)
     return removal
 
 
@@ -93,12 +94,14 @@ def _placeholders(analysis: Analysis, variable: Variable, removal: Removal) -> l
 
 def remove_what_served(analysis: Analysis, removal: Removal) -> None:
     """Remove the blocks and the local variables that only served what is gone."""
-    removal.statements += emptied_blocks(analysis, removal.statements)
-    gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
-    unused = unused_locals(analysis, gone)
-    removal.statements += unused.statements
-    removal.splices += unused.splices
-    removal.statements += emptied_blocks(analysis, removal.statements)
+    count = -1
+    while count != len(removal.statements):
+        removal.statements += emptied_blocks(analysis, removal.statements)
+        count = len(removal.statements)
+        gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
+        unused = unused_locals(analysis, gone)
+        removal.statements += unused.statements
+        removal.splices += unused.splices
 
 
 def waits(analysis: Analysis, sites: Iterable[Site]) -> dict[str | None, list[tuple[Node, Node]]]:

@@ -9,12 +9,18 @@ from tree_sitter import Node
 
 from .analysis import Analysis
 from .emptied_blocks import leaves_pass
-from .purity import is_pure
+from .purity import doing_part, is_fresh, is_pure
 from .references import identifiers, is_member, statement_of
 from .scopes import BindingKind, Scope
 from .splices import Splice
+from .syntax import parts_of
 
 _FILLING = frozenset({"append", "extend"})
+# What nobody reads is called so: what else it is given is no matter of this edit.
+_DUMMY = "_"
+_SEVERAL = frozenset({"pattern_list", "tuple_pattern"})
+# `a, b = ...` binds each to what nobody knows.
+_OF_VALUES = frozenset({BindingKind.VALUE, BindingKind.UNKNOWN})
 # A chain of locals that serve only each other is not longer than this.
 _MOST_ROUNDS = 8
 
@@ -38,27 +44,55 @@ def unused_locals(analysis: Analysis, gone: Sequence[Splice]) -> Unused:
         analysis: the file.
         gone: what is deleted or replaced.
     """
-    found: dict[int, Node] = {}
-    calls: dict[int, Splice] = {}
+    unused = Unused([], [])
     ranges = [(splice.start, splice.end) for splice in gone]
+    asked: set[Scope] = set()
+    while scopes := {scope for scope, _ in _locals_in(analysis, ranges)} - asked:
+        asked |= scopes
+        for scope in sorted(scopes, key=lambda each: each.node.start_byte):
+            own = _unused_in(analysis, scope, ranges, is_careful=False)
+            if leaves_pass(analysis, own.statements, ranges):
+                own = _unused_in(analysis, scope, ranges, is_careful=True)
+            unused.statements.extend(own.statements)
+            unused.splices.extend(own.splices)
+            ranges += [(each.start_byte, each.end_byte) for each in own.statements]
+    return unused
+
+
+def _unused_in(
+    analysis: Analysis, scope: Scope, gone: Sequence[tuple[int, int]], is_careful: bool
+) -> Unused:
+    """Find what is unused of one scope's variables; with care, a `pass` alone is never left."""
+    found: dict[int, Node] = {}
+    calls: dict[int, list[Splice]] = {}
+    ranges = list(gone)
     for _ in range(_MOST_ROUNDS):
         more: dict[int, Node] = {}
-        for scope, name in sorted(_locals_in(analysis, ranges), key=lambda each: each[1]):
+        names = {name for holder, name in _locals_in(analysis, ranges) if holder is scope}
+        for name in sorted(names - {_DUMMY}):
             filling = _only_filling(analysis, scope, name, ranges) or []
             pure = [each for each in filling if _is_filling_pure(analysis, each)]
-            if leaves_pass(analysis, pure, ranges):
+            if is_careful and leaves_pass(analysis, pure, ranges):
                 continue
             more.update({statement.id: statement for statement in pure})
             for each in filling:
                 value = _value(each)
-                if value is not None and not any(each.id == other.id for other in pure):
-                    calls[each.id] = Splice(each.start_byte, value.start_byte)
+                part = doing_part(analysis, value) if value is not None else None
+                if part is not None:
+                    calls[each.id] = _around(each, part)
         more = {key: each for key, each in more.items() if key not in found}
         if not more:
             break
         found.update(more)
         ranges += [(each.start_byte, each.end_byte) for each in more.values()]
-    return Unused(list(found.values()), list(calls.values()))
+    return Unused(list(found.values()), [each for both in calls.values() for each in both])
+
+
+def _around(statement: Node, part: Node) -> list[Splice]:
+    """Delete all of a statement but one part."""
+    before = Splice(statement.start_byte, part.start_byte)
+    after = Splice(part.end_byte, statement.end_byte)
+    return [each for each in (before, after) if each.start < each.end]
 
 
 def _locals_in(analysis: Analysis, ranges: Iterable[tuple[int, int]]) -> set[tuple[Scope, str]]:
@@ -83,7 +117,7 @@ def _locals_in(analysis: Analysis, ranges: Iterable[tuple[int, int]]) -> set[tup
 def _is_local(scope: Scope, name: str) -> bool:
     """Whether a variable is of one function alone, or of a script's loops and conditions."""
     bindings = scope.bindings.get(name, [])
-    is_plain = all(each.kind is BindingKind.VALUE and each.value is not None for each in bindings)
+    is_plain = all(each.kind in _OF_VALUES for each in bindings)
     is_shared = name in scope.globals or name in scope.nonlocals
     if scope.parent is None:
         parents = [statement_of(each.node).parent for each in bindings]
@@ -92,9 +126,21 @@ def _is_local(scope: Scope, name: str) -> bool:
 
 
 def _only_filling(
-    analysis: Analysis, scope: Scope, name: str, ranges: Iterable[tuple[int, int]]
+    analysis: Analysis,
+    scope: Scope,
+    name: str,
+    ranges: Sequence[tuple[int, int]],
+    known: frozenset[str] = frozenset(),
 ) -> list[Node] | None:
-    """Return the statements that make and fill a variable; None where something else is done."""
+    """Return the statements that make and fill a variable; None where something else is done.
+
+    Args:
+        analysis: the file.
+        scope: where the variable is.
+        name: what it is called.
+        ranges: what is gone.
+        known: the variables that get a value together with it, which were asked before.
+    """
     found = []
     for node in identifiers(name, analysis):
         start = node.start_byte
@@ -107,7 +153,42 @@ def _only_filling(
         if not _fills(analysis, statement, node):
             return None
         found.append(statement)
-    return found
+        for other in _other_targets(analysis, statement) - known - {name}:
+            more = _only_filling(analysis, scope, other, ranges, known | {name})
+            if more is None:
+                return None
+            found += [] if other == _DUMMY else more
+    return found if _is_of_its_own(analysis, found) else None
+
+
+def _other_targets(analysis: Analysis, statement: Node) -> set[str]:
+    """Return the names that `a, b = ...` gives a value to."""
+    inner = _only_part(statement)
+    target = inner.child_by_field_name("left") if inner is not None else None
+    if target is None or target.type not in _SEVERAL:
+        return set()
+    return {analysis.syntax.slice(each) for each in parts_of(target)}
+
+
+def _is_of_its_own(analysis: Analysis, filling: Sequence[Node]) -> bool:
+    """Whether what is filled was made for it: nobody else has `a.b` once `a.b.c` is set."""
+    shared, parts = set(), set()
+    for statement in filling:
+        inner = _only_part(statement)
+        target = inner.child_by_field_name("left") if inner is not None else None
+        value = _value(statement)
+        if inner is None or target is None:
+            changed = inner.child_by_field_name("function") if inner is not None else None
+        else:
+            changed = target
+            if value is not None and inner.type == "assignment" and not is_fresh(analysis, value):
+                shared.add(target.text)
+            if inner.type == "augmented_assignment":
+                parts.add(target.text)
+        while changed is not None and changed.type in ("attribute", "subscript"):
+            changed = changed.child_by_field_name("object") or changed.child_by_field_name("value")
+            parts.add(changed.text if changed is not None else None)
+    return shared.isdisjoint(parts)
 
 
 def _fills(analysis: Analysis, statement: Node, variable: Node) -> bool:
@@ -118,12 +199,16 @@ def _fills(analysis: Analysis, statement: Node, variable: Node) -> bool:
     inner = _only_part(statement)
     if inner is None:
         return False
-    if inner.type == "assignment":
+    if inner.type in ("assignment", "augmented_assignment"):
         target, value = inner.child_by_field_name("left"), inner.child_by_field_name("right")
         if target is None or value is None or value.type == "assignment":
             return False
-        is_made = value.type == "call" or is_pure(analysis, value)
-        return _root(target) == variable and is_made and is_pure(analysis, target)
+        if not (is_pure(analysis, value) or doing_part(analysis, value) is not None):
+            return False
+        if target.type in _SEVERAL:
+            is_plain = all(each.type == "identifier" for each in parts_of(target))
+            return is_plain and variable.parent == target
+        return _root(target) == variable and is_pure(analysis, target)
     if inner.type == "call":
         callee = inner.child_by_field_name("function")
         name = callee.child_by_field_name("attribute") if callee is not None else None
@@ -143,7 +228,7 @@ def _is_filling_pure(analysis: Analysis, statement: Node) -> bool:
 def _value(statement: Node) -> Node | None:
     """Return what a statement assigns."""
     inner = _only_part(statement)
-    is_assignment = inner is not None and inner.type == "assignment"
+    is_assignment = inner is not None and inner.type in ("assignment", "augmented_assignment")
     return inner.child_by_field_name("right") if inner is not None and is_assignment else None
 
 
