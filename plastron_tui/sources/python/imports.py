@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 from collections import Counter
 from collections.abc import Container, Iterable
 
@@ -16,6 +17,13 @@ from .splices import Splice, delete_item
 from .syntax import parts_of
 
 _INTERFACES = ("msg", "srv", "action")
+# To import these only defines names; another module may do anything when it is imported.
+_DEFINING = (sys.stdlib_module_names - {"__future__", "readline"}) | {
+    *("cv2", "cv_bridge", "numpy", "scipy", "PIL", "yaml", "angles", "transforms3d"),
+    *("tf", "tf_transformations", "sensor_msgs", "sensor_msgs_py"),
+}
+# Of the client libraries the names go, but not what the node is made with.
+_LIBRARIES = ("rclpy.", "rospy.")
 
 
 def is_interface_module(target: str) -> bool:
@@ -27,7 +35,7 @@ def is_interface_module(target: str) -> bool:
 def unused_imports(
     analysis: Analysis, gone: list[Splice], freed: Container[str] = ()
 ) -> tuple[list[Node], list[Splice]]:
-    """Find the imports of interface types, and of rclpy, whose every use lies in what is deleted.
+    """Find the imports that only define names and whose every use lies in what is deleted.
 
     Args:
         analysis: the file.
@@ -49,7 +57,7 @@ def unused_imports(
             node
             for node in identifiers(name, analysis)
             if not is_member(node)
-            and not _is_inside(node, binding.node)
+            and not _is_in_import(node)
             and _means_import(node, name, scope, analysis)
         ]
         is_freed = name in freed or any(_is_deleted(node, gone) for node in uses)
@@ -75,7 +83,9 @@ def _is_removable(binding: Binding, analysis: Analysis) -> bool:
     is_module = binding.scope.parent is None
     if parent is None or (is_module and parent.type != "module" and not _is_one_tried(parent)):
         return False
-    if is_interface_module(binding.target) or binding.target.startswith("rclpy."):
+    if is_interface_module(binding.target) or binding.target.startswith(_LIBRARIES):
+        return True
+    if binding.target.partition(".")[0] in _DEFINING:
         return True
     # `import std_msgs.msg` binds `std_msgs`.
     names = binding.node.children_by_field_name("name")
@@ -96,8 +106,12 @@ def _means_import(node: Node, name: str, scope: Scope, analysis: Analysis) -> bo
     return scope.parent is None if found is None else found[0] is scope
 
 
-def _is_inside(node: Node, outer: Node) -> bool:
-    return outer.start_byte <= node.start_byte < outer.end_byte
+def _is_in_import(node: Node) -> bool:
+    """Whether a name is a part of an import statement; a pattern has dotted names as well."""
+    parent = node.parent
+    while parent is not None and parent.type in ("dotted_name", "aliased_import"):
+        parent = parent.parent
+    return parent is not None and parent.type.startswith("import_")
 
 
 def _is_deleted(node: Node, gone: Iterable[Splice]) -> bool:
@@ -126,10 +140,7 @@ def _item(statement: Node, name: str, analysis: Analysis) -> Node | None:
         alias = item.child_by_field_name("alias")
         bound = analysis.syntax.slice(alias if alias is not None else item)
         if bound == name or (
-            statement.type == "import_statement"
-            and alias is None
-            and bound.split(".")[0] == name
-            and is_interface_module(bound)
+            statement.type == "import_statement" and alias is None and bound.split(".")[0] == name
         ):
             return item
     return None

@@ -102,6 +102,13 @@ REMOVALS = {
         f"import rospy\nimport std_msgs.msg as m\nrospy.Subscriber('t', m.String)\n{TAIL}",
         f"import rospy\n{TAIL}",
     ),
+    "imports that only define names": (
+        PUB,
+        "import math, os.path\nimport random\nimport mine\nimport numpy as np\n"
+        f"from math import sin, pi\n{HEAD}{MORE}p = rospy.Publisher('t', String)\n"
+        f"p.publish(math.e + np.e + pi + os.path.x + mine.x)\n{TAIL}y = sin, String\n",
+        f"import random\nimport mine\nfrom math import sin\n{HEAD}{MORE}{TAIL}y = sin, String\n",
+    ),
     "every call site": (
         SUB,
         f"{HEAD}s = rospy.Subscriber('t', String)\nr = rospy.Subscriber('t', String)\n{MORE}{TAIL}",
