@@ -29,7 +29,8 @@ from .imports import unused_imports
 from .lost import Exchange, or_renames
 from .messages import CannotAddError
 from .nodes import group, labels_of, part_of
-from .removal import find_sites, plan_removal
+from .removal import find_sites
+from .removal_plan import plan_removal
 from .renaming import NotNamedError, plan_names
 from .replacing import NotInPlaceError
 from .sites import analyze

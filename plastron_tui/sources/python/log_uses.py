@@ -31,7 +31,7 @@ def is_only_told(analysis: Analysis, node: Node) -> bool:
     while (parent := current.parent) is not None:
         if parent.type == "argument_list" and parent.parent is not None:
             callee = parent.parent.child_by_field_name("function")
-            if callee is None or _is_telling(analysis, callee):
+            if callee is None or is_telling(analysis, callee):
                 return callee is not None
             if not _makes_text(analysis, callee):
                 return False
@@ -43,7 +43,8 @@ def is_only_told(analysis: Analysis, node: Node) -> bool:
     return False
 
 
-def _is_telling(analysis: Analysis, callee: Node) -> bool:
+def is_telling(analysis: Analysis, callee: Node) -> bool:
+    """Whether a call of this logs, prints, or waits for a service."""
     scope = analysis.scopes.at(callee.start_byte)
     written = "".join(analysis.syntax.slice(callee).split())
     names = (written, *analysis.resolver.qualified(callee, scope))

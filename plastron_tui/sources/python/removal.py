@@ -1,4 +1,4 @@
-"""Taking an endpoint out of a file: its statements, its stub callback, its type's import."""
+"""The uses of an endpoint that is taken out of a file, and the functions that they are in."""
 
 from __future__ import annotations
 
@@ -14,10 +14,9 @@ from .arguments import Arguments
 from .callbacks import callback_target
 from .calls import Argument
 from .constants import Known
-from .creation import Removal, line_of, read_in, remove_creation
+from .creation import Removal, line_of
 from .emptied_blocks import emptied_blocks
-from .generated import is_calling_function, is_own_call, is_publishing_function, is_stub
-from .imports import unused_imports
+from .generated import is_calling_function, is_own_call, is_publishing_function
 from .references import (
     Reference,
     Use,
@@ -29,9 +28,7 @@ from .references import (
     variable_of,
 )
 from .scopes import BindingKind, Scope
-from .splices import Splice, delete_statements
 from .syntax import parts_of
-from .unused_locals import unused_locals
 
 # What ends an endpoint: its own methods, and those of an rclpy node.
 _ENDING = frozenset({"destroy", "shutdown", "unregister"})
@@ -46,62 +43,6 @@ def find_sites(analysis: Analysis, change: Remove | Update | Rename) -> list[Sit
     of_kind = [site for site in analysis.sites if site.endpoint.kind is change.kind]
     named = [site for site in of_kind if site.endpoint.name == change.name]
     return named or [site for site in of_kind if site.endpoint.default == change.name]
-
-
-def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
-    """Plan what taking some call sites of one endpoint out of a file deletes."""
-    removal = Removal(sites=list(sites))
-    variables: dict[Variable, None] = {}
-    for site in sites:
-        for variable in remove_creation(analysis, site, removal):
-            variables[variable] = None
-    for variable in variables:
-        remove_uses(analysis, variable, sites, removal)
-    if removal.lines:
-        return removal
-    for found in waits(analysis, sites).values():
-        removal.statements += [statement for statement, _ in found]
-    remove_what_served(analysis, removal)
-    for variable in variables:
-        removal.statements += _placeholders(analysis, variable, removal)
-    gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
-    callbacks = stub_callbacks(analysis, removal.sites, gone)
-    removal.statements += callbacks
-    gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
-    imports, names = unused_imports(analysis, gone)
-    # A block that all of these empty together needs one `pass`.
-    removal.statements += imports
-    gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
-    removal.splices = gone + names
-    removal.statements = []
-    removal.sites += read_in(analysis, removal.splices)
-    return removal
-
-
-def _placeholders(analysis: Analysis, variable: Variable, removal: Removal) -> list[Node]:
-    """Return the statements that only make room for what is gone: `self.pub = None`."""
-    ranges = [(each.start_byte, each.end_byte) for each in removal.statements]
-    ranges += [(each.start, each.end) for each in removal.splices]
-    left = [
-        each
-        for each in references(variable, analysis)
-        if not any(start <= each.node.start_byte < end for start, end in ranges)
-    ]
-    if any(each.use is not Use.NOTHING for each in left):
-        return []
-    return [each.statement for each in left if len(parts_of(each.statement)) == 1]
-
-
-def remove_what_served(analysis: Analysis, removal: Removal) -> None:
-    """Remove the blocks and the local variables that only served what is gone."""
-    count = -1
-    while count != len(removal.statements):
-        removal.statements += emptied_blocks(analysis, removal.statements)
-        count = len(removal.statements)
-        gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
-        unused = unused_locals(analysis, gone)
-        removal.statements += unused.statements
-        removal.splices += unused.splices
 
 
 def waits(analysis: Analysis, sites: Iterable[Site]) -> dict[str | None, list[tuple[Node, Node]]]:
@@ -228,7 +169,7 @@ def _remove_calling(analysis: Analysis, uses: list[Reference], removal: Removal)
             continue
         removal.sites += timers
         removal.statements += [statement, definition(function)]
-        removal.statements += _destroying(analysis, timers[0]) or []
+        removal.statements += destroying(analysis, timers[0]) or []
     gone = [function.node for function in functions.values()]
     return [
         reference
@@ -237,7 +178,7 @@ def _remove_calling(analysis: Analysis, uses: list[Reference], removal: Removal)
     ]
 
 
-def _destroying(analysis: Analysis, timer: Site) -> list[Node] | None:
+def destroying(analysis: Analysis, timer: Site) -> list[Node] | None:
     """Return the statements that destroy a timer, None where something else is done with it."""
     parent = timer.call.parent
     if parent is not None and parent.type == "expression_statement":
@@ -248,14 +189,14 @@ def _destroying(analysis: Analysis, timer: Site) -> list[Node] | None:
         return None
     uses = references(variable, analysis)
     uses = [each for each in uses if each.use not in (Use.BINDING, Use.NOTHING)]
-    destroying = [each.statement for each in uses if _ends_endpoint(analysis, each)]
+    ends = [each.statement for each in uses if _ends_endpoint(analysis, each)]
     function = callback_scope(analysis, timer)
     inside = [
         each
         for each in uses
         if function is not None and analysis.scopes.at(each.node.start_byte).is_within(function)
     ]
-    return destroying if len(destroying) + len(inside) == len(uses) else None
+    return ends if len(ends) + len(inside) == len(uses) else None
 
 
 def timers_of(analysis: Analysis, function: Scope) -> list[Site]:
@@ -280,11 +221,11 @@ def _remove_publishing(
             removal.statements.append(reference.statement)
     for function in whole.values():
         timers = timers_of(analysis, function)
-        destroying = _destroying(analysis, timers[0]) if len(timers) == 1 else None
-        if destroying is not None and len(function_uses(analysis, function)) == 1:
+        ends = destroying(analysis, timers[0]) if len(timers) == 1 else None
+        if ends is not None and len(function_uses(analysis, function)) == 1:
             removal.sites += timers
             removal.statements += [statement_of(timers[0].call), definition(function)]
-            removal.statements += destroying
+            removal.statements += ends
         else:
             removal.statements += [
                 reference.statement
@@ -333,24 +274,3 @@ def function_uses(analysis: Analysis, function: Scope) -> list[Node]:
             continue
         found.append(node)
     return found
-
-
-def stub_callbacks(analysis: Analysis, sites: list[Site], gone: list[Splice]) -> list[Node]:
-    """Return the stubs that nothing refers to once the call sites are gone."""
-    found = []
-    for site in sites:
-        function = callback_scope(analysis, site)
-        if function is None or not is_stub(analysis, function, site):
-            continue
-        uses = function_uses(analysis, function)
-        inside = all(
-            any(splice.start <= node.start_byte < splice.end for splice in gone) for node in uses
-        )
-        if inside and not _is_decorated(function):
-            found.append(definition(function))
-    return found
-
-
-def _is_decorated(function: Scope) -> bool:
-    """Whether a decorator may give the function to others."""
-    return definition(function).type == "decorated_definition"

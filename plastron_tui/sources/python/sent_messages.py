@@ -21,7 +21,8 @@ from .lost import is_computed, written_anew
 from .own_loop import is_loop, is_once, is_sleep
 from .rates import Pace, is_shared, loop_pace, timer_pace
 from .references import Reference, Use, Variable, identifiers, references
-from .removal import remove_uses, remove_what_served, timers_of
+from .removal import remove_uses, timers_of
+from .removal_plan import remove_what_served
 from .replacing import NotInPlaceError, Replacement
 from .splices import delete_statements
 from .syntax import parts_of

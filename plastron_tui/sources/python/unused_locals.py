@@ -71,7 +71,7 @@ def _unused_in(
         names = {name for holder, name in _locals_in(analysis, ranges) if holder is scope}
         for name in sorted(names - {_DUMMY}):
             filling = _only_filling(analysis, scope, name, ranges) or []
-            pure = [each for each in filling if _is_filling_pure(analysis, each)]
+            pure = [each for each in filling if is_filling_pure(analysis, each)]
             if is_careful and leaves_pass(analysis, pure, ranges):
                 continue
             more.update({statement.id: statement for statement in pure})
@@ -150,7 +150,7 @@ def _only_filling(
         if holder is None or holder[0] is not scope:
             continue
         statement = statement_of(node)
-        if not _fills(analysis, statement, node):
+        if not fills(analysis, statement, node):
             return None
         found.append(statement)
         for other in _other_targets(analysis, statement) - known - {name}:
@@ -158,7 +158,7 @@ def _only_filling(
             if more is None:
                 return None
             found += [] if other == _DUMMY else more
-    return found if _is_of_its_own(analysis, found) else None
+    return found if is_of_its_own(analysis, found) else None
 
 
 def _other_targets(analysis: Analysis, statement: Node) -> set[str]:
@@ -170,7 +170,7 @@ def _other_targets(analysis: Analysis, statement: Node) -> set[str]:
     return {analysis.syntax.slice(each) for each in parts_of(target)}
 
 
-def _is_of_its_own(analysis: Analysis, filling: Sequence[Node]) -> bool:
+def is_of_its_own(analysis: Analysis, filling: Sequence[Node]) -> bool:
     """Whether what is filled was made for it: nobody else has `a.b` once `a.b.c` is set."""
     shared, parts = set(), set()
     for statement in filling:
@@ -185,13 +185,11 @@ def _is_of_its_own(analysis: Analysis, filling: Sequence[Node]) -> bool:
                 shared.add(target.text)
             if inner.type == "augmented_assignment":
                 parts.add(target.text)
-        while changed is not None and changed.type in ("attribute", "subscript"):
-            changed = changed.child_by_field_name("object") or changed.child_by_field_name("value")
-            parts.add(changed.text if changed is not None else None)
+        parts.update(each.text for each in _holders(changed))
     return shared.isdisjoint(parts)
 
 
-def _fills(analysis: Analysis, statement: Node, variable: Node) -> bool:
+def fills(analysis: Analysis, statement: Node, variable: Node) -> bool:
     """Whether a statement only gives a value to a variable, or to a part of it.
 
     A call that works out the value may do something besides.
@@ -208,19 +206,21 @@ def _fills(analysis: Analysis, statement: Node, variable: Node) -> bool:
         if target.type in _SEVERAL:
             is_plain = all(each.type == "identifier" for each in parts_of(target))
             return is_plain and variable.parent == target
-        return _root(target) == variable and is_pure(analysis, target)
+        is_own = variable == target or variable in _holders(target)
+        return is_own and is_pure(analysis, target)
     if inner.type == "call":
         callee = inner.child_by_field_name("function")
         name = callee.child_by_field_name("attribute") if callee is not None else None
         arguments = inner.child_by_field_name("arguments")
         if callee is None or name is None or arguments is None:
             return False
-        is_filling = analysis.syntax.slice(name) in _FILLING and _root(callee) == variable
+        is_filling = analysis.syntax.slice(name) in _FILLING and variable in _holders(callee)
         return is_filling and is_pure(analysis, arguments)
     return False
 
 
-def _is_filling_pure(analysis: Analysis, statement: Node) -> bool:
+def is_filling_pure(analysis: Analysis, statement: Node) -> bool:
+    """Whether to work out what a statement gives to a variable changes nothing."""
     value = _value(statement)
     return value is None or is_pure(analysis, value)
 
@@ -237,11 +237,10 @@ def _only_part(statement: Node) -> Node | None:
     return statement.named_children[0] if is_one else None
 
 
-def _root(target: Node) -> Node:
-    """Return the variable that `a.b[0].c` begins with."""
-    while target.type in ("attribute", "subscript"):
-        inner = target.child_by_field_name("object") or target.child_by_field_name("value")
-        if inner is None:
-            break
-        target = inner
-    return target
+def _holders(target: Node | None) -> list[Node]:
+    """Return `a.b` and `a` of `a.b.c`."""
+    found = []
+    while target is not None and target.type in ("attribute", "subscript"):
+        target = target.child_by_field_name("object") or target.child_by_field_name("value")
+        found += [target] if target is not None else []
+    return found

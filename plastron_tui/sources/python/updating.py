@@ -19,9 +19,10 @@ from .existing_callbacks import check_parameters, misfit
 from .generated import body_of, is_stub
 from .handed_on import HandedOn, handed_by_call, handed_by_partial
 from .insertion_point import beside
+from .leftovers import stub_callbacks
 from .lost import written_anew
 from .message_filters import hands_on, takers
-from .removal import callback_scope, find_sites, stub_callbacks
+from .removal import callback_scope, find_sites
 from .renaming import NotNamedError, plan_names
 from .replacing import NotInPlaceError, Replacement
 from .scopes import BindingKind, Scope

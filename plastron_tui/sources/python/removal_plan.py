@@ -1,0 +1,60 @@
+"""Taking an endpoint out of a file: its statements, and all that only served them."""
+
+from __future__ import annotations
+
+from .analysis import Analysis, Site
+from .creation import Removal, read_in, remove_creation
+from .emptied_blocks import emptied_blocks
+from .imports import unused_imports
+from .leftovers import placeholders, remove_idle, sending_logs, stub_callbacks
+from .references import Variable
+from .removal import remove_uses, waits
+from .splices import delete_statements
+from .unused_attributes import unused_attributes
+from .unused_locals import unused_locals
+
+
+def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
+    """Plan what taking some call sites of one endpoint out of a file deletes."""
+    removal = Removal(sites=list(sites))
+    variables: dict[Variable, None] = {}
+    for site in sites:
+        for variable in remove_creation(analysis, site, removal):
+            variables[variable] = None
+    for variable in variables:
+        remove_uses(analysis, variable, sites, removal)
+    if removal.lines:
+        return removal
+    for found in waits(analysis, sites).values():
+        removal.statements += [statement for statement, _ in found]
+    removal.statements += sending_logs(analysis, removal)
+    remove_what_served(analysis, removal)
+    while remove_idle(analysis, removal):
+        remove_what_served(analysis, removal)
+    for variable in variables:
+        removal.statements += placeholders(analysis, variable, removal)
+    gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
+    callbacks = stub_callbacks(analysis, removal.sites, gone)
+    removal.statements += callbacks
+    gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
+    imports, names = unused_imports(analysis, gone)
+    # A block that all of these empty together needs one `pass`.
+    removal.statements += imports
+    gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
+    removal.splices = gone + names
+    removal.statements = []
+    removal.sites += read_in(analysis, removal.splices)
+    return removal
+
+
+def remove_what_served(analysis: Analysis, removal: Removal) -> None:
+    """Remove the blocks, the local variables and the attributes that only served what is gone."""
+    count = -1
+    while count != len(removal.statements):
+        removal.statements += emptied_blocks(analysis, removal.statements)
+        count = len(removal.statements)
+        gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
+        unused = unused_locals(analysis, gone)
+        removal.statements += unused.statements
+        removal.statements += unused_attributes(analysis, gone)
+        removal.splices += unused.splices

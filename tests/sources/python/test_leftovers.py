@@ -1,0 +1,97 @@
+"""What goes with an endpoint as nothing else needs it: logs, timers, functions and attributes."""
+
+from __future__ import annotations
+
+import pytest
+from edits import AT, PUB, SUB, edited
+
+from plastron_tui.model.source import Remove
+
+TALKER = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Int32, String
+
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.publisher = self.create_publisher(String, 'topic', 10)
+        self.other = self.create_publisher(Int32, 'other', 10)
+        period = 0.5
+        self.timer = self.create_timer(period, self.send)
+        self.count = 0
+
+    def send(self):
+        message = String()
+        message.data = f'Hello {self.count}'
+        self.publisher.publish(message)
+        self.get_logger().info(f'Publishing: {message.data}')
+        self.count += 1
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+"""
+# What only serves `topic`: in the order of the file.
+IDLE = {
+    "timer": (
+        "period = 0.5",
+        "self.timer = self.create_timer(period, self.send)",
+        "def send(self):",
+    ),
+    "message": ("message = String()", "message.data = "),
+    "log": ("get_logger()",),
+    "count": ("self.count = 0",),
+}
+# What is written in place of what, and what of the idle stays then.
+KEPT = {
+    "nothing": ("0.5", "0.5", []),
+    "what does something else": ("self.count += 1", "work()", ["timer"]),
+    "a timer that is stopped elsewhere": (
+        "def main", "def f(talker):\n    talker.timer.cancel()\n\n\ndef main", ["timer"],
+    ),
+    "a timer that wakes": ("rclpy.spin(", "rclpy.spin_once(", ["timer"]),
+    "what another class may call": ("(Node):", "(Base):", ["timer", "count"]),
+    "a function that is handed on": ("def main", "f(Talker.send)\n\n\ndef main", ["timer"]),
+    "a log of something else": ("Publish", "Say", ["timer", "message", "log", "count"]),
+    "a log that does something": ("{message.data}", "{work()}", ["timer", "log"]),
+    "a warning": (".info(", ".warning(", ["timer", "message", "log", "count"]),
+    "a log of what else is sent": (
+        "self.count += 1", "self.other.publish(1)", ["timer", "message", "log", "count"],
+    ),
+    "a count that is read": ("self.count += 1", "print(self.count)", ["timer", "count"]),
+    "what another function keeps": (
+        "        self.count += 1", "\n    def hear(self):\n        self.count = 1", ["count"],
+    ),
+    "what a text names": ("def main", "N = 'count'\n\n\ndef main", ["timer", "count"]),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", KEPT)
+def test_what_only_served_a_publisher_goes_with_it(case):
+    old, new, kept = KEPT[case]
+    assert old in TALKER
+    after = edited(TALKER.replace(old, new), Remove(PUB, "topic", AT))
+    found = {key: {line in after for line in IDLE[key]} for key in IDLE}
+    assert found == {key: {key in kept} for key in IDLE}
+
+
+# What stands below a subscription of `/scan`, and whether it goes with it.
+BESIDE = {
+    "rospy.loginfo('Subscribed to /scan')": True,
+    "print('subscribing', 'scan')": True,
+    "rospy.loginfo('started, scan it')": False,
+    "rospy.loginfo('Subscribed to /scan and /map')": False,
+    "rospy.loginfo('Subscribed to %s at scan', take())": False,
+    "log('Subscribed to /scan')": False,
+}
+
+
+@pytest.mark.parametrize("line", BESIDE)
+def test_a_log_of_a_subscription_goes_with_it(line):
+    head = "import rospy\nfrom std_msgs.msg import String\nrospy.Subscriber('/map', String)\n"
+    before = f"{head}rospy.Subscriber('/scan', String)\n{line}\nrospy.spin()\n"
+    after = edited(before, Remove(SUB, "/scan", AT))
+    assert after == f"{head}{'' if BESIDE[line] else line + chr(10)}rospy.spin()\n"
