@@ -5,6 +5,8 @@ from __future__ import annotations
 from tree_sitter import Node
 
 from .analysis import Analysis
+from .references import function_of
+from .scopes import Scope
 from .syntax import parts_of
 
 _PURE_BUILTINS = frozenset(
@@ -58,18 +60,20 @@ _AT_TIMES = frozenset(
     {"boolean_operator", "conditional_expression", "lambda", "list_comprehension"}
     | {"dictionary_comprehension", "set_comprehension", "generator_expression"}
 )
+# Functions that call more than these are not looked into.
+_MOST_DEEP = 3
 # What these have for a value, others may have too.
 _SHARED = frozenset({"identifier", "attribute", "subscript", "await"})
 _SHARING = frozenset({"get", "getattr", "max", "min", "next", "pop", "setdefault"})
 
 
-def is_pure(analysis: Analysis, expression: Node) -> bool:
-    """Whether to evaluate an expression changes nothing."""
+def is_pure(analysis: Analysis, expression: Node, depth: int = 0) -> bool:
+    """Whether to evaluate an expression changes nothing; `depth` functions call each other so."""
     pending = [expression]
     while pending:
         node = pending.pop()
         if node.type == "call":
-            if not _is_pure_call(analysis, node):
+            if not _is_pure_call(analysis, node, depth):
                 return False
         elif node.is_named and node.type not in _PURE_TYPES:
             return False
@@ -101,7 +105,7 @@ def is_fresh(analysis: Analysis, value: Node) -> bool:
     return value.type not in _SHARED
 
 
-def _is_pure_call(analysis: Analysis, call: Node) -> bool:
+def _is_pure_call(analysis: Analysis, call: Node, depth: int = 0) -> bool:
     callee = call.child_by_field_name("function")
     if callee is None:
         return False
@@ -113,12 +117,50 @@ def _is_pure_call(analysis: Analysis, call: Node) -> bool:
     resolver = analysis.resolver
     if resolver.interface(callee, scope) is not None:
         return True
+    function = function_of(callee, analysis)
+    if function is not None:
+        return depth < _MOST_DEEP and _is_pure_function(analysis, function, depth + 1)
     names = resolver.qualified(callee, scope)
     if names:
         return all(_is_known(each) for each in names)
     method = callee.child_by_field_name("attribute")
     name = analysis.syntax.slice(method) if method is not None else ""
     return name in _PURE_METHODS or (name == "get" and _is_of_mapping(call))
+
+
+def _is_pure_function(analysis: Analysis, function: Scope, depth: int) -> bool:
+    """Whether a function of the file only works out what it returns."""
+    parent, body = function.node.parent, function.node.child_by_field_name("body")
+    is_decorated = parent is None or parent.type == "decorated_definition"
+    is_async = function.node.children[0].type == "async"
+    if is_decorated or is_async or function.globals or function.nonlocals or body is None:
+        return False
+    pending = parts_of(body)
+    while pending:
+        statement = pending.pop()
+        parts = statement.named_children
+        match statement.type:
+            case "pass_statement" | "comment":
+                continue
+            case "block" | "if_statement" | "elif_clause" | "else_clause" | "return_statement":
+                pending += parts
+            case "expression_statement" if len(parts) == 1:
+                value = _local_value(parts[0])
+                if value is None or not is_pure(analysis, value, depth):
+                    return False
+            case _ if not is_pure(analysis, statement, depth):
+                return False
+    return True
+
+
+def _local_value(part: Node) -> Node | None:
+    """Return what a statement only works out, for a local variable or a docstring."""
+    if part.type == "string":
+        return part
+    target, value = part.child_by_field_name("left"), part.child_by_field_name("right")
+    is_number = value is not None and value.type in ("integer", "float", "binary_operator")
+    is_plain = part.type == "assignment" or (part.type == "augmented_assignment" and is_number)
+    return value if is_plain and target is not None and target.type == "identifier" else None
 
 
 def _is_known(name: str) -> bool:

@@ -10,7 +10,7 @@ from enum import Enum
 from tree_sitter import Node
 
 from .analysis import Analysis
-from .scopes import Scope
+from .scopes import Binding, BindingKind, Scope
 
 STATEMENT_PARENTS = frozenset({"module", "block"})
 
@@ -70,6 +70,20 @@ def variable_of(target: Node, analysis: Analysis) -> Variable | None:
             return None
         return Variable(owner, analysis.syntax.slice(name_node), True)
     return None
+
+
+def function_of(node: Node, analysis: Analysis) -> Scope | None:
+    """Return the one function of the file that an expression names, None where none is known."""
+    scope = analysis.scopes.at(node.start_byte)
+    bindings: list[Binding] = []
+    if node.type == "identifier":
+        found = scope.lookup(analysis.syntax.slice(node))
+        bindings = found[1] if found is not None else []
+    elif node.type == "attribute":
+        bindings = analysis.resolver.attribute_bindings(node, scope)
+    if len(bindings) != 1 or bindings[0].kind is not BindingKind.FUNCTION:
+        return None
+    return bindings[0].owner
 
 
 def identifiers(name: str, analysis: Analysis) -> Iterator[Node]:

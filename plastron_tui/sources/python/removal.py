@@ -21,13 +21,14 @@ from .references import (
     Reference,
     Use,
     Variable,
+    function_of,
     identifiers,
     is_member,
     references,
     statement_of,
     variable_of,
 )
-from .scopes import BindingKind, Scope
+from .scopes import Scope
 from .syntax import parts_of
 
 # What ends an endpoint: its own methods, and those of an rclpy node.
@@ -246,17 +247,7 @@ def callback_scope(analysis: Analysis, site: Site) -> Scope | None:
     if site.shape.callback is None:
         return None
     node = callback_target(site.arguments.get(site.shape.callback), site.scope, analysis)
-    if node is None:
-        return None
-    bindings = []
-    if node.type == "identifier":
-        found = site.scope.lookup(analysis.syntax.slice(node))
-        bindings = found[1] if found is not None else []
-    elif node.type == "attribute":
-        bindings = analysis.resolver.attribute_bindings(node, site.scope)
-    if len(bindings) != 1 or bindings[0].kind is not BindingKind.FUNCTION:
-        return None
-    return bindings[0].owner
+    return function_of(node, analysis) if node is not None else None
 
 
 def function_uses(analysis: Analysis, function: Scope) -> list[Node]:

@@ -236,8 +236,28 @@ def test_what_made_a_message_is_kept_where_it_does_something_else(value, is_kept
     assert f"def f(d):\n    {value if is_kept else 'pass'}\n\n" in text
 
 
+FUNCTIONS = """\
+def half(d):
+    more = 2.0
+    if d is None:
+        return most(0)
+    return most(d / more)
+
+
+def most(d):
+    return max(d, 1.0)
+
+
+def taken(d):
+    d.x = most(d)
+    return d
+
+
+"""
 # What a function does up to what it publishes, and what is left of that.
 SENDERS = {
+    "what a function works out": ("m = String(half(d))", ""),
+    "what a function takes": ("m = String(taken(d))", "taken(d)"),
     "a part of what is done": ("m = String(str(take()[0]))", "take()"),
     "several things that are done": ("m = String(take() + take())", "m = String(take() + take())"),
     "what may be done": ("m = String(d or take())", "m = String(d or take())"),
@@ -268,7 +288,8 @@ def test_what_only_made_a_message_goes_with_it(case):
     before, after = (
         "".join(f"    {line}\n" for line in (each or "pass").splitlines()) for each in SENDERS[case]
     )
-    head, end = f"{HEAD}{MORE}x = String, Int32\n\n\ndef f(d):\n", f"\n\n{TAIL}"
+    head = f"{HEAD}{MORE}x = String, Int32\n\n\n{FUNCTIONS}def f(d):\n"
+    end = f"\n\n{TAIL}"
     sending = f"{before}    p.publish(m)\n\n\np = rospy.Publisher('t', String)\n{TAIL}"
     assert edited(head + sending, Remove(PUB, "t", AT)) == f"{head}{after}{end}"
 
