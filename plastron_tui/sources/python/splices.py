@@ -10,9 +10,10 @@ from tree_sitter import Node
 
 from .syntax import parts_of
 
-# A ruler, the end of a text, and what linters, formatters and type checkers read.
-_NO_WORDS = re.compile(
-    rb"([^\w\s.])\1{2}|^#!|^#\s*(coding|fmt|flake8|isort|mypy|noqa|pragma|pylint|ruff|type|yapf)\b"
+_RULER = re.compile(rb"([^\w\s.])\1{2,}")
+# What linters, formatters and type checkers read.
+_FOR_TOOLS = re.compile(
+    rb"^#!|^#\s*(coding|fmt|flake8|isort|mypy|noqa|pragma|pylint|ruff|type|yapf)\b"
 )
 _BLANK_LINE = re.compile(rb"^[ \t]*\r?$", re.M)
 # What calls and comments have in common that are about one kind of endpoint.
@@ -173,6 +174,8 @@ def _over_comment(text: bytes, lines: Splice) -> int:
 
     What heads the file, draws a line, tells a tool something, or is code, stays.
     """
+    if (heading := _over_heading(text, lines)) is not None:
+        return heading
     indent = _indent(text, lines.start)
     following = text[lines.end : line_end(text, lines.end)]
     is_followed = bool(following.strip()) and not following.lstrip().startswith(b"#")
@@ -191,6 +194,40 @@ def _over_comment(text: bytes, lines: Splice) -> int:
         return lines.start
     header = _HEADER.match(text)
     return lines.start if header is not None and header.end() >= start else start
+
+
+def _over_heading(text: bytes, lines: Splice) -> int | None:
+    """Return where the heading begins of a section that deleted lines were alone in.
+
+    That is a comment with rulers, or with a blank line below; None where there is none.
+    """
+    blanks, indent = _blank_before(text, lines.start), _indent(text, lines.start)
+    at = start = blanks[-1] if blanks else lines.start
+    words: list[bytes] = []
+    while start > 0:
+        previous = line_start(text, start - 1)
+        line = text[previous:start].strip()
+        if previous >= start or _indent(text, previous) != indent or not line.startswith(b"#"):
+            break
+        words.append(b"# " + _RULER.sub(b"", line).strip(b"# "))
+        start = previous
+    header = _HEADER.match(text)
+    said = [line for line in words if line != b"# "]
+    is_heading = len(blanks) == 1 or _RULER.search(text[start:at]) is not None
+    is_first = header is not None and header.end() >= start
+    if not is_heading or len(blanks) > 1 or is_first or not said or not all(map(_is_prose, said)):
+        return None
+    after = _blank_after(text, lines.end)
+    following = after[-1] if after else lines.end
+    paragraph = text[following : line_end(text, following)].strip()
+    is_over = following == len(text) or len(_indent(text, following)) < len(indent)
+    is_over = is_over or (paragraph.startswith(b"#") and _RULER.search(paragraph) is not None)
+    comment = b"\n".join(said)
+    if is_over:
+        is_alone = _WORD.search(comment.lower()) is not None and _is_about(comment, text, lines)
+    else:
+        is_alone = bool(after) and _speaks_of(comment, text, Splice(lines.start, following))
+    return start if is_alone else None
 
 
 def _speaks_of(comment: bytes, text: bytes, lines: Splice) -> bool:
@@ -225,7 +262,8 @@ def _is_prose(comment: bytes) -> bool:
     """Whether a comment is made of words: no code, no ruler, and nothing that tools read."""
     said = comment.lstrip(b"#").strip()
     is_code = _CODE.search(said) is not None or said.endswith((b":", b",", b"]", b"}"))
-    return bool(said) and _NO_WORDS.search(comment) is None and not is_code
+    is_plain = _RULER.search(comment) is None and _FOR_TOOLS.search(comment) is None
+    return bool(said) and is_plain and not is_code
 
 
 def delete_item(text: bytes, items: Sequence[Node], item: Node) -> Splice:

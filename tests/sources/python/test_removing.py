@@ -174,6 +174,25 @@ LINES = {
     "its comment, with an aside": ("a = 1\n# Publish (to all)\n{}\nb = 2\n", "a = 1\n\nb = 2\n"),
     "a comment of more lines": ("# Greet, add\n{}b = 2\n", "# Greet, add\nb = 2\n"),
     "code in a comment": ("# p = None\n{}\nb = 2\n", "# p = None\n\nb = 2\n"),
+    "a heading": (
+        "a = 1\n\n####\n# Publishers\n####\n{}\n# ---- More ----\nb = 2\n",
+        "a = 1\n\n# ---- More ----\nb = 2\n",
+    ),
+    "a heading on one line, at the end of a block": (
+        "def f():\n    a = 1\n    # === Publish ===\n\n    {}\nb = 2\n",
+        "def f():\n    a = 1\n\nb = 2\n",
+    ),
+    "a heading of something else": (
+        "a = 1\n\n####\n# Greet\n####\n{}\n# ---- More ----\nb = 2\n",
+        "a = 1\n\n####\n# Greet\n####\n\n# ---- More ----\nb = 2\n",
+    ),
+    "a heading of something more": (
+        "# ---- Publish ----\n{}\nb = publish(2)\n", "# ---- Publish ----\n\nb = publish(2)\n"
+    ),
+    "a comment with a blank line below": ("a = 1\n\n# Publish\n\n{}\nb = 2\n", "a = 1\n\nb = 2\n"),
+    "a comment on a paragraph": (
+        "a = 1\n\n# Publish\n\n{}b = 2\n", "a = 1\n\n# Publish\n\nb = 2\n"
+    ),
     "a ruler": ("# ---- Greet ----\n{}\nb = 2\n", "# ---- Greet ----\n\nb = 2\n"),
     "what tools read": ("# fmt: off\n{}\nb = 2\n", "# fmt: off\n\nb = 2\n"),
     "a comment further left": (
