@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from tree_sitter import Node
+
+from plastron_tui.model.source import EndpointKind
 
 from .analysis import Analysis
 from .emptied_blocks import leaves_pass
@@ -15,6 +18,8 @@ from .scopes import BindingKind, Scope
 from .splices import Splice
 from .syntax import parts_of
 
+_RUNS = re.compile(rb"""^if\s+__name__\s*==|^(rospy\.)?init_node\(|^rclpy\.init\(""", re.M)
+_LITERALS = frozenset({"string", "concatenated_string", "integer", "float"})
 _FILLING = frozenset({"append", "extend"})
 # What nobody reads is called so: what else it is given is no matter of this edit.
 _DUMMY = "_"
@@ -109,20 +114,34 @@ def _locals_in(analysis: Analysis, ranges: Iterable[tuple[int, int]]) -> set[tup
                 continue
             name = analysis.syntax.slice(node)
             holder = analysis.scopes.at(node.start_byte).lookup(name)
-            if holder is not None and _is_local(holder[0], name):
+            if holder is not None and _is_local(analysis, holder[0], name):
                 found.add((holder[0], name))
     return found
 
 
-def _is_local(scope: Scope, name: str) -> bool:
-    """Whether a variable is of one function alone, or of a script's loops and conditions."""
+def _is_local(analysis: Analysis, scope: Scope, name: str) -> bool:
+    """Whether a variable is of one function alone, or of a script, or a script's constant."""
     bindings = scope.bindings.get(name, [])
     is_plain = all(each.kind in _OF_VALUES for each in bindings)
     is_shared = name in scope.globals or name in scope.nonlocals
     if scope.parent is None:
         parents = [statement_of(each.node).parent for each in bindings]
-        is_shared = any(parent is None or parent.type == "module" for parent in parents)
+        is_top = any(parent is None or parent.type == "module" for parent in parents)
+        values = {each.value.type if each.value is not None else "" for each in bindings}
+        is_constant = values <= _LITERALS and not _is_quoted(analysis, name)
+        is_shared = is_top and not (is_constant and _is_script(analysis))
     return scope.kind in ("function", "module") and is_plain and not is_shared
+
+
+def _is_script(analysis: Analysis) -> bool:
+    """Whether a file is run, so that no other file has what it defines."""
+    return _RUNS.search(analysis.syntax.text) is not None
+
+
+def _is_quoted(analysis: Analysis, name: str) -> bool:
+    """Whether a text is a name: of `__all__`, or of what is looked up by it."""
+    quoted = re.compile(rb"""["']%s["']""" % re.escape(analysis.syntax.encode(name)))
+    return quoted.search(analysis.syntax.text) is not None
 
 
 def _only_filling(
@@ -195,7 +214,7 @@ def fills(analysis: Analysis, statement: Node, variable: Node) -> bool:
     A call that works out the value may do something besides.
     """
     inner = _only_part(statement)
-    if inner is None:
+    if inner is None or _creates(analysis, statement):
         return False
     if inner.type in ("assignment", "augmented_assignment"):
         target, value = inner.child_by_field_name("left"), inner.child_by_field_name("right")
@@ -217,6 +236,15 @@ def fills(analysis: Analysis, statement: Node, variable: Node) -> bool:
         is_filling = analysis.syntax.slice(name) in _FILLING and variable in _holders(callee)
         return is_filling and is_pure(analysis, arguments)
     return False
+
+
+def _creates(analysis: Analysis, statement: Node) -> bool:
+    """Whether a statement creates an endpoint, which may live as long as its variable."""
+    start, end = statement.start_byte, statement.end_byte
+    return any(
+        start <= site.call.start_byte < end and site.endpoint.kind is not EndpointKind.PARAMETER
+        for site in analysis.sites
+    )
 
 
 def is_filling_pure(analysis: Analysis, statement: Node) -> bool:

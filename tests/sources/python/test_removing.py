@@ -102,6 +102,19 @@ REMOVALS = {
         f"import rospy\nimport std_msgs.msg as m\nrospy.Subscriber('t', m.String)\n{TAIL}",
         f"import rospy\n{TAIL}",
     ),
+    "a script's constant": (
+        PUB,
+        f"{HEAD}{MORE}TOPIC = 't'\nSIZE = 3\np = rospy.Publisher(TOPIC, String, queue_size=SIZE)\n"
+        f"__all__ = ['SIZE']\n{TAIL}",
+        f"import rospy\nfrom std_msgs.msg import Int32\n{MORE}SIZE = 3\n__all__ = ['SIZE']\n{TAIL}",
+    ),
+    "a module's constant": (
+        PUB,
+        f"{HEAD}TOPIC = 't'\n\n\ndef f():\n    global p\n    p = rospy.Publisher(TOPIC, String)\n"
+        "    more = rospy.Publisher('m', Int32)\n    p.publish(more.name)\n",
+        "import rospy\nfrom std_msgs.msg import Int32\nTOPIC = 't'\n\n\ndef f():\n"
+        "    more = rospy.Publisher('m', Int32)\n",
+    ),
     "imports that only define names": (
         PUB,
         "import math, os.path\nimport random\nimport mine\nimport numpy as np\n"
