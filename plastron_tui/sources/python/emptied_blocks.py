@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from tree_sitter import Node
 
 from .analysis import Analysis
-from .purity import is_pure
+from .purity import doing_part, is_pure
 from .syntax import parts_of
 
 _CLAUSES = frozenset({"else_clause", "elif_clause", "finally_clause", "except_clause"})
@@ -57,6 +57,26 @@ def leaves_pass(
     )
 
 
+def bare_conditions(analysis: Analysis, gone: Sequence[Node]) -> list[tuple[Node, Node]]:
+    """Return the conditions whose one call has to be made, though nothing depends on it any more.
+
+    Each is a statement, and the call in it.
+    """
+    found = _Emptied(analysis, gone, ())
+    parents = {each.parent.id: each.parent for each in gone if each.parent is not None}
+    listed = []
+    for block in parents.values():
+        statement = block.parent
+        if statement is None or statement.type != "if_statement" or found.is_gone(statement):
+            continue
+        is_alone = not any(each.type in _CLAUSES for each in statement.named_children)
+        condition = statement.child_by_field_name("condition")
+        part = doing_part(analysis, condition) if condition is not None else None
+        if is_alone and part is not None and found.is_empty(block):
+            listed.append((statement, part))
+    return listed
+
+
 class _Emptied:
     """What is gone, and what goes with it."""
 
@@ -77,8 +97,10 @@ class _Emptied:
         return any(start <= node.start_byte and node.end_byte <= end for start, end in self._ranges)
 
     def is_empty(self, block: Node | None) -> bool:
-        """Whether all statements of a block are gone."""
-        return block is not None and all(map(self.is_gone, parts_of(block)))
+        """Whether all statements of a block are gone, or do nothing."""
+        return block is not None and all(
+            each.type == "pass_statement" or self.is_gone(each) for each in parts_of(block)
+        )
 
     def with_block(self, owner: Node) -> Node | None:
         """Return what goes with an empty block of a statement, None where that keeps a `pass`."""
@@ -112,13 +134,15 @@ class _Emptied:
     def _of_try(self, statement: Node, clauses: list[Node], owner: Node) -> Node | None:
         kinds = [each.type for each in clauses]
         if owner.id == statement.id:
-            return statement if set(kinds) == {"except_clause"} else None
+            others = [each for each in clauses if each.type != "except_clause"]
+            return statement if all(map(self._decides_nothing, others)) else None
         is_last = owner.type == "finally_clause" and "except_clause" in kinds
         return owner if is_last or owner.type == "else_clause" else None
 
     def _decides_nothing(self, branch: Node) -> bool:
         condition = branch.child_by_field_name("condition")
         block = branch.child_by_field_name("consequence") or branch.child_by_field_name("body")
+        block = block or next(iter(parts_of(branch)), None)
         return self.is_empty(block) and (condition is None or self._are_pure([condition]))
 
     def _are_pure(self, expressions: Sequence[Node | None]) -> bool:

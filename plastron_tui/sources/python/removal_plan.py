@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from .analysis import Analysis, Site
 from .creation import Removal, read_in, remove_creation
-from .emptied_blocks import emptied_blocks
+from .emptied_blocks import bare_conditions, emptied_blocks
 from .imports import unused_imports
 from .leftovers import placeholders, remove_idle, sending_logs, stub_callbacks
 from .references import Variable
 from .removal import remove_uses, waits
-from .splices import delete_statements
+from .splices import around, delete_statements
 from .unused_attributes import unused_attributes
 from .unused_locals import unused_locals
 
@@ -31,6 +31,7 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
     remove_what_served(analysis, removal)
     while remove_idle(analysis, removal):
         remove_what_served(analysis, removal)
+    _keep_conditions(analysis, removal)
     for variable in variables:
         removal.statements += placeholders(analysis, variable, removal)
     gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
@@ -45,6 +46,16 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
     removal.statements = []
     removal.sites += read_in(analysis, removal.splices)
     return removal
+
+
+def _keep_conditions(analysis: Analysis, removal: Removal) -> None:
+    """Leave `f()` of `if f():` with nothing in it."""
+    for statement, part in bare_conditions(analysis, removal.statements):
+        start, end = statement.start_byte, statement.end_byte
+        removal.statements = [
+            each for each in removal.statements if not start <= each.start_byte < end
+        ]
+        removal.splices += around(statement, part)
 
 
 def remove_what_served(analysis: Analysis, removal: Removal) -> None:

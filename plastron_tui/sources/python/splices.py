@@ -90,6 +90,13 @@ def delete_statements(text: bytes, statements: Sequence[Node]) -> list[Splice]:
     return _close_gaps(text, splices)
 
 
+def around(statement: Node, part: Node) -> list[Splice]:
+    """Delete all of a statement but one part."""
+    before = Splice(statement.start_byte, part.start_byte)
+    after = Splice(part.end_byte, statement.end_byte)
+    return [each for each in (before, after) if each.start < each.end]
+
+
 def _delete(text: bytes, statement: Node, gone: Sequence[Node]) -> Splice:
     start, end = statement.start_byte, statement.end_byte
     first, last = line_start(text, start), line_end(text, end)

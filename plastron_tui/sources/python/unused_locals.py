@@ -15,7 +15,7 @@ from .emptied_blocks import leaves_pass
 from .purity import doing_part, is_fresh, is_pure
 from .references import identifiers, is_member, statement_of
 from .scopes import BindingKind, Scope
-from .splices import Splice
+from .splices import Splice, around
 from .syntax import parts_of
 
 _RUNS = re.compile(rb"""^if\s+__name__\s*==|^(rospy\.)?init_node\(|^rclpy\.init\(""", re.M)
@@ -84,20 +84,13 @@ def _unused_in(
                 value = _value(each)
                 part = doing_part(analysis, value) if value is not None else None
                 if part is not None:
-                    calls[each.id] = _around(each, part)
+                    calls[each.id] = around(each, part)
         more = {key: each for key, each in more.items() if key not in found}
         if not more:
             break
         found.update(more)
         ranges += [(each.start_byte, each.end_byte) for each in more.values()]
     return Unused(list(found.values()), [each for both in calls.values() for each in both])
-
-
-def _around(statement: Node, part: Node) -> list[Splice]:
-    """Delete all of a statement but one part."""
-    before = Splice(statement.start_byte, part.start_byte)
-    after = Splice(part.end_byte, statement.end_byte)
-    return [each for each in (before, after) if each.start < each.end]
 
 
 def _locals_in(analysis: Analysis, ranges: Iterable[tuple[int, int]]) -> set[tuple[Scope, str]]:

@@ -50,8 +50,8 @@ REMOVALS = {
     ),
     "the last statement of a block": (
         PUB,
-        f"{HEAD}{MORE}if x():\n    rospy.Publisher('t', Int32)\n{TAIL}y = String\n",
-        f"{HEAD}{MORE}if x():\n    pass\n{TAIL}y = String\n",
+        f"{HEAD}{MORE}while x():\n    rospy.Publisher('t', Int32)\n{TAIL}y = String\n",
+        f"{HEAD}{MORE}while x():\n    pass\n{TAIL}y = String\n",
     ),
     "between semicolons": (
         PUB,
@@ -60,8 +60,8 @@ REMOVALS = {
     ),
     "behind a colon": (
         PUB,
-        f"{HEAD}{MORE}if x(): rospy.Publisher('t', Int32)\n{TAIL}y = String\n",
-        f"{HEAD}{MORE}if x(): pass\n{TAIL}y = String\n",
+        f"{HEAD}{MORE}while x(): rospy.Publisher('t', Int32)\n{TAIL}y = String\n",
+        f"{HEAD}{MORE}while x(): pass\n{TAIL}y = String\n",
     ),
     "one of a tuple": (
         PUB,
@@ -222,6 +222,11 @@ LINES = {
         "if x:\n    a = 1\nelif f():\n    {}elif y:\n    {}b = 2\n",
         "if x:\n    a = 1\nelif f():\n    pass\nb = 2\n",
     ),
+    "a condition that does something": ("if x == f():\n    {}b = 2\n", "f()\nb = 2\n"),
+    "a condition that may do something": (
+        "if x and f():\n    {}b = 2\n", "if x and f():\n    pass\nb = 2\n"
+    ),
+    "what is done in the end for nothing": ("try:\n    {}finally:\n    pass\nb = 2\n", "b = 2\n"),
     "what a lock guards": ("with x.lock:\n    {}b = 2\n", "b = 2\n"),
     "what opens something": (
         "with f() as z:\n    {}b = 2\n", "with f() as z:\n    pass\nb = 2\n"
