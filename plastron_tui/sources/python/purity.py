@@ -17,13 +17,12 @@ _PURE_BUILTINS = frozenset(
 )
 _PURE_FUNCTIONS = frozenset(
     {"rospy.Time.now", "rospy.get_rostime", "rospy.get_time", "rospy.Time", "rospy.Duration"}
-    | {"rospy.Time.from_sec", "rospy.Duration.from_sec", "time.time", "rospy.get_name"}
+    | {"rospy.Time.from_sec", "rospy.Duration.from_sec", "rospy.get_name"}
     | {"rospy.get_namespace", "rospy.get_caller_id", "socket.gethostname"}
     | {"rospy.get_param", "rospy.has_param", "rospy.is_shutdown", "rospy.resolve_name"}
     | {"rospy.rostime.get_rostime", "rospy.rostime.get_time", "rospy.Rate"}
     | {"copy.copy", "copy.deepcopy", "json.dumps", "struct.pack"}
-    | {"time.monotonic", "time.perf_counter", "time.time_ns", "datetime.datetime.now"}
-    | {"uuid.uuid1", "uuid.uuid4", "os.path.join", "os.path.basename", "os.path.dirname"}
+    | {"multiprocessing.cpu_count", "os.getcwd", "os.getenv", "os.getpid"}
     | {"rclpy.duration.Duration", "rclpy.qos.QoSProfile", "rclpy.time.Time", "rclpy.ok"}
     | {"cv2.cvtColor", "cv2.imencode", "cv2.resize", "cv_bridge.CvBridge"}
 )
@@ -35,9 +34,25 @@ _PURE_METHODS = frozenset(
     | {"keys", "values", "items", "index", "count", "copy", "tolist", "tobytes", "astype"}
     | {"flatten", "reshape", "cv2_to_imgmsg", "imgmsg_to_cv2"}
 )
-# All of these modules work out and change nothing.
-_PURE_MODULES = ("math.", "numpy.", "tf.transformations.", "tf_transformations.", "transforms3d.")
-_DOING = ("numpy.random.", "numpy.save", "numpy.load", "numpy.copyto", "numpy.put", "numpy.seterr")
+# All of these modules work out and change nothing, but for what is listed below them.
+_PURE_MODULES = (
+    *(
+        "base64.",
+        "colorsys.",
+        "datetime.",
+        "itertools.",
+        "math.",
+        "numpy.",
+        "os.path.",
+        "platform.",
+    ),
+    *("sensor_msgs.point_cloud2.", "sensor_msgs_py.point_cloud2.", "statistics.", "string."),
+    *("tf.transformations.", "tf_transformations.", "time.", "transforms3d.", "uuid."),
+)
+_DOING = (
+    *("numpy.random.", "numpy.save", "numpy.load", "numpy.copyto", "numpy.put", "numpy.seterr"),
+    *("time.sleep", "time.tzset"),
+)
 _PURE_TYPES = frozenset(
     {"identifier", "string", "integer", "float", "true", "false", "none", "attribute", "subscript"}
     | {"list", "tuple", "dictionary", "pair", "set", "parenthesized_expression", "binary_operator"}

@@ -18,6 +18,8 @@ _FOR_TOOLS = re.compile(
 _BLANK_LINE = re.compile(rb"^[ \t]*\r?$", re.M)
 # What calls and comments have in common that are about one kind of endpoint.
 _KINDS = (b"publish", b"subscri", b"servi", b"client")
+# What the comments of many nodes say for them.
+_TRANSLATED = {"发布": b"publish", "订阅": b"subscri", "服务": b"servi", "客户端": b"client"}
 _WORD = re.compile(rb"[a-z]{3,}")
 _CAPITAL = re.compile(rb"(?<=[a-z])([A-Z])")
 _STEM = 5
@@ -242,6 +244,8 @@ def _speaks_of(comment: bytes, text: bytes, lines: Splice) -> bool:
     blank = _BLANK_LINE.search(text, lines.end)
     following = text[lines.end : blank.start() if blank is not None else len(text)].lower()
     gone, said = text[lines.start : lines.end].lower(), comment.lower()
+    for word, kind in _TRANSLATED.items():
+        said = said.replace(word.encode(), kind)
     return any(word in said and word in gone and word not in following for word in _KINDS)
 
 
