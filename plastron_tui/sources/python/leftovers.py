@@ -11,7 +11,7 @@ from .creation import Removal
 from .generated import body_of, is_stub
 from .log_uses import is_telling
 from .purity import is_pure
-from .references import Use, Variable, references, statement_of
+from .references import Use, Variable, function_of, references, statement_of
 from .removal import callback_scope, definition, destroying, function_uses, timers_of
 from .scopes import Scope
 from .splices import Splice
@@ -53,7 +53,7 @@ def sending_logs(analysis: Analysis, removal: Removal) -> list[Node]:
         text = statement.text or b""
         is_sending = _PUBLISHES in text
         block = statement.parent
-        beside = [statement.prev_named_sibling, statement.next_named_sibling]
+        beside = [_beside(statement, "prev"), _beside(statement, "next")]
         if block is None or (is_sending and _sends_more(block, removal)):
             continue
         for each in beside:
@@ -67,6 +67,14 @@ def sending_logs(analysis: Analysis, removal: Removal) -> list[Node]:
             if is_sending or (_names(said, names) and not _names(said, left)):
                 found.append(each)
     return list({each.id: each for each in found}.values())
+
+
+def _beside(statement: Node, side: str) -> Node | None:
+    """Return the statement before or behind another one; a comment between them is none."""
+    found: Node | None = getattr(statement, f"{side}_named_sibling")
+    while found is not None and found.type == "comment":
+        found = getattr(found, f"{side}_named_sibling")
+    return found
 
 
 def _sends_more(block: Node, removal: Removal) -> bool:
@@ -109,8 +117,8 @@ def remove_idle(analysis: Analysis, removal: Removal) -> bool:
         if _is_within(whole, gone) or not _is_emptied(function, gone):
             continue
         timers = timers_of(analysis, function)
-        uses = function_uses(analysis, function)
-        calls = [_called_alone(analysis, use, timers) for use in uses]
+        uses = [use for use in function_uses(analysis, function) if not _is_within(use, gone)]
+        calls = [_called_alone(analysis, function, use, timers) for use in uses]
         ends = [destroying(analysis, timer) for timer in timers]
         if not uses or None in calls or None in ends:
             continue
@@ -135,7 +143,9 @@ def _is_emptied(function: Scope, gone: set[tuple[int, int]]) -> bool:
     )
 
 
-def _called_alone(analysis: Analysis, use: Node, timers: list[Site]) -> Node | None:
+def _called_alone(
+    analysis: Analysis, function: Scope, use: Node, timers: list[Site]
+) -> Node | None:
     """Return the statement that does nothing but call a function, or create its timer."""
     statement = statement_of(use)
     inner = statement.named_children[0] if statement.named_child_count == 1 else None
@@ -151,8 +161,8 @@ def _called_alone(analysis: Analysis, use: Node, timers: list[Site]) -> Node | N
     if callee is None or arguments is None or not is_pure(analysis, arguments):
         return None
     name = callee.child_by_field_name("attribute") or callee
-    is_own = callee.type == "identifier" or analysis.syntax.slice(callee).count(".") == 1
-    return statement if name == use and is_own else None
+    is_own = name == use and function_of(callee, analysis) is function
+    return statement if is_own else None
 
 
 def stub_callbacks(analysis: Analysis, sites: list[Site], gone: list[Splice]) -> list[Node]:

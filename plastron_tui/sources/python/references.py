@@ -108,7 +108,8 @@ def is_member(node: Node) -> bool:
     if parent.type == "keyword_argument":
         name = parent.child_by_field_name("name")
         return name is not None and name.id == node.id
-    return False
+    # `from std_msgs.msg import String`
+    return parent.type == "dotted_name" and parent.named_children[0].id != node.id
 
 
 def references(variable: Variable, analysis: Analysis) -> list[Reference]:

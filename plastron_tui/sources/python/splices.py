@@ -23,9 +23,13 @@ _TRANSLATED = {"发布": b"publish", "订阅": b"subscri", "服务": b"servi", "
 _WORD = re.compile(rb"[a-z]{3,}")
 _CAPITAL = re.compile(rb"(?<=[a-z])([A-Z])")
 _STEM = 5
+# A variable is hardly ever called so in full.
+_SHORT = {b"msg": b"messa", b"msgs": b"messa"}
 _BLANKS = re.compile(rb"[ \t]*")
 _HEADER = re.compile(rb"(?:\xef\xbb\xbf)?(?:[ \t]*(?:#[^\n]*)?\r?\n)*")
-_CODE = re.compile(rb"\w\(|=|^(from|import|if|for|while|return|del|pass)\b")
+_CODE = re.compile(
+    rb"\w\(|^[\w.\[\]'\"]+\s*[-+*/]?=|==|^(from|import|if|for|while|return|del|pass)\b"
+)
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -254,9 +258,12 @@ def _is_about(comment: bytes, text: bytes, lines: Splice) -> bool:
 
     Words count as the same that begin alike: `publishing`, and `create_publisher`.
     """
-    said = {word[:_STEM] for word in _WORD.findall(comment.lower())}
-    gone = {word[:_STEM] for word in _WORD.findall(_split_words(text[lines.start : lines.end]))}
+    said, gone = _stems(comment), _stems(_split_words(text[lines.start : lines.end]))
     return not said or not said.isdisjoint(gone)
+
+
+def _stems(words: bytes) -> set[bytes]:
+    return {_SHORT.get(word, word[:_STEM]) for word in _WORD.findall(words.lower())}
 
 
 def _split_words(code: bytes) -> bytes:

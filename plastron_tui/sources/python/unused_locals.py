@@ -159,7 +159,7 @@ def _only_filling(
         if is_member(node) or any(first <= start < last for first, last in ranges):
             continue
         holder = analysis.scopes.at(start).lookup(name)
-        if holder is None or holder[0] is not scope:
+        if holder is None or holder[0] is not scope or _is_parameter(node):
             continue
         statement = statement_of(node)
         if not fills(analysis, statement, node):
@@ -171,6 +171,14 @@ def _only_filling(
                 return None
             found += [] if other == _DUMMY else more
     return found if is_of_its_own(analysis, found) else None
+
+
+def _is_parameter(node: Node) -> bool:
+    """Whether a name is that of a parameter, which is another variable."""
+    parent = node.parent
+    if parent is not None and parent.type.endswith("default_parameter"):
+        return parent.child_by_field_name("name") == node
+    return parent is not None and parent.type.endswith(("parameters", "typed_parameter"))
 
 
 def _other_targets(analysis: Analysis, statement: Node) -> set[str]:
@@ -213,8 +221,12 @@ def fills(analysis: Analysis, statement: Node, variable: Node) -> bool:
         target, value = inner.child_by_field_name("left"), inner.child_by_field_name("right")
         if target is None or value is None or value.type == "assignment":
             return False
-        if not (is_pure(analysis, value) or doing_part(analysis, value) is not None):
-            return False
+        if not is_pure(analysis, value):
+            part = doing_part(analysis, value)
+            # An object may do something for as long as a variable has it.
+            is_object = part == value and analysis.syntax.called_name(value)[:1].isupper()
+            if part is None or (is_object and target.type == "identifier"):
+                return False
         if target.type in _SEVERAL:
             is_plain = all(each.type == "identifier" for each in parts_of(target))
             return is_plain and variable.parent == target

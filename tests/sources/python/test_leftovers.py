@@ -78,10 +78,22 @@ def test_what_only_served_a_publisher_goes_with_it(case):
     assert found == {key: {key in kept} for key in IDLE}
 
 
+def test_a_function_of_which_nothing_is_left_goes_with_its_calls():
+    calls = "def main():\n    talker = Talker()\n    talker.send()\n    rclpy.spin(talker)\n"
+    before = TALKER[: TALKER.index("def main")] + calls
+    before = before.replace("self.create_timer(period, self.send)", "self.other.publish(period)")
+    after = edited(before, Remove(PUB, "topic", AT))
+    assert "send" not in after
+    assert "    talker = Talker()\n    rclpy.spin(talker)\n" in after
+    before = before.replace("talker.send()", "f(talker.send())")
+    assert "    def send(self):\n        pass\n" in edited(before, Remove(PUB, "topic", AT))
+
+
 # What stands below a subscription of `/scan`, and whether it goes with it.
 BESIDE = {
     "rospy.loginfo('Subscribed to /scan')": True,
     "print('subscribing', 'scan')": True,
+    "# subscribed\nrospy.loginfo('Subscribed to /scan')": True,
     "rospy.loginfo('started, scan it')": False,
     "rospy.loginfo('Subscribed to /scan and /map')": False,
     "rospy.loginfo('Subscribed to %s at scan', take())": False,

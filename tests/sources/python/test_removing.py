@@ -97,6 +97,13 @@ REMOVALS = {
         "y = Int32\n",
         f"{HEAD}def cb(msg):\n    pass\n\ncb(String)\n{TAIL}y = Int32\n",
     ),
+    "what a script's loop makes, where an import and a parameter are called so": (
+        PUB,
+        "import rospy\nfrom std_msgs.msg import String\n\n\ndef f(more):\n    return more\n\n\n"
+        "p = rospy.Publisher('t', String)\nwhile True:\n    more = f(1)\n    msg = String()\n"
+        f"    msg.data = more\n    p.publish(msg)\n    f(2)\n{TAIL}",
+        f"import rospy\n\n\ndef f(more):\n    return more\n\n\nwhile True:\n    f(2)\n{TAIL}",
+    ),
     "a module of types": (
         SUB,
         f"import rospy\nimport std_msgs.msg as m\nrospy.Subscriber('t', m.String)\n{TAIL}",
@@ -186,6 +193,7 @@ LINES = {
     ),
     "its comment, with an aside": ("a = 1\n# Publish (to all)\n{}\nb = 2\n", "a = 1\n\nb = 2\n"),
     "a comment of more lines": ("# Greet, add\n{}b = 2\n", "# Greet, add\nb = 2\n"),
+    "its comment, with a value": ("# Publish (to = all)\n{}b = 2\n", "b = 2\n"),
     "code in a comment": ("# p = None\n{}\nb = 2\n", "# p = None\n\nb = 2\n"),
     "a heading": (
         "a = 1\n\n####\n# Publishers\n####\n{}\n# ---- More ----\nb = 2\n",
@@ -301,6 +309,7 @@ SENDERS = {
     "several things that are done": ("m = String(take() + take())", "m = String(take() + take())"),
     "what may be done": ("m = String(d or take())", "m = String(d or take())"),
     "what is done several times": ("m = [take() for x in d]", "m = [take() for x in d]"),
+    "an object that may do something": ("m = Listener()", "m = Listener()"),
     "two values": ("a, m = d, String()", ""),
     "two values that are worked out": ("a, m = take()", "take()"),
     "two values, one of which serves": ("a, m = take()\nprint(a)", "a, m = take()\nprint(a)"),
