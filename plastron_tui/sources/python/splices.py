@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Sequence
 from dataclasses import dataclass
 
 from tree_sitter import Node
@@ -92,7 +92,8 @@ def delete_statements(text: bytes, statements: Sequence[Node]) -> list[Splice]:
         if not kept and block.type != "module":
             first = gone.pop(0)
             splices.append(Splice(first.start_byte, first.end_byte, b"pass"))
-        splices += [_delete(text, node, gone) for node in gone]
+        ids = {node.id for node in gone}
+        splices += [_delete(text, node, ids) for node in gone]
     return _close_gaps(text, splices)
 
 
@@ -103,11 +104,15 @@ def around(statement: Node, part: Node) -> list[Splice]:
     return [each for each in (before, after) if each.start < each.end]
 
 
-def _delete(text: bytes, statement: Node, gone: Sequence[Node]) -> Splice:
+def _delete(text: bytes, statement: Node, gone: Container[int]) -> Splice:
     start, end = statement.start_byte, statement.end_byte
+    mates = _line_mates(statement, gone)
+    if not text[line_start(text, start) : mates[0].start_byte].strip():
+        start, end, statement = mates[0].start_byte, mates[-1].end_byte, mates[-1]
     first, last = line_start(text, start), line_end(text, end)
     before, after = text[first:start], text[end:last].strip()
     if after.startswith(b";") and after[1:].strip()[:1] in (b"", b"#"):
+        end = text.index(b";", end) + 1
         after = b""
     if not before.strip() and (not after or after.startswith(b"#")):
         return Splice(first, last)
@@ -118,6 +123,20 @@ def _delete(text: bytes, statement: Node, gone: Sequence[Node]) -> Splice:
     if semicolon >= 0:
         return Splice(semicolon, end)
     return Splice(start, end, b"pass")
+
+
+def _line_mates(statement: Node, gone: Container[int]) -> list[Node]:
+    """Return the statements that go with one, in its line."""
+    mates = [statement]
+    while (mate := mates[0].prev_named_sibling) is not None and mate.id in gone:
+        if mate.end_point.row != mates[0].start_point.row:
+            break
+        mates.insert(0, mate)
+    while (following := mates[-1].next_named_sibling) is not None and following.id in gone:
+        if following.start_point.row != mates[-1].end_point.row:
+            break
+        mates.append(following)
+    return mates
 
 
 def _close_gaps(text: bytes, splices: Sequence[Splice]) -> list[Splice]:

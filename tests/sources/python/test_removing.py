@@ -283,65 +283,6 @@ def test_what_made_a_message_is_kept_where_it_does_something_else(value, is_kept
     assert f"def f(d):\n    {value if is_kept else 'pass'}\n\n" in text
 
 
-FUNCTIONS = """\
-def half(d):
-    more = 2.0
-    if d is None:
-        return most(0)
-    return most(d / more)
-
-
-def most(d):
-    return max(d, 1.0)
-
-
-def taken(d):
-    d.x = most(d)
-    return d
-
-
-"""
-# What a function does up to what it publishes, and what is left of that.
-SENDERS = {
-    "what a function works out": ("m = String(half(d))", ""),
-    "what a function takes": ("m = String(taken(d))", "taken(d)"),
-    "a part of what is done": ("m = String(str(take()[0]))", "take()"),
-    "several things that are done": ("m = String(take() + take())", "m = String(take() + take())"),
-    "what may be done": ("m = String(d or take())", "m = String(d or take())"),
-    "what is done several times": ("m = [take() for x in d]", "m = [take() for x in d]"),
-    "an object that may do something": ("m = Listener()", "m = Listener()"),
-    "two values": ("a, m = d, String()", ""),
-    "two values that are worked out": ("a, m = take()", "take()"),
-    "two values, one of which serves": ("a, m = take()\nprint(a)", "a, m = take()\nprint(a)"),
-    "two values, one of which was of no use": ("_, m = d\n_ = take()", "_ = take()"),
-    "a count": ("m = 0\nm += 1", ""),
-    "what others have too": ("m = d.last\nm.data = 'a'", "m = d.last\nm.data = 'a'"),
-    "an entry that others have": ("m = d.get('k')\nm.data = 'a'", "m = d.get('k')\nm.data = 'a'"),
-    "a list that others have": ("m = d.all\nm += [1]", "m = d.all\nm += [1]"),
-    "a part that others have": (
-        "m = String()\nm.header = d.header\nm.header.seq = 1",
-        "m = String()\nm.header = d.header\nm.header.seq = 1",
-    ),
-    "a part that another one is": ("m = String()\nm.header = d.header\nm.data = 'a'", ""),
-    "what cannot fail any more": (
-        "m = String()\ntry:\n    m.data = abs(d)\nexcept E:\n    m.data = 'none'", "",
-    ),
-    "what is decided for nothing else": ("x = bool(d)\nm = 'a'\nif x:\n    m = 'b'", ""),
-    "a parameter": ("m = String(rospy.get_param('~x'))", ""),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("case", SENDERS)
-def test_what_only_made_a_message_goes_with_it(case):
-    before, after = (
-        "".join(f"    {line}\n" for line in (each or "pass").splitlines()) for each in SENDERS[case]
-    )
-    head = f"{HEAD}{MORE}x = String, Int32\n\n\n{FUNCTIONS}def f(d):\n"
-    end = f"\n\n{TAIL}"
-    sending = f"{before}    p.publish(m)\n\n\np = rospy.Publisher('t', String)\n{TAIL}"
-    assert edited(head + sending, Remove(PUB, "t", AT)) == f"{head}{after}{end}"
-
-
 def test_what_ends_an_endpoint_goes_with_it():
     head = f"{HEAD}{MORE}x = String, Int32\n"
     before = f"{head}p = rospy.Publisher('t', String)\n{TAIL}p.unregister()\n"
