@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from tree_sitter import Node
 
 from .analysis import Analysis
 from .references import function_of
-from .scopes import Scope
-from .syntax import parts_of
+from .scopes import BindingKind, Scope
+from .syntax import holders, parts_of
+
+FILLING = frozenset({"append", "extend"})
+"""Methods that fill a list."""
 
 _PURE_BUILTINS = frozenset(
     {"abs", "all", "any", "bool", "bytearray", "bytes", "chr", "dict", "divmod", "enumerate"}
@@ -113,10 +118,25 @@ def doing_part(analysis: Analysis, expression: Node) -> Node | None:
 
 def is_fresh(analysis: Analysis, value: Node) -> bool:
     """Whether an object is made by an expression, so that nothing else knows of it."""
+    callee = value.child_by_field_name("function") if value.type == "call" else None
+    function = function_of(callee, analysis) if callee is not None else None
+    if function is None:
+        return _is_made(analysis, value)
+    own = _own_objects(analysis, function)
+    pending, returned = [function.node], []
+    while pending:
+        node = pending.pop()
+        pending += node.named_children
+        returned += node.named_children if node.type == "return_statement" else []
+    return all(own.get(each.text, False) or _is_made(analysis, each) for each in returned)
+
+
+def _is_made(analysis: Analysis, value: Node) -> bool:
+    """Whether an expression makes an object, as far as it says that itself."""
     if value.type == "call":
         return analysis.syntax.called_name(value) not in _SHARING
     if value.type in ("parenthesized_expression", "boolean_operator", "conditional_expression"):
-        return all(is_fresh(analysis, each) for each in parts_of(value))
+        return all(_is_made(analysis, each) for each in parts_of(value))
     return value.type not in _SHARED
 
 
@@ -150,6 +170,7 @@ def _is_pure_function(analysis: Analysis, function: Scope, depth: int) -> bool:
     is_async = function.node.children[0].type == "async"
     if is_decorated or is_async or function.globals or function.nonlocals or body is None:
         return False
+    own = _own_objects(analysis, function)
     pending = parts_of(body)
     while pending:
         statement = pending.pop()
@@ -159,8 +180,10 @@ def _is_pure_function(analysis: Analysis, function: Scope, depth: int) -> bool:
                 continue
             case "block" | "if_statement" | "elif_clause" | "else_clause" | "return_statement":
                 pending += parts
+            case "for_statement":
+                pending += parts[1:]
             case "expression_statement" if len(parts) == 1:
-                value = _local_value(parts[0])
+                value = _local_value(analysis, parts[0], own)
                 if value is None or not is_pure(analysis, value, depth):
                     return False
             case _ if not is_pure(analysis, statement, depth):
@@ -168,14 +191,39 @@ def _is_pure_function(analysis: Analysis, function: Scope, depth: int) -> bool:
     return True
 
 
-def _local_value(part: Node) -> Node | None:
-    """Return what a statement only works out, for a local variable or a docstring."""
+def _own_objects(analysis: Analysis, function: Scope) -> dict[bytes | None, bool]:
+    """Return what a function assigns: `a`, `a.b`, each with whether nothing else knows of it."""
+    own: dict[bytes | None, bool] = {}
+    pending = [function.node]
+    while pending:
+        node = pending.pop()
+        pending += node.named_children
+        target, value = node.child_by_field_name("left"), node.child_by_field_name("right")
+        if node.type == "assignment" and target is not None and value is not None:
+            own[target.text] = _is_made(analysis, value) and own.get(target.text, True)
+    for name, bindings in function.bindings.items():
+        if any(each.kind is BindingKind.PARAMETER for each in bindings):
+            own[analysis.syntax.encode(name)] = False
+    return own
+
+
+def _local_value(analysis: Analysis, part: Node, own: Mapping[bytes | None, bool]) -> Node | None:
+    """Return what a statement only works out: a local variable, a part of one, a docstring."""
     if part.type == "string":
         return part
     target, value = part.child_by_field_name("left"), part.child_by_field_name("right")
-    is_number = value is not None and value.type in ("integer", "float", "binary_operator")
-    is_plain = part.type == "assignment" or (part.type == "augmented_assignment" and is_number)
-    return value if is_plain and target is not None and target.type == "identifier" else None
+    if part.type == "call" and analysis.syntax.called_name(part) in FILLING:
+        target, value = (part.child_by_field_name(each) for each in ("function", "arguments"))
+    if target is None or value is None:
+        return None
+    held = holders(target)
+    if part.type == "augmented_assignment" and not held:
+        return value if value.type in ("integer", "float", "binary_operator") else None
+    root = held[-1] if held else target
+    is_own = not held or (root.type == "identifier" and own.get(root.text, False))
+    is_own = is_own and all(own.get(each.text, True) for each in held)
+    is_own = is_own and root.type == "identifier" and is_pure(analysis, target)
+    return value if is_own else None
 
 
 def _is_known(name: str) -> bool:

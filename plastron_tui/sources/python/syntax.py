@@ -171,3 +171,12 @@ def count_errors(root: Node) -> int:
             found += 1
         stack.extend(child for child in node.children if child.has_error)
     return found
+
+
+def holders(target: Node | None) -> list[Node]:
+    """Return `a.b` and `a` of `a.b.c`."""
+    found = []
+    while target is not None and target.type in ("attribute", "subscript"):
+        target = target.child_by_field_name("object") or target.child_by_field_name("value")
+        found += [target] if target is not None else []
+    return found

@@ -12,15 +12,14 @@ from plastron_tui.model.source import EndpointKind
 
 from .analysis import Analysis
 from .emptied_blocks import leaves_pass
-from .purity import doing_part, is_fresh, is_pure
+from .purity import FILLING, doing_part, is_fresh, is_pure
 from .references import identifiers, is_member, statement_of
 from .scopes import BindingKind, Scope
 from .splices import Splice, around
-from .syntax import parts_of
+from .syntax import holders, parts_of
 
 _RUNS = re.compile(rb"""^if\s+__name__\s*==|^(rospy\.)?init_node\(|^rclpy\.init\(""", re.M)
 _LITERALS = frozenset({"string", "concatenated_string", "integer", "float"})
-_FILLING = frozenset({"append", "extend"})
 # What nobody reads is called so: what else it is given is no matter of this edit.
 _DUMMY = "_"
 _SEVERAL = frozenset({"pattern_list", "tuple_pattern"})
@@ -205,7 +204,7 @@ def is_of_its_own(analysis: Analysis, filling: Sequence[Node]) -> bool:
                 shared.add(target.text)
             if inner.type == "augmented_assignment":
                 parts.add(target.text)
-        parts.update(each.text for each in _holders(changed))
+        parts.update(each.text for each in holders(changed))
     return shared.isdisjoint(parts)
 
 
@@ -230,7 +229,7 @@ def fills(analysis: Analysis, statement: Node, variable: Node) -> bool:
         if target.type in _SEVERAL:
             is_plain = all(each.type == "identifier" for each in parts_of(target))
             return is_plain and variable.parent == target
-        is_own = variable == target or variable in _holders(target)
+        is_own = variable == target or variable in holders(target)
         return is_own and is_pure(analysis, target)
     if inner.type == "call":
         callee = inner.child_by_field_name("function")
@@ -238,7 +237,7 @@ def fills(analysis: Analysis, statement: Node, variable: Node) -> bool:
         arguments = inner.child_by_field_name("arguments")
         if callee is None or name is None or arguments is None:
             return False
-        is_filling = analysis.syntax.slice(name) in _FILLING and variable in _holders(callee)
+        is_filling = analysis.syntax.slice(name) in FILLING and variable in holders(callee)
         return is_filling and is_pure(analysis, arguments)
     return False
 
@@ -268,12 +267,3 @@ def _value(statement: Node) -> Node | None:
 def _only_part(statement: Node) -> Node | None:
     is_one = statement.type == "expression_statement" and statement.named_child_count == 1
     return statement.named_children[0] if is_one else None
-
-
-def _holders(target: Node | None) -> list[Node]:
-    """Return `a.b` and `a` of `a.b.c`."""
-    found = []
-    while target is not None and target.type in ("attribute", "subscript"):
-        target = target.child_by_field_name("object") or target.child_by_field_name("value")
-        found += [target] if target is not None else []
-    return found

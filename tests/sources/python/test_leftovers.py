@@ -125,6 +125,25 @@ def most(d):
     return max(d, 1.0)
 
 
+def several(d):
+    found = []
+    for each in d:
+        one = String()
+        one.data = each
+        found.append(one)
+    return found
+
+
+def changed(d):
+    last = d.last
+    last.data = 'a'
+    return last
+
+
+def last(d):
+    return d.last
+
+
 def taken(d):
     d.x = most(d)
     return d
@@ -134,6 +153,8 @@ def taken(d):
 # What a function does up to what it publishes, and what is left of that.
 SENDERS = {
     "what a function works out": ("m = String(half(d))", ""),
+    "what a function makes": ("m = several(d)", ""),
+    "what a function changes": ("m = changed(d)", "changed(d)"),
     "what a function takes": ("m = String(taken(d))", "taken(d)"),
     "a part of what is done": ("m = String(str(take()[0]))", "take()"),
     "several things that are done": ("m = String(take() + take())", "m = String(take() + take())"),
@@ -149,6 +170,7 @@ SENDERS = {
     "a count": ("m = 0\nm += 1", ""),
     "what others have too": ("m = d.last\nm.data = 'a'", "m = d.last\nm.data = 'a'"),
     "an entry that others have": ("m = d.get('k')\nm.data = 'a'", "m = d.get('k')\nm.data = 'a'"),
+    "what a function has": ("m = last(d)\nm.data = 'a'", "m = last(d)\nm.data = 'a'"),
     "a list that others have": ("m = d.all\nm += [1]", "m = d.all\nm += [1]"),
     "a part that others have": (
         "m = String()\nm.header = d.header\nm.header.seq = 1",
