@@ -10,9 +10,9 @@ from tree_sitter import Node
 from .analysis import Analysis
 from .emptied_blocks import leaves_pass
 from .references import identifiers, is_member, statement_of
-from .scopes import Scope
+from .scopes import BindingKind, Scope
 from .splices import Splice
-from .unused_locals import fills, is_filling_pure, is_of_its_own
+from .unused_locals import fills, is_filling_pure, is_of_its_own, value_of
 
 # Any other base class may read what is defined below it.
 _ONLY_NODE = re.compile(rb"\(\s*((rclpy\.)?(node\.)?Node|object)?\s*\)")
@@ -21,7 +21,7 @@ _ONLY_NODE = re.compile(rb"\(\s*((rclpy\.)?(node\.)?Node|object)?\s*\)")
 def unused_attributes(analysis: Analysis, gone: Sequence[Splice]) -> list[Node]:
     """Return what gives values to attributes that nothing reads any more.
 
-    What another function keeps in an attribute stays: nobody said that it is of no use.
+    What another function or a caller keeps in an attribute stays: nobody said that it is of no use.
 
     Args:
         analysis: the file.
@@ -94,10 +94,19 @@ def _filling(
         statement = statement_of(node)
         if _owner(analysis, attribute) is not owner or not fills(analysis, statement, attribute):
             return []
-        if not is_filling_pure(analysis, statement):
+        if not is_filling_pure(analysis, statement) or _keeps_given(analysis, statement):
             return []
         found.append(statement)
     return found if is_of_its_own(analysis, found) else []
+
+
+def _keeps_given(analysis: Analysis, statement: Node) -> bool:
+    """Whether a statement keeps what a caller gave: `self.node = node`."""
+    value = value_of(statement)
+    if value is None or value.type != "identifier":
+        return False
+    found = analysis.scopes.at(value.start_byte).lookup(analysis.syntax.slice(value))
+    return found is not None and any(each.kind is BindingKind.PARAMETER for each in found[1])
 
 
 def _is_named_otherwise(analysis: Analysis, owner: Scope, name: str) -> bool:

@@ -80,7 +80,7 @@ def _unused_in(
                 continue
             more.update({statement.id: statement for statement in pure})
             for each in filling:
-                value = _value(each)
+                value = value_of(each)
                 part = doing_part(analysis, value) if value is not None else None
                 if part is not None:
                     calls[each.id] = around(each, part)
@@ -195,7 +195,7 @@ def is_of_its_own(analysis: Analysis, filling: Sequence[Node]) -> bool:
     for statement in filling:
         inner = _only_part(statement)
         target = inner.child_by_field_name("left") if inner is not None else None
-        value = _value(statement)
+        value = value_of(statement)
         if inner is None or target is None:
             changed = inner.child_by_field_name("function") if inner is not None else None
         else:
@@ -222,9 +222,8 @@ def fills(analysis: Analysis, statement: Node, variable: Node) -> bool:
             return False
         if not is_pure(analysis, value):
             part = doing_part(analysis, value)
-            # An object may do something for as long as a variable has it.
-            is_object = part == value and analysis.syntax.called_name(value)[:1].isupper()
-            if part is None or (is_object and target.type == "identifier"):
+            is_object = part == value and target.type == "identifier"
+            if part is None or (is_object and _makes_object(analysis, part)):
                 return False
         if target.type in _SEVERAL:
             is_plain = all(each.type == "identifier" for each in parts_of(target))
@@ -242,6 +241,14 @@ def fills(analysis: Analysis, statement: Node, variable: Node) -> bool:
     return False
 
 
+def _makes_object(analysis: Analysis, call: Node) -> bool:
+    """Whether a call makes an object: that may do something for as long as a variable has it."""
+    callee = call.child_by_field_name("function")
+    if callee is None or analysis.syntax.called_name(call)[:1].isupper():
+        return True
+    return analysis.resolver.class_scope(callee, analysis.scopes.at(call.start_byte)) is not None
+
+
 def _creates(analysis: Analysis, statement: Node) -> bool:
     """Whether a statement creates an endpoint, which may live as long as its variable."""
     start, end = statement.start_byte, statement.end_byte
@@ -253,11 +260,11 @@ def _creates(analysis: Analysis, statement: Node) -> bool:
 
 def is_filling_pure(analysis: Analysis, statement: Node) -> bool:
     """Whether to work out what a statement gives to a variable changes nothing."""
-    value = _value(statement)
+    value = value_of(statement)
     return value is None or is_pure(analysis, value)
 
 
-def _value(statement: Node) -> Node | None:
+def value_of(statement: Node) -> Node | None:
     """Return what a statement assigns."""
     inner = _only_part(statement)
     is_assignment = inner is not None and inner.type in ("assignment", "augmented_assignment")

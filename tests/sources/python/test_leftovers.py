@@ -89,6 +89,13 @@ def test_a_function_of_which_nothing_is_left_goes_with_its_calls():
     assert "    def send(self):\n        pass\n" in edited(before, Remove(PUB, "topic", AT))
 
 
+def test_what_a_caller_gives_stays():
+    before = TALKER.replace("__init__(self)", "__init__(self, start)").replace(
+        "count = 0", "count = start"
+    )
+    assert "        self.count = start\n" in edited(before, Remove(PUB, "topic", AT))
+
+
 # What stands below a subscription of `/scan`, and whether it goes with it.
 BESIDE = {
     "rospy.loginfo('Subscribed to /scan')": True,
@@ -140,6 +147,10 @@ def changed(d):
     return last
 
 
+class thing:
+    pass
+
+
 def last(d):
     return d.last
 
@@ -160,6 +171,7 @@ SENDERS = {
     "several things that are done": ("m = String(take() + take())", "m = String(take() + take())"),
     "what may be done": ("m = String(d or take())", "m = String(d or take())"),
     "what is done several times": ("m = [take() for x in d]", "m = [take() for x in d]"),
+    "an object of the file": ("m = thing()", "m = thing()"),
     "an object that may do something": ("m = Listener()", "m = Listener()"),
     "two values": ("a, m = d, String()", ""),
     "two values that are worked out": ("a, m = take()", "take()"),
