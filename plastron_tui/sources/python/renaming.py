@@ -16,8 +16,8 @@ from plastron_tui.ros.names import name_as_written
 from .analysis import Analysis, Site
 from .constants import Known
 from .conventions import conventions_of
-from .log_uses import is_only_told
-from .references import Use, references, variable_of
+from .name_uses import NameUses
+from .references import variable_of
 from .removal import waits
 from .scopes import BindingKind, Scope
 from .splices import Splice, apply
@@ -60,6 +60,8 @@ class _Said:
             or of a function, decides it.
         literals: the strings that decide it.
         handed: the variables that hand it on, where they do so.
+        calls: the calls that give it.
+        items: what takes it out of a list or a dictionary.
     """
 
     site: Site
@@ -68,6 +70,8 @@ class _Said:
     is_own: bool
     literals: tuple[Node, ...]
     handed: tuple[Node, ...]
+    calls: tuple[Node, ...]
+    items: tuple[Node, ...]
 
 
 def plan_names(analysis: Analysis, wanted: Mapping[Site, str]) -> Renaming:
@@ -124,6 +128,8 @@ def _traced(analysis: Analysis, site: Site, new: str, node: Node, scope: Scope) 
         isinstance(folded, Known) and not is_given,
         tuple(each for each in strings if _content(analysis, each) == folded.value),
         handed,
+        tuple(each for each in read if each.type == "call"),
+        tuple(each for each in read if each.type == "subscript"),
     )
 
 
@@ -146,24 +152,26 @@ def _deciding_alone(analysis: Analysis, said: Sequence[_Said]) -> list[_Said]:
     for each in said:
         for literal in each.literals:
             names[literal.id].add(each.new)
-    read = {node.id for each in said for node in (*each.handed, each.node)}
+    read = {
+        node.id
+        for each in said
+        for node in (each.node, *each.literals, *each.handed, *each.calls, *each.items)
+    }
     return [
         each
         for each in said
         if each.literals
         and all(len(names[literal.id]) == 1 for literal in each.literals)
-        and all(_is_used_only(analysis, variable, read) for variable in each.handed)
+        and _serves_only(NameUses(analysis, read), analysis, each)
     ]
 
 
-def _is_used_only(analysis: Analysis, node: Node, read: set[int]) -> bool:
-    """Whether a variable is used in some expressions alone, and told in others at most."""
-    variable = variable_of(node, analysis)
-    return variable is not None and all(
-        use.use in (Use.BINDING, Use.NOTHING)
-        or use.node.id in read
-        or is_only_told(analysis, use.node)
-        for use in references(variable, analysis)
+def _serves_only(uses: NameUses, analysis: Analysis, said: _Said) -> bool:
+    """Whether what decides a name harms nothing else of the file with another one."""
+    return (
+        all(uses.are_harmless(variable_of(each, analysis)) for each in said.handed)
+        and all(uses.is_given_alone(call) for call in said.calls)
+        and all(uses.is_held_alone(literal) for literal in said.literals)
     )
 
 

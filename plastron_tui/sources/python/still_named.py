@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
@@ -13,7 +12,7 @@ from plastron_tui.model.source import Change, Remove, Rename, Update
 from .analysis import Analysis
 from .creation import line_of
 from .log_uses import is_only_told
-from .references import statement_of
+from .name_texts import texts_saying
 
 # A message that lists more lines than these is not read.
 _MOST_LINES = 8
@@ -30,7 +29,7 @@ def tell_still_named(after: Analysis, changes: Sequence[Change]) -> Diagnostic |
     left = {site.endpoint.name for site in after.sites}
     for change in changes:
         old, span = _old_name(change)
-        if old is None or old in left:
+        if old is None or old in left or len(old.lstrip("~/")) < _FEWEST_LETTERS:
             continue
         lines = sorted({line_of(node) for node in _texts(after, old)})
         if lines:
@@ -58,23 +57,9 @@ def _old_name(change: Change) -> tuple[str | None, Span | None]:
 
 def _texts(analysis: Analysis, name: str) -> Iterator[Node]:
     """Yield the texts of a file that are a name, or that log it."""
-    bare = name.lstrip("~/")
-    if len(bare) < _FEWEST_LETTERS:
-        return
-    word = re.compile(rb"(?<![\w/])[~/]*%s(?![\w/])" % re.escape(bare.encode()))
-    for found in word.finditer(analysis.syntax.text):
-        node = analysis.syntax.root.descendant_for_byte_range(found.start(), found.end())
-        while node is not None and node.type in ("string_content", "escape_sequence"):
-            node = node.parent
-        if node is None or node.type != "string" or _is_default(node):
-            continue
-        statement = statement_of(node)
-        if statement.named_child_count == 1 and statement.named_children[0].id == node.id:
-            continue
-        parts = [each for each in node.named_children if each.type == "string_content"]
-        is_whole = [analysis.syntax.slice(each).lstrip("~/") for each in parts] == [bare]
-        if is_whole or is_only_told(analysis, node):
-            yield node
+    for text in texts_saying(analysis, name):
+        if not _is_default(text.node) and (text.is_whole or is_only_told(analysis, text.node)):
+            yield text.node
 
 
 def _is_default(node: Node) -> bool:

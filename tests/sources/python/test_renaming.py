@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -126,13 +127,30 @@ TOLD = [
     "self.get_logger().info(f'on {A}')",
     "node._logger.warning('on %s, %s' % (A, 1))",
     "rospy.wait_for_service(A)",
+    "raise RuntimeError('no ' + A)",
+    "sys.exit('no %s' % A)",
+    "print('no {}: {}'.format(A, 1))",
+    "assert node.count_publishers(A) == 1",
+    "text = 'on %s' % A; print(text)",
+    "other = A; rospy.wait_for_service(other); rospy.loginfo(other)",
+    "tell(A)",
+    "tell('on', what=A)",
+    "subs = {}; subs[A] = 1; print(subs[A], A in subs)",
+    "subs = {A: 1}; print(len(subs.values()))",
+    "print(1) if not A else print(2)",
 ]
 NOT_TOLD = [
     "work(A)",
     "rospy.loginfo(names[A])",
     "rospy.loginfo(work(A))",
     "rospy.loginfo('on' if A == 'a' else 'off')",
-    "text = 'on %s' % A",
+    "text = 'on %s' % A; work(text)",
+    "other = A; work(other)",
+    "tell(A, out=A)",
+    "subs = {}; subs[A] = 1; work(subs)",
+    "subs = {A: 1}; print([work(each) for each in subs])",
+    "subs = work(); print(subs[A])",
+    "print('on' if A else 'off' + A, work(A is None or A))",
     "rospy.set_param('~in', A)",
     "catalog.info(A)",
 ]
@@ -146,7 +164,10 @@ NOT_TOLD = [
 def test_what_logs_a_name_logs_the_new_one(
     tmp_path: Path, use: str, variable: str, statement: str
 ) -> None:
-    text = f"import rospy, sys\nfrom rospy import loginfo as log\n{HEAD}\n\nclass N:\n"
+    text = f"import rospy, sys\nfrom rospy import loginfo as log\n{HEAD}\n\n"
+    text += (
+        "def tell(text, what=None, out=''):\n    print(text, what)\n    work(out)\n\n\nclass N:\n"
+    )
     text += "    def go(self):\n"
     text += f"        A = 'a'  # the topic\n        {use}\n        rospy.Subscriber(A, String, f)\n"
     text = text.replace("A", variable)
@@ -154,6 +175,44 @@ def test_what_logs_a_name_logs_the_new_one(
     old, new = (" = 'a'", " = 'b/c'") if use in TOLD else (f"({variable}, Str", "('b/c', Str")
     assert outcome.text == text.replace(old, new)
     assert outcome.found == []
+
+
+HELD = {
+    "T = {'in': 'a', 'out': 'o'}\nrospy.Subscriber(T['in'], String, f)\n": {
+        "rospy.Publisher(T['out'], String)": True,
+        "rospy.loginfo('in %s', T['in'])": True,
+        "print(T)": True,
+        "work(T['in'])": False,
+        "work(T)": False,
+        "for each in T.values():\n    work(each)": False,
+    },
+    "T = ('a', 'o')\nrospy.Subscriber(T[0], String, f)\n": {
+        "rospy.Publisher(T[1], String)": True,
+        "work(T[-2])": False,
+        "rospy.loginfo('in %s', T[0])": True,
+    },
+    "T = {'on': {'in': 'a'}}\nrospy.Subscriber(T['on']['in'], String, f)\n": {
+        "print(T['on']['in'])": True,
+        "work(T['off'])": True,
+        "work(T['on'])": False,
+    },
+    "def t():\n    return 'a'\n\n\nrospy.Subscriber(t(), String, f)\n": {
+        "rospy.loginfo('in %s', t())": True,
+        "work(t())": False,
+        "work(t)": False,
+    },
+}
+
+
+@pytest.mark.parametrize(("body", "use"), [(body, use) for body in HELD for use in HELD[body]])
+def test_what_a_container_or_a_function_gives_to_others_stays(
+    tmp_path: Path, body: str, use: str
+) -> None:
+    text = f"{HEAD}{body}{use}\n"
+    outcome = Outcome(tmp_path, "rospy", text, TOPIC)
+    given = re.findall(r"Subscriber\((.*?), String", body)[0]
+    changed = ("'a'", "'b/c'") if HELD[body][use] else (f"Subscriber({given}", "Subscriber('b/c'")
+    assert outcome.text == text.replace(*changed)
 
 
 RCLPY_HEAD = """\

@@ -1,0 +1,44 @@
+"""The texts of a file that say the name of an endpoint, whatever they are for."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from tree_sitter import Node
+
+from .analysis import Analysis
+
+
+class NameText(NamedTuple):
+    """A string that says a name.
+
+    Attributes:
+        node: the string.
+        start: the byte where the name begins, with the `/` or `~` before it.
+        end: the byte behind it.
+        is_whole: whether the string says nothing else.
+    """
+
+    node: Node
+    start: int
+    end: int
+    is_whole: bool
+
+
+def texts_saying(analysis: Analysis, name: str) -> Iterator[NameText]:
+    """Yield the strings of a file that say a name, but for docstrings."""
+    bare = name.lstrip("~/")
+    word = re.compile(rb"(?<![\w/.-])[~/]*%s(?![\w/]|[.-]\w)" % re.escape(bare.encode()))
+    for found in word.finditer(analysis.syntax.text):
+        node = analysis.syntax.root.descendant_for_byte_range(found.start(), found.end())
+        while node is not None and node.type in ("string_content", "escape_sequence"):
+            node = node.parent
+        if node is None or node.type != "string":
+            continue
+        if node.parent is not None and node.parent.type == "expression_statement":
+            continue
+        parts = [each for each in node.named_children if each.type == "string_content"]
+        is_whole = [analysis.syntax.slice(each).lstrip("~/") for each in parts] == [bare]
+        yield NameText(node, found.start(), found.end(), is_whole)
