@@ -21,6 +21,7 @@ from .references import variable_of
 from .removal import waits
 from .scopes import BindingKind, Scope
 from .splices import Splice, apply
+from .told_names import retell
 
 # What stands in a string as it is, whatever its quotes and its prefix.
 _PLAIN = re.compile(r"[A-Za-z0-9_/~.\-]+")
@@ -77,8 +78,8 @@ class _Said:
 def plan_names(analysis: Analysis, wanted: Mapping[Site, str]) -> Renaming:
     """Plan other names for call sites.
 
-    The strings that decide a name are changed where nothing else of the file uses them, but to log
-    them; elsewhere the call says the new name itself.
+    The strings that decide a name are changed where nothing else of the file uses them, but to tell
+    them; elsewhere the call says the new name itself. Logs that spell the name out say the new one.
 
     Raises:
         NotNamedError: a name comes from a parameter, and its default serves others as well.
@@ -99,6 +100,8 @@ def plan_names(analysis: Analysis, wanted: Mapping[Site, str]) -> Renaming:
             texts[node.start_byte, node.end_byte] = _written(analysis, node, each.new, is_literal)
     splices = [Splice(start, end, text) for (start, end), text in texts.items()]
     names = [_found_as(analysis, site, new, splices) for site, new in wanted.items()]
+    literals = {literal.id for each in said for literal in (*each.literals, each.node)}
+    splices += retell(analysis, wanted, literals)
     return Renaming(splices, list(wanted), names)
 
 

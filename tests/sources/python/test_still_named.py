@@ -11,13 +11,25 @@ FILE = (
     "import rospy\nfrom std_msgs.msg import String\n\n\ndef hear(msg):\n    print(msg)\n\n\n"
     "rospy.init_node('n')\nrospy.Subscriber('/robot/words', String, hear)\n{}\nrospy.spin()\n"
 )
+# What a rename changes, and what goes where nothing has the name any more.
+TOLD = {
+    "rospy.loginfo('listening on /robot/words')": "rospy.loginfo('listening on /words')",
+    "print('robot/words is there')": "print('words is there')",
+    "raise ValueError('no /robot/words, %s' % x)": "raise ValueError('no /words, %s' % x)",
+    "rospy.loginfo('%s', rospy.resolve_name('/robot/words'))": (
+        "rospy.loginfo('%s', rospy.resolve_name('/words'))"
+    ),
+    "def tell(topic):\n    print(topic)\n\n\ntell('/robot/words')": (
+        "def tell(topic):\n    print(topic)\n\n\ntell('/words')"
+    ),
+}
 SAYING = {
-    "rospy.loginfo('listening on /robot/words')": True,
-    "print('robot/words is there')": True,
+    "print('transform of /robot/words')": True,
     "warn_no_remap('/robot/words')": True,
     "x = {'robot/words': 1}": True,
     "rospy.loginfo('listening on /robot/words/more')": False,
     "rospy.loginfo('my/robot/words')": False,
+    "rospy.loginfo('/robot/words.bag')": False,
     "x = 'what /robot/words are'": False,
     "# listening on /robot/words": False,
     "'''About /robot/words.'''": False,
@@ -33,3 +45,23 @@ def test_lines_that_say_the_old_name(line: str, change: Remove | Rename) -> None
     told = [each.message for each in found if each.code == "still-named"]
     assert len(told) == SAYING[line]
     assert all(each.endswith("still says `/robot/words`") for each in told)
+
+
+@pytest.mark.parametrize("line", TOLD)
+def test_what_tells_a_name_tells_the_new_one(line: str) -> None:
+    found = edit(FILE.format(line), Rename(SUB, "/robot/words", "/words", AT))
+    assert found.files is not None
+    expected = FILE.format(TOLD[line]).replace("'/robot/words', String", "'/words', String")
+    assert (found.files.main.decode(), found.diagnostics) == (expected, ())
+
+
+@pytest.mark.parametrize("line", TOLD)
+def test_what_tells_a_name_that_is_gone_is_told(line: str) -> None:
+    told = edit(FILE.format(line), Remove(SUB, "/robot/words", AT)).diagnostics
+    assert [str(each.code) for each in told][-1] == "still-named"
+
+
+def test_a_word_in_a_log_that_is_a_name_stays() -> None:
+    text = FILE.format("rospy.loginfo('hear words')").replace("/robot/words", "words")
+    (told,) = edit(text, Rename(SUB, "words", "texts", AT)).diagnostics
+    assert told.message == "line 11 still says `words`"

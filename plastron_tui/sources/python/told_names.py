@@ -1,0 +1,63 @@
+"""Logs and errors that spell out a name which is to be another one."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator, Mapping
+
+from plastron_tui.ros.names import name_as_written
+
+from .analysis import Analysis, Site
+from .name_texts import NameText, texts_saying
+from .name_uses import NameUses
+from .splices import Splice
+
+# `no transform from /map to /odom`: frames of tf often have the names of topics.
+_FRAMES = re.compile(r"frame|transform|\btf", re.IGNORECASE)
+
+
+def retell(
+    analysis: Analysis, wanted: Mapping[Site, str], said: Collection[int]
+) -> Iterator[Splice]:
+    """Yield what lets the texts that are only told say the new names of call sites.
+
+    A name that is one plain word may mean something else there, and is left.
+
+    Args:
+        analysis: the file.
+        wanted: the call sites, each with its new name.
+        said: the ids of the strings that change as they decide a name.
+    """
+    kept = {site.endpoint.name for site in analysis.sites if site not in wanted}
+    news: dict[str, set[str]] = {}
+    for site, new in wanted.items():
+        if site.endpoint.name is not None:
+            news.setdefault(site.endpoint.name, set()).add(new)
+    uses = NameUses(analysis, said)
+    for old, found in news.items():
+        if old in kept or len(found) > 1 or not re.search(r"\w[/_]|^[~/]+\w", old):
+            continue
+        for text in texts_saying(analysis, old):
+            splice = _respelled(analysis, text, old, next(iter(found)))
+            is_frame = not text.is_whole and _FRAMES.search(analysis.syntax.slice(text.node))
+            if splice is None or is_frame or text.node.id in said:
+                continue
+            if uses.is_harmless(text.node):
+                yield splice
+
+
+def _respelled(analysis: Analysis, text: NameText, old: str, new: str) -> Splice | None:
+    """Return the splice of a name, which may leave out the `/` or the `~` that both begin with."""
+    version, syntax = analysis.library.ros_version, analysis.syntax
+    old, new = name_as_written(old, version), name_as_written(new, version)
+    written = syntax.between(text.start, text.end)
+    if written == old:
+        return Splice(text.start, text.end, syntax.encode(new))
+    is_alike = _prefix(old) == _prefix(new) != "" and written == old[len(_prefix(old)) :]
+    if not is_alike or not re.search(r"[/_]", written):
+        return None
+    return Splice(text.start, text.end, syntax.encode(new[len(_prefix(new)) :]))
+
+
+def _prefix(name: str) -> str:
+    return name[: len(name) - len(name.lstrip("~/"))]
