@@ -25,6 +25,7 @@ from .message_filters import hands_on, takers
 from .removal import callback_scope, find_sites
 from .renaming import NotNamedError, plan_names
 from .replacing import NotInPlaceError, Replacement
+from .retyped_callbacks import missing_fields, retype_callback
 from .scopes import BindingKind, Scope
 from .sent_messages import resend
 from .splices import Splice, delete_statements
@@ -65,6 +66,7 @@ def plan_update(
     else:
         callback = site.endpoint.callback
         if is_retyped:
+            retype_callback(update, interface)
             _respond(update, interface)
     added.writer.endpoints.append((change.kind, name, str(interface.name), callback or ""))
     resend(update, interface)
@@ -162,8 +164,10 @@ def _tell_other_type(update: Replacement, interface: Interface) -> None:
         what = " and ".join(names) or f"what takes its messages from line {found.line} on"
     else:
         return
-    if callback_of(update.added.endpoint) is None:
+    missing = " and ".join(f"`{each}`" for each in missing_fields(update, interface))
+    if callback_of(update.added.endpoint) is None or missing:
         message = f"{what} {was} written for `{found.type}`, and gets `{interface.name}`"
+        message += f", which has no {missing}" if missing else ""
         span = update.added.endpoint.span
         update.notes.append(Diagnostic(codes.OTHER_TYPE, message, span, help=help_))
 

@@ -56,3 +56,72 @@ def test_who_gets_messages_of_another_type_is_told(tmp_path: Path, name: str) ->
     assert outcome.text.endswith(body.replace("'a', String", "'a', Int32"))
     told = [(str(each.code), each.message) for each in outcome.found]
     assert told == ([] if message is None else [("other-type", message)])
+
+
+NODE = """\
+from geometry_msgs.msg import Twist
+from rclpy.node import Node
+from std_msgs.msg import Int32
+from std_srvs.srv import Empty, SetBool
+
+
+class N(Node):
+    def __init__(self):
+        super().__init__('n')
+        {made}
+"""
+# What a callback says of its type before, and after; None where it stays.
+SAID = {
+    "def f(self, msg: Twist) -> None:\n": "def f(self, msg: Int32) -> None:\n",
+    "def f(self, msg: 'Twist'):\n": "def f(self, msg: 'Int32'):\n",
+    "def f(self, msg: Twist | None, *, a: int = 1):\n": (
+        "def f(self, msg: Int32 | None, *, a: int = 1):\n"
+    ),
+    "def f(self, msg: 'Optional[Twist]'):\n": "def f(self, msg: 'Optional[Int32]'):\n",
+    "def f(self, msg: int):\n": None,
+    "def f(self, msg):\n        # type: (Twist) -> None\n": (
+        "def f(self, msg):\n        # type: (Int32) -> None\n"
+    ),
+    "def f(self, msg):  # type: (Twist) -> None\n": "def f(self, msg):  # type: (Int32) -> None\n",
+    "def f(self, msg):\n        '''Go.\n\n        :type msg: Twist\n        '''\n": (
+        "def f(self, msg):\n        '''Go.\n\n        :type msg: Int32\n        '''\n"
+    ),
+    "def f(self, msg):\n        '''\n        msg (geometry_msgs.msg.Twist): it\n        '''\n": (
+        "def f(self, msg):\n        '''\n        msg (std_msgs.msg.Int32): it\n        '''\n"
+    ),
+    "def f(self, msg):\n        '''Go by a Twist.'''\n": None,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("said", SAID)
+@pytest.mark.parametrize("other", ["", "\n        self.create_subscription(Twist, 'b', self.f, 1)"])
+def test_a_callback_of_nothing_else_says_the_new_type(
+    tmp_path: Path, said: str, other: str
+) -> None:
+    made = f"self.create_subscription(Twist, 'a', self.f, 1){other}"
+    text = NODE.format(made=made) + f"\n    {said}        print(msg.linear, msg.copy())\n"
+    statements = "unsubscribe n from 'a'\nsubscribe n to 'a' of message_type Int32 calling f"
+    outcome = Outcome(tmp_path, "rclpy", text, statements)
+    expected = text.replace("Twist, 'a'", "Int32, 'a'")
+    if not other:
+        expected = expected.replace(said, SAID[said] or said)
+    if "Twist" not in expected.partition("import Twist")[2].replace("Go by a Twist", ""):
+        expected = expected.replace("from geometry_msgs.msg import Twist\n", "")
+    assert outcome.text == expected
+    assert [each.message for each in outcome.found] == [
+        "`f` was written for `geometry_msgs/Twist`, and gets `std_msgs/Int32`, "
+        "which has no `linear`"
+    ]
+
+
+def test_a_handler_says_the_new_type(tmp_path: Path) -> None:
+    handler = (
+        "    def f(self, request: Empty.Request, response: Empty.Response) -> Empty.Response:\n"
+    )
+    made = "self.create_service(Empty, 'a', self.f)"
+    text = NODE.format(made=made) + f"\n{handler}        return response\n"
+    statements = "n stop_service 'a'\nn provides_service 'a' of service_type SetBool"
+    outcome = Outcome(tmp_path, "rclpy", text, statements)
+    head, _, body = text.partition("class N")
+    expected = head.replace("import Empty, SetBool", "import SetBool")
+    assert outcome.text == f"{expected}class N{body.replace('Empty', 'SetBool')}"
