@@ -14,7 +14,7 @@ from plastron_tui.ros.interfaces import Interface
 
 from .addition import Addition
 from .analysis import Analysis, Site
-from .creation import Removal, read_in, remove_creation
+from .creation import Removal, line_of, read_in, remove_creation
 from .emptied_blocks import emptied_blocks
 from .generated import is_docstring, is_named_as_own, is_own_call
 from .lost import is_computed, written_anew
@@ -24,6 +24,7 @@ from .references import Reference, Use, Variable, identifiers, references
 from .removal import remove_uses, timers_of
 from .removal_plan import remove_what_served
 from .replacing import NotInPlaceError, Replacement
+from .same_message import is_message
 from .splices import delete_statements
 from .syntax import parts_of
 from .unused_locals import unused_locals
@@ -50,7 +51,9 @@ def resend(update: Replacement, interface: Interface) -> None:
         assert isinstance(endpoint, Client), "only publishers and clients send"
         is_done = _request(update, variable, interface, endpoint.requests)
     if isinstance(endpoint, Publisher):
-        _tell_computed(update, variable)
+        _tell_computed(update, variable, endpoint.publications)
+        if not is_done:
+            _tell_pace(update, variable, endpoint.publications)
     if not is_done:
         before = len(uses.splices)
         remove_what_served(update.analysis, uses)
@@ -77,16 +80,38 @@ def _uses(update: Replacement) -> tuple[Variable, Removal]:
     return variables[0], uses
 
 
-def _tell_computed(update: Replacement, variable: Variable) -> None:
+def _tell_computed(
+    update: Replacement, variable: Variable, publications: Sequence[Publication]
+) -> None:
     """Tell that what the node worked out is sent no more."""
     analysis, old = update.analysis, update.site.endpoint
-    publishing = [each for each in references(variable, analysis) if each.use is Use.PUBLISH]
-    for sent in _sent(analysis, publishing):
-        if is_computed(analysis, sent.expression):
+    for sent in _sent(analysis, _publishing(analysis, variable)):
+        is_kept = any(_is_sent(update, sent, each) for each in publications)
+        if not is_kept and is_computed(analysis, sent.expression):
             endpoint = update.added.endpoint
             written = " ".join(analysis.syntax.slice(sent.expression).split())
             message = f"`{endpoint.name}` no longer sends `{written}`, which the node works out"
             update.notes.append(written_anew(message, endpoint, old.name or old.default or ""))
+
+
+def _tell_pace(
+    update: Replacement, variable: Variable, publications: Sequence[Publication]
+) -> None:
+    """Tell that something is sent at another time than the lines that go sent it."""
+    analysis, new = update.analysis, update.added.endpoint
+    lines = sorted({line_of(each.statement) for each in _publishing(analysis, variable)})
+    if lines:
+        rates = dict.fromkeys(each.rate for each in publications if not each.is_rate_open)
+        often = " and ".join(f"{rate:g}" for rate in rates)
+        plural, listed = "s" if len(lines) > 1 else "", ", ".join(map(str, lines))
+        message = f"line{plural} {listed} no longer decide{'' if plural else 's'} when `{new.name}`"
+        message += f" is sent: that is {often} times a second" if often else " is sent"
+        old = update.site.endpoint
+        update.notes.append(written_anew(message, new, old.name or old.default or ""))
+
+
+def _publishing(analysis: Analysis, variable: Variable) -> list[Reference]:
+    return [each for each in references(variable, analysis) if each.use is Use.PUBLISH]
 
 
 class _Sent(NamedTuple):
@@ -104,7 +129,7 @@ def _publish(update: Replacement, variable: Variable, publications: Sequence[Pub
     # What is sent at one rate stands together.
     rates = list(dict.fromkeys(each.rate for each in publications))
     publications = sorted(publications, key=lambda each: rates.index(each.rate))
-    publishing = [each for each in references(variable, analysis) if each.use is Use.PUBLISH]
+    publishing = _publishing(analysis, variable)
     sent = _sent(analysis, publishing)
     if not len(publishing) == len(sent) == len(publications):
         return False
@@ -115,6 +140,8 @@ def _publish(update: Replacement, variable: Variable, publications: Sequence[Pub
         return False
     before = len(update.splices)
     for each, publication in zip(sent, publications, strict=True):
+        if _is_sent(update, each, publication):
+            continue
         _stand(added, each.expression)
         update.put(each.expression, added.messages.message(publication.message.value))
     unused = unused_locals(analysis, update.splices[before:])
@@ -124,6 +151,12 @@ def _publish(update: Replacement, variable: Variable, publications: Sequence[Pub
     update.lost += read_in(analysis, update.splices[before:])
     added.stand(is_nested=True)
     return True
+
+
+def _is_sent(update: Replacement, sent: _Sent, publication: Publication) -> bool:
+    """Whether the file sends already what it shall send."""
+    messages, value = update.added.messages, publication.message.value
+    return is_message(update.analysis, messages, sent.expression, value)
 
 
 def _sent(analysis: Analysis, publishing: Sequence[Reference]) -> list[_Sent]:

@@ -56,6 +56,24 @@ def test_options(tmp_path: Path, name: str) -> None:
 # What the file does until it sends, and what of that is left.
 SENT = {
     "a constant": ("p.publish(Int32(5))\n", "p.publish(Int32(data=2))\n", []),
+    "the same constant": ("p.publish(2)\n", "p.publish(2)\n", []),
+    "the same constant by a name": ("p.publish(TWO)\n", "p.publish(TWO)\n", []),
+    "the same message": ("p.publish(Int32(2))\n", "p.publish(Int32(2))\n", []),
+    "the same field": (
+        "m = Int32()\nm.data = 2\np.publish(m)\n",
+        "m = Int32()\nm.data = 2\np.publish(m)\n",
+        [],
+    ),
+    "another constant by a name": (
+        "p.publish(ONE)\n",
+        "p.publish(Int32(data=2))\n",
+        ["`b` no longer sends `ONE`, which the node works out"],
+    ),
+    "a field of two values": (
+        "m = Int32()\nm.data = 1\nm.data = 2\np.publish(m)\n",
+        "p.publish(Int32(data=2))\n",
+        ["`b` no longer sends `m`, which the node works out"],
+    ),
     "a computed message": (
         "m = Int32()\nm.data = len(x)\nprint(m)\np.publish(m)\n",
         "m = Int32()\nm.data = len(x)\nprint(m)\np.publish(Int32(data=2))\n",
@@ -67,7 +85,7 @@ SENT = {
 @pytest.mark.parametrize("name", SENT)
 def test_what_was_sent(tmp_path: Path, name: str) -> None:
     before, after, expected = SENT[name]
-    frame = "x = []\nwhile not rospy.is_shutdown():\n{0}    rospy.sleep(1)\n"
+    frame = "x, ONE, TWO = [], 1, 2\nwhile not rospy.is_shutdown():\n{0}    rospy.sleep(1)\n"
 
     def indented(text: str) -> str:
         return "".join(f"    {line}\n" for line in text.splitlines())
@@ -76,6 +94,17 @@ def test_what_was_sent(tmp_path: Path, name: str) -> None:
     text, messages = told(tmp_path, body, TAKE)
     assert text == body.replace("'a'", "'b'").replace(indented(before), indented(after))
     assert messages == expected
+
+
+@pytest.mark.parametrize(
+    ("often", "told_rate"), [("", ""), (" at 5 hz", ": that is 5 times a second")]
+)
+def test_another_time_of_sending_is_told(tmp_path: Path, often: str, told_rate: str) -> None:
+    body = LOOP.format("def hear(m):\n    print(m)\n    p.publish(2)\n\n\n")
+    body += "rospy.Subscriber('c', Int32, hear)\nrospy.spin()\n"
+    text, messages = told(tmp_path, body, TAKE + often)
+    assert "p.publish(2)" not in text
+    assert messages == [f"line 7 no longer decides when `b` is sent{told_rate}"]
 
 
 LOCALS = {
