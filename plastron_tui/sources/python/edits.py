@@ -23,6 +23,7 @@ from plastron_tui.ros.interfaces import InterfaceName
 
 from .adding import plan_addition
 from .analysis import Analysis, Site
+from .creation import Removal
 from .dialect import Dialect
 from .existing_callbacks import NotCallableError
 from .imports import unused_imports
@@ -161,9 +162,23 @@ class Edits:
         self.analysis = analyze(apply(before.syntax.text, renaming.splices), before.library)
 
     def _remove(self, change: Remove) -> None:
-        for site in find_sites(part_of(self.analysis, change.node), change):
+        sites = find_sites(part_of(self.analysis, change.node), change)
+        if not sites:
+            raise _not_there(self.analysis, change)
+        _refuse_passes(change, sites)
+        for site in sites:
             self._exchange.take(self.analysis, site, change.name)
-        text = _removed(self.analysis, change, self.expected)
+        removal = plan_removal(self.analysis, sites)
+        if removal.lines:
+            raise _in_use(change, removal)
+        self._take_out(removal)
+
+    def _take_out(self, removal: Removal) -> None:
+        labels = labels_of(self.analysis)
+        self.expected.subtract(
+            (labels.get(site, ""), key_of(site.endpoint)) for site in removal.sites
+        )
+        text = apply(self.analysis.syntax.text, removal.splices)
         self._read(text)
         self.analysis = analyze(text, self.analysis.library)
 
@@ -223,9 +238,30 @@ class Edits:
         return True
 
     def _update_in_place(self, change: Update) -> None:
+        """Change each call site of an endpoint; those that call another function go.
+
+        Of several that a statement takes out, the one whose callback another names is meant.
+        """
+        callback = callback_of(change.endpoint)
+        sites = find_sites(part_of(self.analysis, change.node), change)
+        kept = [site for site in sites if site.endpoint.callback == callback]
+        if callback is not None and len(sites) > 1:
+            removal = plan_removal(self.analysis, [each for each in sites if each not in kept])
+            if len(kept) != 1 or removal.lines:
+                raise NotInPlaceError
+            self._take_out(removal)
+        for _ in sites if callback is None else sites[:1]:
+            self._update_site(change)
+
+    def _update_site(self, change: Update) -> None:
         before = self.analysis
         node = part_of(before, change.node)
-        update = plan_update(before, node, change, self.catalog, self.dialect)
+        sites = find_sites(node, change)
+        # Of several under one name, some may have the new type already.
+        left = [each for each in sites if each.endpoint.type != change.endpoint.type] or sites
+        if not left or (len(sites) > 1 and is_sending(change.endpoint)):
+            raise NotInPlaceError
+        update = plan_update(before, left[0], change, self.catalog, self.dialect)
         labels = labels_of(before)
         label = labels.get(update.site, "")
         self.expected.subtract(
@@ -335,31 +371,14 @@ def _not_named(site: Site, changes: Sequence[Rename]) -> RefusedError:
     )
 
 
-def _removed(analysis: Analysis, change: Remove, expected: Found) -> bytes:
-    """Return the text without an endpoint."""
-    kind = change.kind.word
-    sites = find_sites(part_of(analysis, change.node), change)
-    if not sites:
-        raise _not_there(analysis, change)
-    _refuse_passes(change, sites)
-    removal = plan_removal(analysis, sites)
-    if removal.lines:
-        listed = sorted(removal.lines)
-        lines = ", ".join(map(str, listed[:_MOST_LINES]))
-        lines += f" and {more} more" if (more := len(listed) - _MOST_LINES) > 0 else ""
-        plural = "s" if len(removal.lines) > 1 else ""
-        raise RefusedError(
-            Diagnostic(
-                codes.ENDPOINT_IN_USE,
-                f"the {kind} `{change.name}` is used in line{plural} {lines}",
-                change.span,
-                help="change these lines in the file first" if plural else
-                "change this line in the file first",
-            )
-        )  # fmt: skip
-    labels = labels_of(analysis)
-    expected.subtract((labels.get(site, ""), key_of(site.endpoint)) for site in removal.sites)
-    return apply(analysis.syntax.text, removal.splices)
+def _in_use(change: Remove, removal: Removal) -> RefusedError:
+    listed = sorted(removal.lines)
+    lines = ", ".join(map(str, listed[:_MOST_LINES]))
+    lines += f" and {more} more" if (more := len(listed) - _MOST_LINES) > 0 else ""
+    plural, these = ("s", "these lines") if len(listed) > 1 else ("", "this line")
+    message = f"the {change.kind.word} `{change.name}` is used in line{plural} {lines}"
+    help_ = f"change {these} in the file first"
+    return RefusedError(Diagnostic(codes.ENDPOINT_IN_USE, message, change.span, help=help_))
 
 
 def _applied(analysis: Analysis, writers: Iterable[Writer]) -> bytes:

@@ -12,7 +12,7 @@ from plastron_tui.ros.interfaces import Interface
 
 from .adding import callback_for
 from .addition import Addition
-from .analysis import Analysis
+from .analysis import Analysis, Site
 from .conventions import target_name
 from .dialect import Dialect
 from .existing_callbacks import check_parameters, misfit
@@ -22,7 +22,7 @@ from .insertion_point import beside
 from .leftovers import stub_callbacks
 from .lost import written_anew
 from .message_filters import hands_on, takers
-from .removal import callback_scope, find_sites
+from .removal import callback_scope
 from .renaming import NotNamedError, plan_names
 from .replacing import NotInPlaceError, Replacement
 from .retyped_callbacks import missing_fields, retype_callback
@@ -32,26 +32,24 @@ from .splices import Splice, delete_statements
 
 
 def plan_update(
-    analysis: Analysis, node: Analysis, change: Update, catalog: Catalog, dialect: Dialect
+    analysis: Analysis, site: Site, change: Update, catalog: Catalog, dialect: Dialect
 ) -> Replacement:
     """Plan what changes an endpoint of a node where it stands.
 
     Args:
         analysis: the file.
-        node: what is known of the node alone, where the file holds several.
+        site: the call that creates the endpoint.
         change: what is asked for.
         catalog: the interface types.
         dialect: the client library.
 
     Raises:
-        NotInPlaceError: the call does not say what differs itself, or not in one place.
+        NotInPlaceError: the call does not say what differs itself.
         CannotAddError: the new type is not known.
     """
-    sites = find_sites(node, change)
-    place = beside(analysis, sites[0]) if len(sites) == 1 else None
+    place = beside(analysis, site)
     if place is None:
         raise NotInPlaceError
-    site = sites[0]
     added = Addition.at(place, analysis, change.kind, change.endpoint, catalog, dialect)
     added.variable = target_name(analysis, site) or ""
     update = Replacement(added, site, lost=[site])

@@ -256,6 +256,19 @@ SMALL = {
         "-rospy.Subscriber('a', String, f)\n-rospy.Subscriber('a', String, f, queue_size=3)\n"
         "+rospy.Subscriber('b', String, f)\n+rospy.Subscriber('b', String, f, queue_size=3)",
     ),
+    "several calls of one name get another type": (
+        "rospy.Subscriber('a', String, queue_size=3)\nrospy.Subscriber('a', String)\nx = String\n",
+        TYPE,
+        "-rospy.Subscriber('a', String, queue_size=3)\n-rospy.Subscriber('a', String)\n"
+        "+rospy.Subscriber('a', Int32, queue_size=3)\n+rospy.Subscriber('a', Int32)",
+    ),
+    "of several calls of one name that with the callback is meant": (
+        "def g(m): print(m)\ndef f(m): print(String)\n"
+        "rospy.Subscriber('a', String, g)\nrospy.Subscriber('a', String, f, queue_size=3)\n",
+        f"{TYPE} calling f",
+        "-rospy.Subscriber('a', String, g)\n-rospy.Subscriber('a', String, f, queue_size=3)\n"
+        "+rospy.Subscriber('a', Int32, f, queue_size=3)",
+    ),
 }  # fmt: skip
 
 ANEW = {
@@ -264,11 +277,12 @@ ANEW = {
         TYPE,
         f"{ON_A}\n-rospy.Subscriber('a', T, queue_size=3)\n+rospy.Subscriber('a', Int32, on_a)",
     ),
-    "several calls of one name": (
-        "rospy.Subscriber('a', String, queue_size=3)\nrospy.Subscriber('a', String)\nx = String\n",
-        TYPE,
-        f"{ON_A}\n-rospy.Subscriber('a', String, queue_size=3)\n"
-        "-rospy.Subscriber('a', String)\n+rospy.Subscriber('a', Int32, on_a)",
+    "several calls of one name, of which none has the callback": (
+        "def g(m): print(m)\ndef h(m): print(m)\n"
+        "rospy.Subscriber('a', String, g, queue_size=3)\nrospy.Subscriber('a', String, h)\n",
+        CALLBACK,
+        "-rospy.Subscriber('a', String, g, queue_size=3)\n-rospy.Subscriber('a', String, h)\n"
+        "+def f(message):\n+    rospy.loginfo('a: %s', message)\n+rospy.Subscriber('a', String, f)",
     ),
     "a call without a callback gets one": (
         "def f(m): pass\nrospy.Subscriber('a', String, queue_size=3)\n",
