@@ -10,6 +10,8 @@ from tree_sitter import Node
 
 from .analysis import Analysis
 
+_NAME_PART = re.compile(rb"[/_]")
+
 
 class NameText(NamedTuple):
     """A string that says a name.
@@ -19,12 +21,14 @@ class NameText(NamedTuple):
         start: the byte where the name begins, with the `/` or `~` before it.
         end: the byte behind it.
         is_whole: whether the string says nothing else.
+        is_sure: whether it is no plain word that may mean something else.
     """
 
     node: Node
     start: int
     end: int
     is_whole: bool
+    is_sure: bool
 
 
 def texts_saying(analysis: Analysis, name: str) -> Iterator[NameText]:
@@ -41,4 +45,13 @@ def texts_saying(analysis: Analysis, name: str) -> Iterator[NameText]:
             continue
         parts = [each for each in node.named_children if each.type == "string_content"]
         is_whole = [analysis.syntax.slice(each).lstrip("~/") for each in parts] == [bare]
-        yield NameText(node, found.start(), found.end(), is_whole)
+        around = analysis.syntax.text[node.start_byte : node.end_byte]
+        is_sure = bool(_NAME_PART.search(found[0]) or _called(bare).search(around))
+        yield NameText(node, found.start(), found.end(), is_whole, is_sure)
+
+
+def _called(name: str) -> re.Pattern[bytes]:
+    """Return what finds `topic scan`, `'scan' topic` and `scan service`."""
+    noun, bare = rb"(?:topic|service|action)\b", re.escape(name.encode())
+    pattern = rb"(?i:%s)[\s:=]*['\"`]?%s\b|\b%s['\"`]?\s+(?i:%s)" % (noun, bare, bare, noun)
+    return re.compile(pattern)

@@ -58,7 +58,8 @@ def _old_name(change: Change) -> tuple[str | None, Span | None]:
 def _texts(analysis: Analysis, name: str) -> Iterator[Node]:
     """Yield the texts of a file that are a name, or that log it."""
     for text in texts_saying(analysis, name):
-        if not _is_default(text.node) and (text.is_whole or is_only_told(analysis, text.node)):
+        is_told = text.is_sure and is_only_told(analysis, text.node)
+        if not _is_default(text.node) and (text.is_whole or is_told):
             yield text.node
 
 

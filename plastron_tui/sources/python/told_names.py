@@ -35,12 +35,12 @@ def retell(
             news.setdefault(site.endpoint.name, set()).add(new)
     uses = NameUses(analysis, said)
     for old, found in news.items():
-        if old in kept or len(found) > 1 or not re.search(r"\w[/_]|^[~/]+\w", old):
+        if old in kept or len(found) > 1:
             continue
         for text in texts_saying(analysis, old):
             splice = _respelled(analysis, text, old, next(iter(found)))
             is_frame = not text.is_whole and _FRAMES.search(analysis.syntax.slice(text.node))
-            if splice is None or is_frame or text.node.id in said:
+            if splice is None or is_frame or not text.is_sure or text.node.id in said:
                 continue
             if uses.is_harmless(text.node):
                 yield splice
@@ -54,7 +54,7 @@ def _respelled(analysis: Analysis, text: NameText, old: str, new: str) -> Splice
     if written == old:
         return Splice(text.start, text.end, syntax.encode(new))
     is_alike = _prefix(old) == _prefix(new) != "" and written == old[len(_prefix(old)) :]
-    if not is_alike or not re.search(r"[/_]", written):
+    if not is_alike:
         return None
     return Splice(text.start, text.end, syntax.encode(new[len(_prefix(new)) :]))
 

@@ -61,7 +61,21 @@ def test_what_tells_a_name_that_is_gone_is_told(line: str) -> None:
     assert [str(each.code) for each in told][-1] == "still-named"
 
 
-def test_a_word_in_a_log_that_is_a_name_stays() -> None:
-    text = FILE.format("rospy.loginfo('hear words')").replace("/robot/words", "words")
-    (told,) = edit(text, Rename(SUB, "words", "texts", AT)).diagnostics
-    assert told.message == "line 11 still says `words`"
+PLAIN = {
+    "rospy.loginfo('hear words')": "rospy.loginfo('hear words')",
+    "rospy.loginfo('hear topic words')": "rospy.loginfo('hear topic texts')",
+    "rospy.logwarn('no \"words\" topic')": "rospy.logwarn('no \"texts\" topic')",
+    "print('words')": None,
+}
+
+
+@pytest.mark.parametrize("line", PLAIN)
+def test_a_plain_word_in_a_log_is_a_name_where_it_is_called_one(line: str) -> None:
+    before = FILE.replace("/robot/words", "words")
+    found = edit(before.format(line), Rename(SUB, "words", "texts", AT))
+    assert found.files is not None
+    expected = before.replace("'words', String", "'texts', String").format(PLAIN[line] or line)
+    assert found.files.main.decode() == expected
+    assert [each.message for each in found.diagnostics] == (
+        [] if PLAIN[line] else ["line 11 still says `words`"]
+    )
