@@ -34,6 +34,7 @@ from .removal import find_sites
 from .removal_plan import plan_removal
 from .renaming import NotNamedError, plan_names
 from .replacing import NotInPlaceError
+from .sent_before import lost_of_site
 from .sites import analyze
 from .splices import apply, delete_statements
 from .updating import plan_update
@@ -211,11 +212,15 @@ class Edits:
         except (CannotAddError, NotInPlaceError):
             self.analysis, self.expected = before, expected
             remove, add = change.apart
+            sites = find_sites(part_of(before, change.node), change)
             try:
                 self._remove(remove)
             except RefusedError as refusal:
                 raise RefusedError(or_renames(refusal.diagnostic, change)) from None
             self._add(add)
+            if isinstance(new := change.endpoint, Publisher) and is_sending(new):
+                for site in sites:
+                    self.notes += lost_of_site(before, site, new, change.name, self.catalog.find)
 
     def _differs_in_name(self, change: Update) -> bool:
         """Whether all call sites of an endpoint are as it shall be, but for the name."""

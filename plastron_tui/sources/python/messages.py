@@ -56,6 +56,10 @@ class Messages:
             self._refuse(codes.UNUSABLE_TYPE, reason)
         return found
 
+    def interfaces(self, name: InterfaceName, kind: InterfaceKind) -> Interface | None:
+        """Return an interface type, None where it is not known."""
+        return self._catalog.find(name, kind)
+
     def type_class(self, interface: Interface) -> str:
         """Return the class of an interface type."""
         folder = "msg" if interface.kind is InterfaceKind.MESSAGE else "srv"

@@ -2,24 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from tree_sitter import Node
 
 from plastron_tui.model.values import MessageValue, Value
-from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 
 from .analysis import Analysis
 from .arguments import Arguments
 from .constants import Known
-from .messages import Messages
 from .references import references, variable_of
+
+Interfaces = Callable[[InterfaceName, InterfaceKind], Interface | None]
+"""What finds an interface type, None where it is not known."""
 
 _BOOLEANS = {"true": True, "false": False}
 
 
-def is_message(analysis: Analysis, messages: Messages, node: Node, value: MessageValue) -> bool:
+def is_message(analysis: Analysis, interfaces: Interfaces, node: Node, value: MessageValue) -> bool:
     """Whether an expression is a message, or the one field of it that rospy takes instead."""
-    interface = messages.interface(value.type, InterfaceKind.MESSAGE, str(value.type))
-    names = [field.name for field in interface.fields]
+    interface = interfaces(value.type, InterfaceKind.MESSAGE)
+    names = [field.name for field in interface.fields] if interface is not None else []
     scope = analysis.scopes.at(node.start_byte)
     given = _filled(analysis, node) if node.type == "identifier" else {}
     if given:
@@ -27,14 +31,14 @@ def is_message(analysis: Analysis, messages: Messages, node: Node, value: Messag
     callee = node.child_by_field_name("function")
     if callee is None or analysis.resolver.interface(callee, scope) != value.type:
         return list(value.fields) == names[:1] and _is_value(
-            analysis, messages, node, value.fields[names[0]]
+            analysis, interfaces, node, value.fields[names[0]]
         )
     arguments = Arguments.of(node, analysis.syntax)
     if arguments.is_open or len(arguments.positional) > len(names):
         return False
     given |= {**dict(zip(names, arguments.positional, strict=False)), **arguments.keywords}
     return given.keys() == value.fields.keys() and all(
-        _is_value(analysis, messages, each, value.fields[name]) for name, each in given.items()
+        _is_value(analysis, interfaces, each, value.fields[name]) for name, each in given.items()
     )
 
 
@@ -74,9 +78,9 @@ def _is_published(analysis: Analysis, arguments: Node) -> bool:
     return call is not None and analysis.syntax.called_name(call) == "publish"
 
 
-def _is_value(analysis: Analysis, messages: Messages, node: Node, value: Value) -> bool:
+def _is_value(analysis: Analysis, interfaces: Interfaces, node: Node, value: Value) -> bool:
     if isinstance(value, MessageValue):
-        return node.type == "call" and is_message(analysis, messages, node, value)
+        return node.type == "call" and is_message(analysis, interfaces, node, value)
     if node.type in _BOOLEANS:
         return value is _BOOLEANS[node.type]
     folded = analysis.resolver.fold(node, analysis.scopes.at(node.start_byte))

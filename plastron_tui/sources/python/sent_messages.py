@@ -14,17 +14,17 @@ from plastron_tui.ros.interfaces import Interface
 
 from .addition import Addition
 from .analysis import Analysis, Site
-from .creation import Removal, line_of, read_in, remove_creation
+from .creation import Removal, read_in, remove_creation
 from .emptied_blocks import emptied_blocks
 from .generated import is_docstring, is_named_as_own, is_own_call
-from .lost import is_computed, written_anew
 from .own_loop import is_loop, is_once, is_sleep
 from .rates import Pace, is_shared, loop_pace, timer_pace
-from .references import Reference, Use, Variable, identifiers, references
+from .references import Reference, Variable, references
 from .removal import remove_uses, timers_of
 from .removal_plan import remove_what_served
 from .replacing import NotInPlaceError, Replacement
 from .same_message import is_message
+from .sent_before import Sent, lost_sending, only_argument, publishing_on, sent_by
 from .splices import delete_statements
 from .syntax import parts_of
 from .unused_locals import unused_locals
@@ -51,9 +51,11 @@ def resend(update: Replacement, interface: Interface) -> None:
         assert isinstance(endpoint, Client), "only publishers and clients send"
         is_done = _request(update, variable, interface, endpoint.requests)
     if isinstance(endpoint, Publisher):
-        _tell_computed(update, variable, endpoint.publications)
-        if not is_done:
-            _tell_pace(update, variable, endpoint.publications)
+        old, interfaces = update.site.endpoint, update.added.messages.interfaces
+        name = old.name or old.default or ""
+        update.notes += lost_sending(
+            update.analysis, variable, endpoint, name, interfaces, is_in_place=is_done
+        )
     if not is_done:
         before = len(uses.splices)
         remove_what_served(update.analysis, uses)
@@ -80,57 +82,14 @@ def _uses(update: Replacement) -> tuple[Variable, Removal]:
     return variables[0], uses
 
 
-def _tell_computed(
-    update: Replacement, variable: Variable, publications: Sequence[Publication]
-) -> None:
-    """Tell that what the node worked out is sent no more."""
-    analysis, old = update.analysis, update.site.endpoint
-    for sent in _sent(analysis, _publishing(analysis, variable)):
-        is_kept = any(_is_sent(update, sent, each) for each in publications)
-        if not is_kept and is_computed(analysis, sent.expression):
-            endpoint = update.added.endpoint
-            written = " ".join(analysis.syntax.slice(sent.expression).split())
-            message = f"`{endpoint.name}` no longer sends `{written}`, which the node works out"
-            update.notes.append(written_anew(message, endpoint, old.name or old.default or ""))
-
-
-def _tell_pace(
-    update: Replacement, variable: Variable, publications: Sequence[Publication]
-) -> None:
-    """Tell that something is sent at another time than the lines that go sent it."""
-    analysis, new = update.analysis, update.added.endpoint
-    lines = sorted({line_of(each.statement) for each in _publishing(analysis, variable)})
-    if lines:
-        rates = dict.fromkeys(each.rate for each in publications if not each.is_rate_open)
-        often = " and ".join(f"{rate:g}" for rate in rates)
-        plural, listed = "s" if len(lines) > 1 else "", ", ".join(map(str, lines))
-        message = f"line{plural} {listed} no longer decide{'' if plural else 's'} when `{new.name}`"
-        message += f" is sent: that is {often} times a second" if often else " is sent"
-        old = update.site.endpoint
-        update.notes.append(written_anew(message, new, old.name or old.default or ""))
-
-
-def _publishing(analysis: Analysis, variable: Variable) -> list[Reference]:
-    return [each for each in references(variable, analysis) if each.use is Use.PUBLISH]
-
-
-class _Sent(NamedTuple):
-    """A message on its way out: the expression, its statements, whether a line stamps it."""
-
-    reference: Reference
-    expression: Node
-    statements: tuple[Node, ...]
-    is_stamped: bool = False
-
-
 def _publish(update: Replacement, variable: Variable, publications: Sequence[Publication]) -> bool:
     """Publish other messages in the lines that publish, at other rates where those may change."""
     added, analysis = update.added, update.analysis
     # What is sent at one rate stands together.
     rates = list(dict.fromkeys(each.rate for each in publications))
     publications = sorted(publications, key=lambda each: rates.index(each.rate))
-    publishing = _publishing(analysis, variable)
-    sent = _sent(analysis, publishing)
+    publishing = publishing_on(analysis, variable)
+    sent = sent_by(analysis, publishing)
     if not len(publishing) == len(sent) == len(publications):
         return False
     for each, publication in zip(sent, publications, strict=True):
@@ -140,10 +99,11 @@ def _publish(update: Replacement, variable: Variable, publications: Sequence[Pub
         return False
     before = len(update.splices)
     for each, publication in zip(sent, publications, strict=True):
-        if _is_sent(update, each, publication):
+        value = publication.message.value
+        if is_message(analysis, added.messages.interfaces, each.expression, value):
             continue
         _stand(added, each.expression)
-        update.put(each.expression, added.messages.message(publication.message.value))
+        update.put(each.expression, added.messages.message(value))
     unused = unused_locals(analysis, update.splices[before:])
     blocks = emptied_blocks(analysis, unused.statements)
     text = analysis.syntax.text
@@ -151,71 +111,6 @@ def _publish(update: Replacement, variable: Variable, publications: Sequence[Pub
     update.lost += read_in(analysis, update.splices[before:])
     added.stand(is_nested=True)
     return True
-
-
-def _is_sent(update: Replacement, sent: _Sent, publication: Publication) -> bool:
-    """Whether the file sends already what it shall send."""
-    messages, value = update.added.messages, publication.message.value
-    return is_message(update.analysis, messages, sent.expression, value)
-
-
-def _sent(analysis: Analysis, publishing: Sequence[Reference]) -> list[_Sent]:
-    """Return what statements publish, as far as they say it."""
-    given = [
-        _Sent(each, argument, (each.statement,))
-        for each in publishing
-        if each.node.parent is not None
-        and (argument := _only_argument(each.node.parent.parent)) is not None
-    ]
-    named = [_named(analysis, each) for each in given]
-    own = [statement for each in named if each is not None for statement in each.statements]
-    return [
-        plain if each is None or _is_used_elsewhere(analysis, plain.expression, own) else each
-        for plain, each in zip(given, named, strict=True)
-    ]
-
-
-def _named(analysis: Analysis, sent: _Sent) -> _Sent | None:
-    """Return a message with the statements before it that make it, None where none do."""
-    if sent.expression.type != "identifier":
-        return None
-    name, statements = analysis.syntax.slice(sent.expression), list(sent.statements)
-    before = statements[0].prev_named_sibling
-    while before is not None:
-        statements.append(before)
-        assignment = before.named_children[0] if before.named_children else before
-        value = assignment.child_by_field_name("right")
-        target = assignment.child_by_field_name("left")
-        written = analysis.syntax.slice(target) if target is not None else ""
-        if written == name and value is not None and _makes_message(analysis, value):
-            return _Sent(sent.reference, value, tuple(statements), len(statements) > 2)
-        if written != f"{name}.header.stamp":
-            return None
-        before = before.prev_named_sibling
-    return None
-
-
-def _makes_message(analysis: Analysis, value: Node) -> bool:
-    """Whether an expression makes a message, and does nothing besides."""
-    callee = value.child_by_field_name("function")
-    scope = analysis.scopes.at(value.start_byte)
-    return value.type == "call" and analysis.resolver.interface(callee, scope) is not None
-
-
-def _is_used_elsewhere(analysis: Analysis, variable: Node, statements: Sequence[Node]) -> bool:
-    """Whether other statements than the given ones use a variable of the same function."""
-    scope = analysis.scopes.at(variable.start_byte)
-    return any(
-        analysis.scopes.at(node.start_byte).is_within(scope)
-        and not any(each.start_byte <= node.start_byte < each.end_byte for each in statements)
-        for node in identifiers(analysis.syntax.slice(variable), analysis)
-    )
-
-
-def _only_argument(call: Node | None) -> Node | None:
-    given = parts_of(call.child_by_field_name("arguments")) if call is not None else []
-    kinds = ("keyword_argument", "list_splat", "dictionary_splat")
-    return given[0] if len(given) == 1 and given[0].type not in kinds else None
 
 
 class _Runner(NamedTuple):
@@ -256,9 +151,7 @@ def _runner(added: Addition, statement: Node) -> _Runner | None:
     return _Runner(block, pace, timer=timers[0], is_own=is_named_as_own(function))
 
 
-def _repace(
-    update: Replacement, sent: Sequence[_Sent], publications: Sequence[Publication]
-) -> bool:
+def _repace(update: Replacement, sent: Sequence[Sent], publications: Sequence[Publication]) -> bool:
     """Send at the rates that are asked for; False where something else would change with them."""
     rates: dict[int, tuple[_Runner, set[float]]] = {}
     for each, publication in zip(sent, publications, strict=True):
@@ -337,10 +230,10 @@ def _request_in(analysis: Analysis, reference: Reference) -> Node | None:
         return parts_of(parent)[1]
     callee = parent.child_by_field_name("function")
     if parent.type == "call" and callee is not None and callee.id == node.id:
-        return _only_argument(parent)
+        return only_argument(parent)
     name = parent.child_by_field_name("attribute")
     is_call = name is not None and analysis.syntax.slice(name) in _CALLS
-    return _only_argument(parent.parent) if is_call else None
+    return only_argument(parent.parent) if is_call else None
 
 
 def _stand(added: Addition, node: Node) -> None:

@@ -107,6 +107,13 @@ def test_another_time_of_sending_is_told(tmp_path: Path, often: str, told_rate: 
     assert messages == [f"line 7 no longer decides when `b` is sent{told_rate}"]
 
 
+def test_what_a_publisher_sent_that_is_written_anew_is_told(tmp_path: Path) -> None:
+    body = "def measure():\n    return 1\n\n\nx = measure()\np = q = rospy.Publisher('a', Int32)\n"
+    _, messages = told(tmp_path, body + "p.publish(x)\nrospy.spin()\n", TAKE)
+    assert "`b` no longer sends `x`, which the node works out" in messages
+    assert "line 10 no longer decides when `b` is sent" in messages
+
+
 LOCALS = {
     "m = Int32()\nm.data = x\np.publish(m)": "p.publish(Int32(data=2))",
     "m = Int32(data=float(x))\np.publish(m)": "m = Int32(data=2)\np.publish(m)",
