@@ -11,6 +11,7 @@ from plastron_tui.model.source import SourceEndpoint
 from .arguments import Arguments
 from .calls import CallShape, ClientLibrary
 from .names import Resolver
+from .runs import World
 from .scopes import Scope, ScopeTree
 from .syntax import Syntax
 
@@ -27,8 +28,8 @@ class Site:
         owner: the class of the file whose instance the receiver is, None for any other.
         arguments: the call's arguments.
         shape: the shape that the call matched.
-        of_passes: whether it is what the call creates in one pass through its function or loop,
-            among others.
+        passes: the passes through its function or loop in which the call creates it, among others;
+            none where it creates nothing else.
     """
 
     endpoint: SourceEndpoint
@@ -38,7 +39,7 @@ class Site:
     owner: Scope | None
     arguments: Arguments
     shape: CallShape
-    of_passes: bool = False
+    passes: tuple[World, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -16,29 +16,30 @@ from .callbacks import callback_target
 from .calls import Argument, CallShape
 from .constants import Defaulted, Known
 from .guesses import is_default_guess, is_star_guess
-from .runs import EVERYWHERE
+from .runs import EVERYWHERE, World
 from .scopes import Scope
 from .syntax import parts_of
 
 
 def created_by(
     analysis: Analysis, call: Node, shape: CallShape, scope: Scope, arguments: Arguments
-) -> Iterator[tuple[SourceEndpoint, bool]]:
-    """Yield what a call creates, and whether others call its function, or a loop repeats it.
+) -> Iterator[tuple[SourceEndpoint, tuple[World, ...]]]:
+    """Yield what a call creates, each with the passes through its function or loop that create it.
 
-    What it creates is then one for each of them.
+    There are none where nothing calls the function with something else, and no loop repeats it.
     """
     resolver = analysis.resolver
     for name in _name_nodes(shape, arguments):
         passes = [EVERYWHERE]
         if name is not None and shape.type is not None:
             passes = resolver.passes(name, scope, call)
-        found: dict[SourceEndpoint, None] = {}
+        found: dict[SourceEndpoint, list[World]] = {}
         for each in passes:
             with resolver.during(each):
-                found[_endpoint(analysis, call, shape, scope, arguments, name)] = None
-        for endpoint in found:
-            yield endpoint, passes != [EVERYWHERE]
+                endpoint = _endpoint(analysis, call, shape, scope, arguments, name)
+            found.setdefault(endpoint, []).append(each)
+        for endpoint, creating in found.items():
+            yield endpoint, tuple(each for each in creating if passes != [EVERYWHERE])
 
 
 def _name_nodes(shape: CallShape, arguments: Arguments) -> list[Node | None]:

@@ -147,11 +147,12 @@ class Edits:
             sites = find_sites(part_of(before, change.node), change)
             if not sites:
                 raise _not_there(self.analysis, change)
-            _refuse_passes(change, sites)
             wanted.update(dict.fromkeys(sites, change.to))
         try:
             renaming = plan_names(before, wanted)
         except NotNamedError as error:
+            for change in changes:
+                _refuse_passes(change, [each for each in wanted if each is error.site])
             raise _not_named(error.site, changes) from None
         labels = labels_of(before)
         for site, name in zip(renaming.lost, renaming.names, strict=True):
@@ -201,10 +202,10 @@ class Edits:
 
     def _update(self, change: Update) -> None:
         """Change an endpoint in place; take it out and write it anew where that cannot be."""
-        _refuse_passes(change, find_sites(part_of(self.analysis, change.node), change))
         before, expected = self.analysis, self.expected.copy()
         if self._differs_in_name(change) and self._has_renamed(change):
             return
+        _refuse_passes(change, find_sites(part_of(self.analysis, change.node), change))
         try:
             self._update_in_place(change)
         except NotCallableError:
@@ -357,7 +358,7 @@ def _not_there(analysis: Analysis, change: Remove | Rename) -> RefusedError:
 
 def _refuse_passes(change: Remove | Rename | Update, sites: Sequence[Site]) -> None:
     """Refuse to change one of the endpoints that a call creates one after the other."""
-    site = next((site for site in sites if site.of_passes), None)
+    site = next((site for site in sites if site.passes), None)
     if site is None:
         return
     line, given = site.endpoint.line, site.endpoint.expression

@@ -12,6 +12,7 @@ from .constants import Known
 from .log_uses import told
 from .name_texts import texts_saying
 from .references import Reference, Use, Variable, references, variable_of
+from .runs import LOOPS
 from .scopes import BindingKind, Scope
 
 _HOLDERS = frozenset({"dictionary", "list", "pair", "tuple"})
@@ -57,6 +58,9 @@ class NameUses:
         if is_told or parent is None:
             return is_told
         if parent.type == "assignment" and _is_child(parent, "right", text):
+            target = parent.child_by_field_name("left")
+            return target is not None and self.are_harmless(variable_of(target, self._analysis))
+        if parent.type in LOOPS and _is_child(parent, "right", text):
             target = parent.child_by_field_name("left")
             return target is not None and self.are_harmless(variable_of(target, self._analysis))
         if parent.type == "argument_list" and parent.parent is not None:
@@ -161,7 +165,9 @@ class NameUses:
 
 
 def _binds(use: Reference) -> bool:
-    return use.use in (Use.BINDING, Use.NOTHING)
+    loop = use.node.parent
+    is_taken = loop is not None and loop.type in LOOPS and _is_child(loop, "left", use.node)
+    return is_taken or use.use in (Use.BINDING, Use.NOTHING)
 
 
 def _is_child(parent: Node | None, name: str, node: Node) -> bool:

@@ -19,6 +19,7 @@ from .conventions import conventions_of
 from .name_uses import NameUses
 from .references import variable_of
 from .removal import waits
+from .runs import EVERYWHERE
 from .scopes import BindingKind, Scope
 from .splices import Splice, apply
 from .told_names import retell
@@ -113,7 +114,9 @@ def _said(analysis: Analysis, site: Site, new: str, waiting: Sequence[Node]) -> 
     for node, scope in places:
         if node is None:
             raise NotNamedError(site)
-        yield _traced(analysis, site, new, node, scope)
+        for world in site.passes or (EVERYWHERE,):
+            with analysis.resolver.during(world):
+                yield _traced(analysis, site, new, node, scope)
 
 
 def _traced(analysis: Analysis, site: Site, new: str, node: Node, scope: Scope) -> _Said:
@@ -128,7 +131,7 @@ def _traced(analysis: Analysis, site: Site, new: str, node: Node, scope: Scope) 
         site,
         node,
         new,
-        isinstance(folded, Known) and not is_given,
+        isinstance(folded, Known) and not is_given and not site.passes,
         tuple(each for each in strings if _content(analysis, each) == folded.value),
         handed,
         tuple(each for each in read if each.type == "call"),

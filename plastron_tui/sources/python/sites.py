@@ -318,9 +318,9 @@ class _Finder:
         if owner is not None and not self._a.resolver.derives_from(owner, self._node_classes):
             owner = self.heir(owner) or owner
         is_guess = shape.node is None and self._may_be_other(holder, scope)
-        for endpoint, of_passes in created_by(self._a, call, shape, scope, arguments):
+        for endpoint, passes in created_by(self._a, call, shape, scope, arguments):
             found = endpoint._replace(is_guess=endpoint.is_guess or is_guess)
-            site = Site(found, call, scope, receiver, owner, arguments, shape, of_passes)
+            site = Site(found, call, scope, receiver, owner, arguments, shape, passes)
             sites.append(site)
 
     def _may_be_other(self, holder: Node | None, scope: Scope) -> bool:

@@ -1,4 +1,4 @@
-"""What one call creates again and again is shown, carried over, and not changed one by one."""
+"""What one call creates again and again: it is shown, and one gets another name at most."""
 
 from __future__ import annotations
 
@@ -18,7 +18,6 @@ TEXTS = [
 STRING, BOOL = InterfaceName("std_msgs", "String"), InterfaceName("std_msgs", "Bool")
 CHANGES = [
     Remove(PUB, "left", AT),
-    Rename(PUB, "left", "up", AT),
     Update(PUB, "left", Publisher("left", BOOL, [], AT), AT),
 ]
 
@@ -32,6 +31,30 @@ def test_one_of_several_endpoints_of_a_call_is_not_changed(text, change):
     assert found.code == "edit-refused"
     assert found.message.endswith("creates the publisher `left` among others")
     assert found.help == "change by hand what gives `side` its values"
+
+
+RENAMED = [
+    *TEXTS,
+    TEXTS[0].replace("('left', 'right')", "SIDES").replace("for", "SIDES = ['left', 'right']\nfor"),
+    f"{HEAD}all = [rospy.Publisher(side, String) for side in ('left', 'right')]\n",
+    f"{HEAD}for side, rate in (('left', 1), ('right', 2)):\n    rospy.Publisher(side, String)\n",
+    TEXTS[0] + "    rospy.loginfo('to %s', side)\n",
+    TEXTS[1] + "make('left')\n",
+]
+
+
+@pytest.mark.parametrize("text", RENAMED)
+def test_one_of_several_endpoints_of_a_call_gets_another_name(text):
+    assert edited(text, Rename(PUB, "left", "up", AT)) == text.replace("'left'", "'up'")
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["    work(side)", "    rospy.Publisher(side + '/out', String)", "    sides.append(side)"],
+)
+def test_what_serves_others_in_a_pass_gives_no_other_name(line):
+    (found,) = edit(f"{TEXTS[0]}{line}\n", Rename(PUB, "left", "up", AT)).diagnostics
+    assert found.message.endswith("creates the publisher `left` among others")
 
 
 @pytest.mark.parametrize("text", TEXTS)
