@@ -256,7 +256,7 @@ class Edits:
             if len(kept) != 1 or removal.lines:
                 raise NotInPlaceError
             self._take_out(removal)
-        for _ in sites if callback is None else sites[:1]:
+        for _ in sites if callback is None and sites else [change]:
             self._update_site(change)
 
     def _update_site(self, change: Update) -> None:

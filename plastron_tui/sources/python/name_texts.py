@@ -10,6 +10,8 @@ from tree_sitter import Node
 
 from .analysis import Analysis
 
+# Frames of tf and attributes often have the names of topics.
+_OTHER = re.compile(rb"frame|transform|\btf|(has|get|set)attr", re.IGNORECASE)
 _NAME_PART = re.compile(rb"[/_]")
 
 
@@ -20,6 +22,7 @@ class NameText(NamedTuple):
         node: the string.
         start: the byte where the name begins, with the `/` or `~` before it.
         end: the byte behind it.
+        written: the name as the string says it.
         is_whole: whether the string says nothing else.
         is_sure: whether it is no plain word that may mean something else.
     """
@@ -27,6 +30,7 @@ class NameText(NamedTuple):
     node: Node
     start: int
     end: int
+    written: str
     is_whole: bool
     is_sure: bool
 
@@ -47,7 +51,16 @@ def texts_saying(analysis: Analysis, name: str) -> Iterator[NameText]:
         is_whole = [analysis.syntax.slice(each).lstrip("~/") for each in parts] == [bare]
         around = analysis.syntax.text[node.start_byte : node.end_byte]
         is_sure = bool(_NAME_PART.search(found[0]) or _called(bare).search(around))
-        yield NameText(node, found.start(), found.end(), is_whole, is_sure)
+        written = found[0].decode()
+        yield NameText(node, found.start(), found.end(), written, is_whole, is_sure)
+
+
+def is_other_name(analysis: Analysis, text: NameText) -> bool:
+    """Whether the line of a text speaks of something else that has names."""
+    source = analysis.syntax.text
+    start = source.rfind(b"\n", 0, text.node.start_byte) + 1
+    end = source.find(b"\n", text.node.end_byte)
+    return bool(_OTHER.search(source, start, end if end >= 0 else len(source)))
 
 
 def _called(name: str) -> re.Pattern[bytes]:

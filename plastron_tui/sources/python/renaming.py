@@ -125,18 +125,26 @@ def _traced(analysis: Analysis, site: Site, new: str, node: Node, scope: Scope) 
         raise NotNamedError(site)
     read = {each.id: each for each in analysis.resolver.read_for(node, scope)}.values()
     strings = [each for each in read if each.type == "string"]
-    handed = tuple(each for each in read if _is_variable(each))
-    is_given = any(_is_parameter(analysis, each) for each in handed)
+    literals = tuple(each for each in strings if _content(analysis, each) == folded.value)
+    is_given = any(_is_variable(each) and _is_parameter(analysis, each) for each in read)
+    handing = [each for each in read if _gives(analysis, each, literals)]
     return _Said(
         site,
         node,
         new,
         isinstance(folded, Known) and not is_given and not site.passes,
-        tuple(each for each in strings if _content(analysis, each) == folded.value),
-        handed,
-        tuple(each for each in read if each.type == "call"),
-        tuple(each for each in read if each.type == "subscript"),
+        literals,
+        tuple(each for each in handing if _is_variable(each)),
+        tuple(each for each in handing if each.type == "call"),
+        tuple(each for each in handing if each.type == "subscript"),
     )
+
+
+def _gives(analysis: Analysis, node: Node, literals: Sequence[Node]) -> bool:
+    """Whether one of some strings decides an expression, and is not beside it in a text."""
+    scope = analysis.scopes.at(node.start_byte)
+    decided = {each.id for each in analysis.resolver.read_for(node, scope)}
+    return any(each.id in decided for each in literals)
 
 
 def _is_variable(node: Node) -> bool:

@@ -12,7 +12,7 @@ from plastron_tui.model.source import Change, Remove, Rename, Update
 from .analysis import Analysis
 from .creation import line_of
 from .log_uses import is_only_told
-from .name_texts import texts_saying
+from .name_texts import is_other_name, texts_saying
 
 # A message that lists more lines than these is not read.
 _MOST_LINES = 8
@@ -58,8 +58,11 @@ def _old_name(change: Change) -> tuple[str | None, Span | None]:
 def _texts(analysis: Analysis, name: str) -> Iterator[Node]:
     """Yield the texts of a file that are a name, or that log it."""
     for text in texts_saying(analysis, name):
+        is_alike = (text.written[0] in "~/") == (name[0] in "~/")
+        is_spelled = is_alike or "/" in text.written
+        is_said = text.is_whole and is_spelled and not is_other_name(analysis, text)
         is_told = text.is_sure and is_only_told(analysis, text.node)
-        if not _is_default(text.node) and (text.is_whole or is_told):
+        if not _is_default(text.node) and (is_said or is_told):
             yield text.node
 
 

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterator, Mapping
 
 from plastron_tui.ros.names import name_as_written
 
 from .analysis import Analysis, Site
-from .name_texts import NameText, texts_saying
+from .name_texts import NameText, is_other_name, texts_saying
 from .name_uses import NameUses
 from .splices import Splice
-
-# `no transform from /map to /odom`: frames of tf often have the names of topics.
-_FRAMES = re.compile(r"frame|transform|\btf", re.IGNORECASE)
 
 
 def retell(
@@ -39,8 +35,9 @@ def retell(
             continue
         for text in texts_saying(analysis, old):
             splice = _respelled(analysis, text, old, next(iter(found)))
-            is_frame = not text.is_whole and _FRAMES.search(analysis.syntax.slice(text.node))
-            if splice is None or is_frame or not text.is_sure or text.node.id in said:
+            if splice is None or not text.is_sure or text.node.id in said:
+                continue
+            if is_other_name(analysis, text):
                 continue
             if uses.is_harmless(text.node):
                 yield splice
@@ -50,7 +47,7 @@ def _respelled(analysis: Analysis, text: NameText, old: str, new: str) -> Splice
     """Return the splice of a name, which may leave out the `/` or the `~` that both begin with."""
     version, syntax = analysis.library.ros_version, analysis.syntax
     old, new = name_as_written(old, version), name_as_written(new, version)
-    written = syntax.between(text.start, text.end)
+    written = text.written
     if written == old:
         return Splice(text.start, text.end, syntax.encode(new))
     is_alike = _prefix(old) == _prefix(new) != "" and written == old[len(_prefix(old)) :]

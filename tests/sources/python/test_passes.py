@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from edits import AT, PUB, SUB, edit, edited, publish
 
-from plastron_tui.model.kinds import Publisher
+from plastron_tui.model.kinds import Publisher, Subscription
 from plastron_tui.model.source import Remove, Rename, Update
 from plastron_tui.ros.interfaces import InterfaceName
 
@@ -63,8 +63,11 @@ def test_what_is_added_leaves_them_alone(text):
     assert all(line in after for line in text.splitlines())
 
 
-def test_what_an_object_of_a_library_creates_is_not_taken_out():
-    rendered = edit(f"{HEAD}import tf\nlistener = tf.TransformListener()\n", Remove(SUB, "/tf", AT))
+@pytest.mark.parametrize(
+    "change", [Remove(SUB, "/tf", AT), Update(SUB, "/tf", Subscription("/tf", BOOL, None, AT), AT)]
+)
+def test_what_an_object_of_a_library_creates_is_not_taken_out(change):
+    rendered = edit(f"{HEAD}import tf\nlistener = tf.TransformListener()\n", change)
     assert rendered.files is None
     (found,) = rendered.diagnostics
     message = "the subscription `/tf` is a part of `tf.TransformListener` in line 6"

@@ -56,6 +56,12 @@ ROSPY = {
         TOPIC,
         {"'a'": "'b/c'"},
     ),
+    "what stands behind something else": (
+        "def make(prefix=''):\n    rospy.Subscriber(prefix + 'a', String, f)\n"
+        "    rospy.Subscriber(prefix + 'c', String, f)\n    work(prefix)\n\n\nmake()\n",
+        TOPIC,
+        {"'a'": "'b/c'"},
+    ),
     "a default": (
         "t = rospy.get_param('~topic', 'a')\nrospy.Subscriber(t, String, f)\n",
         "n renames parameter '~topic' to '~in'",

@@ -25,6 +25,8 @@ TOLD = {
 }
 SAYING = {
     "print('transform of /robot/words')": True,
+    "msg.header.frame_id = '/robot/words'": False,
+    "print(hasattr(node, 'robot/words'))": False,
     "warn_no_remap('/robot/words')": True,
     "x = {'robot/words': 1}": True,
     "rospy.loginfo('listening on /robot/words/more')": False,
