@@ -30,6 +30,7 @@ class Pit(object):
 def main():
 	rospy.init_node("pit")
 	Pit().look()
+	rospy.spin()
 
 
 if __name__ == "__main__":
