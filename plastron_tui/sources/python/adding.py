@@ -31,15 +31,17 @@ from .conventions import (
 from .dialect import Dialect
 from .existing_callbacks import check_parameters, existing_callback
 from .function_place import FunctionPlace, function_place, method_place
-from .insertion_point import beside, find_place, running_place
+from .insertion_point import find_place, running_place
 from .lifecycle import destroy_created, is_transition
 from .messages import CannotAddError
+from .place import beside
 from .removal import callback_scope
 from .scopes import Scope
 from .sending import add_calls, add_publishing, keep_running
 from .shared_names import shared_name
 from .signatures import parameter_names, signatures_of
-from .surroundings import holds_handles, is_attribute_style, starts_section
+from .surroundings import holds_handles, is_attribute_style, starts_section, timers_below
+from .waits import Waits
 from .writing import Writer
 
 _METHODS = {
@@ -56,6 +58,12 @@ _CLASSES = {
 }
 # A plain name, which may be another one's profile as well.
 _NAME = re.compile(r"[\w.]+")
+# What a node has besides what creates endpoints.
+_ONLY_OF_NODES = frozenset(
+    {"create_timer", "declare_parameter", "destroy_node", "get_clock", "get_logger"}
+    | {"get_parameter"}
+)
+_OF_NODES = _ONLY_OF_NODES | {*_METHODS.values()}
 _QUEUE = re.compile(r"[1-9]\d{0,5}$")
 
 
@@ -83,6 +91,9 @@ def plan_addition(
         message = f"the file has no line behind which it could create `{name}` once, as it starts"
         remedy = "add it to the file that makes the node"
         raise CannotAddError(codes.EDIT_REFUSED, message, endpoint.span, remedy)
+    if callback_of(endpoint) is None:
+        # A callback that the file has may use what it waits for.
+        place = Waits(node).step_before(place, kind)
     if is_sending(endpoint):
         place = running_place(node, place)
     added = Addition.at(place, analysis, kind, endpoint, catalog, dialect)
@@ -94,10 +105,14 @@ def plan_addition(
         lines = _create(added)
         if (note := shared_name(added)) is not None:
             writer.notes.append(note)
+    sending: list[str] = []
     if isinstance(endpoint, Publisher):
-        lines += add_publishing(added, endpoint)
+        sending = add_publishing(added, endpoint)
     elif isinstance(endpoint, Client):
-        lines += add_calls(added, endpoint)
+        sending = add_calls(added, endpoint)
+    timers = timers_below(analysis, added.place) if len(sending) == 1 else None
+    if timers is None:
+        lines += sending
     if not isinstance(endpoint, Client):
         keep_running(added)
     destroy_created(added, lines)
@@ -105,11 +120,36 @@ def plan_addition(
     if lines:
         gap = [""] if starts_section(analysis, added.place, kind) else []
         writer.lines(added.place.offset, added.place.indent, [*gap, *lines])
+    if timers is not None:
+        writer.lines(timers.offset, timers.indent, sending)
+    _check_methods(added)
     # A method may go right behind the statements: these come first then.
     imported = added.imports.splices()
     writer.has_imports = bool(imported)
     writer.splices = [*imported, *writer.splices, *functions]
     return writer
+
+
+def _check_methods(added: Addition) -> None:
+    """Refuse to call a node's methods on what the file does not show to be a node.
+
+    A class of another file may have methods of the same names, and not all of them.
+    """
+    owner, receiver = added.place.owner, added.place.receiver
+    if owner is None or not receiver or receiver != added.place.self_name:
+        return
+    resolver, classes = added.analysis.resolver, added.analysis.library.node_classes
+    if resolver.derives_from(owner, classes) or any(
+        "node" in name.lower() for name in resolver.foreign_bases(owner)
+    ):
+        return
+    shown = re.findall(rf"\b{receiver}\.(\w+)\(", added.analysis.syntax.slice(owner.node))
+    missing = _OF_NODES & added.writer.words - {*shown}
+    if missing and _ONLY_OF_NODES.isdisjoint(shown):
+        message = f"the file does not show that `{owner.name}` is a node: it may not have"
+        message += f" `{min(missing)}`"
+        remedy = "add it to the file that makes the node"
+        raise CannotAddError(codes.EDIT_REFUSED, message, added.endpoint.span, remedy)
 
 
 def _use_present(added: Addition, present: list[Site]) -> None:

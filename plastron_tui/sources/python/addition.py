@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 
+from tree_sitter import Node
+
 from plastron_tui.model.kinds import Endpoint
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.model.unique_names import numbered
@@ -17,8 +19,8 @@ from .calls import Argument
 from .conventions import conventions_of
 from .dialect import Dialect
 from .handed_on import HandedOn
-from .insertion_point import Place
 from .messages import Messages
+from .place import Place
 from .references import identifiers
 from .scopes import Scope
 from .typeimports import FileImports
@@ -162,4 +164,15 @@ class Addition:
             for site in self.analysis.sites
             if site.endpoint.kind is kind and site.scope is self.place.scope
             for given in [site.arguments.get(argument)]
+            if given is None or self._is_set(given)
         ]
+
+    def _is_set(self, given: Node) -> bool:
+        """Whether a name that another endpoint is given has its value where the new one is made."""
+        scope, owner = self.place.scope, self.place.owner
+        holder, dot, name = self.analysis.syntax.slice(given).partition(".")
+        found = scope.bindings.get(holder, [])
+        if dot and owner is not None and holder == self.place.self_name:
+            found = owner.attributes.get(name, [])
+        own = [each.node.start_byte for each in found if each.scope is scope]
+        return not own or min(own) < self.place.offset

@@ -10,7 +10,7 @@ from tree_sitter import Node
 
 from .analysis import Analysis
 from .conventions import leading_space
-from .insertion_point import Place
+from .place import Place
 from .removal import definition
 from .scopes import Scope
 from .splices import before_comments, line_end, line_start

@@ -10,7 +10,7 @@ from .addition import Addition
 from .analysis import Analysis
 from .conventions import leading_space, target_name
 from .function_place import method_place
-from .insertion_point import Place
+from .place import Place
 from .references import statement_of
 from .scopes import Scope
 from .splices import line_end, line_start

@@ -88,6 +88,8 @@ class Starting:
             return When.START
         if self._is_root(function):
             return When.START
+        if _is_property(function):
+            return When.ON_DEMAND
         is_starting = function in self._starting
         if self._is_let_go(site, function) and not (
             is_starting and site.endpoint.kind is not EndpointKind.CLIENT
@@ -165,6 +167,16 @@ class Starting:
             each.type == "identifier" and self._analysis.syntax.slice(each) not in outer
             for each in names
         )
+
+
+def _is_property(function: Scope) -> bool:
+    """Whether a function runs when somebody reads an attribute."""
+    around = function.node.parent
+    decorators = around.children if around is not None else []
+    return any(
+        each.type == "decorator" and re.match(rb"@[\w.]*property\b", each.text or b"")
+        for each in decorators
+    )
 
 
 def _is_repeated(call: Node) -> bool:

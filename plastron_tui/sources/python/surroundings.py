@@ -6,8 +6,10 @@ from plastron_tui.model.source import EndpointKind
 
 from .analysis import Analysis, Site
 from .conventions import target_name
-from .insertion_point import KINDS, Place, climb
+from .insertion_point import KINDS
+from .place import Place, beside, climb
 from .references import statement_of
+from .waits import Waits
 
 # What has no use unless something holds it.
 _HELD = (EndpointKind.PUBLISHER, EndpointKind.CLIENT)
@@ -60,6 +62,8 @@ def starts_section(analysis: Analysis, place: Place, kind: EndpointKind) -> bool
     indent = place.indent.encode()
     for number, line in enumerate(reversed(above)):
         own = line.lstrip()
+        if own.startswith((b"#!", b"def ", b"class ", b"import ", b"from ")):
+            return False
         depth = len(line) - len(own)
         if not own or depth < len(indent) or not line.startswith(indent):
             return False
@@ -68,6 +72,23 @@ def starts_section(analysis: Analysis, place: Place, kind: EndpointKind) -> bool
         if number == 0 and depth > len(indent):
             return not own.startswith((b")", b"]", b"}"))
     return False
+
+
+def timers_below(analysis: Analysis, place: Place) -> Place | None:
+    """Return the place behind a function's timers, where they are a section below another place."""
+    timers = [
+        site
+        for site in analysis.sites
+        if site.endpoint.kind is EndpointKind.TIMER
+        and site.scope.enclosing("function") is place.scope
+    ]
+    found = beside(analysis, timers[-1]) if timers else None
+    block = place.statement.parent
+    if found is None or block is None or Waits(analysis).is_behind(timers[-1]):
+        return None
+    is_same_block = found.statement.parent is not None and found.statement.parent.id == block.id
+    between = analysis.syntax.text[place.offset : found.offset].splitlines()
+    return found if is_same_block and not all(map(bytes.strip, between)) else None
 
 
 def _is_repeated(site: Site) -> bool:

@@ -18,10 +18,10 @@ from .dialect import Dialect
 from .existing_callbacks import check_parameters, misfit
 from .generated import body_of, is_stub
 from .handed_on import HandedOn, handed_by_call, handed_by_partial
-from .insertion_point import beside
 from .leftovers import stub_callbacks
 from .lost import written_anew
 from .message_filters import hands_on, takers
+from .place import beside
 from .removal import callback_scope
 from .renaming import NotNamedError, plan_names
 from .replacing import NotInPlaceError, Replacement

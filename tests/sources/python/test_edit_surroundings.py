@@ -137,15 +137,6 @@ CASES = {
             ("node('n')\n", "node('n')\n    rospy.Subscriber('in', String, in_callback)\n"),
         ],
     ),
-    "where there is no other, before the return": (
-        LIBRARY,
-        LISTEN,
-        [
-            ("String\n\n\n", "String\n\n\ndef in_callback(message):\n"
-                             '    rospy.loginfo("in: %s", message)\n\n\n'),
-            ("    return", '    rospy.Subscriber("in", String, in_callback)\n    return'),
-        ],
-    ),
     "a method that does not see the node prints": (
         LOCAL,
         LISTEN,

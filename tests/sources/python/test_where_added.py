@@ -148,19 +148,7 @@ MADE_FOR_EACH = (
     "        self.pub = rospy.Publisher(name, String, queue_size=1)\n\n\n"
     "rospy.init_node('legs')\nlegs = [Leg(name) for name in ('a', 'b')]\nrospy.spin()\n"
 )
-WAITED_FOR = (
-    f"{ROSPY}class Arm:\n    def __init__(self):\n"
-    "        self.home = rospy.ServiceProxy('home', Trigger)\n"
-    "        self.home.wait_for_service()\n        self.is_home = False\n"
-)
-
 PLACES = {
-    "behind what waits for a service": (
-        WAITED_FOR,
-        publish("out"),
-        "        self.home.wait_for_service()\n"
-        "        self.out_pub = rospy.Publisher('out', String, queue_size=10)\n",
-    ),
     "where an object is made that subscribes when asked": (
         WHEN_ASKED,
         publish("out"),
@@ -298,6 +286,14 @@ NO_PLACES = {
     "a timer that a function waits for": (
         f"{RCLPY}def sleep(node, seconds):\n    timer = node.create_timer(seconds, print)\n"
         "    rclpy.spin_once(node)\n    timer.cancel()\n"
+    ),
+    "a function that makes an endpoint for who calls it": (
+        f"{ROSPY}def listen(topic, callback):\n"
+        "    return rospy.Subscriber(topic, String, callback)\n"
+    ),
+    "an attribute that makes its endpoint when it is read": (
+        f"{RCLPY}class Plugin(Base):\n    @cached_property\n    def pub(self):\n"
+        "        self._pub = self.create_publisher(String, 'a', 10)\n        return self._pub\n"
     ),
     "a line that goes on for as long as the node": (
         "import rclpy\nfrom rclpy.node import Node\n\n\n"
