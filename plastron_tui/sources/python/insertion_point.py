@@ -40,10 +40,10 @@ def find_place(analysis: Analysis, kind: EndpointKind) -> Place | None:
             continue
         if has_class and _is_in_helper(analysis, site):
             continue
-        is_other = site.endpoint.kind is not kind
-        rank = (is_other and waits.is_behind(site), is_other, starting.when(site))
-        if rank not in last and (place := beside(analysis, site)) is not None:
-            last[rank] = place
+        if (place := beside(analysis, site)) is not None:
+            is_other = site.endpoint.kind is not kind
+            rank = (is_other and waits.is_behind(place), is_other, starting.when(site))
+            last.setdefault(rank, place)
     ready = [rank for rank in last if rank[2] <= When.SETTING_UP]
     if ready:
         return _once_named(analysis, last[min(ready)])

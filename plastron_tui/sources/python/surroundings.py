@@ -84,7 +84,7 @@ def timers_below(analysis: Analysis, place: Place) -> Place | None:
     ]
     found = beside(analysis, timers[-1]) if timers else None
     block = place.statement.parent
-    if found is None or block is None or Waits(analysis).is_behind(timers[-1]):
+    if found is None or block is None or Waits(analysis).is_behind(found):
         return None
     is_same_block = found.statement.parent is not None and found.statement.parent.id == block.id
     between = analysis.syntax.text[place.offset : found.offset].splitlines()

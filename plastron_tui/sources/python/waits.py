@@ -43,10 +43,9 @@ class Waits:
             for function, statements in found.items()
         }
 
-    def is_behind(self, site: Site) -> bool:
-        """Whether a call site runs when its function has waited."""
-        waits = self._of.get(_function(self._analysis, site.call), [])
-        return any(each.start_byte < site.call.start_byte for each in waits)
+    def is_behind(self, place: Place) -> bool:
+        """Whether a place comes when its function has waited."""
+        return any(each.start_byte < place.offset for each in self._of.get(place.scope, ()))
 
     def step_before(self, place: Place, kind: EndpointKind) -> Place:
         """Return a place before the waits above another, if an endpoint of a kind may go there.
@@ -93,7 +92,8 @@ class Waits:
             for each in bindings
             if each.scope is function and each.node.start_byte >= function.start
         ]
-        return None if any(end > place.offset for end in ends) else max(ends, default=0)
+        before = [end for end in ends if end <= place.offset]
+        return max(before, default=None if ends else 0)
 
     def _is_for(self, wait: Node, site: Site | None) -> bool:
         """Whether a statement waits for an endpoint, or for what that is made with."""

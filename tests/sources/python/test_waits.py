@@ -129,6 +129,28 @@ def test_what_is_new_comes_behind(case: str) -> None:
     assert "'out'" in after.splitlines()[0] or "'in'" in after.splitlines()[0]
 
 
+@pytest.mark.parametrize("change", CHANGES[:-1])
+def test_what_is_new_comes_beside_what_does_not_wait(change) -> None:
+    sub = "        self.a = self.create_subscription(String, 'a', self.on_a, 1)\n"
+    body = (
+        f"{sub}        name = 'home'\n        self.home = self.create_client(Trigger, name)\n"
+        "        self.home.wait_for_service()\n"
+    )
+    _, _, after = edited(RCLPY.format(body), change).partition(sub)
+    assert "'out'" in after.splitlines()[0]
+
+
+def test_a_node_may_be_let_go_of_later() -> None:
+    body = (
+        "        pass\n\n\ndef main():\n    node = None\n    node = rclpy.create_node('n')\n"
+        "    cli = node.create_client(Trigger, 'home')\n    if not cli.wait_for_service():\n"
+        "        return\n    rclpy.spin(node)\n    node = None\n\n\nmain()\n"
+    )
+    text = "import rclpy\nfrom std_srvs.srv import Trigger\n\n\ndef work():\n"
+    _, _, after = edited(text + body, provide("out")).partition("create_node('n')\n")
+    assert "'out'" in after.splitlines()[0]
+
+
 def test_what_is_new_does_not_use_what_comes_later() -> None:
     body = (
         "        future = self.ask()\n        rclpy.spin_until_future_complete(self, future)\n"
