@@ -40,7 +40,13 @@ from .scopes import Scope
 from .sending import add_calls, add_publishing, keep_running
 from .shared_names import shared_name
 from .signatures import parameter_names, signatures_of
-from .surroundings import holds_handles, is_attribute_style, starts_section, timers_below
+from .surroundings import (
+    holds_handles,
+    is_attribute_style,
+    is_followed,
+    starts_section,
+    timers_below,
+)
 from .waits import Waits
 from .writing import Writer
 
@@ -118,8 +124,9 @@ def plan_addition(
     destroy_created(added, lines)
     functions, writer.splices = writer.splices, []
     if lines:
-        gap = [""] if starts_section(analysis, added.place, kind) else []
-        writer.lines(added.place.offset, added.place.indent, [*gap, *lines])
+        if starts_section(analysis, added.place, kind):
+            lines = ["", *lines, *[""] * is_followed(analysis, added.place)]
+        writer.lines(added.place.offset, added.place.indent, lines)
     if timers is not None:
         writer.lines(timers.offset, timers.indent, sending)
     _check_methods(added)

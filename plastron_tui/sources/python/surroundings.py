@@ -69,9 +69,16 @@ def starts_section(analysis: Analysis, place: Place, kind: EndpointKind) -> bool
             return False
         if own.startswith(b"#") and depth == len(indent):
             return number > 0
-        if number == 0 and depth > len(indent):
-            return not own.startswith((b")", b"]", b"}"))
+        if number == 0 and depth > len(indent) and place.statement.type != "expression_statement":
+            return True
     return False
+
+
+def is_followed(analysis: Analysis, place: Place) -> bool:
+    """Whether a statement of the same block is on the line below a place."""
+    below = analysis.syntax.text[place.offset :].partition(b"\n")[0]
+    indent = place.indent.encode()
+    return below.startswith(indent) and bool(below[len(indent) :].rstrip())
 
 
 def timers_below(analysis: Analysis, place: Place) -> Place | None:

@@ -31,10 +31,9 @@ STARTS = {
 def test_a_node_has_started(case: str) -> None:
     above, _, below = STARTS[case].partition("+")
     indent = below[: len(below) - len(below.lstrip())]
-    after = edited(
-        HEAD + above.removesuffix("\n\n") + "\n" * above.endswith("\n\n") + below, publish("out")
-    )
-    assert after == HEAD + above + PUB.format(indent) + below
+    gap = "\n" * above.endswith("\n\n")
+    after = edited(HEAD + above.removesuffix(gap) + below, publish("out"))
+    assert after == HEAD + above + PUB.format(indent) + gap + below
 
 
 CLASSES = "import rclpy\n{}from std_msgs.msg import String\n\n\n{}"
@@ -117,6 +116,18 @@ LOGS = {
 def test_a_log_stays_with_what_it_tells_of(log: str) -> None:
     after = edited(SECTIONS.format(f"        {log}\n"), publish("out"))
     assert (after.index(log.strip()) < after.index("'out'")) is LOGS[log]
+
+
+@pytest.mark.parametrize("is_wrapped", [True, False])
+@pytest.mark.parametrize("heading", ["", "\n        # Publishers\n        self.a = 1\n"])
+def test_what_starts_a_section_is_parted_from_what_follows(heading: str, is_wrapped: bool) -> None:
+    head, _, _ = SECTIONS.partition("        self.pub")
+    queue = ",\n            queue_size=1)" if is_wrapped else ", queue_size=1)"
+    pub = f"        self.pub = rospy.Publisher('a', String{queue}\n        self.n = 1\n"
+    text = f"{head}{heading}{pub}\n\nArm()\nrospy.spin()\n"
+    gap = "\n" * bool(heading)
+    new = "        rospy.Subscriber('in', String, self.on_in)\n"
+    assert f"queue_size=1)\n{gap}{new}{gap}        self.n = 1\n" in edited(text, subscribe("in"))
 
 
 def test_a_section_does_not_begin_above_a_function() -> None:
