@@ -121,10 +121,25 @@ class Addition:
     def receiver_in_callback(self) -> str:
         """Return what a callback calls the node, "" where it cannot see it."""
         if self.is_method_place:
-            return self.place.receiver or self.place.self_name
+            return self._held_receiver or self.place.receiver or self.place.self_name
         found = self.place.scope.lookup(self.place.receiver.partition(".")[0])
         is_global = found is not None and found[0].parent is None
         return self.place.receiver if is_global else ""
+
+    @property
+    def _held_receiver(self) -> str:
+        """The attribute by which an object holds the node that its method gets, "" for none."""
+        attributes = self.place.owner.attributes if self.place.owner is not None else {}
+        for name, bindings in attributes.items():
+            value = bindings[0].value if len(bindings) == 1 else None
+            if (
+                value is not None
+                and bindings[0].scope is self.place.scope
+                and value.start_byte < self.place.offset
+                and self.analysis.syntax.slice(value) == self.place.receiver
+            ):
+                return f"{self.place.self_name}.{name}"
+        return ""
 
     @property
     def is_nested(self) -> bool:
@@ -149,7 +164,8 @@ class Addition:
     def is_method_place(self) -> bool:
         """Whether the methods of the class around the endpoint see the node as it does."""
         holder = self.place.receiver.partition(".")[0]
-        return self.place.owner is not None and holder in ("", self.place.self_name)
+        is_seen = holder in ("", self.place.self_name) or bool(self._held_receiver)
+        return self.place.owner is not None and is_seen
 
     def callback_group(self, kind: EndpointKind) -> str:
         """Return the callback group that all endpoints of a kind beside this one are in."""

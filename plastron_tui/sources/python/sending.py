@@ -202,7 +202,7 @@ def add_calls(added: Addition, client: Client) -> list[str]:
 def _call_rclpy(added: Addition, name: str, summary: str, requests: list[str]) -> list[str]:
     """Call once from a timer, so that the node goes on while the service answers."""
     timer = _timer_variable(added)
-    receiver = added.place.receiver
+    receiver = added.receiver_in_callback() or added.place.receiver
     quote = added.writer.conventions.quote
     # A call that waits would hold up all else that the node does.
     body = [

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from plastron_tui.model.source import EndpointKind
 
 from .analysis import Analysis, Site
@@ -13,6 +15,7 @@ from .waits import Waits
 
 # What has no use unless something holds it.
 _HELD = (EndpointKind.PUBLISHER, EndpointKind.CLIENT)
+_HEADING = re.compile(rb"publish|subscri|service|client|server|timer", re.IGNORECASE)
 # The lines of a section that are looked at.
 _MOST_OF_SECTION = 20
 
@@ -54,7 +57,8 @@ def holds_handles(analysis: Analysis, place: Place, kind: EndpointKind) -> bool:
 def starts_section(analysis: Analysis, place: Place, kind: EndpointKind) -> bool:
     """Whether a blank line parts an endpoint from the statements above it.
 
-    They are under a comment that speaks of another kind, or a block of their own.
+    They are under a comment that speaks of endpoints or of the last one, or under one of several,
+    or a block of their own.
     """
     if place.beside is not None and place.beside.endpoint.kind is kind:
         return False
@@ -68,7 +72,10 @@ def starts_section(analysis: Analysis, place: Place, kind: EndpointKind) -> bool
         if not own or depth < len(indent) or not line.startswith(indent):
             return False
         if own.startswith(b"#") and depth == len(indent):
-            return number > 0
+            row = analysis.syntax.text.count(b"\n", 0, place.offset) - 1 - number
+            is_of_last = row == place.statement.start_point.row - 1
+            is_ended = analysis.syntax.text[place.offset :].startswith(indent + b"#")
+            return number > 0 and (is_of_last or is_ended or _HEADING.search(own) is not None)
         if number == 0 and depth > len(indent) and place.statement.type != "expression_statement":
             return True
     return False

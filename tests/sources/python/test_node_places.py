@@ -119,15 +119,50 @@ def test_a_log_stays_with_what_it_tells_of(log: str) -> None:
 
 
 @pytest.mark.parametrize("is_wrapped", [True, False])
-@pytest.mark.parametrize("heading", ["", "\n        # Publishers\n        self.a = 1\n"])
-def test_what_starts_a_section_is_parted_from_what_follows(heading: str, is_wrapped: bool) -> None:
+@pytest.mark.parametrize(
+    ("heading", "is_section"),
+    [
+        ("", False),
+        ("\n        # Publishers\n        self.a = 1\n", True),
+        ("\n        # State\n        self.a = 1\n", False),
+        ("\n        # State\n", True),
+    ],
+)
+def test_what_starts_a_section_is_parted_from_what_follows(
+    heading: str, is_section: bool, is_wrapped: bool
+) -> None:
     head, _, _ = SECTIONS.partition("        self.pub")
     queue = ",\n            queue_size=1)" if is_wrapped else ", queue_size=1)"
     pub = f"        self.pub = rospy.Publisher('a', String{queue}\n        self.n = 1\n"
     text = f"{head}{heading}{pub}\n\nArm()\nrospy.spin()\n"
-    gap = "\n" * bool(heading)
+    gap = "\n" * is_section
     new = "        rospy.Subscriber('in', String, self.on_in)\n"
     assert f"queue_size=1)\n{gap}{new}{gap}        self.n = 1\n" in edited(text, subscribe("in"))
+
+
+HELD = (
+    "import rclpy\nfrom std_msgs.msg import String\n\n\nclass Eye:\n"
+    "    def __init__(self, node):\n        self._node = node\n"
+    "        self.pub = node.create_publisher(String, 'a', 10)\n"
+)
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_a_method_uses_the_node_that_its_object_holds(change) -> None:
+    after = edited(HELD, change)
+    assert "        def " not in after
+    assert "print(" not in after
+    assert "node.create_" in after.partition("'a', 10)\n")[2]
+
+
+def test_a_section_ends_where_the_next_begins() -> None:
+    head, _, _ = SECTIONS.partition("        self.pub")
+    start = "        # State\n        self.a = 1\n        self.b = 1\n"
+    wait = "        # Map\n        m = rospy.wait_for_message('map', String)\n"
+    wait += "        self.pub = rospy.Publisher('a', String, queue_size=len(m))\n"
+    new = "        self.in_sub = rospy.Subscriber('in', String, self.on_in)\n"
+    after = edited(f"{head}{start}{wait}\n\nArm()\nrospy.spin()\n", subscribe("in"))
+    assert f"{start}\n{new}\n{wait}" in after
 
 
 def test_a_section_does_not_begin_above_a_function() -> None:
