@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import pairwise
 
 from tree_sitter import Node
 
@@ -14,6 +16,7 @@ from .place import Place
 from .removal import definition
 from .scopes import Scope
 from .splices import before_comments, line_end, line_start
+from .syntax import parts_of
 
 _TELLS_END = re.compile(rb"#+ *end\b", re.I)
 
@@ -38,19 +41,18 @@ def method_place(analysis: Analysis, place: Place, near: Iterable[Scope]) -> Fun
     node = definition(behind)
     indent = leading_space(analysis, node)
     offset = _end_with_comments(text, line_end(text, node.end_byte), indent)
-    return FunctionPlace(offset, indent, _method_gap(analysis, node), 0)
+    return FunctionPlace(offset, indent, _method_gap(node), 0)
 
 
-def _method_gap(analysis: Analysis, node: Node) -> int:
-    """Return how many blank lines stand between the methods of a class."""
-    for other in (node.next_named_sibling, node):
-        previous = other.prev_named_sibling if other is not None else None
-        if other is None or previous is None or not other.type.endswith("_definition"):
-            continue
-        if previous.type.endswith("_definition"):
-            gap = int(other.start_point.row) - int(previous.end_point.row) - 1
-            return min(max(gap, 0), 2)
-    return 1
+def _method_gap(node: Node) -> int:
+    """Return how many blank lines stand between the methods of a class, most often."""
+    methods = [each for each in parts_of(node.parent) if each.type.endswith("_definition")]
+    gaps = Counter(
+        min(int(below.start_point.row) - int(above.end_point.row) - 1, 2)
+        for above, below in pairwise(methods)
+        if above.next_named_sibling is not None and above.next_named_sibling.id == below.id
+    )
+    return max(max(gaps, key=lambda gap: (gaps[gap], gap)), 0) if gaps else 1
 
 
 def _end_with_comments(text: bytes, offset: int, indent: str) -> int:

@@ -171,3 +171,18 @@ def test_a_section_does_not_begin_above_a_function() -> None:
         "    print(msg)\nrospy.init_node('n')\nrospy.Subscriber('a', String, on_a)\nrospy.spin()\n"
     )
     assert "on_a)\nout_pub = rospy.Publisher(" in edited(text, publish("out"))
+
+
+@pytest.mark.parametrize(
+    ("gaps", "expected"), [((1, 1, 0), 1), ((0, 0, 1), 0), ((2, 1, 2), 2), ((1, 2), 2), ((5,), 2)]
+)
+def test_methods_are_as_far_apart_as_most_of_the_class(
+    gaps: tuple[int, ...], expected: int
+) -> None:
+    methods = "".join(
+        "\n" * gap + f"    def go_{at}(self):\n        pass\n" for at, gap in enumerate(gaps)
+    )
+    head = SECTIONS.partition("        self.timer")[0].format("")
+    text = f"{head}{methods}\n\nArm()\nrospy.spin()\n"
+    above = edited(text, subscribe("in")).partition("    def on_in(")[0]
+    assert len(above) - len(above.rstrip("\n")) - 1 == expected
