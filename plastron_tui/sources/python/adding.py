@@ -146,9 +146,8 @@ def _check_methods(added: Addition) -> None:
     if owner is None or not receiver or receiver != added.place.self_name:
         return
     resolver, classes = added.analysis.resolver, added.analysis.library.node_classes
-    if resolver.derives_from(owner, classes) or any(
-        "node" in name.lower() for name in resolver.foreign_bases(owner)
-    ):
+    bases = resolver.foreign_bases(owner)
+    if not classes.isdisjoint(bases) or any("node" in name.lower() for name in bases):
         return
     shown = re.findall(rf"\b{receiver}\.(\w+)\(", added.analysis.syntax.slice(owner.node))
     missing = _OF_NODES & added.writer.words - {*shown}

@@ -144,10 +144,16 @@ def _is_setup(analysis: Analysis, site: Site, callbacks: set[int]) -> bool:
 
 
 def _is_in_helper(analysis: Analysis, site: Site) -> bool:
-    """Whether a call site is in a class that is no node, but gets one."""
+    """Whether a call site is in a class that is no node, nor a part of one, but gets one."""
     owner = site.scope.enclosing("class")
-    classes = analysis.library.node_classes
-    return owner is not None and not analysis.resolver.derives_from(owner, classes)
+    if owner is None or analysis.resolver.derives_from(owner, analysis.library.node_classes):
+        return False
+    kin = {
+        owner,
+        *analysis.resolver.classes.bases(owner),
+        *analysis.resolver.classes.derived(owner),
+    }
+    return all(node.owner not in kin for node in analysis.nodes)
 
 
 def _is_in_callback(site: Site, callbacks: set[int]) -> bool:

@@ -140,6 +140,18 @@ def test_what_starts_a_section_is_parted_from_what_follows(
     assert f"queue_size=1)\n{gap}{new}{gap}        self.n = 1\n" in edited(text, subscribe("in"))
 
 
+def test_a_node_may_start_in_a_method_of_its_base() -> None:
+    sub = "        self.sub = self.create_subscription(String, 'a', self.on_a, 10)\n"
+    text = (
+        "import rclpy\nimport base\nfrom std_msgs.msg import String\n\n\n"
+        "class Arm(base.BaseNode):\n    def __init__(self):\n"
+        "        base.BaseNode.__init__(self, 'arm')\n        self.n = 1\n\n"
+        "    def on_a(self, msg):\n        pass\n\n    def main(self):\n"
+        f"        base.BaseNode.main(self)\n{sub}\n\nrclpy.init()\nArm().main()\n"
+    )
+    assert f"{sub}        self.in_sub = " in edited(text, subscribe("in"))
+
+
 HELD = (
     "import rclpy\nfrom std_msgs.msg import String\n\n\nclass Eye:\n"
     "    def __init__(self, node):\n        self._node = node\n"
