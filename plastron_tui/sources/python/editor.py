@@ -19,13 +19,14 @@ from .edits import Edits, Found, RefusedError, endpoints_of
 from .guessed_names import tell_guessed_names
 from .imports import restore_imports
 from .keeps_running import never_called
+from .line_limit import line_limit
 from .messages import CannotAddError
 from .sites import analyze
 from .splices import apply
 from .still_named import tell_still_named
 from .uncalled import tell_uncalled
 from .unresolved import Meanings, lost_names, meanings
-from .wrapping import line_limit, wrap_new_lines
+from .wrapping import wrap_new_lines
 
 
 def edit_python(

@@ -15,14 +15,42 @@ ROS_2 = 99
 ROS_1 = 79
 """What PEP 8 allows; http://wiki.ros.org/PyStyleGuide goes by it, and few files do."""
 
+BLACK = 88
+"""What black breaks lines for where nobody says more."""
+
 _LARGEST = 64 * 1024
-_FILES = (".flake8", "setup.cfg", "tox.ini", "pyproject.toml", "ruff.toml", ".ruff.toml")
-_TABLES = frozenset({"flake8", "pycodestyle", "pep8", "tool.ruff", "tool.flake8", "tool.black"})
-_HEAD = re.compile(r"\s*\[([\w.-]+)\]\s*(?:#.*)?$")
+_FILES = (
+    ".flake8",
+    "ament_flake8.ini",
+    "setup.cfg",
+    "tox.ini",
+    ".pycodestyle",
+    "pyproject.toml",
+    "ruff.toml",
+    ".ruff.toml",
+    ".pylintrc",
+    "pylintrc",
+)
+# What checks a length goes before what lines are broken for, and pylint last.
+_TABLES = (
+    "flake8",
+    "pycodestyle",
+    "pep8",
+    "tool.flake8",
+    "tool.pycodestyle",
+    "tool.ruff.lint.pycodestyle",
+    "tool.ruff",
+    "tool.black",
+    "tool.pylint.format",
+    "tool.pylint.main",
+    "format",
+    "master",
+    "main",
+)
+_HEAD = re.compile(r"""\s*\[([\w."' -]+)\]\s*(?:#.*)?$""")
+_QUOTES = str.maketrans("", "", "\"' ")
 _ENTRY = re.compile(r"\s*(?:max[-_])?line[-_]length\s*[=:]\s*(\d{2,3})\b")
 
-# What is above the package and the repository of a file says nothing about it.
-_ROOTS = (".git", "package.xml")
 _MOST_FOLDERS = 12
 
 
@@ -44,23 +72,21 @@ def find_line_length(file: Path) -> int | None:
 
 def said_line_length(text: str, name: str) -> int | None:
     """Return the length that the text of a settings file says; ruff's goes before black's."""
-    table, found = "tool.ruff" if name.endswith("ruff.toml") else "", dict[str, int]()
+    above = "tool.ruff" if name.endswith("ruff.toml") else ""
+    table, found = above, dict[str, int]()
     for line in text.splitlines():
         if (head := _HEAD.match(line)) is not None:
-            table = head[1]
-        elif table in _TABLES and (entry := _ENTRY.match(line)) is not None:
-            found.setdefault(table, int(entry[1]))
-    black = found.pop("tool.black", None)
-    return next(iter(found.values()), black)
+            table = ".".join(filter(None, (above, head[1].translate(_QUOTES).lower())))
+            if table == "tool.black":
+                found[table] = BLACK
+        elif (entry := _ENTRY.match(line)) is not None:
+            found[table] = int(entry[1])
+    return next((found[each] for each in _TABLES if each in found), None)
 
 
 def _folders(file: Path) -> list[Path]:
-    """Return the folders from a file's up to its repository, or else to its package."""
+    """Return the folders from a file's up to its repository, or else to the home folder."""
     home = Path(os.path.expanduser("~"))  # noqa: PTH111 (never raises)
     folders = [*takewhile(lambda each: each != home, file.absolute().parents)][:_MOST_FOLDERS]
-    roots = [
-        number
-        for number, folder in enumerate(folders)
-        if any(os.path.lexists(folder / root) for root in _ROOTS)
-    ]
-    return folders[: roots[-1] + 1 if roots else 1]
+    roots = [number for number, each in enumerate(folders) if os.path.lexists(each / ".git")]
+    return folders[: roots[-1] + 1 if roots else None]

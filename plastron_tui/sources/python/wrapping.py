@@ -4,20 +4,23 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from dataclasses import replace
 from difflib import SequenceMatcher
 
 from tree_sitter import Node
 
 from .layout import Brackets, fit
-from .line_length import ROS_1, ROS_2
+from .line_limit import LineLimit
 from .references import statement_of
 from .splices import Splice, apply, line_start
 from .syntax import Syntax, parts_of
 
-# PEP 8, black, and what teams agree on.
-_USUAL = (ROS_1, 88, 100, 120)
-# So many lines may be longer than what a file keeps to.
-_FEW = 2
+Broken = dict[str, list[Node]]
+
+# Statements with a body below them.
+_HEADS = frozenset(
+    {"function_definition", "if_statement", "for_statement", "while_statement", "with_statement"}
+)
 
 # So many broken calls tell how a file breaks them.
 _MOST_CALLS = 200
@@ -28,14 +31,7 @@ _ALIKE = 0.8
 _BLOCK = re.compile(rb"^([ \t]*)[^\s#][^\n]*:[ \t]*\r?\n\1([ \t]+)[^\s#]", re.M)
 
 
-def line_limit(text: bytes, library: str, said: int | None) -> int:
-    """Return how long the lines of a file may be: as its settings say, or as it keeps to."""
-    if said is not None:
-        return said
-    return _longest(text, ROS_2 if library == "rclpy" else ROS_1)
-
-
-def wrap_new_lines(before: bytes, syntax: Syntax, limit: int) -> bytes:
+def wrap_new_lines(before: bytes, syntax: Syntax, limit: LineLimit) -> bytes:
     """Break the lines of a text that are too long, and were not before an edit.
 
     Args:
@@ -46,25 +42,25 @@ def wrap_new_lines(before: bytes, syntax: Syntax, limit: int) -> bytes:
     known, after = {line.rstrip() for line in before.splitlines()}, syntax.text
     splices: list[Splice] = []
     gone: list[str] | None = None
-    style: Brackets | None = None
+    broken: Broken | None = None
     at = 0
     for line in after.splitlines(keepends=True):
         start, at = at, at + len(line)
         written = line.rstrip()
         text = syntax.between(start, start + len(written))
-        if len(text) <= limit or written in known:
+        if len(text) <= limit.length or written in known or limit.allows(text):
             continue
         if gone is None:
             gone = _long_lines(known - {each.rstrip() for each in after.splitlines()}, limit)
-        if not any(_is_like(text, each) for each in gone):
-            style = style or _brackets(syntax, limit)
-            splices += _wrap(syntax, start, start + len(written), style)
+        if not any(limit.allows_instead(text, each) and _is_like(text, each) for each in gone):
+            broken = broken or _broken(syntax)
+            splices += _wrap(syntax, start, start + len(written), broken, limit.length)
     return apply(after, splices) if splices else after
 
 
-def _long_lines(lines: set[bytes], limit: int) -> list[str]:
+def _long_lines(lines: set[bytes], limit: LineLimit) -> list[str]:
     decoded = (line.decode("utf-8", "replace") for line in lines)
-    return [line for line in decoded if len(line) > limit][:_MOST_LINES]
+    return [line for line in decoded if len(line) > limit.length - limit.slack][:_MOST_LINES]
 
 
 def _is_like(line: str, other: str) -> bool:
@@ -73,15 +69,7 @@ def _is_like(line: str, other: str) -> bool:
     return match.quick_ratio() > _ALIKE and match.ratio() > _ALIKE
 
 
-def _longest(text: bytes, allowed: int) -> int:
-    """Return the usual limit that the lines of code keep to, but for a few."""
-    code = (line.rstrip() for line in text.splitlines() if not line.lstrip().startswith(b"#"))
-    lengths = sorted((len(line.decode("utf-8", "replace")) for line in code), reverse=True)
-    longest = next(iter(lengths[_FEW:]), 0)
-    return next((each for each in (allowed, *_USUAL) if longest <= each >= allowed), longest)
-
-
-def _wrap(syntax: Syntax, start: int, end: int, style: Brackets) -> list[Splice]:
+def _wrap(syntax: Syntax, start: int, end: int, broken: Broken, limit: int) -> list[Splice]:
     text = syntax.between(start, end)
     first = start + len(text) - len(text.lstrip())
     newline = "\r\n" if syntax.text[end : end + 2] == b"\r\n" else "\n"
@@ -93,9 +81,9 @@ def _wrap(syntax: Syntax, start: int, end: int, style: Brackets) -> list[Splice]
         head, _, names = text.partition(" import ")
         text = f"{head} import ({names})"
     if statement.start_byte == first:
-        broken = fit(text, style)
-        if broken != text:
-            return [Splice(start, end, syntax.encode(broken.replace("\n", newline)))]
+        fitted = fit(text, _brackets(syntax, statement, broken, limit))
+        if fitted != text:
+            return [Splice(start, end, syntax.encode(fitted.replace("\n", newline)))]
     return _break_before_last(syntax, start, end, newline)
 
 
@@ -126,28 +114,56 @@ def _break_before_last(syntax: Syntax, start: int, end: int, newline: str) -> li
     return [Splice(own[-2].end_byte + 1, own[-1].start_byte, written)]
 
 
-def _brackets(syntax: Syntax, limit: int) -> Brackets:
-    """Find out how a file breaks its calls."""
-    found: Counter[Brackets] = Counter()
+def _brackets(syntax: Syntax, statement: Node, broken: Broken, limit: int) -> Brackets:
+    """Find out how a file breaks what is like a statement, or else its calls."""
+    is_head = statement.type == "function_definition"
+    calls = broken["arguments"]
+    name = syntax.called_name(_call_of(statement))
+    alike = [each for each in calls if name and syntax.called_name(each.parent) == name]
+    models = (broken["parameters"] if is_head else alike) or calls
     indent = _indent(syntax)
-    lists = syntax.captures("arguments").get("arguments", [])
-    for arguments in [each for each in lists if _is_broken(each)][:_MOST_CALLS]:
-        items = parts_of(arguments)
-        rows = [item.start_point.row for item in items]
-        last = items[-1]
-        found[
-            Brackets(
-                limit,
-                indent,
-                is_visual=rows[0] == arguments.start_point.row and "\t" not in indent,
-                is_closed_apart=last.end_point.row < arguments.end_point.row,
-                is_each_apart=len(items) > 2 and len(set(rows)) == len(rows),
-                has_comma=syntax.text[last.end_byte : last.end_byte + 1] == b",",
-                splits_strings=False,
-            )
-        ] += 1
+    found = Counter(_manner(syntax, each, limit, indent) for each in models[-_MOST_CALLS:])
     usual = Brackets(limit, indent, splits_strings=False)
-    return found.most_common(1)[0][0] if found else usual
+    style = found.most_common(1)[0][0] if found else usual
+    if statement.type in _HEADS and not style.is_closed_apart:
+        # What stands as deep as the body below it is not told from it: pycodestyle's E125.
+        style = replace(style, indent=indent * 2)
+    return style
+
+
+def _call_of(statement: Node) -> Node | None:
+    """Return the call that a statement is, or assigns."""
+    node: Node | None = statement
+    while node is not None and node.type != "call":
+        if node.type not in ("expression_statement", "assignment", "return_statement", "await"):
+            return None
+        node = node.child_by_field_name("right") or next(iter(node.named_children), None)
+    return node
+
+
+def _manner(syntax: Syntax, arguments: Node, limit: int, indent: str) -> Brackets:
+    """Return how a call is broken."""
+    items = parts_of(arguments)
+    rows = [item.start_point.row for item in items]
+    last = items[-1]
+    return Brackets(
+        limit,
+        indent,
+        is_visual=rows[0] == arguments.start_point.row and "\t" not in indent,
+        is_closed_apart=last.end_point.row < arguments.end_point.row,
+        is_each_apart=len(items) > 2 and len(set(rows)) == len(rows),
+        has_comma=syntax.text[last.end_byte : last.end_byte + 1] == b",",
+        splits_strings=False,
+    )
+
+
+def _broken(syntax: Syntax) -> Broken:
+    """Return the calls and the heads of functions that a file breaks."""
+    captured = syntax.captures("arguments")
+    return {
+        name: [each for each in captured.get(name, []) if _is_broken(each)]
+        for name in ("arguments", "parameters")
+    }
 
 
 def _is_broken(arguments: Node) -> bool:

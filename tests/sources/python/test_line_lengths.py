@@ -13,8 +13,9 @@ from plastron_tui.model.source import Update
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.sources.python import edit_python, read_python
 from plastron_tui.sources.python.line_length import find_line_length, said_line_length
+from plastron_tui.sources.python.line_limit import LineLimit, line_limit
 from plastron_tui.sources.python.syntax import parse
-from plastron_tui.sources.python.wrapping import line_limit, wrap_new_lines
+from plastron_tui.sources.python.wrapping import wrap_new_lines
 
 NODE = """\
 from rclpy.node import Node
@@ -102,8 +103,8 @@ def test_a_replaced_argument_goes_on_a_line_of_its_own():
 def test_a_line_that_was_too_long_stays_one():
     line = "sub = node.create_subscription(String, {}, callback_with_a_long_name, queue_of_ten)\n"
     before, after = (line.format(f"'{name}'").encode() for name in ("text", "texts"))
-    assert wrap_new_lines(before, parse(after), 60) == after
-    assert wrap_new_lines(b"", parse(after), 60) != after
+    assert wrap_new_lines(before, parse(after), LineLimit(60)) == after
+    assert wrap_new_lines(b"", parse(after), LineLimit(60)) != after
 
 
 TEXTS = ["s = '''\n{}(a, b)\n'''\n", "# {}(a, b)\n", "x = '{}'\n"]
@@ -112,7 +113,7 @@ TEXTS = ["s = '''\n{}(a, b)\n'''\n", "# {}(a, b)\n", "x = '{}'\n"]
 @pytest.mark.parametrize("text", TEXTS)
 def test_what_is_no_code_is_not_broken(text):
     after = text.format("word" * 20).encode()
-    assert wrap_new_lines(b"", parse(after), 60) == after
+    assert wrap_new_lines(b"", parse(after), LineLimit(60)) == after
 
 
 LISTS = ["lambda a, b: a", "c for b, c in d", "*a"]
@@ -121,7 +122,7 @@ LISTS = ["lambda a, b: a", "c for b, c in d", "*a"]
 @pytest.mark.parametrize("item", LISTS)
 def test_a_comma_of_an_item_parts_nothing(item):
     after = f"function({'x' * 40}, [{item}])\n".encode()
-    assert wrap_new_lines(b"", parse(after), 30) == (
+    assert wrap_new_lines(b"", parse(after), LineLimit(30)) == (
         f"function(\n    {'x' * 40},\n    [{item}],\n)\n".encode()
     )
 
@@ -129,7 +130,7 @@ def test_a_comma_of_an_item_parts_nothing(item):
 def test_a_long_import_is_broken():
     names = ", ".join(f"Name{number}" for number in range(8))
     after = f"from package.msg import {names}\n".encode()
-    broken = wrap_new_lines(b"", parse(after), 70)
+    broken = wrap_new_lines(b"", parse(after), LineLimit(70))
     assert broken == f"from package.msg import (\n    {names}\n)\n".encode()
 
 
@@ -138,7 +139,9 @@ SETTINGS = {
     "setup.cfg": ("[develop]\nline-length = 1\n[flake8]\nmax_line_length=88 # wide\n", 88),
     "tox.ini": ("[tox]\nenvlist = x\n[pycodestyle]\nmax-line-length: 100\n", 100),
     "pyproject.toml": ("[tool.black]\nline-length = 90\n[tool.ruff]\nline-length = 91\n", 91),
-    "ruff.toml": ("line-length = 120\n", 120),
+    "ruff.toml": ("line-length = 120\n[lint.pycodestyle]\nmax-line-length = 110\n", 110),
+    "ament_flake8.ini": ("[flake8]\nignore = E1\nmax-line-length = 101\n", 101),
+    ".pylintrc": ("[FORMAT]\n# usual\nmax-line-length=95\n", 95),
 }
 
 
@@ -151,11 +154,26 @@ def test_settings_say_the_length(name, tmp_path):
     folder.mkdir(parents=True)
     (package / "package.xml").touch()
     (tmp_path / name).write_text(text)
-    assert find_line_length(folder / "node.py") is None, "above the package"
+    assert find_line_length(folder / "node.py") == length, "in no repository"
+    (package / ".git").mkdir()
+    assert find_line_length(folder / "node.py") is None, "above the repository"
     (tmp_path / ".git").mkdir()
     assert find_line_length(folder / "node.py") == length
     (folder / ".flake8").write_text("[flake8]\nmax-line-length = 70\n")
     assert find_line_length(folder / "node.py") == 70
+
+
+@pytest.mark.parametrize(
+    ("text", "length"),
+    [
+        ("[tool.black]\nskip-string-normalization = true\n", 88),
+        ("[tool.pylint.'FORMAT']\nmax-line-length = 100\n", 100),
+        ("[tool.black]\n[tool.ruff]\nline-length = 99\n", 99),
+        ("[tool.isort]\nline_length = 70\n", None),
+    ],
+)
+def test_a_table_says_the_length(text, length):
+    assert said_line_length(text, "pyproject.toml") == length
 
 
 def test_settings_that_cannot_be_read_say_nothing(tmp_path):
@@ -169,4 +187,56 @@ def test_settings_that_cannot_be_read_say_nothing(tmp_path):
 @pytest.mark.parametrize(("long", "limit"), [(0, 99), (2, 99), (3, 120), (9, 120)])
 def test_a_few_lines_do_not_tell_what_a_file_keeps_to(long, limit):
     text = "x = 1\n" * 20 + ("y = " + "1" * 110 + "\n") * long
-    assert line_limit(text.encode(), "rclpy", None) == limit
+    assert line_limit(text.encode(), "rclpy", None).length == limit
+
+
+def call_of(function: str, length: int) -> str:
+    return f"{function}({'a' * (length - 6)}, b)\n"
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "is_broken"),
+    [
+        ([("f", 110)], ("f", 105), False),
+        ([("f", 110)], ("f", 115), True),
+        ([("g", 110)], ("f", 105), True),
+        ([("f", 79)], ("f", 85), False),
+        ([("f", 70)], ("f", 99), True),
+    ],
+)
+def test_a_guess_breaks_no_line_like_others(before, after, is_broken):
+    text = "".join(call_of(*each) for each in before)
+    limit = line_limit(text.encode(), "rospy", None)
+    new = call_of(*after)
+    kept = text if len(new) > 90 else ""
+    wrapped = wrap_new_lines(text.encode(), parse((kept + new).encode()), limit).decode()
+    assert (wrapped != kept + new) == is_broken
+
+
+def test_what_is_broken_tells_what_a_file_keeps_to():
+    call = f"first_name = function_{'x' * 40}(\n    first_argument_of_it, second\n)\n"
+    assert 88 < len(call.replace("\n", "")) < 99
+    assert line_limit((call * 2).encode(), "rclpy", None).length == 79
+    assert line_limit((call * 2 + "#\nx = " + "1" * 80).encode(), "rclpy", None).length == 88
+    assert line_limit(call.encode(), "rclpy", None).length == 99
+
+
+HEADS = {
+    "its own manner": ("def f(\n    a, b\n):\n    pass\n", "(\n    {}, b: int\n):\n"),
+    "the calls' manner": ("f(\n    1, 2)\n", "(\n        {}, b: int):\n"),
+}
+
+
+@pytest.mark.parametrize("case", HEADS)
+def test_a_long_head_is_broken(case):
+    above, expected = HEADS[case]
+    after = f"{above}def give_it({'a' * 50}, b: int):\n    pass\n"
+    wrapped = wrap_new_lines(above.encode(), parse(after.encode()), LineLimit(70)).decode()
+    assert f"def give_it{expected.format('a' * 50)}    pass\n" in wrapped
+
+
+def test_a_call_is_broken_as_those_of_the_same_name():
+    above = "f(\n    1,\n    2,\n    3,\n)\n" + "g(1,\n  2, 3)\n" * 3
+    after = f"{above}f({'a' * 60}, 2, 3)\n"
+    wrapped = wrap_new_lines(above.encode(), parse(after.encode()), LineLimit(60)).decode()
+    assert wrapped == f"{above}f(\n    {'a' * 60},\n    2,\n    3,\n)\n"

@@ -15,9 +15,10 @@ from plastron_tui.sources.python.analysis import Analysis, Site
 from plastron_tui.sources.python.calls import LIBRARIES
 from plastron_tui.sources.python.compiling import syntax_error
 from plastron_tui.sources.python.editor import not_encodable
+from plastron_tui.sources.python.line_limit import LineLimit, line_limit
 from plastron_tui.sources.python.sites import analyze
 from plastron_tui.sources.python.syntax import parse
-from plastron_tui.sources.python.wrapping import line_limit, wrap_new_lines
+from plastron_tui.sources.python.wrapping import wrap_new_lines
 
 from .contexts import without_contexts
 from .port_state import COMMENT, SEPARATOR, Mark, Work
@@ -65,7 +66,7 @@ def port_python(
         return Rendered(None, (not_encodable(source, error),))
 
 
-def _ported(source: SourceUnit, work: Work, library: str, limit: int) -> Rendered:
+def _ported(source: SourceUnit, work: Work, library: str, limit: LineLimit) -> Rendered:
     """Rewrite the file, and read the result.
 
     Raises:
@@ -80,7 +81,7 @@ def _ported(source: SourceUnit, work: Work, library: str, limit: int) -> Rendere
         if is_open and not _is_absolute(work, given):
             work.mark(site.call, _name_of(endpoint.expression), _CHECK)
         _mark_type(work, site)
-    made = without_contexts(work.result(limit))
+    made = without_contexts(work.result(limit.length))
     made = without_unused(made, _LEFT[source.library], work.freed)
     text = wrap_new_lines(source.files.main, parse(made), limit)
     lines = _comment_lines(text)

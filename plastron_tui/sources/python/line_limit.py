@@ -1,0 +1,120 @@
+"""How long a line that an edit writes may be: as settings say it, or as the file's others are."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter, defaultdict
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+from .line_length import ROS_1, ROS_2
+
+# PEP 8, black, and what teams agree on.
+_USUAL = (ROS_1, 88, 100, 120)
+# So many lines may be longer than what a file keeps to.
+_FEW = 2
+# So many calls that would fit on a line tell that a file keeps to less.
+_SEVERAL = 2
+_MOST_ROWS = 12
+# A line that a word more makes too long is left as it is where nobody said what is too long.
+_WORD = 12
+
+_SUBJECT = re.compile(r"\s*(?:async\s+)?(?:(def|class|from|import)\b|[^#'\"(]*?(\w+)\()")
+_OPEN, _CLOSED = re.compile(r"[(\[{]"), re.compile(r"[)\]}]")
+
+
+@dataclass(frozen=True, slots=True)
+class LineLimit:
+    """How long the lines of a file may be.
+
+    Attributes:
+        length: what the settings around the file say, or what it keeps to.
+        slack: how much more a line may have that was there, and of which a word changed.
+        longest: by what a line calls or defines, how long the file has it on one line.
+    """
+
+    length: int
+    slack: int = 0
+    longest: Mapping[str, int] = field(default_factory=dict)
+
+    def allows(self, line: str) -> bool:
+        """Whether a line is short enough, or as long as others of the file that do the same."""
+        return len(line) <= max(self.length, self.longest.get(_subject(line), 0))
+
+    def allows_instead(self, line: str, old: str) -> bool:
+        """Whether a line may stand for an old one, by the length of both."""
+        return len(old) > self.length or len(line) <= self.length + self.slack
+
+
+def line_limit(text: bytes, library: str, said: int | None) -> LineLimit:
+    """Find out how long the lines of a file may be.
+
+    Args:
+        text: the file.
+        library: its client library.
+        said: what the settings around it say, None where they say nothing.
+    """
+    if said is not None:
+        return LineLimit(said)
+    lines = text.decode("utf-8", "replace").splitlines()
+    code = [line.rstrip() for line in lines if not line.lstrip().startswith("#")]
+    allowed = ROS_2 if library == "rclpy" else ROS_1
+    lengths = sorted(map(len, code), reverse=True)
+    longest = next(iter(lengths[_FEW:]), 0)
+    length = next((each for each in (allowed, *_USUAL) if longest <= each >= allowed), _USUAL[-1])
+    if longest <= allowed:
+        length = _kept_to(code, max(lengths, default=0), allowed)
+    is_checked = length == ROS_2 and lengths[0] <= length if lengths else False
+    return LineLimit(length, 0 if is_checked else _WORD, _longest(code, length))
+
+
+def _kept_to(code: list[str], longest: int, allowed: int) -> int:
+    """Return the limit below the allowed one for which a file breaks what would fit, if any."""
+    joined = [len(each) for each in _rejoined(code)]
+    less = [each for each in _USUAL if longest <= each < allowed]
+    return next((each for each in less if _lie_between(joined, each, allowed)), allowed)
+
+
+def _lie_between(lengths: list[int], least: int, most: int) -> bool:
+    return sum(least < each <= most for each in lengths) >= _SEVERAL
+
+
+def _rejoined(code: list[str]) -> Iterator[str]:
+    """Yield each statement that brackets break, on one line."""
+    for at, first in enumerate(code):
+        whole = first
+        for line in code[at + 1 : at + _MOST_ROWS] if _is_open(first) else ():
+            if "#" in whole:
+                break
+            part = line.strip()
+            if _CLOSED.match(part):
+                whole = whole.removesuffix(",") + part
+            else:
+                whole += part if whole[-1:] in "([{" else f" {part}"
+            if not _is_open(whole):
+                yield whole
+                break
+
+
+def _longest(code: list[str], limit: int) -> dict[str, int]:
+    """Return how long lines of a subject are that are too long, and are more than the broken."""
+    broken = Counter(_subject(line) for line in code if _is_open(line))
+    found = defaultdict[str, list[int]](list)
+    for line in code:
+        if len(line) > limit and not _is_open(line):
+            found[_subject(line)].append(len(line))
+    return {
+        subject: max(lengths)
+        for subject, lengths in found.items()
+        if subject and len(lengths) >= broken[subject]
+    }
+
+
+def _is_open(line: str) -> bool:
+    return len(_OPEN.findall(line)) > len(_CLOSED.findall(line))
+
+
+def _subject(line: str) -> str:
+    """Return what a line defines or calls first: `def`, `import`, `create_timer`, "" for none."""
+    found = _SUBJECT.match(line)
+    return (found[1] or found[2]) if found is not None else ""
