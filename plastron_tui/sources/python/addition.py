@@ -19,6 +19,7 @@ from .calls import Argument
 from .conventions import conventions_of
 from .dialect import Dialect
 from .handed_on import HandedOn
+from .loggers import Filling, filling_of, own_logger, prints
 from .messages import Messages
 from .place import Place
 from .references import identifiers
@@ -108,15 +109,30 @@ class Addition:
         return self.imports.library("rospy", name, scope)
 
     def log(self, level: str, value: str, *, in_callback: bool = True) -> str:
-        """Return a statement that logs a value of the endpoint."""
-        quote = self.writer.conventions.quote
-        if not self.is_rclpy:
-            function = "loginfo" if level == "info" else "logerr"
-            logger = self.rospy(function, in_callback=in_callback)
-            return f"{logger}({quote}{self.label}: %s{quote}, {value})"
-        receiver = self.receiver_in_callback()
-        printed = f"f{quote}{self.label}: {{{value}}}{quote}"
-        return f"{receiver}.get_logger().{level}({printed})" if receiver else f"print({printed})"
+        """Return a statement that logs a value of the endpoint, as the file logs its others."""
+        logger = own_logger(self.analysis, self.place, level)
+        if not logger and not self.is_rclpy:
+            logger = self.rospy({"info": "loginfo"}.get(level, "logerr"), in_callback=in_callback)
+        elif not logger:
+            logger = self._node_logger(level, in_callback=in_callback)
+        usual = Filling.INTERPOLATED if self.is_rclpy else Filling.ARGUMENT
+        filling = filling_of(self.analysis, usual)
+        if filling is Filling.ARGUMENT and self.is_rclpy:
+            # The loggers of rclpy take no arguments.
+            filling = usual
+        return f"{logger}({filling.fill(self.writer.conventions.quote, self.label, value)})"
+
+    def _node_logger(self, level: str, *, in_callback: bool) -> str:
+        """Return what logs for a node of rclpy, from where the node may not be seen."""
+        receiver = self.receiver_in_callback() if in_callback else self.place.receiver
+        names = {node.name for node in self.analysis.nodes}
+        name = names.pop() if len(names) == 1 else None
+        if receiver:
+            return f"{receiver}.get_logger().{level}"
+        if name is None or prints(self.analysis):
+            return "print"
+        get_logger = self.imports.use("rclpy.logging", "get_logger")
+        return f"{get_logger}({self.writer.conventions.string(name)}).{level}"
 
     def receiver_in_callback(self) -> str:
         """Return what a callback calls the node, "" where it cannot see it."""

@@ -14,9 +14,9 @@ from .scopes import Scope
 from .syntax import parts_of
 
 _SENDING = re.compile(r"_?(publish|call)(_|[A-Z])")
-_LOGGERS = frozenset({"loginfo", "info", "print"})
-# `chatter: %s`, `chatter: {message}`: what a stub logs.
-_LABELLED = re.compile(r"[\w/~]+: (%s|\{\w+\})$")
+_LOGGERS = frozenset({"loginfo", "log_info", "_loginfo", "_log_info", "info", "print"})
+# `chatter: %s`, `chatter: {}`, `chatter: {message}`: what a stub logs.
+_LABELLED = re.compile(r"[\w/~]+: (%s|\{\w*\})$")
 
 
 def body_of(function: Scope) -> list[Node]:
@@ -100,12 +100,22 @@ def _is_log(analysis: Analysis, call: Node, parameters: list[str]) -> bool:
         return False
     if analysis.syntax.called_name(call) not in _LOGGERS:
         return False
-    given = [_content(analysis, node) for node in parts_of(arguments)]
+    given = [part for node in parts_of(arguments) for part in _filled(analysis, node)]
     return (
         bool(given)
-        and bool(_LABELLED.match(given[0]))
-        and all(_is_message(analysis, node, parameters) for node in parts_of(arguments))
+        and bool(_LABELLED.match(_content(analysis, given[0])))
+        and all(_is_message(analysis, node, parameters) for node in given)
     )
+
+
+def _filled(analysis: Analysis, node: Node) -> list[Node]:
+    """Return a text and what `%` or `format` puts into it, or else the node."""
+    if node.type == "binary_operator":
+        return [each for each in node.named_children if each.type != "comment"]
+    callee = node.child_by_field_name("function")
+    if callee is None or analysis.syntax.called_name(node) != "format":
+        return [node]
+    return [*callee.named_children[:1], *parts_of(node.child_by_field_name("arguments"))]
 
 
 def _content(analysis: Analysis, node: Node) -> str:

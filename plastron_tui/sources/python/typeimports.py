@@ -173,7 +173,7 @@ class FileImports(Imports):
     def splices(self) -> list[Splice]:
         """Return what adds the new imports to the file."""
         splices = []
-        for (home, module), every in self._new.items():
+        for (home, module), every in sorted(self._new.items()):
             names = sorted(every, key=lambda symbol: member_key(symbol[0]))
             statement = self._extendable(home, module)
             if self._has_line_each(home):

@@ -120,11 +120,14 @@ def _brackets(syntax: Syntax, statement: Node, broken: Broken, limit: int) -> Br
     calls = broken["arguments"]
     name = syntax.called_name(_call_of(statement))
     alike = [each for each in calls if name and syntax.called_name(each.parent) == name]
-    models = (broken["parameters"] if is_head else alike) or calls
+    own = broken["parameters"] if is_head else alike
+    models = own or calls
     indent = _indent(syntax)
     found = Counter(_manner(syntax, each, limit, indent) for each in models[-_MOST_CALLS:])
     usual = Brackets(limit, indent, splits_strings=False)
     style = found.most_common(1)[0][0] if found else usual
+    if is_head and not own:
+        style = replace(style, is_each_apart=False)
     if statement.type in _HEADS and not style.is_closed_apart:
         # What stands as deep as the body below it is not told from it: pycodestyle's E125.
         style = replace(style, indent=indent * 2)

@@ -180,8 +180,10 @@ CASES = {
         OTHER_STRING,
         LISTEN,
         [
-            ("import rclpy\n", "import rclpy\nfrom std_msgs.msg import String as StdMsgsString\n"
-                               "\n\ndef on_in(message):\n    print(f'in: {message}')\n"),
+            ("import rclpy\n", "import rclpy\nfrom rclpy.logging import get_logger\n"
+                               "from std_msgs.msg import String as StdMsgsString\n"
+                               "\n\ndef on_in(message):\n"
+                               "    get_logger('n').info(f'in: {message}')\n"),
             ("'a', 10)\n", "'a', 10)\n"
                            "    node.create_subscription(StdMsgsString, 'in', on_in, 10)\n"),
         ],

@@ -1,7 +1,9 @@
 """Functions and names as the file writes its own."""
 
 import pytest
-from edits import edit, edited, provide, publish, subscribe
+from edits import AT, SUB, edit, edited, provide, publish, subscribe
+
+from plastron_tui.model.source import Remove
 
 MANNERS = {
     "types": (
@@ -90,3 +92,46 @@ def test_a_timer_is_in_the_group_of_the_others():
         publish("b", rate=4.0, data="x"),
     )
     assert "self.create_timer(0.25, self.publish_b, callback_group=self.group)\n" in text
+
+
+IN_CLASS = (
+    "from rclpy.node import Node\nimport logs\n\nLOG = logs.make()\n\n\nclass A(Node):\n"
+    "    def __init__(self):\n        super().__init__('a')\n        self.logger = f()\n"
+    "        {}\n"
+)
+IN_ROSPY = (
+    "import rospy\n\n\nclass A(Base):\n    def __init__(self):\n        rospy.init_node('a')\n"
+    "        {}\n        rospy.spin()\n"
+)
+IN_MAIN = (
+    "import rclpy\n\n\ndef main():\n    node = rclpy.create_node('a')\n"
+    "    {}\n    rclpy.spin(node)\n"
+)
+LOGS = {
+    "an attribute": (IN_CLASS, "self.logger.warn('x')", "self.logger.info(f'b: {message}')"),
+    "of the module": (IN_CLASS, "LOG.info('x %s' % y)", "LOG.info('b: %s' % message)"),
+    "most of them": (
+        IN_CLASS,
+        "LOG.info('x')\n        self.get_logger().info('{}'.format(y))\n"
+        "        self.get_logger().info('x')",
+        "self.get_logger().info('b: {}'.format(message))",
+    ),
+    "no logger": (IN_CLASS, "self.robot.info(f'{x}')", "self.get_logger().info(f'b: {message}')"),
+    "of the object": (IN_ROSPY, "self.loginfo('x: %s' % y)", "self.loginfo('b: %s' % message)"),
+    "of rospy": (IN_ROSPY, "rospy.logwarn(f'x {y}')", "rospy.loginfo(f'b: {message}')"),
+    "where the node is not seen": (
+        IN_MAIN,
+        "node.get_logger().info('x')",
+        "get_logger('a').info(f'b: {message}')",
+    ),
+    "where all is printed": (IN_MAIN, "print('x')", "print(f'b: {message}')"),
+}
+
+
+@pytest.mark.parametrize("case", LOGS)
+def test_a_function_logs_as_the_others(case):
+    template, old, expected = LOGS[case]
+    text = template.replace("{}", old)
+    after = edited(text, subscribe("b"))
+    assert f"{expected}\n" in after
+    assert edited(after, Remove(SUB, "b", AT)) == text

@@ -85,7 +85,8 @@ SENT = {
 @pytest.mark.parametrize("name", SENT)
 def test_what_was_sent(tmp_path: Path, name: str) -> None:
     before, after, expected = SENT[name]
-    frame = "x, ONE, TWO = [], 1, 2\nprint(ONE, x)\nwhile not rospy.is_shutdown():\n{0}    rospy.sleep(1)\n"
+    frame = "x, ONE, TWO = [], 1, 2\nprint(ONE, x)\n"
+    frame += "while not rospy.is_shutdown():\n{0}    rospy.sleep(1)\n"
 
     def indented(text: str) -> str:
         return "".join(f"    {line}\n" for line in text.splitlines())
