@@ -70,6 +70,9 @@ _ONLY_OF_NODES = frozenset(
     | {"get_parameter"}
 )
 _OF_NODES = _ONLY_OF_NODES | {*_METHODS.values()}
+# A profile that may be made anew in each call.
+_PROFILE = re.compile(r"[\w.]+|([\w.]+\.)?QoSProfile\([\w.=, ]*\)")
+_QUEUED = (EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION)
 _QUEUE = re.compile(r"[1-9]\d{0,5}$")
 
 
@@ -250,22 +253,38 @@ def _arguments(added: Addition, model: Site | None, class_: str, callback: str) 
     values = {argument: value for argument, value in given if argument is not None and value}
     queue = _queue(added, model)
     parts = []
-    is_keyword = False
+    is_keyword = model is None and _spells_keywords(added)
+    equals = " = " if model is not None and _has_spaced_keywords(model) else "="
     for argument, value in sorted(values.items()):
         is_keyword = is_keyword or (
             model is not None and argument.keyword in model.arguments.keywords
         )
-        parts.append(f"{argument.keyword}={value}" if is_keyword else value)
+        parts.append(f"{argument.keyword}{equals}{value}" if is_keyword else value)
     if queue:
         # rclpy takes the depth by position, rospy by its keyword.
         keyword = "qos_profile" if added.is_rclpy else "queue_size"
         is_named = is_keyword or not added.is_rclpy
         if model is not None and keyword in model.arguments.keywords:
             is_named = True
-        parts.append(f"{keyword}={queue}" if is_named else queue)
+        parts.append(f"{keyword}{equals}{queue}" if is_named else queue)
     if group := added.callback_group(added.kind):
-        parts.append(f"callback_group={group}")
+        parts.append(f"callback_group{equals}{group}")
     return ", ".join(parts)
+
+
+def _spells_keywords(added: Addition) -> bool:
+    """Whether the file creates its endpoints of other kinds by keywords alone."""
+    sites = [site for site in added.analysis.sites if site.endpoint.kind in _METHODS]
+    return bool(sites) and not any(site.arguments.positional for site in sites)
+
+
+def _has_spaced_keywords(model: Site) -> bool:
+    """Whether a call has its keywords as in `queue_size = 1`."""
+    return any(
+        b" = " in (value.parent.text or b"")[: -len(value.text or b"")]
+        for value in model.arguments.keywords.values()
+        if value.parent is not None
+    )
 
 
 def _shape(added: Addition) -> CallShape:
@@ -276,22 +295,30 @@ def _shape(added: Addition) -> CallShape:
 
 def _queue(added: Addition, model: Site | None) -> str:
     """Return the length of the queue, as the model has it."""
-    if added.kind not in (EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION):
+    if added.kind not in _QUEUED:
         return ""
-    keyword = "qos_profile" if added.is_rclpy else "queue_size"
-    position = 3 if added.kind is EndpointKind.SUBSCRIPTION else 2
-    at = Argument(position if added.is_rclpy else -1, keyword)
+    at = _depth_at(added, added.kind)
     given = model.arguments.get(at) if model is not None else None
     text = added.analysis.syntax.slice(given) if given is not None else ""
     if alike := _given_for_same(added, at):
         return alike
     if _QUEUE.match(text):
         return text
-    beside = added.given_beside(added.kind, at)
-    if len(beside) > 1 and set(beside) == {text} and _NAME.fullmatch(text):
+    own = added.given_beside(added.kind, at)
+    both = [each for kind in _QUEUED for each in added.given_beside(kind, _depth_at(added, kind))]
+    if _PROFILE.fullmatch(text) and any(
+        len(each) > 1 and set(each) == {text} for each in (own, both)
+    ):
         return text
     is_needed = added.is_rclpy or added.kind is EndpointKind.PUBLISHER
     return "10" if is_needed else ""
+
+
+def _depth_at(added: Addition, kind: EndpointKind) -> Argument:
+    """Return where calls of a kind say the length of the queue, or the profile."""
+    if not added.is_rclpy:
+        return Argument(-1, "queue_size")
+    return Argument(3 if kind is EndpointKind.SUBSCRIPTION else 2, "qos_profile")
 
 
 def _given_for_same(added: Addition, at: Argument) -> str:

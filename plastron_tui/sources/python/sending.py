@@ -207,18 +207,16 @@ def _call_rclpy(added: Addition, name: str, summary: str, requests: list[str]) -
     # A call that waits would hold up all else that the node does.
     body = [
         f"if not {added.variable}.service_is_ready():",
-        f"\t{receiver}.get_logger().info(",
-        f"\t\t{quote}{added.label}: waiting for the service{quote}, throttle_duration_sec=10.0",
-        "\t)",
+        f"\t{receiver}.get_logger().info("
+        f"{quote}{added.label}: waiting for the service{quote}, throttle_duration_sec=10.0)",
         "\treturn",
         f"{timer}.cancel()",
     ]
     logged = f"f{quote}{added.label}: {{done.result()}}{quote}"
     for request in requests:
         body.append(f"future = {added.variable}.call_async({request})")
-        body.append("future.add_done_callback(")
-        body.append(f"\tlambda done: {receiver}.get_logger().info({logged})")
-        body.append(")")
+        logs = f"{receiver}.get_logger().info({logged})"
+        body.append(f"future.add_done_callback(lambda done: {logs})")
     callback, lines = _function(added, name, summary, body)
     added.writer.endpoints.append((EndpointKind.TIMER, _timer_name(added, "0.1"), "None", name))
     return [*lines, f"{timer} = {_timer_call(added, '0.1', callback)})"]

@@ -102,7 +102,7 @@ class FileImports(Imports):
         wanted = f"{module}.{name}"
         hidden = {bound for scope in self._functions() for bound in scope.bindings}
         for bound, every in self._module.bindings.items():
-            bindings = without_none(every)
+            bindings = [each for each in without_none(every) if not _is_for_types_only(each.node)]
             if bound in hidden or not bindings:
                 continue
             if all(binding.kind is BindingKind.IMPORT for binding in bindings):
@@ -135,7 +135,7 @@ class FileImports(Imports):
         if self._prefers_modules(module):
             self._new_modules.append((self._home(), module))
             return f"{module}.{name}"
-        taken = {*self._module.bindings, *self._given.values()}
+        taken = {*self._module.bindings, *self._given.values()} - self._typing_names(module, name)
         taken = taken.union(*(scope.bindings for scope in self._functions()))
         package = naming.capitals(module.partition(".")[0])
         if self._is_used_unbound(name):
@@ -143,6 +143,14 @@ class FileImports(Imports):
         bound = name if name not in taken else naming.Scope(taken).new(package + name)
         self._new.setdefault((self._home(), module), []).append((name, bound))
         return bound
+
+    def _typing_names(self, module: str, name: str) -> set[str]:
+        """Return the name itself where all that the file binds to it is the same, for types."""
+        bindings = self._module.bindings.get(name, [])
+        is_same = all(
+            each.target == f"{module}.{name}" and _is_for_types_only(each.node) for each in bindings
+        )
+        return {name} if is_same else set()
 
     def _is_used_unbound(self, name: str) -> bool:
         """Whether the file uses a name that a star import may bring, which a new one would hide."""
@@ -251,9 +259,11 @@ class FileImports(Imports):
         start = line_start(text, last.start_byte)
         before = text[start : last.start_byte]
         is_listed = b"(" in text[statement.start_byte : last.start_byte]
+        is_each_apart = len({each.start_point.row for each in names}) == len(names) > 1
         gap = " "
-        if is_listed and not before.strip():
-            gap = self._conventions.newline + before.decode("ascii", "replace")
+        if is_listed and (is_each_apart or not before.strip()):
+            margin = re.sub(rb"\S", b" ", before).decode("ascii", "replace")
+            gap = self._conventions.newline + margin
         encode = self._analysis.syntax.encode
         if not place:
             return Splice(last.start_byte, last.start_byte, encode(f"{item},{gap}"))
@@ -339,6 +349,15 @@ class FileImports(Imports):
                 line_end(text, child.end_byte) if is_string else line_start(text, child.start_byte)
             )
         return len(text)
+
+
+def _is_for_types_only(node: Node) -> bool:
+    """Whether a statement is under `if TYPE_CHECKING`, and brings in nothing when it runs."""
+    parent = node.parent
+    while parent is not None and parent.type != "if_statement":
+        parent = parent.parent
+    condition = parent.child_by_field_name("condition") if parent is not None else None
+    return condition is not None and (condition.text or b"").endswith(b"TYPE_CHECKING")
 
 
 def _imports_in(block: Node) -> list[Node]:

@@ -99,15 +99,17 @@ def _is_in_string(node: Node, start: int) -> bool:
 def _break_before_last(syntax: Syntax, start: int, end: int, newline: str) -> list[Splice]:
     """Put the last argument of a line on the next one, below those that stand above it."""
     node = syntax.root.descendant_for_byte_range(end - 1, end)
-    while node is not None and node.type != "argument_list":
+    while node is not None and node.type not in ("argument_list", "import_from_statement"):
         node = node.parent
-    items = parts_of(node)
+    is_import = node is not None and node.type == "import_from_statement"
+    items = (
+        node.children_by_field_name("name") if node is not None and is_import else parts_of(node)
+    )
     own = [item for item in items if start <= item.start_byte < end]
     if node is None or len(own) < 2:
         return []
-    first = items[0]
-    begin = line_start(syntax.text, first.start_byte)
-    before = syntax.between(begin, first.start_byte)
+    begin = line_start(syntax.text, items[0].start_byte)
+    before = syntax.between(begin, items[0].start_byte)
     margin = before[: len(before) - len(before.lstrip())]
     margin += " " * (len(before) - len(margin))
     written = syntax.encode(newline + margin)

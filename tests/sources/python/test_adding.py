@@ -212,7 +212,8 @@ PROFILES = [
     (["latched", "latched"], "latched"),
     (["latched"], "latched"),
     (["latched", "sensed"], "10"),
-    (["QoSProfile(depth=3)"] * 2, "10"),
+    (["QoSProfile(depth=3)"] * 2, "QoSProfile(depth=3)"),
+    (["make_profile()"] * 2, "10"),
     (["sensed", "7"], "7"),
 ]
 

@@ -148,6 +148,21 @@ ORDERS = {
         "import rospy\nfrom std_msgs.msg import (\n    UInt8,\n    UInt16,\n)\n",
         "import rospy\nfrom std_msgs.msg import (\n    String,\n    UInt8,\n    UInt16,\n)\n",
     ),
+    "names below each other": (
+        "import rospy\nfrom std_msgs.msg import (Bool,\n                          UInt8)\n",
+        "import rospy\nfrom std_msgs.msg import (Bool,\n                          String,\n"
+        "                          UInt8)\n",
+    ),
+    "the first below each other": (
+        "import rospy\nfrom std_msgs.msg import (UInt8,\n                          UInt16)\n",
+        "import rospy\nfrom std_msgs.msg import (String,\n                          UInt8,\n"
+        "                          UInt16)\n",
+    ),
+    "what only a checker of types imports": (
+        "import rospy\n\nif TYPE_CHECKING:\n    from std_msgs.msg import String\n",
+        "import rospy\nfrom std_msgs.msg import String\n\nif TYPE_CHECKING:\n"
+        "    from std_msgs.msg import String\n",
+    ),
     "names that do not sort": (
         "import rospy\nfrom std_msgs.msg import UInt8, Bool\n",
         "import rospy\nfrom std_msgs.msg import UInt8, Bool, String\n",

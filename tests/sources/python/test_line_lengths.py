@@ -134,6 +134,12 @@ def test_a_long_import_is_broken():
     assert broken == f"from package.msg import (\n    {names}\n)\n".encode()
 
 
+def test_a_long_line_of_an_import_is_broken():
+    after = "from package.msg import (One, Two, Three, Four,\n                         Five)\n"
+    broken = after.replace(" Four,", "\n" + " " * 25 + "Four,")
+    assert wrap_new_lines(b"", parse(after.encode()), LineLimit(45)).decode() == broken
+
+
 SETTINGS = {
     ".flake8": ("[flake8]\nmax-line-length = 87\n", 87),
     "setup.cfg": ("[develop]\nline-length = 1\n[flake8]\nmax_line_length=88 # wide\n", 88),

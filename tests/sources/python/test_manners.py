@@ -135,3 +135,35 @@ def test_a_function_logs_as_the_others(case):
     after = edited(text, subscribe("b"))
     assert f"{expected}\n" in after
     assert edited(after, Remove(SUB, "b", AT)) == text
+
+
+@pytest.mark.parametrize(
+    ("old", "change", "new"),
+    [
+        ("('a', String, hear, queue_size = 1)", subscribe("b", callback="hear"), "queue_size = 1)"),
+        ("('a', String, hear, queue_size=1)", subscribe("b", callback="hear"), "queue_size=1)"),
+        (
+            "(name='a', data_class=String, callback=hear)",
+            publish("b"),
+            "(name='b', data_class=String, queue_size=10)",
+        ),
+    ],
+)
+def test_keywords_are_written_as_the_others(old, change, new):
+    text = edited(
+        "import rospy\nfrom std_msgs.msg import String\n\nrospy.init_node('n')\n"
+        f"rospy.Subscriber{old}\nrospy.spin()\n",
+        change,
+    )
+    assert text.count(new) == text.count("queue_size") >= 1
+
+
+def test_a_profile_of_both_ways_is_taken_over():
+    text = edited(
+        "from rclpy.node import Node\nfrom std_msgs.msg import String\n\n\nclass A(Node):\n"
+        "    def __init__(self):\n        super().__init__('a')\n"
+        "        self.a = self.create_publisher(String, 'a', self.qos)\n"
+        "        self.b = self.create_subscription(String, 'b', self.on_b, self.qos)\n",
+        publish("c"),
+    )
+    assert "self.create_publisher(String, 'c', self.qos)\n" in text
