@@ -13,7 +13,7 @@ from plastron_tui.model.source import EndpointKind
 
 from . import literals, naming
 from .analysis import Analysis, Site
-from .splices import line_start
+from .splices import line_end, line_start
 
 # What stands for a kind of endpoint in the names of variables, the usual one first.
 _WORDS = {
@@ -32,6 +32,9 @@ _USUAL = {
 }
 _BEFORE = frozenset({"on", "handle", "process"})
 _CALLBACK_WORDS = ("callback", "cb", "handler", "handle", "on", "process", "received")
+
+# Blank lines are looked for in so many bytes.
+_NEAR = 200
 
 _CAMEL = re.compile(r"_*[a-z]+[a-z0-9]*[A-Z]\w*")
 
@@ -123,19 +126,25 @@ def leading_space(analysis: Analysis, node: Node) -> str:
 
 
 def _blank_lines(analysis: Analysis) -> int:
-    """Return how many blank lines stand between two definitions at the top of the file."""
+    """Return how many blank lines part the definitions at the top of the file from the others."""
     tops = [
         child
         for child in analysis.syntax.root.named_children
         if child.type in ("function_definition", "class_definition", "decorated_definition")
     ]
-    for node in tops:
-        start = line_start(analysis.syntax.text, node.start_byte)
-        before = analysis.syntax.text[:start].replace(b"\r", b"")
-        blank = len(before) - len(before.rstrip(b"\n")) - 1
-        if before.strip() and blank in (1, 2):
-            return blank
-    return 2
+    text = analysis.syntax.text
+    starts = (line_start(text, node.start_byte) for node in tops)
+    ends = (line_end(text, node.end_byte) for node in tops)
+    above = (text[max(start - _NEAR, 0) : start] for start in starts)
+    below = (text[end : end + _NEAR] for end in ends)
+    found = [_blank_before(each.splitlines()[::-1]) for each in above]
+    found += [_blank_before(each.splitlines()) for each in below]
+    return next((blank for blank in found if blank in (1, 2)), 2)
+
+
+def _blank_before(lines: list[bytes]) -> int:
+    """Return how many blank lines stand before the first that has something, 0 for none."""
+    return next((number for number, line in enumerate(lines) if line.strip()), 0)
 
 
 def variable_naming(analysis: Analysis, kind: EndpointKind) -> Naming:

@@ -36,3 +36,12 @@ def star_interface(bare: str, modules: list[str], distribution: str) -> Interfac
             if (package, kind) not in listed
         }
     return having.pop() if len(having) == 1 else None
+
+
+def is_starred(name: str, modules: list[str], distribution: str) -> bool:
+    """Whether a star import of interface types is known to bring in a name."""
+    # A service's module has its request and response classes as well.
+    bases = {name, name.removesuffix("Request"), name.removesuffix("Response")}
+    found = (star_interface(each, modules, distribution) for each in bases)
+    names = index(distribution).names
+    return any(each in names[kind] for each in found if each is not None for kind in InterfaceKind)

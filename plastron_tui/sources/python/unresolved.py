@@ -11,6 +11,7 @@ from .analysis import Analysis
 from .calls import RCLPY, ROSPY
 from .references import is_member
 from .sites import analyze
+from .stars import is_starred
 
 _MODULE = frozenset({"__file__", "__name__", "__doc__", "__path__", "__package__", "__class__"})
 _PYTHON_2 = frozenset(
@@ -64,8 +65,11 @@ def lost_names(after: Meanings, *before: Meanings) -> list[str]:
 
 
 def _is_unresolved(analysis: Analysis, node: Node, name: str) -> bool:
-    is_read = not _is_declared(node) and not _is_parameter(node)
-    return is_read and analysis.scopes.at(node.start_byte).lookup(name) is None
+    if _is_declared(node) or _is_parameter(node):
+        return False
+    is_bound = analysis.scopes.at(node.start_byte).lookup(name) is not None
+    stars = analysis.scopes.module.star_imports
+    return not is_bound and not is_starred(name, stars, analysis.library.distribution)
 
 
 def _is_attribute_bound(analysis: Analysis, node: Node, name: str) -> bool:

@@ -167,3 +167,26 @@ def test_a_profile_of_both_ways_is_taken_over():
         publish("c"),
     )
     assert "self.create_publisher(String, 'c', self.qos)\n" in text
+
+
+def test_a_comment_above_the_imports_begins_no_section():
+    text = "#!/usr/bin/env python3\nimport rospy\nrospy.init_node('n')\nrospy.spin()\n"
+    after = edited(text, subscribe("b"))
+    assert "node('n')\nrospy.Subscriber('b', String, on_b)\n" in after
+
+
+@pytest.mark.parametrize("blank", ["\n", "\n\n"])
+def test_a_function_stands_as_far_from_the_others_as_the_first_from_the_rest(blank):
+    text = (
+        "import rospy\nfrom std_msgs.msg import String\ndef on_a(data):\n    pass\n"
+        f"{blank}rospy.init_node('n')\nrospy.Subscriber('a', String, on_a)\nrospy.spin()\n"
+    )
+    assert f"    pass\n{blank}def on_b(data):\n" in edited(text, subscribe("b"))
+
+
+@pytest.mark.parametrize("type_", ["std_msgs/Bool", "std_msgs/String"])
+def test_what_a_star_import_brings_in_is_used(type_):
+    text = "import rospy\nfrom std_msgs.msg import *\nrospy.init_node('n')\nrospy.spin()\n"
+    after = edited(text, publish("b", type_))
+    assert f"rospy.Publisher('b', {type_.rpartition('/')[2]}, queue_size=10)\n" in after
+    assert after.count("import") == 2
