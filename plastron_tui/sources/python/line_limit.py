@@ -30,7 +30,7 @@ class LineLimit:
     Attributes:
         length: what the settings around the file say, or what it keeps to.
         slack: how much more a line may have that was there, and of which a word changed.
-        longest: by what a line calls or defines, how long the file has it on one line.
+        longest: by what a line calls or defines, how long it may be as the file has others.
     """
 
     length: int
@@ -97,14 +97,14 @@ def _rejoined(code: list[str]) -> Iterator[str]:
 
 
 def _longest(code: list[str], limit: int) -> dict[str, int]:
-    """Return how long lines of a subject are that are too long, and are more than the broken."""
+    """Return how long lines of a subject may be where most of them are too long, not broken."""
     broken = Counter(_subject(line) for line in code if _is_open(line))
     found = defaultdict[str, list[int]](list)
     for line in code:
         if len(line) > limit and not _is_open(line):
             found[_subject(line)].append(len(line))
     return {
-        subject: max(lengths)
+        subject: max(lengths) + _WORD
         for subject, lengths in found.items()
         if subject and len(lengths) >= broken[subject]
     }

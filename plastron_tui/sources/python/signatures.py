@@ -58,10 +58,16 @@ def signatures_of(analysis: Analysis, kind: EndpointKind) -> Signatures:
     functions = [scope for scope in analysis.scopes.all if scope.node.type == "function_definition"]
     models = _callbacks(analysis, (kind,)) or _callbacks(analysis, EndpointKind) or functions
     taking = [scope for scope in models if _parameters(scope)]
+    # `main(args=None)` is often the one function that nobody annotates.
+    taking = taking or [scope for scope in functions if _parameters(scope) and scope.self_name]
     documented = sum(map(_is_documented, functions))
+    says_returns = _are_most(
+        [scope.node.child_by_field_name("return_type") is not None for scope in models]
+    )
+    typed = [any(each.type in _TYPED for each in _parameters(scope)) for scope in taking]
     return Signatures(
-        _are_most([any(each.type in _TYPED for each in _parameters(scope)) for scope in taking]),
-        _are_most([scope.node.child_by_field_name("return_type") is not None for scope in models]),
+        _are_most(typed) if typed else says_returns,
+        says_returns,
         documented * 2 > len(functions),
         not documented and len(functions) >= _FEW,
     )

@@ -15,6 +15,10 @@ MANNERS = {
         '    def more(self):\n        """Do more."""\n',
         '    def on_b(self, message):\n        """Log what comes over b."""\n',
     ),
+    "what none of them takes": (
+        "    def on_a(self) -> None:\n        pass\n",
+        "    def on_b(self, message: String) -> None:\n",
+    ),
     "nothing said": (
         "    def on_a(self, data):\n        pass\n\n    def more(self):\n        pass\n",
         "    def on_b(self, data):\n        self.get_logger()",
