@@ -240,7 +240,8 @@ def _variable(added: Addition, model: Site | None) -> str:
         if not is_held:
             return ""
     wanted = variable_naming(added.analysis, added.kind).name(added.name)
-    name = added.free_name(wanted)
+    # A name of a function or of the module is private to nothing.
+    name = added.free_name(wanted if is_attribute else wanted.lstrip("_"))
     return f"{added.place.self_name}.{name}" if is_attribute else name
 
 

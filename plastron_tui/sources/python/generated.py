@@ -14,7 +14,7 @@ from .scopes import Scope
 from .syntax import parts_of
 
 _SENDING = re.compile(r"_?(publish|call)(_|[A-Z])")
-_LOGGERS = frozenset({"loginfo", "log_info", "_loginfo", "_log_info", "info", "print"})
+_LOGGERS = re.compile(r"_*(log_?)?info(_?msg)?|print")
 # `chatter: %s`, `chatter: {}`, `chatter: {message}`: what a stub logs.
 _LABELLED = re.compile(r"[\w/~]+: (%s|\{\w*\})$")
 
@@ -98,7 +98,7 @@ def _is_log(analysis: Analysis, call: Node, parameters: list[str]) -> bool:
     arguments = call.child_by_field_name("arguments")
     if call.type != "call" or arguments is None:
         return False
-    if analysis.syntax.called_name(call) not in _LOGGERS:
+    if _LOGGERS.fullmatch(analysis.syntax.called_name(call)) is None:
         return False
     given = [part for node in parts_of(arguments) for part in _filled(analysis, node)]
     return (

@@ -20,6 +20,9 @@ _MOST_ROWS = 12
 _WORD = 12
 
 _SUBJECT = re.compile(r"\s*(?:async\s+)?(?:(def|class|from|import)\b|[^#'\"(]*?(\w+)\()")
+# What is said in so many letters does not tell how long a line of code may be.
+_PROSE = re.compile(r"""(["'])(?:(?!\1).){40,}\1|\s#\s""")
+_TRIPLE = re.compile(r"\"{3}|'{3}")
 _OPEN, _CLOSED = re.compile(r"[(\[{]"), re.compile(r"[)\]}]")
 
 
@@ -56,8 +59,7 @@ def line_limit(text: bytes, library: str, said: int | None) -> LineLimit:
     """
     if said is not None:
         return LineLimit(said)
-    lines = text.decode("utf-8", "replace").splitlines()
-    code = [line.rstrip() for line in lines if not line.lstrip().startswith("#")]
+    code = list(_code(text.decode("utf-8", "replace")))
     allowed = ROS_2 if library == "rclpy" else ROS_1
     lengths = sorted(map(len, code), reverse=True)
     longest = next(iter(lengths[_FEW:]), 0)
@@ -66,6 +68,16 @@ def line_limit(text: bytes, library: str, said: int | None) -> LineLimit:
         length = _kept_to(code, max(lengths, default=0), allowed)
     is_checked = length == ROS_2 and lengths[0] <= length if lengths else False
     return LineLimit(length, 0 if is_checked else _WORD, _longest(code, length))
+
+
+def _code(text: str) -> Iterator[str]:
+    """Yield the lines of a text that a comment, a docstring or a long string is not all of."""
+    is_prose = False
+    for line in text.splitlines():
+        is_begun = len(_TRIPLE.findall(line)) % 2 == 1
+        if not (is_prose or is_begun or line.lstrip().startswith("#") or _PROSE.search(line)):
+            yield line.rstrip()
+        is_prose = is_prose != is_begun
 
 
 def _kept_to(code: list[str], longest: int, allowed: int) -> int:

@@ -13,13 +13,11 @@ from .analysis import Analysis
 from .insertion_point import Place
 from .syntax import parts_of
 
-# What the methods of loggers are called for a level, and those that classes have around them.
-_LEVELS = {
-    "info": ("info", "loginfo", "log_info"),
-    "error": ("error", "logerr", "logerror", "log_err", "log_error"),
-}
+# What the levels are called in the names of methods.
+_LEVELS = {"info": ("info",), "error": ("error", "err")}
 _OF_LOGGER = re.compile(r"debug|info|warn|warning|error|fatal|critical|exception")
-_OF_OBJECT = re.compile(r"_*log_?(debug|info|warn|warning|err|error|fatal)")
+# `rospy.loginfo`, and what classes have around a logger: `self.loginfo`, `self.info_msg`.
+_OF_OBJECT = re.compile(r"(_*(?:log_?)?)(debug|info|warn|warning|err|error|fatal)((?:_?msg)?)")
 _LOGGER = re.compile(r"_*(\w+_)?log(ger)?_?", re.IGNORECASE)
 
 
@@ -44,25 +42,27 @@ def own_logger(analysis: Analysis, place: Place, level: str) -> str:
         place: what is seen there is an object's attribute, or a name of the module.
         level: `info` or `error`.
     """
-    found: Counter[tuple[str, bool]] = Counter()
+    found: Counter[tuple[str, ...]] = Counter()
+    written = set()
     for call, callee in _calls(analysis):
         receiver, _, name = callee.rpartition(".")
         is_own = _is_seen(analysis, place, call, receiver)
-        if is_own and _OF_OBJECT.fullmatch(name) and receiver == place.self_name:
-            found[receiver, True] += 1
+        of_object = _OF_OBJECT.fullmatch(name)
+        if is_own and of_object is not None and receiver == place.self_name and _tells(call):
+            found[f"{receiver}.{of_object[1]}", of_object[3]] += 1
+            written.add(callee)
         elif _OF_LOGGER.fullmatch(name):
             is_own = is_own and _LOGGER.fullmatch(receiver.rpartition(".")[2]) is not None
-            found[receiver if is_own else "", False] += 1
-        elif receiver == "rospy" and _OF_OBJECT.fullmatch(name):
-            found["", False] += 1
-    receiver, is_object = found.most_common(1)[0][0] if found else ("", False)
-    if not receiver:
-        return ""
-    if not is_object:
-        return f"{receiver}.{level}"
-    written = {callee for _, callee in _calls(analysis)}
-    names = (f"{receiver}.{prefix}{name}" for name in _LEVELS[level][1:] for prefix in ("", "_"))
-    return next((name for name in names if name in written), "")
+            found[(f"{receiver}.",) if is_own else ()] += 1
+        elif receiver == "rospy" and of_object is not None:
+            found[()] += 1
+    match found.most_common(1):
+        case [((before, after), _)]:
+            names = (f"{before}{each}{after}" for each in _LEVELS[level])
+            return next((name for name in names if name in written), "")
+        case [((before,), _)]:
+            return f"{before}{level}"
+    return ""
 
 
 def filling_of(analysis: Analysis, usual: Filling) -> Filling:
@@ -70,8 +70,7 @@ def filling_of(analysis: Analysis, usual: Filling) -> Filling:
     found = Counter(
         filling
         for call, callee in _calls(analysis)
-        if _OF_LOGGER.fullmatch(callee.rpartition(".")[2])
-        or _OF_OBJECT.fullmatch(callee.rpartition(".")[2])
+        if any(each.fullmatch(callee.rpartition(".")[2]) for each in (_OF_LOGGER, _OF_OBJECT))
         if (filling := _filling(analysis, call)) is not None
     )
     return max([usual, *found], key=lambda each: found[each])
@@ -98,6 +97,12 @@ def _is_seen(analysis: Analysis, place: Place, call: Node, receiver: str) -> boo
         return scope.enclosing("class") is place.owner
     found = scope.lookup(root)
     return found is not None and found[0] is analysis.scopes.module
+
+
+def _tells(call: Node) -> bool:
+    """Whether what a call is given first is a text."""
+    given = parts_of(call.child_by_field_name("arguments"))
+    return bool(given) and given[0].type in ("string", "concatenated_string", "binary_operator")
 
 
 def _filling(analysis: Analysis, call: Node) -> Filling | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -18,6 +19,7 @@ from .scopes import Scope
 from .syntax import parts_of
 
 _TYPED = frozenset({"typed_parameter", "typed_default_parameter"})
+_PLAIN = re.compile(r"\w|(\w*_)?(msg|message|data|req|request|res|resp|response|event|input|arg)_?")
 # A file of fewer functions tells nothing by what they leave out.
 _FEW = 2
 
@@ -86,10 +88,15 @@ def parameter_names(analysis: Analysis, kind: EndpointKind, usual: Sequence[str]
             if inner.type == "identifier" and not name.startswith("_"):
                 count[name] += 1
     names = [
-        count.most_common(1)[0][0] if count else each
+        next((name for name, number in count.most_common() if _is_plain(name, number)), each)
         for count, each in zip(found, usual, strict=True)
     ]
     return names if len({*names}) == len(names) else list(usual)
+
+
+def _is_plain(name: str, number: int) -> bool:
+    """Whether a name fits a message of any type: `twist` in one callback does not."""
+    return number > 1 or _PLAIN.fullmatch(name) is not None
 
 
 def _callbacks(analysis: Analysis, kinds: Iterable[EndpointKind]) -> list[Scope]:

@@ -196,6 +196,14 @@ def test_a_few_lines_do_not_tell_what_a_file_keeps_to(long, limit):
     assert line_limit(text.encode(), "rclpy", None).length == limit
 
 
+@pytest.mark.parametrize(
+    "line", ["f('{}')\n", "# {}\n", '"' * 3 + "One.\n{}\n" + '"' * 3 + "\n", "x = 1  # {}\n"]
+)
+def test_prose_does_not_tell_what_a_file_keeps_to(line):
+    text = line.format("word " * 30) * 9
+    assert line_limit(text.encode(), "rclpy", None).length == 99
+
+
 def call_of(function: str, length: int) -> str:
     return f"{function}({'a' * (length - 6)}, b)\n"
 

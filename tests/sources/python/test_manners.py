@@ -122,6 +122,11 @@ LOGS = {
     ),
     "no logger": (IN_CLASS, "self.robot.info(f'{x}')", "self.get_logger().info(f'b: {message}')"),
     "of the object": (IN_ROSPY, "self.loginfo('x: %s' % y)", "self.loginfo('b: %s' % message)"),
+    "of the object, of a level": (
+        IN_CLASS,
+        "self.info_msg(f'{x}')",
+        "self.info_msg(f'b: {message}')",
+    ),
     "of rospy": (IN_ROSPY, "rospy.logwarn(f'x {y}')", "rospy.loginfo(f'b: {message}')"),
     "where the node is not seen": (
         IN_MAIN,
@@ -194,3 +199,25 @@ def test_what_a_star_import_brings_in_is_used(type_):
     after = edited(text, publish("b", type_))
     assert f"rospy.Publisher('b', {type_.rpartition('/')[2]}, queue_size=10)\n" in after
     assert after.count("import") == 2
+
+
+@pytest.mark.parametrize(
+    ("callbacks", "taken"),
+    [(["twist"], "message"), (["msg"], "msg"), (["told", "told"], "told"), (["twist", "m"], "m")],
+)
+def test_a_parameter_is_not_named_after_another_type(callbacks, taken):
+    text = "import rospy\nfrom std_msgs.msg import String\n\n"
+    for number, name in enumerate(callbacks):
+        text += f"\ndef on_a{number}({name}):\n    pass\n\n"
+    text += "\nrospy.init_node('n')\n"
+    for number in range(len(callbacks)):
+        text += f"rospy.Subscriber('a{number}', String, on_a{number})\n"
+    assert f"def on_b({taken}):\n" in edited(f"{text}rospy.spin()\n", subscribe("b"))
+
+
+def test_a_name_of_the_module_is_not_private():
+    text = (
+        "import rospy\n\n\nclass A:\n    def __init__(self):\n        self._a = 1\n"
+        "        self._b = 2\n\n\nrospy.init_node('n')\nrospy.spin()\n"
+    )
+    assert "\nc_pub = rospy.Publisher('c', " in edited(text, publish("c"))
