@@ -19,7 +19,7 @@ from .scopes import Scope
 from .syntax import parts_of
 
 _TYPED = frozenset({"typed_parameter", "typed_default_parameter"})
-_PLAIN = re.compile(r"\w|(\w*_)?(msg|message|data|req|request|res|resp|response|event|input|arg)_?")
+_PLAIN = re.compile(r"\w|_?(msg|message|data|req|request|res|resp|response|event|input|arg)_?")
 # A file of fewer functions tells nothing by what they leave out.
 _FEW = 2
 
