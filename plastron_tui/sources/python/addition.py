@@ -110,16 +110,16 @@ class Addition:
 
     def log(self, level: str, value: str, *, in_callback: bool = True) -> str:
         """Return a statement that logs a value of the endpoint, as the file logs its others."""
-        logger = own_logger(self.analysis, self.place, level)
-        if not logger and not self.is_rclpy:
+        own = logger = own_logger(self.analysis, self.place, level)
+        if not own and not self.is_rclpy:
             logger = self.rospy({"info": "loginfo"}.get(level, "logerr"), in_callback=in_callback)
-        elif not logger:
+        elif not own:
             logger = self._node_logger(level, in_callback=in_callback)
-        usual = Filling.INTERPOLATED if self.is_rclpy else Filling.ARGUMENT
-        filling = filling_of(self.analysis, usual)
-        if filling is Filling.ARGUMENT and self.is_rclpy:
-            # The loggers of rclpy take no arguments.
-            filling = usual
+        usual = Filling.ARGUMENT
+        if own or self.is_rclpy:
+            # Only the functions of rospy are known to take arguments.
+            usual = Filling.INTERPOLATED if self.is_rclpy else Filling.PERCENT
+        filling = filling_of(self.analysis, usual, logger)
         return f"{logger}({filling.fill(self.writer.conventions.quote, self.label, value)})"
 
     def _node_logger(self, level: str, *, in_callback: bool) -> str:

@@ -65,13 +65,21 @@ def own_logger(analysis: Analysis, place: Place, level: str) -> str:
     return ""
 
 
-def filling_of(analysis: Analysis, usual: Filling) -> Filling:
-    """Return how most of a file's logs have their values; the usual way where none has more."""
+def filling_of(analysis: Analysis, usual: Filling, logger: str) -> Filling:
+    """Return how most of a file's logs have their values; the usual way where none has more.
+
+    Args:
+        analysis: the file.
+        usual: the usual way.
+        logger: what is called; what a logger of the file's own takes, its other calls tell.
+    """
+    receiver = logger.rpartition(".")[0]
     found = Counter(
         filling
         for call, callee in _calls(analysis)
         if any(each.fullmatch(callee.rpartition(".")[2]) for each in (_OF_LOGGER, _OF_OBJECT))
         if (filling := _filling(analysis, call)) is not None
+        if filling is not Filling.ARGUMENT or callee.rpartition(".")[0] == receiver
     )
     return max([usual, *found], key=lambda each: found[each])
 
@@ -121,4 +129,5 @@ def _filling(analysis: Analysis, call: Node) -> Filling | None:
         return Filling.FORMAT if analysis.syntax.called_name(text) == "format" else None
     if text.type == "string" and any(each.type == "interpolation" for each in text.children):
         return Filling.INTERPOLATED
-    return Filling.ARGUMENT if text.type == "string" and len(given) > 1 else None
+    is_given = len(given) > 1 and given[1].type != "keyword_argument"
+    return Filling.ARGUMENT if text.type == "string" and is_given else None

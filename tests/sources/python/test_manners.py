@@ -56,6 +56,9 @@ def test_private_names_and_kept_handles():
         ("# Set up what is sent\n        self.pub = self.create_publisher(String, 'a', 10)", True),
         ("self.pub = self.create_publisher(String, 'a', 10)", False),
         ("self.sub = self.create_subscription(String, 'a', self.on_a, 10)", False),
+        ("self.pub = self.create_publisher(\n            String, 'a', 10)", False),
+        ("self.pub = self.create_publisher(\n            String, 'a', 10\n        )", False),
+        ("if g():\n            self.pub = self.create_publisher(String, 'a', 10)", True),
     ],
 )
 def test_a_section_of_its_own(above, is_apart):
@@ -121,6 +124,16 @@ LOGS = {
         "self.get_logger().info('b: {}'.format(message))",
     ),
     "no logger": (IN_CLASS, "self.robot.info(f'{x}')", "self.get_logger().info(f'b: {message}')"),
+    "of the object, of one text": (
+        IN_ROSPY,
+        "self.loginfo('x')",
+        "self.loginfo('b: %s' % message)",
+    ),
+    "of the object, of two": (
+        IN_ROSPY,
+        "self.loginfo('x: %s', y)",
+        "self.loginfo('b: %s', message)",
+    ),
     "of the object": (IN_ROSPY, "self.loginfo('x: %s' % y)", "self.loginfo('b: %s' % message)"),
     "of the object, of a level": (
         IN_CLASS,
