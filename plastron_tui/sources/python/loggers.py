@@ -46,13 +46,14 @@ def own_logger(analysis: Analysis, place: Place, level: str) -> str:
     written = set()
     for call, callee in _calls(analysis):
         receiver, _, name = callee.rpartition(".")
-        is_own = _is_seen(analysis, place, call, receiver)
         of_object = _OF_OBJECT.fullmatch(name)
-        if is_own and of_object is not None and receiver == place.self_name and _tells(call):
-            found[f"{receiver}.{of_object[1]}", of_object[3]] += 1
-            written.add(callee)
+        if of_object is not None and receiver == place.self_name and _tells(call):
+            if _is_seen(analysis, place, call, receiver):
+                found[f"{receiver}.{of_object[1]}", of_object[3]] += 1
+                written.add(callee)
         elif _OF_LOGGER.fullmatch(name):
-            is_own = is_own and _LOGGER.fullmatch(receiver.rpartition(".")[2]) is not None
+            is_logger = _LOGGER.fullmatch(receiver.rpartition(".")[2]) is not None
+            is_own = is_logger and _is_seen(analysis, place, call, receiver)
             found[(f"{receiver}.",) if is_own else ()] += 1
         elif receiver == "rospy" and of_object is not None:
             found[()] += 1
