@@ -46,3 +46,49 @@ def test_what_goes_into_fields(before: str, after: str) -> None:
     text, _ = ported(HEAD + before + "\n", "rospy")
     ast.parse(text)
     assert text.endswith(f"\np = Plane()\n{after}\n")
+
+
+CAMERA = """\
+import {library}
+from sensor_msgs.msg import CameraInfo
+
+
+def hear(info):
+    {inside}
+
+
+{made}
+"""
+MADE = {
+    "rospy": "rospy.init_node('n')\nrospy.Subscriber('c', CameraInfo, hear)",
+    "rclpy": "rclpy.init()\nnode = rclpy.create_node('n')\n"
+    "node.create_subscription(CameraInfo, 'c', hear, 10)",
+}
+RENAMED = [
+    ("rospy", "x = info.K[0], info.width", "x = info.k[0], info.width"),
+    ("rospy", "c = CameraInfo(); c.D = [1]", "c = CameraInfo(); c.d = [1.0]"),
+    ("rospy", "c = CameraInfo(D=[1], width=2)", "c = CameraInfo(d=[1.0], width=2)"),
+    ("rospy", "print(other.K)", f"{MARK}.K\n    print(other.K)"),
+    ("rospy", "rospy.loginfo('%s', info.R)", "node.get_logger().info(f'{info.r}')"),
+    (
+        "rospy",
+        "rospy.loginfo('%s', info.header.stamp.secs)",
+        "node.get_logger().info(f'{info.header.stamp.sec}')",
+    ),
+    (
+        "rospy",
+        "rospy.loginfo_once('%s', info.R)",
+        "node.get_logger().info(f'{info.r}', once=True)",
+    ),
+    ("rclpy", "x = info.p[0], info.width", "x = info.P[0], info.width"),
+    ("rclpy", "c = CameraInfo(d=[1.0])", "c = CameraInfo(D=[1.0])"),
+    ("rclpy", "print(other.k)", f"{MARK}.k\n    print(other.k)"),
+]
+
+
+@pytest.mark.parametrize(("library", "before", "after"), RENAMED)
+def test_fields_that_the_other_ros_calls_otherwise(library: str, before: str, after: str) -> None:
+    file = CAMERA.format(library=library, inside=before, made=MADE[library])
+    text, _ = ported(file, library)
+    assert f"def hear(info):\n    {after}\n" in text
+    assert text.count(MARK) == after.count(MARK)

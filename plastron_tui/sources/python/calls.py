@@ -35,6 +35,7 @@ class CallShape:
         callback: the argument that is called for each message, request or tick.
         node: the argument that is the node, where the callee is no method of it.
         fixed: the name and the type, where no argument says them.
+        gives_message: whether it waits for one message and gives that, not the endpoint.
     """
 
     kind: EndpointKind
@@ -44,6 +45,7 @@ class CallShape:
     callback: Argument | None = None
     node: Argument | None = None
     fixed: tuple[str, InterfaceName] | None = None
+    gives_message: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,13 +98,16 @@ ROSPY = ClientLibrary(
         ),
         CallShape(
             EndpointKind.SUBSCRIPTION,
-            (
-                "message_filters.Subscriber",
-                "rospy.wait_for_message",
-                "rospy.client.wait_for_message",
-            ),
+            ("message_filters.Subscriber",),
             name=Argument(0, "topic"),
             type=Argument(1, "topic_type"),
+        ),
+        CallShape(
+            EndpointKind.SUBSCRIPTION,
+            ("rospy.wait_for_message", "rospy.client.wait_for_message"),
+            name=Argument(0, "topic"),
+            type=Argument(1, "topic_type"),
+            gives_message=True,
         ),
         CallShape(
             EndpointKind.SERVICE,
@@ -201,6 +206,7 @@ RCLPY = ClientLibrary(
             name=Argument(2, "topic"),
             type=Argument(0, "msg_type"),
             node=Argument(1, "node"),
+            gives_message=True,
         ),
         CallShape(
             EndpointKind.SERVICE,

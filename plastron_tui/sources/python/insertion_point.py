@@ -136,7 +136,7 @@ def _is_setup(analysis: Analysis, site: Site, callbacks: set[int]) -> bool:
 
     What a function creates to return it, it creates for others, whenever they call it.
     """
-    if "wait_for_message" in "".join(site.shape.callees):
+    if site.shape.gives_message:
         return False
     if statement_of(site.call).type == "return_statement":
         return False

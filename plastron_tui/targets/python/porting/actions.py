@@ -9,7 +9,7 @@ from tree_sitter import Node
 
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 
-from .port_state import Work, walk
+from .port_state import Work, is_imported, is_inner, walk
 from .types import target_type
 
 _OF_ROS_1 = re.compile(r"(\w+)\.msg\.(\w+?)(Action|(?:Action)?(?:Goal|Result|Feedback))$", re.ASCII)
@@ -17,7 +17,6 @@ _OF_ROS_2 = re.compile(r"(?!rclpy\.)(\w+)\.action\.(\w+)", re.ASCII)
 _MOVED = {
     InterfaceName("move_base_msgs", "MoveBase"): InterfaceName("nav2_msgs", "NavigateToPose"),
 }
-_IMPORTS = ("import_statement", "import_from_statement")
 _STATUS = {
     "action_msgs.msg.GoalStatus.STATUS_SUCCEEDED": "SUCCEEDED",
     "action_msgs.msg.GoalStatus.STATUS_ABORTED": "ABORTED",
@@ -38,7 +37,7 @@ def mark_actions(work: Work) -> None:
                 path = f"{work.slice(module)}.{work.slice(name)}" if module is not None else ""
                 _mark(work, statement, find(work, [path], known))
         elif statement.type in ("identifier", "attribute") and not (
-            _is_part(statement) or _is_imported(statement) or work.is_gone(statement)
+            is_inner(statement) or is_imported(statement) or work.is_gone(statement)
         ):
             _mark(work, statement, find(work, work.qualified(statement), known))
     if work.catalog.ros_version == 1:
@@ -105,19 +104,3 @@ def _port_status(work: Work) -> None:
             work.replace(part, _STATUS[name])
         else:
             work.mark(node, work.slice(part), "`actionlib_msgs` has other states")
-
-
-def _is_part(node: Node) -> bool:
-    """Tell whether a node is in a longer dotted name, or names an argument."""
-    parent = node.parent
-    if parent is None or parent.type == "attribute":
-        return True
-    name = parent.child_by_field_name("name")
-    return parent.type == "keyword_argument" and name is not None and name.id == node.id
-
-
-def _is_imported(node: Node) -> bool:
-    current = node.parent
-    while current is not None and current.type not in _IMPORTS:
-        current = current.parent
-    return current is not None

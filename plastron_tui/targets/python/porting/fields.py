@@ -15,7 +15,7 @@ from plastron_tui.sources.python.syntax import parts_of
 from .kinds import LIST, MESSAGE, PLAIN, REAL, is_plain, kind_of, some_plain
 from .message_types import typed
 from .port_state import Work
-from .types import target_type
+from .types import new_field, target_type
 
 Fields = dict[str, FieldType | None]
 """The fields of a message by name, in the order of ROS 1; None for one that ROS 2 lacks."""
@@ -34,7 +34,8 @@ def fields_of(work: Work, type_: InterfaceName, kind: InterfaceKind, side: str) 
     index = int(side == "Response")
     types = {each.name: each.type for each in new.sections[index].fields}
     listed: Sequence[Field] = old.sections[index].fields
-    return {each.name: types.get(each.name) for each in listed}
+    there = new.sections[index]
+    return {each.name: types.get(new_field(each.name, there) or "") for each in listed}
 
 
 def write_fields(
@@ -64,7 +65,9 @@ def write_fields(
         # A field may be called `lambda`, which no call can name.
         if type_ is None or (name is None and iskeyword(field)):
             return None
-        found = write_value(work, value, type_, "" if name is not None else f"{field}=", is_sure)
+        # A field of ROS 2 has small letters only.
+        prefix = f"{field.lower()}=" if name is None else ""
+        found = write_value(work, value, type_, prefix, is_sure)
         if found is None:
             return None
         splices += found

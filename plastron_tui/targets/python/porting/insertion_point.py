@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from tree_sitter import Node
 
+from plastron_tui.sources.python.conventions import conventions_of
 from plastron_tui.sources.python.scopes import BindingKind
 from plastron_tui.sources.python.splices import line_end, line_start
 
-from .port_state import Work, walk
+from .port_state import IMPORTS, Work
 
-_IMPORTS = frozenset({"import_statement", "import_from_statement", "future_import_statement"})
 _STANDARD = frozenset(
     f"import {name}"
     for name in ("atexit", "os", "queue", "signal", "threading", "time", "traceback")
@@ -30,7 +30,7 @@ def first_call(work: Work, last: Node) -> Node:
     for statement in work.analysis.syntax.root.named_children:
         if statement.id == last.id:
             break
-        if statement.type in _IMPORTS or statement.type in _DEFINITIONS:
+        if statement.type in IMPORTS or statement.type in _DEFINITIONS:
             continue
         calls = (call for call in work.analysis.captures.get("call", []) if not work.is_gone(call))
         if any(statement.start_byte <= call.start_byte < statement.end_byte for call in calls):
@@ -79,7 +79,7 @@ def add_header(work: Work) -> None:
         work.insert(behind, "".join(f"{line}\n" for line in others))
     constants = "".join(f"{line}\n" for line in work.constants)
     helpers = [f"\n{constants}"] if constants else []
-    indent = _indent(work)
+    indent = conventions_of(work.analysis).indent
     helpers += [f"\n\n{helper.replace('    ', indent)}" for helper in work.helpers]
     end = header_end(work)
     if end <= at:
@@ -107,23 +107,11 @@ def _joined(imports: set[str]) -> list[str]:
     ]
 
 
-def _indent(work: Work) -> str:
-    """Return by what the first block of the file is indented."""
-    for node in walk(work.analysis.syntax.root):
-        if node.type == "block" and node.parent is not None:
-            text = work.analysis.syntax.text
-            indent = text[line_start(text, node.start_byte) : node.start_byte]
-            outer = text[line_start(text, node.parent.start_byte) : node.parent.start_byte]
-            if not indent.strip() and not outer.strip() and len(indent) > len(outer):
-                return indent[len(outer) :].decode("ascii", "replace")
-    return "    "
-
-
 def _client_import(work: Work, otherwise: int) -> int:
     """Return where the first import of the client library stands at the top of the file."""
     text = work.analysis.syntax.text
     for statement in work.analysis.syntax.root.named_children:
-        if statement.type in _IMPORTS and work.is_gone(statement):
+        if statement.type in IMPORTS and work.is_gone(statement):
             start = line_start(text, statement.start_byte)
             return start if start == statement.start_byte else otherwise
     return otherwise
@@ -136,7 +124,7 @@ def _first_import(work: Work) -> int:
     for statement in statements:
         if statement.type != "future_import_statement" and _has_import(work, statement):
             return line_start(text, statement.start_byte)
-    behind = [each for each in statements if each.type not in ("comment", *_IMPORTS)]
+    behind = [each for each in statements if each.type not in ("comment", *IMPORTS)]
     if behind and behind[0].type == "expression_statement" and len(behind) > 1:
         behind = behind[1:]
     return line_start(text, behind[0].start_byte) if behind else len(text)
@@ -144,7 +132,7 @@ def _first_import(work: Work) -> int:
 
 def _has_import(work: Work, statement: Node) -> bool:
     """Tell whether a statement of the module imports: an import, or a `try` around one."""
-    if statement.type in _IMPORTS:
+    if statement.type in IMPORTS:
         return True
     if statement.type == "if_statement" and b"__name__" in (statement.text or b""):
         return False

@@ -9,9 +9,8 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.sources.python.conventions import target_name
 
-from .port_state import Work, walk
+from .port_state import IMPORTS, Work, is_imported, is_inner, walk
 
-_IMPORTS = frozenset({"import_statement", "import_from_statement", "future_import_statement"})
 _OF_TIMERS = frozenset({"cancel", "reset", "is_canceled", "time_until_next_call"})
 
 
@@ -31,11 +30,11 @@ def mark_leftovers(
     """
     done = set(work.done)
     for node in walk(work.analysis.syntax.root):
-        if node.type in _IMPORTS:
+        if node.type in IMPORTS:
             _mark_import(work, node, roots)
-        if node.type not in ("identifier", "attribute") or _is_inner(node) or work.is_gone(node):
+        if node.type not in ("identifier", "attribute") or is_inner(node) or work.is_gone(node):
             continue
-        if _is_done(node, done) or _has_parent(node, _IMPORTS):
+        if _is_done(node, done) or is_imported(node):
             continue
         names = [name for name in work.qualified(node) if name.partition(".")[0] in roots]
         if names:
@@ -104,17 +103,6 @@ def _remedy(name: str, remedies: Mapping[str, str]) -> str | None:
     return found[0] if found else None
 
 
-def _is_inner(node: Node) -> bool:
-    """Tell whether a node is a part of a dotted name, or no name that is looked up."""
-    parent = node.parent
-    if parent is None:
-        return False
-    if parent.type == "attribute":
-        return True
-    name = parent.child_by_field_name("name")
-    return parent.type == "keyword_argument" and name is not None and name.id == node.id
-
-
 def _is_done(node: Node, done: set[int]) -> bool:
     parent = node.parent
     return node.id in done or (
@@ -124,12 +112,3 @@ def _is_done(node: Node, done: set[int]) -> bool:
         and (callee := parent.child_by_field_name("function")) is not None
         and callee.id == node.id
     )
-
-
-def _has_parent(node: Node, types: frozenset[str]) -> bool:
-    current = node.parent
-    while current is not None:
-        if current.type in types:
-            return True
-        current = current.parent
-    return False

@@ -74,9 +74,7 @@ def _type(work: Work, node: Node) -> Section | FieldType | None:
         found = work.scope(node).lookup(work.slice(node))
         bindings = found[1] if found is not None else []
     elif node.type == "call":
-        callee = node.child_by_field_name("function")
-        made = constructed(work, callee) if callee is not None else None
-        return _section(work, *made) if made is not None else None
+        return _of_call(work, node)
     elif node.type == "subscript":
         return _element(work, node.child_by_field_name("value"))
     else:
@@ -87,6 +85,20 @@ def _type(work: Work, node: Node) -> Section | FieldType | None:
     made_by = work.analysis.resolver.instance(node, work.scope(node))
     found_class = _interface([made_by.qualified]) if made_by is not None else None
     return _section(work, *found_class) if found_class is not None else None
+
+
+def _of_call(work: Work, call: Node) -> Section | None:
+    """Return the message that a call makes, or that it waits for."""
+    callee = call.child_by_field_name("function")
+    made = constructed(work, callee) if callee is not None else None
+    if made is not None:
+        return _section(work, *made)
+    waits = (site for site in work.analysis.sites if site.call.id == call.id)
+    site = next((each for each in waits if each.shape.gives_message), None)
+    # What waits in rclpy gives a pair, with the message in it.
+    is_message = site is not None and work.before.ros_version == 1
+    type_ = site.endpoint.type if site is not None and is_message else None
+    return _section(work, type_, InterfaceKind.MESSAGE, "") if type_ is not None else None
 
 
 def _element(work: Work, items: Node | None) -> FieldType | None:
@@ -130,30 +142,53 @@ def field_type(work: Work, target: Node) -> FieldType | None:
 
 
 def _nested(work: Work) -> dict[tuple[str, str], set[FieldType]]:
-    """Return the types of the fields of fields of all messages that the file imports, by names."""
-    imported = (
+    """Return the types of the fields of fields of all messages that the file knows, by names."""
+    nested: dict[tuple[str, str], set[FieldType]] = {}
+    messages = known_messages(work)
+    for section in [*_imported(work), *messages.values()]:
+        for field in section.fields:
+            message = field.type.message
+            for inner in messages[message].fields if message in messages else ():
+                nested.setdefault((field.name, inner.name), set()).add(inner.type)
+    return nested
+
+
+def known_messages(work: Work) -> dict[InterfaceName, Section]:
+    """Return the messages that a file imports or sends, and those in their fields, by name."""
+    used = {site.endpoint.type for site in work.analysis.sites}
+    pending = [name for name in used if name is not None]
+    pending += [name for name, kind, _ in _imports(work) if kind is InterfaceKind.MESSAGE]
+    sections = _imported(work)
+    found: dict[InterfaceName, Section] = {}
+    while pending or sections:
+        for field in sections.pop().fields if sections else ():
+            if field.type.message is not None:
+                pending.append(field.type.message)
+        name = pending.pop() if pending else None
+        if name is None or name in found:
+            continue
+        section = _section(work, name, InterfaceKind.MESSAGE, "")
+        if section is not None:
+            found[name] = section
+            sections.append(section)
+    return found
+
+
+def _imported(work: Work) -> list[Section]:
+    """Return the messages and the sides of services that a file imports."""
+    made = (_section(work, *each) for each in _imports(work))
+    return [each for each in made if each is not None]
+
+
+def _imports(work: Work) -> list[tuple[InterfaceName, InterfaceKind, str]]:
+    targets = dict.fromkeys(
         each.target
         for scope in work.analysis.scopes.all
         for bindings in scope.bindings.values()
         for each in bindings
         if each.kind is BindingKind.IMPORT
     )
-    made = [_interface([name]) for name in dict.fromkeys(imported)]
-    pending = [found for each in made if each and (found := _section(work, *each))]
-    nested: dict[tuple[str, str], set[FieldType]] = {}
-    seen = set()
-    while pending:
-        for field in pending.pop().fields:
-            message = field.type.message
-            if message is None or field.type in seen:
-                continue
-            section = _section(work, message, InterfaceKind.MESSAGE, "")
-            for inner in section.fields if section is not None else ():
-                nested.setdefault((field.name, inner.name), set()).add(inner.type)
-            if section is not None:
-                seen.add(field.type)
-                pending.append(section)
-    return nested
+    return [found for each in targets if (found := _interface([each])) is not None]
 
 
 def _of_bound(work: Work, binding: Binding) -> Section | None:
@@ -167,10 +202,6 @@ def _of_bound(work: Work, binding: Binding) -> Section | None:
         return _section(work, message, InterfaceKind.MESSAGE, "") if message is not None else None
     if binding.value is None:
         return None
-    callee = binding.value.child_by_field_name("function")
-    if callee is not None:
-        made = constructed(work, callee)
-        return _section(work, *made) if made is not None else None
     found = typed(work, binding.value)
     if isinstance(found, FieldType) and found.message is not None and not found.is_array:
         return _section(work, found.message, InterfaceKind.MESSAGE, "")

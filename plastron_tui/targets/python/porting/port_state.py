@@ -14,7 +14,7 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import FieldType, Section
 from plastron_tui.sources.python.analysis import Analysis, Site
 from plastron_tui.sources.python.callbacks import callback_target
-from plastron_tui.sources.python.references import STATEMENT_PARENTS
+from plastron_tui.sources.python.references import STATEMENT_PARENTS, is_member
 from plastron_tui.sources.python.scopes import Binding, BindingKind, Scope
 from plastron_tui.sources.python.splices import (
     Splice,
@@ -27,6 +27,9 @@ from plastron_tui.sources.python.splices import (
 # Where a comment may stand on a line of its own, beside before a statement.
 _CLAUSES = frozenset({"elif_clause", "else_clause", "except_clause", "finally_clause"})
 
+
+IMPORTS = frozenset({"import_statement", "import_from_statement", "future_import_statement"})
+"""The types of the statements that import."""
 
 COMMENT = "# port by hand: "
 SEPARATOR = "; "
@@ -67,6 +70,8 @@ class Work:
         kinds: what expressions give, by the ids of their nodes.
         types: the types of messages and their fields, by the ids of the expressions.
         freed: imported names whose uses are written otherwise.
+        anchors: the statements before which rclpy makes the nodes, by the ids of the calls that
+            make them; None until somebody asks.
     """
 
     analysis: Analysis
@@ -81,6 +86,7 @@ class Work:
     kinds: dict[int, str | None] = field(default_factory=dict)
     types: dict[int, Section | FieldType | None] = field(default_factory=dict)
     freed: set[str] = field(default_factory=set)
+    anchors: dict[int, Node] | None = None
     _splices: list[Splice] = field(default_factory=list)
     _last: list[Splice] = field(default_factory=list)
     _deleted: list[Node] = field(default_factory=list)
@@ -124,13 +130,13 @@ class Work:
     def replace(self, node: Node, text: str) -> None:
         """Rewrite a node; what was rewritten inside of it must be in the text."""
         self.done.add(node.id)
+        self.replace_between(node.start_byte, node.end_byte, text)
+
+    def replace_between(self, start: int, end: int, text: str) -> None:
+        """Rewrite what is between two offsets, with what was rewritten there."""
         for splices in (self._splices, self._last):
-            splices[:] = [
-                each
-                for each in splices
-                if not (node.start_byte <= each.start and each.end <= node.end_byte)
-            ]
-        self._put(node.start_byte, node.end_byte, text)
+            splices[:] = [each for each in splices if not (start <= each.start and each.end <= end)]
+        self._put(start, end, text)
 
     def insert(self, offset: int, text: str) -> None:
         """Insert text."""
@@ -269,6 +275,19 @@ def walk(root: Node) -> Iterator[Node]:
         node = pending.pop()
         yield node
         pending.extend(reversed(node.named_children))
+
+
+def is_inner(node: Node) -> bool:
+    """Tell whether a node is a part of a dotted name, or names an argument."""
+    return node.parent is not None and (node.parent.type == "attribute" or is_member(node))
+
+
+def is_imported(node: Node) -> bool:
+    """Tell whether a node stands in an import."""
+    current = node.parent
+    while current is not None and current.type not in IMPORTS:
+        current = current.parent
+    return current is not None
 
 
 def first_of(nodes: Iterable[Node]) -> Node | None:

@@ -43,12 +43,10 @@ def make_node(work: Work, node: str, *, in_thread: bool, own_signals: bool) -> N
         lines = [f"{_INIT}({_NO_SIGNALS})" if own_signals else f"{_INIT}()"]
         if own_signals:
             work.imports.add(_SIGNALS)
-        _place(work, init, node, lines, in_thread=in_thread, can_move=len(inits) == 1)
+        _place(work, init, node, lines, in_thread=in_thread)
 
 
-def _place(
-    work: Work, init: NodeSite, node: str, lines: list[str], *, in_thread: bool, can_move: bool
-) -> None:
+def _place(work: Work, init: NodeSite, node: str, lines: list[str], *, in_thread: bool) -> None:
     """Write the lines that make the node, behind those that are given."""
     assert init.call is not None
     statement = statement_of(init.call)
@@ -63,7 +61,7 @@ def _place(
         lines.insert(1, f"{COMMENT}{option}")
     work.done.add(init.call.id)
     function = init.scope.enclosing("function")
-    anchor = _anchor(work, init) if can_move and init.name is not None else statement
+    anchor = _anchors(work)[init.call.id]
     if function is not None and anchor.start_byte >= function.start:
         body = function.node.child_by_field_name("body")
         assert body is not None
@@ -113,6 +111,19 @@ def _options(work: Work, init: NodeSite, node: str, lines: list[str]) -> list[st
     return options
 
 
+def _anchors(work: Work) -> dict[int, Node]:
+    """Return the statements before which the nodes are made, by the calls that make them."""
+    if work.anchors is None:
+        inits = [each for each in work.analysis.nodes if each.call is not None]
+        can_move = len(inits) == 1 and inits[0].name is not None
+        work.anchors = {
+            init.call.id: _anchor(work, init) if can_move else statement_of(init.call)
+            for init in inits
+            if init.call is not None
+        }
+    return work.anchors
+
+
 def _anchor(work: Work, init: NodeSite) -> Node:
     """Return the statement before which the node is made: no endpoint is made before it."""
     assert init.call is not None
@@ -138,12 +149,7 @@ def has_node(work: Work, place: Node) -> bool:
     that no line of the file makes.
     """
     function = work.scope(place).enclosing("function")
-    inits = [each for each in work.analysis.nodes if each.call is not None]
-    anchors = []
-    for init in inits:
-        assert init.call is not None
-        can_move = len(inits) == 1 and init.name is not None
-        anchors.append(_anchor(work, init) if can_move else statement_of(init.call))
+    anchors = list(_anchors(work).values())
     if function is None and work.scope(place).enclosing("lambda") is not None:
         return True
     if function is not None:

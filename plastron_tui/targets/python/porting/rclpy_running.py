@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
-from plastron_tui.sources.python.references import statement_of
 from plastron_tui.sources.python.syntax import parts_of
 
 from .port_state import Work, walk
@@ -162,8 +161,6 @@ def _calls(work: Work) -> dict[str, list[Node]]:
             found = found.replace("rospy.timer.", "rospy.")
             if found in calls and (is_free or found in _ANYWHERE):
                 calls[found].append(call)
-        if is_free and "roslib.load_manifest" in work.qualified(callee):
-            work.delete(statement_of(call))
     return calls
 
 

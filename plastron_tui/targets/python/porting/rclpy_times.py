@@ -9,12 +9,12 @@ from plastron_tui.sources.python.syntax import parts_of
 
 from .port_state import Work, walk
 from .rclpy_node import has_node
-from .times import Kind, Times, of_message, rename_parts
+from .times import Kind, Times, of_message
 
 _NOW = frozenset({"rospy.Time.now", "rospy.get_rostime"})
 _DURATION = frozenset({"rospy.Duration", "rospy.Duration.from_sec"})
 _TIME = frozenset({"rospy.Time"})
-_PARTS = {"secs": "sec", "nsecs": "nanosec"}
+PARTS = {"secs": "sec", "nsecs": "nanosec"}
 _CLASSES = {"time": "rclpy.time.Time", "duration": "rclpy.duration.Duration"}
 
 
@@ -54,7 +54,6 @@ def port_times(work: Work, node: str) -> None:
             work.insert_first(each.start_byte, "(" if is_operation else "")
             work.insert_last(each.end_byte, ").to_msg()" if is_operation else ".to_msg()")
     _port_messages(work)
-    rename_parts(work, _PARTS)
 
 
 def _port_messages(work: Work) -> None:

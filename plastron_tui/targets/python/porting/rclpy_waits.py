@@ -249,10 +249,7 @@ def _is_known_wait(work: Work, call: Node, name: Argument | None) -> bool:
 
 
 def _is_message(work: Work, site: Site) -> bool:
-    callee = site.call.child_by_field_name("function")
-    if callee is None or "rospy.wait_for_message" not in {
-        name.replace("rospy.client.", "rospy.") for name in work.qualified(callee)
-    }:
+    if not site.shape.gives_message:
         return False
     timeout = site.arguments.get(Argument(2, "timeout"))
     is_known = timeout is None or timeout.type == "none" or is_number(work, timeout)

@@ -147,9 +147,14 @@ def _port_log(work: Work, call: Node, callee: Node, log: str, often: str = "") -
         return
     if seconds is not None:
         work.cut(Splice(seconds.start_byte, first.start_byte))
-    if option:
-        # What comes behind the text closes it first.
-        work.insert_last(given[-1].end_byte, f", {option}")
+    options = f", {option}" if option else ""
+    written = _formatted(work, first, rest) if rest else None
+    if written is not None:
+        work.replace(callee, log)
+        work.replace_between(first.start_byte, given[-1].end_byte, written + options)
+        return
+    # What comes behind the text closes it first.
+    work.insert_last(given[-1].end_byte, options)
     if not rest:
         if kind_of(work, first) != "str":
             work.insert(first.start_byte, "str(")
@@ -157,10 +162,6 @@ def _port_log(work: Work, call: Node, callee: Node, log: str, often: str = "") -
         work.replace(callee, log)
         return
     work.replace(callee, log)
-    written = _formatted(work, first, rest)
-    if written is not None:
-        work.cut(Splice(first.start_byte, given[-1].end_byte, work.analysis.syntax.encode(written)))
-        return
     opening, closing = ("(", ",)") if len(rest) == 1 else ("(", ")")
     if first.type == "binary_operator":
         work.insert_first(first.start_byte, "(")
@@ -193,7 +194,7 @@ def _fields(work: Work, text: Node) -> int | None:
 def _formatted(work: Work, text: Node, values: list[Node]) -> str | None:
     """Write an f-string, where the text and the values are simple enough to be read in one."""
     found = _TEXT.fullmatch(work.slice(text))
-    names = [work.slice(each) for each in values]
+    names = [work.text(each) for each in values]
     if found is None or not all(map(_SIMPLE.fullmatch, names)):
         return None
     if any(each.type not in ("identifier", "attribute") for each in values):

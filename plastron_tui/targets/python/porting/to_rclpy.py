@@ -25,9 +25,10 @@ from .python_2 import port_python_2
 from .rclpy_node import make_node
 from .rclpy_parameters import port_parameters
 from .rclpy_running import port_running
-from .rclpy_times import port_times
+from .rclpy_times import PARTS, port_times
 from .rclpy_waits import Waits, find_waits, port_waits
 from .rclpy_words import port_words
+from .renamed_fields import port_fields
 from .rewriting import (
     Writer,
     append_parameter,
@@ -38,7 +39,8 @@ from .rewriting import (
     parameters_of,
     port_sites,
 )
-from .types import keep_used_imports, port_imports
+from .times import rename_parts
+from .types import keep_used_imports, leave_manifests, port_imports
 
 _GONE = frozenset({"rospy", "roslib"})
 _LEFT = _GONE | {"actionlib", "rosgraph", "rosnode", "rosservice", "rostopic", "rosparam", "genpy"}
@@ -66,6 +68,7 @@ def port_to_rclpy(work: Work) -> None:
     """Rewrite what makes a rospy node and its endpoints, and mark the rest of rospy."""
     node = work.free_name("node")
     port_imports(work, _GONE)
+    leave_manifests(work)
     if old := _OLD_PYTHON.match(work.analysis.syntax.text):
         work.insert(old.end(1), "3")
     port_python_2(work)
@@ -78,6 +81,8 @@ def port_to_rclpy(work: Work) -> None:
         destroys=bool(waits.messages) or destroys_endpoints(work),
     )
     port_parameters(work, node)
+    rename_parts(work, PARTS)
+    port_fields(work)
     port_words(work, node)
     port_times(work, node)
     port_plain(work)
@@ -166,23 +171,19 @@ def _publisher(node: str, work: Work, site: Site, name: str) -> str | None:
 
 def _subscription(waits: Waits, node: str, work: Work, site: Site, name: str) -> str | None:
     type_ = _type(work, site)
-    callee = site.shape.callees[0]
     if waits.is_message(site):
         timeout = site.arguments.get(Argument(2, "timeout"))
         limit = f", {work.text(timeout)}" if timeout is not None else ""
         made = f"{node}.create_subscription({type_}, {name}, lambda message: None, 1{waits.group})"
         return f"{waits.names['message']}({made}{limit})"
-    if callee == "message_filters.Subscriber":
-        if (
-            site.shape.callback is None
-            and "wait_for_message" in work.slice(site.call).split("(")[0]
-        ):
-            timeout = site.arguments.get(Argument(2, "timeout"))
-            work.imports.add("from rclpy.wait_for_message import wait_for_message")
-            limit = f", time_to_wait={work.text(timeout)}" if timeout is not None else ""
-            if timeout is not None:
-                work.mark(site.call, "timeout", "rclpy returns None where the time is up")
-            return f"wait_for_message({type_}, {node}, {name}{limit})[1]"
+    if site.shape.gives_message:
+        timeout = site.arguments.get(Argument(2, "timeout"))
+        work.imports.add("from rclpy.wait_for_message import wait_for_message")
+        limit = f", time_to_wait={work.text(timeout)}" if timeout is not None else ""
+        if timeout is not None:
+            work.mark(site.call, "timeout", "rclpy returns None where the time is up")
+        return f"wait_for_message({type_}, {node}, {name}{limit})[1]"
+    if site.shape.callees[0] == "message_filters.Subscriber":
         function = site.call.child_by_field_name("function")
         assert function is not None
         return f"{work.slice(function)}({node}, {type_}, {name})"

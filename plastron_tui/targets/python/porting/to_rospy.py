@@ -21,6 +21,7 @@ from .insertion_point import add_header
 from .leftovers import mark_leftovers, port_ending
 from .node_uses import mark_helpers, mark_waits, port_node_uses
 from .port_state import Work, walk
+from .renamed_fields import port_fields
 from .rewriting import (
     Writer,
     append_parameter,
@@ -115,6 +116,7 @@ def port_to_rospy(work: Work) -> None:
     port_rospy_words(work)
     port_rospy_times(work)
     port_rospy_values(work)
+    port_fields(work)
     port_sites(work, _WRITERS, _private_name)
     _port_nodes(work)
     port_ending(work, {"cancel": "shutdown"}, _ENDING)
@@ -149,14 +151,13 @@ def _publisher(work: Work, site: Site, name: str) -> str | None:
 
 
 def _subscription(work: Work, site: Site, name: str) -> str | None:
-    callee = site.shape.callees[0]
     type_ = given_type(work, site)
-    if callee == "message_filters.Subscriber":
-        return f"message_filters.Subscriber({name}, {type_})"
-    if callee != "create_subscription":
+    if site.shape.gives_message:
         limit = site.arguments.get(Argument(-1, "time_to_wait"))
         timeout = f", timeout={work.text(limit)}" if limit is not None else ""
         return f"(True, rospy.wait_for_message({name}, {type_}{timeout}))"
+    if site.shape.node is not None:
+        return f"message_filters.Subscriber({name}, {type_})"
     mark_options(work, site, _OPTIONS, ("callback", "qos_profile"))
     callback = site.arguments.get(Argument(2, "callback"))
     depth = _depth(work, site, Argument(3, "qos_profile"))

@@ -7,9 +7,10 @@ from collections import defaultdict
 from tree_sitter import Node
 
 from plastron_tui.ros.catalog import moved
-from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName, Section
+from plastron_tui.sources.python.references import statement_of
 
-from .port_state import Work, walk
+from .port_state import Work, is_imported, walk
 
 _SIDES = ("Request", "Response")
 _KINDS = {"msg": InterfaceKind.MESSAGE, "srv": InterfaceKind.SERVICE}
@@ -34,6 +35,14 @@ def port_imports(work: Work, roots: frozenset[str]) -> None:
                 _port_star(work, node, name)
             else:
                 _port_types(work, node, name)
+
+
+def leave_manifests(work: Work) -> None:
+    """Take `roslib.load_manifest('package')` away, which finds the imports of old packages."""
+    for call in work.analysis.captures.get("call", []):
+        callee = call.child_by_field_name("function")
+        if callee is not None and "roslib.load_manifest" in work.qualified(callee):
+            work.delete(statement_of(call))
 
 
 def keep_used_imports(work: Work, roots: frozenset[str]) -> None:
@@ -143,15 +152,9 @@ def _is_moved(work: Work, type_: InterfaceName) -> bool:
 
 def _is_used(work: Work, name: str) -> bool:
     return any(
-        node.type == "identifier" and work.slice(node) == name and not _is_imported(node)
+        node.type == "identifier" and work.slice(node) == name and not is_imported(node)
         for node in walk(work.analysis.syntax.root)
     )
-
-
-def _is_imported(node: Node) -> bool:
-    """Tell whether an identifier stands in an import."""
-    parents = ("dotted_name", "aliased_import", "import_from_statement")
-    return node.parent is not None and node.parent.type in parents
 
 
 def _split(name: str) -> tuple[str, str]:
@@ -168,6 +171,13 @@ def _in_target(work: Work, node: Node, type_: InterfaceName, kind: InterfaceKind
     if found is None:
         work.mark(node, str(type_), remedy)
     return found or type_
+
+
+def new_field(name: str, there: Section) -> str | None:
+    """Return what the other ROS calls a field of a message, None for one that it lacks."""
+    names = [each.name for each in there.fields]
+    alike = [each for each in names if each.lower() == name.lower()]
+    return name if name in names else next(iter(alike), None)
 
 
 def target_type(

@@ -10,9 +10,7 @@ from tree_sitter import Node
 from plastron_tui.sources.python.splices import Splice, apply, delete_item, delete_statements
 from plastron_tui.sources.python.syntax import Syntax, parse
 
-from .port_state import walk
-
-_IMPORTS = ("import_statement", "import_from_statement")
+from .port_state import IMPORTS, walk
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +40,7 @@ def without_unused(text: bytes, roots: Iterable[str], freed: Iterable[str]) -> b
     """
     syntax = parse(text)
     gone_roots, gone_names = frozenset(roots), frozenset(freed)
-    statements = [node for node in walk(syntax.root) if node.type in _IMPORTS]
+    statements = [node for node in walk(syntax.root) if node.type in IMPORTS]
     names, paths = _used(syntax)
     dead: list[Node] = []
     splices: list[Splice] = []
@@ -82,7 +80,7 @@ def _used(syntax: Syntax) -> tuple[set[str], set[str]]:
     pending = [syntax.root]
     while pending:
         node = pending.pop()
-        if node.type in _IMPORTS:
+        if node.type in IMPORTS:
             continue
         if node.type == "identifier":
             names.add(syntax.slice(node))
