@@ -17,6 +17,7 @@ MARKED = [
     ("rospy", "import move_base_msgs.msg", "move_base_msgs.msg.MoveBaseGoal()", "MoveBaseGoal"),
     ("rospy", "from my_msgs.msg import DigAction, DigGoal", "DigGoal()", "DigGoal"),
     ("rospy", "from my_msgs.msg import DigGoal", "DigGoal()", ""),
+    ("rospy", "from my_msgs.msg import DigActionResult", "DigActionResult()", "DigActionResult"),
     ("rclpy", "from control_msgs.action import GripperCommand as G", "G.Goal()", "GripperCommand"),
     ("rclpy", "import my_msgs.action", "x = my_msgs.action.Dig", "Dig"),
     (

@@ -20,6 +20,7 @@ from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.model.kinds import EDITABLE
 from plastron_tui.model.source import EndpointKind, SourceUnit
 from plastron_tui.sources.python import read_python
+from plastron_tui.sources.python.syntax import parse
 from plastron_tui.targets import find_target
 
 NODES = Path(__file__).parent.parent / "nodes"
@@ -81,7 +82,7 @@ def check_marks(read: SourceUnit, text: bytes, diagnostics: tuple[Diagnostic, ..
         tree = ast.parse(text)
     except (SyntaxError, ValueError):
         return
-    lines = text.decode("utf-8", "replace").split("\n")
+    lines = text.decode(parse(text).encoding, "replace").split("\n")
     statements = [node for node in ast.walk(tree) if isinstance(node, ast.stmt)]
     for node in ast.walk(tree):
         if isinstance(node, ast.Name) and node.id == read.library:

@@ -47,6 +47,11 @@ LINES = [
         "p = rospy.Publisher('x/' + a, String, queue_size=1)",
         f"{MARK}the name 'x/' + a\np = node.create_publisher(String, 'x/' + a, 1)",
     ),
+    ("rospy.ServiceProxy('s', X).uri", f"{MARK}.uri\nnode.create_client(X, 's').uri"),
+    (
+        "p = rospy.Publisher('/x', String)\nprint(p.name)",
+        f"p = node.create_publisher(String, '/x', 10)\n{MARK}.name\nprint(p.name)",
+    ),
     (
         f"p = rospy.Publisher(a + {LONG}, String, queue_size=1)",
         f"{MARK}the name that is made here\n"

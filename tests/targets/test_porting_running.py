@@ -148,6 +148,71 @@ def test_what_rclpy_runs_a_node_with(before: str, after: str) -> None:
     assert MARK not in text
 
 
+ONCE = f"{MARK}spin_once ends at the first message\n"
+SPINS_ONCE = [
+    ("while x:\n    rclpy.spin_once(n, timeout_sec=1)", "while x:\n    rospy.sleep(1)"),
+    (
+        "while x:\n    rclpy.spin_once(n, timeout_sec=1)\n    y()",
+        f"while x:\n    {ONCE}    rospy.sleep(1)\n    y()",
+    ),
+    (
+        "while x:\n    rclpy.spin_once(n, timeout_sec=0)\n    y()",
+        "while x:\n    rospy.sleep(0)\n    y()",
+    ),
+    ("rclpy.spin_once(n, timeout_sec=1)", "rospy.sleep(1)"),
+]
+
+
+@pytest.mark.parametrize(("before", "after"), SPINS_ONCE)
+def test_one_spin_ends_at_the_first_message(before: str, after: str) -> None:
+    text = ported(f"{CLASS}rclpy.init()\nn = A()\n{before}\n", "rclpy", "rospy")
+    assert text.endswith(f"\nn = A()\n{after}\n")
+
+
+BUSY = [
+    ("{sub}\nrospy.spin()", False),
+    ("time.sleep(1)\n{sub}\nrospy.spin()", False),
+    ("{sub}\nrospy.spin()\ntime.sleep(1)", False),
+    ("{sub}\ntime.sleep(1)\nrospy.spin()", True),
+    ("{sub}\nwhile f(): pass\nrospy.spin()", True),
+    ("{sub}\nmatplotlib.pyplot.show()\nrospy.spin()", True),
+    ("{sub}\nwindow.mainloop()\nrospy.spin()", True),
+    ("def f(): time.sleep(1)\n\n\n{sub}\nf()\nrospy.spin()", True),
+    ("def f(): time.sleep(1)\n\n\n{sub}\nuse(f)\nrospy.spin()", False),
+    (
+        "class A:\n    def __init__(self):\n        {sub}\n        rospy.sleep(1)\n\n\n"
+        "A()\nrospy.spin()",
+        True,
+    ),
+]
+
+
+@pytest.mark.parametrize(("lines", "is_busy"), BUSY)
+def test_a_thread_handles_what_comes_while_the_file_is_busy(lines: str, is_busy: bool) -> None:
+    made = lines.format(sub="rospy.Subscriber('s', String, print)")
+    text = ported(
+        "import matplotlib.pyplot\nimport time\nimport rospy\nfrom std_msgs.msg import String\n\n"
+        f"rospy.init_node('n')\n{made}\n",
+        "rospy",
+        "rclpy",
+    )
+    assert ("\nspin_in_thread()\n" in text) == is_busy
+    assert ("\nwait()\n" in text) == is_busy
+
+
+def test_the_comments_and_blank_lines_of_imports_and_of_the_node_stay() -> None:
+    text = ported(
+        "# of numbers\nimport numpy\n\n# of ROS\nimport rospy\n\nimport mine\n\n"
+        "# the node is made\nrospy.init_node('n')  # here\n",
+        "rospy",
+        "rclpy",
+    )
+    assert text == (
+        "# of numbers\nimport numpy\n\n# of ROS\nimport rclpy\n\nimport mine\n\n"
+        '# the node is made\nrclpy.init()\nnode = rclpy.create_node("n")  # here\n'
+    )
+
+
 USED = [
     ("rospy", "import rospy", "rospy.AnyMsg"),
     ("rospy", "import rospy", "def f():\n    return rospy.get_param('/x')"),

@@ -50,6 +50,7 @@ TO_RCLPY = [
     ),
     (
         "rospy.Timer(rospy.Duration(1), make(x))",
+        f"{MARK}the event of the timer\n"
         "node.create_timer(1, lambda callback=make(x): callback(None))",
     ),
     (
@@ -71,7 +72,12 @@ TO_RCLPY = [
     ),
     (
         "rospy.Timer(rospy.Duration(1), lambda e: print(e), True)",
-        f"{MARK}options\nnode.create_timer(1, lambda: (lambda e: print(e))(None))",
+        f"{MARK}options; the event e\nnode.create_timer(1, lambda: (lambda e: print(e))(None))",
+    ),
+    (
+        "def f(event):\n    use(event)\n\n\nrospy.Timer(rospy.Duration(1), f)",
+        f"def f(event=None):\n    {MARK}the event event\n    use(event)\n\n\n"
+        "node.create_timer(1, f)",
     ),
     (
         "p = rospy.ServiceProxy('s', Trigger, headers=h)",

@@ -71,12 +71,16 @@ def _class_of_ros_1(work: Work, names: Iterable[str], known: frozenset[str]) -> 
             continue
         package, action, side = found.groups()
         type_ = InterfaceName(package, action)
-        is_own = f"{package}.msg.{action}" in known or side == "Action" or type_ in _MOVED
+        # What is generated for an action has two words: a message may be any `Goal`.
+        is_made = side.startswith("Action") or f"{package}.msg.{action}" in known
+        is_own = is_made or type_ in _MOVED
         if not is_own and work.before.find(type_, InterfaceKind.ACTION) is None:
             continue
         target = _MOVED.get(type_) or target_type(work, type_, InterfaceKind.ACTION)[0]
         part = "" if side == "Action" else f".{side}"
         words = name.rpartition(".")[2]
+        if side.startswith("Action") and side != "Action":
+            return words, "the topics of an action are hidden in ROS 2: use an `ActionClient`"
         if target is None:
             return words, f"an action of ROS 2 is `{action}{part}` of a package's `action`"
         return words, f"`{target.name}{part}` of `{target.package}.action`"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 
 from tree_sitter import Node
 
@@ -12,7 +12,7 @@ from plastron_tui.sources.python.constants import without_none
 from plastron_tui.sources.python.references import statement_of
 from plastron_tui.sources.python.scopes import BindingKind
 
-from .port_state import Work
+from .port_state import Work, walk
 from .rclpy_node import has_node
 
 _DESTROYED = {
@@ -75,6 +75,40 @@ def port_endpoint_methods(work: Work, node: str) -> None:
             work.replace(part, _COUNTS[kind])
         else:
             work.replace(call, f"{node}.{_DESTROYED[kind, method]}({work.slice(holder)})")
+
+
+_SAME = {
+    EndpointKind.PUBLISHER: {"publish"},
+    EndpointKind.SUBSCRIPTION: {"registerCallback"},
+    EndpointKind.CLIENT: {"call", "wait_for_service"},
+    EndpointKind.SERVICE: set[str](),
+    EndpointKind.TIMER: set[str](),
+}
+
+
+def mark_endpoint_attributes(work: Work, known: Container[str]) -> None:
+    """Mark what is asked of an endpoint that the other library's class has not.
+
+    Args:
+        work: the file.
+        known: the attributes that are marked wherever they stand.
+    """
+    for node in walk(work.analysis.syntax.root):
+        part = node.child_by_field_name("attribute") if node.type == "attribute" else None
+        holder = node.child_by_field_name("object")
+        if part is None or holder is None or work.is_gone(node) or part.id in work.done:
+            continue
+        name = work.slice(part)
+        is_call = node.parent is not None and node.parent.id in work.done
+        if node.id in work.done or is_call or name in known:
+            continue
+        kinds = {
+            site.endpoint.kind for site in sites_of(work, holder) if not site.shape.gives_message
+        }
+        for kind in kinds:
+            if name not in _SAME.get(kind, {name}):
+                version = work.catalog.ros_version
+                work.mark(node, f".{name}", f"the {kind.value} of ROS {version} have no `{name}`")
 
 
 def _methods(work: Work) -> Iterator[tuple[Node, Node, str, EndpointKind]]:

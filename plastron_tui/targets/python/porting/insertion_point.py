@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import re
+from itertools import chain
+from sys import stdlib_module_names
+
 from tree_sitter import Node
 
 from plastron_tui.sources.python.conventions import conventions_of
@@ -14,6 +18,7 @@ _STANDARD = frozenset(
     f"import {name}"
     for name in ("atexit", "os", "queue", "signal", "threading", "time", "traceback")
 )
+_MODULE = re.compile(rb"(?:from|import)\s+(\w+)")
 _DEFINITIONS = frozenset({"function_definition", "class_definition", "decorated_definition"})
 
 
@@ -70,13 +75,14 @@ def add_header(work: Work) -> None:
     standard = [line for line in wanted if line in _STANDARD]
     others = [line for line in wanted if line not in _STANDARD]
     at = _first_import(work)
-    behind = _client_import(work, at)
-    if behind == at:
-        groups = ["".join(f"{line}\n" for line in group) for group in (standard, others) if group]
-        imports = "\n".join(groups)
+    replaced = _client_import(work)
+    if replaced is not None and others:
+        work.keep(replaced)
+        work.replace(replaced, "\n".join(others))
+        groups = [standard, [""]] if standard and _begins_group(work, at) else [standard]
     else:
-        imports = "".join(f"{line}\n" for line in standard)
-        work.insert(behind, "".join(f"{line}\n" for line in others))
+        groups = [standard, [""], others] if standard and others else [standard, others]
+    imports = "".join(f"{line}\n" for line in chain.from_iterable(groups))
     constants = "".join(f"{line}\n" for line in work.constants)
     helpers = [f"\n{constants}"] if constants else []
     indent = conventions_of(work.analysis).indent
@@ -107,14 +113,20 @@ def _joined(imports: set[str]) -> list[str]:
     ]
 
 
-def _client_import(work: Work, otherwise: int) -> int:
-    """Return where the first import of the client library stands at the top of the file."""
+def _client_import(work: Work) -> Node | None:
+    """Return the first import of the client library at the top of the file, which goes."""
     text = work.analysis.syntax.text
     for statement in work.analysis.syntax.root.named_children:
         if statement.type in IMPORTS and work.is_gone(statement):
-            start = line_start(text, statement.start_byte)
-            return start if start == statement.start_byte else otherwise
-    return otherwise
+            is_line = line_start(text, statement.start_byte) == statement.start_byte
+            return statement if is_line else None
+    return None
+
+
+def _begins_group(work: Work, at: int) -> bool:
+    """Tell whether the import at an offset is of no module that comes with Python."""
+    found = _MODULE.match(work.analysis.syntax.text, at)
+    return found is not None and found[1].decode("ascii", "replace") not in stdlib_module_names
 
 
 def _first_import(work: Work) -> int:

@@ -84,7 +84,7 @@ def _ported(source: SourceUnit, work: Work, library: str, limit: LineLimit) -> R
     made = without_contexts(work.result(limit.length))
     made = without_unused(made, _LEFT[source.library], work.freed)
     text = wrap_new_lines(source.files.main, parse(made), limit)
-    lines = _comment_lines(text)
+    lines = _comment_lines(text.decode(before.syntax.encoding, "replace"))
     found = [_listed(mark, source, library, lines) for mark in _in_order(work.marks)]
     after = analyze(text, LIBRARIES[library])
     found += _missing(work, before, after, source)
@@ -145,12 +145,12 @@ def _in_order(marks: list[Mark]) -> list[Mark]:
     return list(seen.values())
 
 
-def _comment_lines(text: bytes) -> dict[str, list[int]]:
+def _comment_lines(text: str) -> dict[str, list[int]]:
     """Return the lines below the comments of a ported file, by what the comments name."""
     lines: dict[str, list[int]] = {}
     above: list[str] = []
-    for row, line in enumerate(text.split(b"\n"), 1):
-        _, comment, words = line.decode("utf-8", "replace").partition(COMMENT)
+    for row, line in enumerate(text.split("\n"), 1):
+        _, comment, words = line.partition(COMMENT)
         if comment:
             above += words.rstrip().split(SEPARATOR)
             continue

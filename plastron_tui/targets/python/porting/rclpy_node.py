@@ -7,10 +7,11 @@ from tree_sitter import Node
 from plastron_tui.sources.python import literals
 from plastron_tui.sources.python.analysis import NodeSite
 from plastron_tui.sources.python.references import statement_of
+from plastron_tui.sources.python.splices import line_start
 from plastron_tui.sources.python.syntax import parts_of
 
 from .insertion_point import first_call, top_level
-from .port_state import COMMENT, Mark, Work, first_of
+from .port_state import COMMENT, Mark, Work, first_of, walk
 from .rewriting import begins_line, first_statement, put_before
 
 _INIT = "rclpy.init"
@@ -66,12 +67,23 @@ def _place(work: Work, init: NodeSite, node: str, lines: list[str], *, in_thread
         body = function.node.child_by_field_name("body")
         assert body is not None
         put_before(work, first_statement(body), [f"global {node}"])
-    if anchor.id == statement.id and not begins_line(work, statement):
-        work.replace(statement, "; ".join(line for line in lines if line[0] != "#"))
+    if anchor.id == statement.id:
+        _replace(work, statement, lines)
         return
     put_before(work, anchor, lines)
     if statement.type == "expression_statement":
         work.delete(statement)
+
+
+def _replace(work: Work, statement: Node, lines: list[str]) -> None:
+    """Write lines where a statement stands; in a line with others, comments have no place."""
+    if not begins_line(work, statement):
+        work.replace(statement, "; ".join(line for line in lines if line[0] != "#"))
+        return
+    work.done.update(each.id for each in walk(statement))
+    text = work.analysis.syntax.text
+    margin = text[line_start(text, statement.start_byte) : statement.start_byte]
+    work.replace(statement, f"\n{margin.decode('ascii')}".join(lines))
 
 
 _OPTIONS = {"anonymous": "ROS 2 makes no name unique: start the node under a name of its own"}

@@ -9,6 +9,7 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.sources.python.syntax import parts_of
 
+from .main_line import is_busy_before_spin
 from .port_state import Work, walk
 from .rewriting import replace_by_opposite
 
@@ -105,12 +106,13 @@ def port_running(
     calls = _calls(work)
     is_made = any(each.call is not None for each in work.analysis.nodes)
     hooks = [each for each in calls["rospy.on_shutdown"] if is_made and _has_one(each)]
-    is_listening = any(site.endpoint.kind in LISTENS for site in work.analysis.sites)
+    listens = {site.call.id for site in work.analysis.sites if site.endpoint.kind in LISTENS}
+    ends = {call.id for call in calls["rospy.spin"]}
     in_thread = (
         bool(calls["rospy.Rate"])
         or bool(hooks)
         or waits
-        or (is_listening and not calls["rospy.spin"])
+        or (bool(listens) and (not ends or is_busy_before_spin(work, listens, ends)))
     )
     _port_rates(work, node, calls["rospy.Rate"])
     for call in calls["rospy.is_shutdown"]:

@@ -12,11 +12,13 @@ from plastron_tui.model.source import EndpointKind
 from plastron_tui.sources.python.analysis import Site
 from plastron_tui.sources.python.calls import Argument
 from plastron_tui.sources.python.constants import Known
+from plastron_tui.sources.python.references import is_member
 from plastron_tui.sources.python.scopes import Scope
+from plastron_tui.sources.python.syntax import parts_of
 
 from .actions import mark_actions
 from .arrays import port_arrays
-from .endpoints import destroys_endpoints, port_endpoint_methods
+from .endpoints import destroys_endpoints, mark_endpoint_attributes, port_endpoint_methods
 from .insertion_point import add_header
 from .leftovers import mark_leftovers, port_ending
 from .plain import port_plain
@@ -92,6 +94,7 @@ def port_to_rclpy(work: Work) -> None:
     port_sites(work, _writers(node, waits), _private_name)
     make_node(work, node, in_thread=running.in_thread, own_signals=running.own_signals)
     port_ending(work, {"shutdown": "cancel"}, _ENDING)
+    mark_endpoint_attributes(work, {*_ATTRIBUTES, *_ENDING})
     mark_actions(work)
     mark_leftovers(work, _LEFT, _ATTRIBUTES, _remedies(node))
     keep_used_imports(work, _GONE)
@@ -227,6 +230,7 @@ def _timer(node: str, work: Work, site: Site, name: str) -> str | None:
     called = work.text(callback)
     function = work.callback_of(site)
     if function is None:
+        _mark_handed_event(work, site, callback)
         bound, called = bound_early(work, callback, "callback")
         called = f"lambda{bound.removeprefix(',')}: {callable_text(called)}(None)"
     else:
@@ -298,12 +302,28 @@ def _give_default(work: Work, function: Scope) -> None:
     own = parameters[1:] if function.self_name else parameters
     if own and own[0].type == "identifier":
         work.insert(own[0].end_byte, "=None")
-        _mark_event(work, function, work.slice(own[0]))
+        _mark_event(work, function.node, work.slice(own[0]))
 
 
-def _mark_event(work: Work, function: Scope, event: str) -> None:
-    """Mark what a timer's callback asks of its event."""
-    for node in walk(function.node):
-        holder = node.child_by_field_name("object") if node.type == "attribute" else None
-        if holder is not None and work.slice(holder) == event:
-            work.mark(node, work.slice(node), "a timer of ROS 2 hands over no event")
+def _mark_handed_event(work: Work, site: Site, callback: Node) -> None:
+    """Mark a callback of a timer that may ask something of its event: all but a lambda's."""
+    if callback.type == "lambda":
+        parameters = parts_of(callback.child_by_field_name("parameters"))
+        for each in parameters[:1]:
+            _mark_event(work, callback, work.slice(each))
+    else:
+        work.mark(site.call, "the event of the timer", _NO_EVENT)
+
+
+def _mark_event(work: Work, function: Node, event: str) -> None:
+    """Mark what a timer's callback does with its event."""
+    body = function.child_by_field_name("body")
+    for node in walk(body) if body is not None else ():
+        if node.type == "identifier" and work.slice(node) == event and not is_member(node):
+            parent = node.parent
+            is_asked = parent is not None and parent.type == "attribute"
+            what = work.slice(parent) if is_asked and parent is not None else f"the event {event}"
+            work.mark(node, what, _NO_EVENT)
+
+
+_NO_EVENT = "a timer of ROS 2 hands over no event"

@@ -10,13 +10,13 @@ from plastron_tui.sources.python import literals
 from plastron_tui.sources.python.analysis import NodeSite, Site
 from plastron_tui.sources.python.calls import Argument
 from plastron_tui.sources.python.constants import Known
-from plastron_tui.sources.python.references import statement_of
 from plastron_tui.sources.python.scopes import Scope
-from plastron_tui.sources.python.splices import Splice, delete_item, line_start
+from plastron_tui.sources.python.splices import delete_item
 from plastron_tui.sources.python.syntax import parts_of
 
 from .actions import mark_actions
-from .contexts import port_context, port_executors
+from .contexts import port_executors
+from .endpoints import mark_endpoint_attributes
 from .insertion_point import add_header
 from .leftovers import mark_leftovers, port_ending
 from .node_uses import mark_helpers, mark_waits, port_node_uses
@@ -34,6 +34,7 @@ from .rewriting import (
     put_before,
 )
 from .rospy_parameters import port_rospy_parameters
+from .rospy_running import port_rospy_running
 from .rospy_times import port_rospy_times
 from .rospy_values import port_rospy_values
 from .rospy_words import port_rospy_words
@@ -42,11 +43,6 @@ from .types import keep_used_imports, port_imports, target_type
 _GONE = frozenset({"rclpy"})
 _LEFT = _GONE | {"ament_index_python", "launch", "launch_ros", "tf2_ros", "nav2_simple_commander"}
 _LEFT |= {"rcl_interfaces", "lifecycle_msgs", "rosbag2_py"}
-
-_INTERRUPTS = (
-    "rclpy.executors.ExternalShutdownException",
-    "rclpy.exceptions.ROSInterruptException",
-)
 
 _ATTRIBUTES = {
     "create_client": "`rospy.ServiceProxy(name, type)`",
@@ -110,7 +106,7 @@ def port_to_rospy(work: Work) -> None:
     port_imports(work, _GONE)
     port_executors(work)
     port_rospy_parameters(work)
-    _port_running(work)
+    port_rospy_running(work)
     mark_waits(work)
     _mark_coroutines(work)
     port_rospy_words(work)
@@ -120,6 +116,7 @@ def port_to_rospy(work: Work) -> None:
     port_sites(work, _WRITERS, _private_name)
     _port_nodes(work)
     port_ending(work, {"cancel": "shutdown"}, _ENDING)
+    mark_endpoint_attributes(work, {*_ATTRIBUTES, *_ENDING})
     mark_actions(work)
     mark_leftovers(work, _LEFT, {k: v or "" for k, v in _ATTRIBUTES.items()}, _REMEDIES)
     mark_helpers(work)
@@ -259,87 +256,6 @@ def _take_event(work: Work, function: Scope) -> bool:
     work.done.add(listed.id)
     append_parameter(work, listed, parameters, "event=None")
     return True
-
-
-def _port_running(work: Work) -> None:
-    """Rewrite what runs the nodes, outside of callbacks."""
-    for call in work.analysis.captures.get("call", []):
-        callee = call.child_by_field_name("function")
-        if callee is None or work.is_in_callback(call):
-            continue
-        names = set(work.qualified(callee))
-        statement = statement_of(call)
-        is_alone = statement.type == "expression_statement" and statement.named_children == [call]
-        if names & {"rclpy.init"} and is_alone:
-            work.delete(statement)
-        elif names & {"rclpy.init"}:
-            port_context(work, call)
-        elif names & {"rclpy.spin_once"} and is_alone:
-            _port_spin_once(work, call)
-        elif names & {"rclpy.spin"}:
-            _port_spin(work, call, statement if is_alone else None)
-        elif names & {"rclpy.shutdown", "rclpy.try_shutdown"}:
-            work.replace(call, 'rospy.signal_shutdown("the node is done")')
-        elif callee.type == "attribute":
-            _port_method(work, call, callee, statement if is_alone else None)
-    for node in walk(work.analysis.syntax.root):
-        parent = node.parent
-        if parent is None or node.type not in ("identifier", "attribute"):
-            continue
-        is_caught = parent.type in ("except_clause", "as_pattern", "tuple")
-        if is_caught and set(work.qualified(node)) & set(_INTERRUPTS):
-            work.replace(node, "rospy.ROSInterruptException")
-
-
-def _port_spin_once(work: Work, call: Node) -> None:
-    """Wait as long as for what comes, which rospy handles in threads of its own."""
-    given = parts_of(call.child_by_field_name("arguments"))
-    body = statement_of(call).parent
-    if len(given) == 1 and given[0].type != "keyword_argument" and body is not None:
-        is_loop = body.parent is not None and body.parent.type == "while_statement"
-        if is_loop and body.named_children == [statement_of(call)]:
-            work.replace(call, "rospy.sleep(0.1)")
-        return
-    for each in given:
-        name, value = each.child_by_field_name("name"), each.child_by_field_name("value")
-        if name is not None and value is not None and work.slice(name) == "timeout_sec":
-            work.replace(call, f"rospy.sleep({work.text(value)})")
-
-
-def _port_spin(work: Work, call: Node, alone: Node | None) -> None:
-    """Spin without the node; an argument that makes the node is evaluated before."""
-    arguments = call.child_by_field_name("arguments")
-    given = parts_of(arguments)
-    first = given[0] if given else None
-    if first is not None and first.type == "keyword_argument":
-        first = first.child_by_field_name("value")
-    if first is None or first.type == "attribute" or first.type == "identifier":
-        work.replace(call, "rospy.spin()")
-        return
-    text = work.analysis.syntax.text
-    opening, closing = ("", "") if first.type == "call" else ("(", ")")
-    if alone is None:
-        opening, closing = "(" + opening, closing + ", rospy.spin())[1]"
-    else:
-        indent = text[line_start(text, alone.start_byte) : alone.start_byte]
-        gap = "; " if indent.strip() else "\n" + indent.decode("ascii", "replace")
-        closing += f"{gap}rospy.spin()"
-    # What is in the argument may be rewritten itself, so only the text around it goes.
-    work.done.add(call.id)
-    encode = work.analysis.syntax.encode
-    work.cut(Splice(call.start_byte, first.start_byte, encode(opening)))
-    work.cut(Splice(first.end_byte, call.end_byte, encode(closing)))
-
-
-def _port_method(work: Work, call: Node, callee: Node, alone: Node | None) -> None:
-    part = callee.child_by_field_name("attribute")
-    name = work.slice(part) if part is not None else ""
-    if name == "destroy_node" and alone is not None:
-        work.delete(alone)
-    elif name == "create_rate":
-        arguments = call.child_by_field_name("arguments")
-        inner = work.text(arguments) if arguments is not None else "()"
-        work.replace(call, f"rospy.Rate{inner}")
 
 
 def _port_nodes(work: Work) -> None:
