@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 
 import pytest
-from ported_nodes import ported
+from ported_nodes import MARK, ported
 
 from plastron_tui.targets.python.porting.unused_imports import without_unused
 
@@ -27,6 +27,37 @@ UNUSED = [
 @pytest.mark.parametrize(("before", "after"), UNUSED)
 def test_what_nothing_uses(before: str, after: str) -> None:
     assert without_unused(before.encode(), ["rospy"], ["B"]).decode() == after
+
+
+OTHERS = [
+    ("rospy", "from sensor_msgs import point_cloud2", "sensor_msgs.point_cloud2"),
+    ("rospy", "import sensor_msgs.point_cloud2 as pc2", "sensor_msgs.point_cloud2"),
+    ("rospy", "from sensor_msgs.msg import PointCloud2", ""),
+    ("rospy", "from sound_play.msg import SoundRequest", ""),
+    ("rospy", "import moveit_commander", "moveit_commander"),
+    ("rclpy", "from sensor_msgs_py import point_cloud2", "sensor_msgs_py"),
+]
+
+
+@pytest.mark.parametrize(("library", "line", "what"), OTHERS)
+def test_a_module_that_the_other_ros_lacks_is_marked(library: str, line: str, what: str) -> None:
+    made = {"rospy": "rospy.init_node('n')\n", "rclpy": "rclpy.init()\nrclpy.create_node('n')\n"}
+    text, found = ported(f"import {library}\n{line}\n{made[library]}", library)
+    mark = f"{MARK}{what}\n" if what else ""
+    assert f"\n{mark}{line}\n" in text
+    assert [each.message.split("`")[1] for each in found] == ([what] if what else [])
+
+
+def test_durations_of_rclpy_beside_those_of_messages() -> None:
+    text, _ = ported(
+        "import rospy\nfrom std_msgs.msg import Duration\nrospy.init_node('n')\n"
+        "start = rospy.Time.now()\nlate = rospy.Time.now() - start > rospy.Duration(2)\n"
+        "p = rospy.Publisher('d', Duration, queue_size=1)\n",
+        "rospy",
+    )
+    assert "import rclpy.duration\n" in text
+    assert "late = node.get_clock().now() - start > rclpy.duration.Duration(seconds=2)\n" in text
+    assert "create_publisher(Duration, " in text
 
 
 IMPORTS = [

@@ -356,7 +356,7 @@ def test_the_way_back(before: str, after: str) -> None:
     ast.parse(text)
     assert text.endswith(f"\n{after}\n")
     assert f"def hear(msg):\n{textwrap.indent(after, '    ')}\n" in text
-    assert ("import SetBoolRequest\n" in text) == ("SetBoolRequest" in after)
+    assert ("import SetBool, SetBoolRequest\n" in text) == ("SetBoolRequest" in after)
 
 
 @pytest.mark.parametrize(("field", "is_written"), [("gain", True), ("lambda", False)])

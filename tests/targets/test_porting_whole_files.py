@@ -117,9 +117,8 @@ def main(args=None):
 '''
 ROBOT_1 = '''\
 import rospy
-from std_srvs.srv import SetBoolResponse
 from std_msgs.msg import String
-from std_srvs.srv import SetBool
+from std_srvs.srv import SetBool, SetBoolResponse
 
 
 class Robot:

@@ -69,9 +69,8 @@ def add_header(work: Work) -> None:
         if all(each.kind is BindingKind.IMPORT and each.target == name for each in bindings)
         and not all(work.is_gone(each.node) for each in bindings)
     }
-    wanted = sorted(
-        _joined(work.imports - present), key=lambda line: (line.startswith("from "), line)
-    )
+    needed = {line for line in work.imports - present if not _extend(work, line)}
+    wanted = sorted(_joined(needed), key=lambda line: (line.startswith("from "), line))
     standard = [line for line in wanted if line in _STANDARD]
     others = [line for line in wanted if line not in _STANDARD]
     at = _first_import(work)
@@ -99,6 +98,20 @@ def add_header(work: Work) -> None:
         wanted_lines = 2 if work.helpers else 1
         missing = wanted_lines - lines if following.strip() else 0
         work.insert_first(end, "".join(helpers) + "\n" * max(missing, 0))
+
+
+def _extend(work: Work, line: str) -> bool:
+    """Write `from module import name` into an import of the module, if the file has one."""
+    module, _, name = line.removeprefix("from ").partition(" import ")
+    for statement in work.analysis.syntax.root.named_children:
+        source = statement.child_by_field_name("module_name")
+        names = statement.children_by_field_name("name")
+        if source is None or not names or work.slice(source) != module:
+            continue
+        if statement.id not in work.done and not work.is_gone(statement):
+            work.insert(names[-1].end_byte, f", {name}")
+            return True
+    return False
 
 
 def _joined(imports: set[str]) -> list[str]:

@@ -32,10 +32,9 @@ def port_times(work: Work, node: str) -> None:
             work.replace(call, f"{node}.get_clock().now()")
             work.done.update(each.id for each in walk(call))
         elif names <= _DURATION:
-            work.replace(callee, "Duration")
+            work.replace(callee, _duration(work))
             work.insert(given[0].start_byte, "seconds=")
             work.done.add(call.id)
-            work.imports.add("from rclpy.duration import Duration")
         else:
             seconds = f"seconds={work.text(given[0])}, " if given else ""
             clock = f"clock_type={node}.get_clock().clock_type"
@@ -54,6 +53,13 @@ def port_times(work: Work, node: str) -> None:
             work.insert_first(each.start_byte, "(" if is_operation else "")
             work.insert_last(each.end_byte, ").to_msg()" if is_operation else ".to_msg()")
     _port_messages(work)
+
+
+def _duration(work: Work) -> str:
+    """Return how the file gets at rclpy's durations, whatever else it calls so."""
+    is_free = all("Duration" not in scope.bindings for scope in work.analysis.scopes.all)
+    work.imports.add("from rclpy.duration import Duration" if is_free else "import rclpy.duration")
+    return "Duration" if is_free else "rclpy.duration.Duration"
 
 
 def _port_messages(work: Work) -> None:

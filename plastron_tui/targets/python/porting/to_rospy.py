@@ -20,6 +20,7 @@ from .endpoints import mark_endpoint_attributes
 from .insertion_point import add_header
 from .leftovers import mark_leftovers, port_ending
 from .node_uses import mark_helpers, mark_waits, port_node_uses
+from .other_modules import mark_other_modules
 from .port_state import Work, walk
 from .renamed_fields import port_fields
 from .rewriting import (
@@ -118,6 +119,7 @@ def port_to_rospy(work: Work) -> None:
     port_ending(work, {"cancel": "shutdown"}, _ENDING)
     mark_endpoint_attributes(work, {*_ATTRIBUTES, *_ENDING})
     mark_actions(work)
+    mark_other_modules(work)
     mark_leftovers(work, _LEFT, {k: v or "" for k, v in _ATTRIBUTES.items()}, _REMEDIES)
     mark_helpers(work)
     port_node_uses(work)
