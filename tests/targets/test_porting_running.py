@@ -200,6 +200,28 @@ def test_a_thread_handles_what_comes_while_the_file_is_busy(lines: str, is_busy:
     assert ("\nwait()\n" in text) == is_busy
 
 
+ASKS = [
+    ("x = input('a')", ["SIGINT", "SIGTERM"], False),
+    ("rate = rospy.Rate(1)\nx = input('a')", ["SIGINT", "SIGTERM"], True),
+    ("rate = rospy.Rate(1)", ["SIGTERM"], True),
+    ("x = 1", [], False),
+]
+
+
+@pytest.mark.parametrize(("lines", "signals", "in_thread"), ASKS)
+def test_control_c_does_not_end_what_asks_the_user(
+    lines: str, signals: list[str], in_thread: bool
+) -> None:
+    """rospy's handler ends ROS, and raises nothing."""
+    text = ported(f"import rospy\n\nrospy.init_node('n')\n{lines}\n", "rospy", "rclpy")
+    margin = "    " if in_thread else ""
+    handled = "lambda number, frame: rclpy.try_shutdown())"
+    assert [line for line in text.split("\n") if "signal.signal" in line] == [
+        f"{margin}signal.signal(signal.{each}, {handled}" for each in signals
+    ]
+    assert ("SignalHandlerOptions.NO" in text) == ("SIGINT" in signals)
+
+
 def test_the_comments_and_blank_lines_of_imports_and_of_the_node_stay() -> None:
     text = ported(
         "# of numbers\nimport numpy\n\n# of ROS\nimport rospy\n\nimport mine\n\n"

@@ -1,4 +1,4 @@
-"""From rospy to rclpy: whether a file is busy while messages come that nothing handles yet.
+"""From rospy to rclpy: what a file does beside its callbacks.
 
 rospy calls callbacks from the moment that a subscriber is made; rclpy while it spins.
 """
@@ -12,10 +12,9 @@ from tree_sitter import Node
 
 from .port_state import Work
 
-_TAKES_LONG = frozenset(
+_QUESTIONS = frozenset({"input", "raw_input"})
+_TAKES_LONG = _QUESTIONS | frozenset(
     {
-        "input",
-        "raw_input",
         "time.sleep",
         "rospy.sleep",
         "rospy.wait_for_service",
@@ -48,6 +47,15 @@ def is_busy_before_spin(work: Work, listens: set[int], spins: set[int]) -> bool:
         if is_listening and (node.type == "while_statement" or _takes_long(work, node)):
             return True
     return False
+
+
+def asks_user(work: Work) -> bool:
+    """Tell whether the file waits for what its user enters, outside of callbacks."""
+    return any(
+        work.slice(callee) in _QUESTIONS and not work.is_in_callback(call)
+        for call in work.analysis.captures.get("call", [])
+        if (callee := call.child_by_field_name("function")) is not None
+    )
 
 
 def _takes_long(work: Work, node: Node) -> bool:

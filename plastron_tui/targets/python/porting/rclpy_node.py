@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from tree_sitter import Node
 
 from plastron_tui.sources.python import literals
@@ -20,13 +22,13 @@ _SIGNALS = "from rclpy.signals import SignalHandlerOptions"
 _LEVELS = frozenset(f"rospy.{level}" for level in ("DEBUG", "INFO", "WARN", "ERROR", "FATAL"))
 
 
-def make_node(work: Work, node: str, *, in_thread: bool, own_signals: bool) -> None:
+def make_node(work: Work, node: str, starts: Sequence[str], *, own_signals: bool) -> None:
     """Make the node where it is there before all that needs it.
 
     Args:
         work: the file.
         node: the name of the node.
-        in_thread: whether a thread handles what comes.
+        starts: the statements behind the one that makes the node.
         own_signals: whether the file handles signals itself.
     """
     inits = [each for each in work.analysis.nodes if each.call is not None]
@@ -44,18 +46,17 @@ def make_node(work: Work, node: str, *, in_thread: bool, own_signals: bool) -> N
         lines = [f"{_INIT}({_NO_SIGNALS})" if own_signals else f"{_INIT}()"]
         if own_signals:
             work.imports.add(_SIGNALS)
-        _place(work, init, node, lines, in_thread=in_thread)
+        _place(work, init, node, lines, starts)
 
 
-def _place(work: Work, init: NodeSite, node: str, lines: list[str], *, in_thread: bool) -> None:
-    """Write the lines that make the node, behind those that are given."""
+def _place(work: Work, init: NodeSite, node: str, lines: list[str], starts: Sequence[str]) -> None:
+    """Write the lines that make and start the node, behind those that are given."""
     assert init.call is not None
     statement = statement_of(init.call)
     written = init.expression if init.name is None else literals.string(init.name)
     lines.append(f"{node} = rclpy.create_node({written or literals.string('node')})")
     options = _options(work, init, node, lines)
-    if in_thread:
-        lines.append(f"{work.free_name('spin_in_thread')}()")
+    lines += starts
     for option in options:
         remedy = _OPTIONS.get(option)
         work.marks.append(Mark(init.call, option, remedy, has_comment=True))

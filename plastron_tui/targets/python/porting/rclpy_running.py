@@ -9,7 +9,7 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.sources.python.syntax import parts_of
 
-from .main_line import is_busy_before_spin
+from .main_line import asks_user, is_busy_before_spin
 from .port_state import Work, walk
 from .rewriting import replace_by_opposite
 
@@ -68,10 +68,9 @@ def {thread}():
     atexit.register(thread.join)
     atexit.register({shutdown})
 """
-# The handler of rclpy does not wake what sleeps at a rate.
-_SIGNAL = """\
-    signal.signal(signal.{signal}, lambda number, frame: {shutdown}())
-"""
+# The handler of rclpy does not wake what sleeps at a rate, and raises a `KeyboardInterrupt` where
+# the file asks its user; that of rospy does not.
+_SIGNAL = "signal.signal(signal.{signal}, lambda number, frame: {shutdown}())\n"
 _WAIT = """\
 def {wait}():
     \"\"\"Wait until ROS ends, while a thread handles what comes.\"\"\"
@@ -85,9 +84,14 @@ def {wait}():
 
 @dataclass(frozen=True, slots=True)
 class Running:
-    """How the new file runs its node: in a thread, and whether it handles signals itself."""
+    """How the new file runs its node.
 
-    in_thread: bool
+    Attributes:
+        starts: the statements behind the one that makes the node: what starts the thread.
+        own_signals: whether the file handles signals itself.
+    """
+
+    starts: tuple[str, ...]
     own_signals: bool
 
 
@@ -120,6 +124,7 @@ def port_running(
     has_signals = any(
         b"disable_signals" in (each.call.text or b"") for each in work.analysis.nodes if each.call
     )
+    own_signals = bool(hooks) or (is_made and not has_signals and asks_user(work))
     shutdown = _port_hooks(work, hooks) if hooks else "rclpy.try_shutdown"
     for call in calls["rospy.signal_shutdown"]:
         work.replace(call, f"{shutdown}()")
@@ -140,14 +145,20 @@ def port_running(
         work.imports.update((INTERRUPT_IMPORTS[0], "import traceback"))
         if in_callbacks:
             work.imports.add("from rclpy.executors import MultiThreadedExecutor")
+    signals = [] if has_signals else ["SIGINT", "SIGTERM"] if own_signals else ["SIGTERM"]
+    handlers = [_SIGNAL.format(signal=each, shutdown=shutdown) for each in signals]
+    starts: tuple[str, ...] = ()
     if in_thread:
-        signals = [] if has_signals else ["SIGINT", "SIGTERM"] if hooks else ["SIGTERM"]
-        _run_in_thread(work, spin, shutdown, signals)
+        starts = (_run_in_thread(work, spin, shutdown, handlers),)
+    elif own_signals:
+        starts = tuple(each.rstrip() for each in handlers)
+    if handlers and starts:
+        work.imports.add("import signal")
     if in_thread and calls["rospy.spin"]:
         work.helpers.append(_WAIT.format(wait=wait))
         work.imports.add("import time")
     _port_interrupts(work)
-    return Running(in_thread, own_signals=bool(hooks))
+    return Running(starts, own_signals)
 
 
 def _calls(work: Work) -> dict[str, list[Node]]:
@@ -172,15 +183,13 @@ def _has_one(call: Node) -> bool:
     return len(given) == 1 and not given[0].type.endswith(("keyword_argument", "splat"))
 
 
-def _run_in_thread(work: Work, spin: str, shutdown: str, signals: list[str]) -> None:
-    """Add the function that starts the thread."""
+def _run_in_thread(work: Work, spin: str, shutdown: str, handlers: list[str]) -> str:
+    """Add the function that starts the thread, and handles signals; return its call."""
     thread = work.free_name("spin_in_thread")
-    written = [_SIGNAL.format(signal=each, shutdown=shutdown) for each in signals]
     text = _THREAD.format(thread=thread, spin=spin, shutdown=shutdown)
-    work.helpers.append(text + "".join(written))
+    work.helpers.append(text + "".join(f"    {each}" for each in handlers))
     work.imports.update(("import atexit", "import threading"))
-    if signals:
-        work.imports.add("import signal")
+    return f"{thread}()"
 
 
 def _port_rates(work: Work, node: str, calls: list[Node]) -> None:

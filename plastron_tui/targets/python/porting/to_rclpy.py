@@ -93,7 +93,7 @@ def port_to_rclpy(work: Work) -> None:
     port_waits(work, waits, node)
     port_endpoint_methods(work, node)
     port_sites(work, _writers(node, waits), _private_name)
-    make_node(work, node, in_thread=running.in_thread, own_signals=running.own_signals)
+    make_node(work, node, running.starts, own_signals=running.own_signals)
     port_ending(work, {"shutdown": "cancel"}, _ENDING)
     mark_endpoint_attributes(work, {*_ATTRIBUTES, *_ENDING})
     mark_actions(work)
