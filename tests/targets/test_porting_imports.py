@@ -35,6 +35,8 @@ OTHERS = [
     ("rospy", "from sensor_msgs.msg import PointCloud2", ""),
     ("rospy", "from sound_play.msg import SoundRequest", ""),
     ("rospy", "import moveit_commander", "moveit_commander"),
+    ("rospy", "from mine.msg import robot_state", "mine/robot_state"),
+    ("rospy", "from mine.msg import RobotState", ""),
     ("rclpy", "from sensor_msgs_py import point_cloud2", "sensor_msgs_py"),
 ]
 

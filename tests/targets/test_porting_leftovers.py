@@ -16,7 +16,11 @@ LINES = [
     ("for i in xrange(3): pass", "for i in range(3): pass"),
     ("for a, b in x.iteritems(): pass", "for a, b in x.items(): pass"),
     ("x = six.iteritems(y)", "x = six.iteritems(y)"),
-    ("x = y.has_key(1)", f"{MARK}.has_key\nx = y.has_key(1)"),
+    ("x = y.has_key(1)", "x = 1 in y"),
+    ("if not y.z.has_key(a): pass", "if a not in y.z: pass"),
+    ("x = y.has_key(a) == z", "x = (a in y) == z"),
+    ("x = y.has_key(a or b)", f"{MARK}.has_key\nx = y.has_key(a or b)"),
+    ("raise rospy.ROSException('a')", "raise ROSException('a')"),
     ("rospy.Rate(9).sleep()", "node.create_rate(9).sleep()"),
     (
         "while x:\n    rospy.Rate(9).sleep()",
@@ -46,6 +50,10 @@ LINES = [
     (
         "p = rospy.Publisher('x/' + a, String, queue_size=1)",
         f"{MARK}the name 'x/' + a\np = node.create_publisher(String, 'x/' + a, 1)",
+    ),
+    (
+        "def f(m): print(m._connection_header)",
+        f"{MARK}._connection_header\ndef f(m): print(m._connection_header)",
     ),
     ("rospy.ServiceProxy('s', X).uri", f"{MARK}.uri\nnode.create_client(X, 's').uri"),
     (

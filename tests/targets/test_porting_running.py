@@ -257,11 +257,11 @@ def test_an_import_stays_while_a_marked_line_uses_it(library: str, imports: str,
 def test_an_import_goes_where_the_marked_line_is_rewritten() -> None:
     text = ported(
         "import rospy\nfrom std_msgs.msg import String\n\nrospy.init_node('n')\n"
-        "rospy.Subscriber('t', String, print, tcp_nodelay=True)\n",
+        "rospy.Subscriber('t', String, print, headers=x)\n",
         "rospy",
         "rclpy",
     )
-    assert f"{MARK}tcp_nodelay\n" in text
+    assert f"{MARK}headers\n" in text
     assert "import rospy" not in text
 
 

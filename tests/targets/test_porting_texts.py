@@ -68,7 +68,7 @@ TO_RCLPY = [
     ),
     (
         "rospy.Subscriber('t', String, print, buff_size=2**24)",
-        f"{MARK}buff_size\nnode.create_subscription(String, 't', print, 10)",
+        "node.create_subscription(String, 't', print, 10)",
     ),
     (
         "rospy.Timer(rospy.Duration(1), lambda e: print(e), True)",

@@ -22,6 +22,7 @@ WORDS = [
     ("rospy.loginfo('a' 'b %s', x)", "node.get_logger().info('a' 'b %s' % (x,))"),
     ("rospy.loginfo('5%% of %.2f', x)", "node.get_logger().info('5%% of %.2f' % (x,))"),
     ("rospy.loginfo('a %s' % x)", "node.get_logger().info('a %s' % x)"),
+    ("rospy.loginfo('=' * 70)", "node.get_logger().info('=' * 70)"),
     ("rospy.loginfo(x)", "node.get_logger().info(str(x))"),
     (
         "rospy.loginfo('at %s', rospy.get_time())",

@@ -147,7 +147,7 @@ def _of_operator(work: Work, node: Node) -> str:
     sign = work.slice(operator) if operator is not None else ""
     if left == "str" and sign == "%":
         return "str"
-    if sign == "+" and "str" in (left, right):
+    if sign in ("+", "*") and "str" in (left, right):
         return "str"
     if "str" in (left, right) or LIST in (left, right):
         return PLAIN

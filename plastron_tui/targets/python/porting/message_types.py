@@ -37,7 +37,7 @@ def _interface(names: Iterable[str]) -> tuple[InterfaceName, InterfaceKind, str]
     for name in names:
         package, _, rest = name.partition(".")
         kind, _, type_name = rest.partition(".")
-        if not package or not type_name[:1].isupper() or "." in type_name:
+        if not package or not type_name or type_name[0] == "_" or "." in type_name:
             continue
         if kind == "msg":
             return InterfaceName(package, type_name), InterfaceKind.MESSAGE, ""

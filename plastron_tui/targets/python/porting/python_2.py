@@ -41,4 +41,35 @@ def _port_method(work: Work, call: Node, callee: Node) -> None:
     if name in _METHODS and not given:
         work.replace(part, _METHODS[name])
     elif name == "has_key" and len(given) == 1:
+        _port_has_key(work, call, callee, given[0])
+
+
+def _port_has_key(work: Work, call: Node, callee: Node, key: Node) -> None:
+    """Write `held.has_key(key)` as `key in held`, which binds less closely than a call."""
+    holder, parent = callee.child_by_field_name("object"), call.parent
+    if holder is None or parent is None or key.type not in _SIMPLE:
         work.mark(call, ".has_key", "`key in ...`, in Python 3")
+        return
+    if parent.type == "not_operator":
+        work.replace(parent, f"{work.text(key)} not in {work.text(holder)}")
+        return
+    written = f"{work.text(key)} in {work.text(holder)}"
+    work.replace(call, written if parent.type in _LOOSE else f"({written})")
+
+
+_SIMPLE = frozenset({"identifier", "attribute", "string", "integer", "call", "subscript"})
+_LOOSE = frozenset(
+    {
+        "if_statement",
+        "elif_clause",
+        "while_statement",
+        "assignment",
+        "argument_list",
+        "boolean_operator",
+        "return_statement",
+        "parenthesized_expression",
+        "expression_statement",
+        "assert_statement",
+    }
+)
+"""What binds less closely than `in`."""

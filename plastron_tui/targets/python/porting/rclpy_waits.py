@@ -267,11 +267,12 @@ def port_waits(work: Work, waits: Waits, node: str) -> None:
     answers = [each.call for each in waits.calls]
     waiting = [call for call, _ in waits.services] + [each.call for each in waits.messages]
     used = _port_caught(work, [*answers, *waiting], answer, time_is_up)
+    used |= _port_raised(work, time_is_up)
     if answers or answer in used:
         what = "A service that is not there."
         work.helpers.append(_ERROR.format(name=answer, what=what))
     if waiting or time_is_up in used:
-        what = "Something that did not come in time."
+        what = "What did not come in time, or is not as it has to be."
         work.helpers.append(_ERROR.format(name=time_is_up, what=what))
     if answers:
         work.helpers.append(_CALL.format(**names, error=answer))
@@ -334,6 +335,19 @@ def _port_caught(work: Work, waiting: list[Node], answer: str, time_is_up: str) 
             used.add(answer if is_answer else time_is_up)
             port_caught(work, node, answer if is_answer else f"{time_is_up}, {INTERRUPTS}")
     return used
+
+
+def _port_raised(work: Work, name: str) -> set[str]:
+    """Rewrite what the file raises itself, and return it."""
+    raised = [
+        callee
+        for call in work.analysis.captures.get("call", [])
+        if (callee := call.child_by_field_name("function")) is not None
+        and set(work.qualified(callee)) & _TIME_IS_UP
+    ]
+    for callee in raised:
+        work.replace(callee, name)
+    return {name} if raised else set()
 
 
 def _waiting_functions(work: Work, waiting: list[Node]) -> set[str]:

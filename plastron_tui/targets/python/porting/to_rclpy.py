@@ -64,6 +64,13 @@ _ATTRIBUTES = {
     "wait_for_service": "it takes `timeout_sec`, and tells whether the service is there",
     "get_num_connections": "`get_subscription_count` of a publisher",
     "unregister": "`destroy` of the endpoint",
+    "_connection_header": "a message of ROS 2 does not say who sent it",
+    "_md5sum": "a type of ROS 2 has a hash, and no such sum",
+    "_full_text": "a class of ROS 2 does not hold its definition",
+    "_type": "a class of ROS 2 does not hold its name",
+    "_slot_types": "`get_fields_and_field_types()`",
+    "_request_class": "`Request` of the service",
+    "_response_class": "`Response` of the service",
 }
 
 
@@ -170,7 +177,7 @@ def _publisher(node: str, work: Work, site: Site, name: str) -> str | None:
         work.imports.add("from rclpy.qos import DurabilityPolicy, QoSProfile")
     elif latch is not None and work.slice(latch) != "False":
         work.mark(site.call, "latch", "`DurabilityPolicy.TRANSIENT_LOCAL` in a `QoSProfile`")
-    mark_options(work, site, _OPTIONS, ("latch", "queue_size"))
+    mark_options(work, site, _OPTIONS, ("latch", "queue_size", *_OF_TCP))
     return f"{node}.create_publisher({_type(work, site)}, {name}, {depth})"
 
 
@@ -194,7 +201,7 @@ def _subscription(waits: Waits, node: str, work: Work, site: Site, name: str) ->
         return f"{work.slice(function)}({node}, {type_}, {name})"
     callback = site.arguments.get(Argument(2, "callback"))
     extra = site.arguments.get(Argument(3, "callback_args"))
-    mark_options(work, site, _OPTIONS, ("callback", "callback_args", "queue_size"))
+    mark_options(work, site, _OPTIONS, ("callback", "callback_args", "queue_size", *_OF_TCP))
     called = work.text(callback) if callback is not None else "lambda message: None"
     if extra is not None and callback is not None:
         first, handler = bound_early(work, callback, "callback")
@@ -263,9 +270,11 @@ def _depth(work: Work, site: Site, position: int) -> str:
 _OPTIONS = {
     "oneshot": "cancel the timer when it is called",
     "persistent": "a client of ROS 2 keeps its connection",
-    "tcp_nodelay": "ROS 2 has no such option: its middleware decides",
-    "buff_size": "ROS 2 has no such option: its middleware decides",
 }
+
+
+_OF_TCP = ("tcp_nodelay", "buff_size")
+"""Options of the connections of ROS 1, which the middleware of ROS 2 decides on its own."""
 
 
 def _seconds(work: Work, period: Node) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
 
 from tree_sitter import Node
@@ -12,6 +13,9 @@ from plastron_tui.sources.python.references import statement_of
 
 from .port_state import Work, is_imported, walk
 
+# What `rosidl_adapter` takes for the name of a type.
+_NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
+_CAPITALS = "the name of a type begins with a capital letter in ROS 2, and has no `_`"
 _SIDES = ("Request", "Response")
 _KINDS = {"msg": InterfaceKind.MESSAGE, "srv": InterfaceKind.SERVICE}
 
@@ -193,7 +197,8 @@ def target_type(
     if isinstance(instead, InterfaceName) and work.catalog.find(instead, kind) is not None:
         return instead, None
     if work.before.find(type_, kind) is None:
-        return type_, None
+        is_named = work.catalog.ros_version == 1 or _NAME.fullmatch(type_.name) is not None
+        return (type_, None) if is_named else (None, _CAPITALS)
     return None, instead if isinstance(
         instead, str
     ) else f"{work.catalog.distribution} has no such type"
