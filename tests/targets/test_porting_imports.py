@@ -62,6 +62,15 @@ def test_durations_of_rclpy_beside_those_of_messages() -> None:
     assert "create_publisher(Duration, " in text
 
 
+def test_names_of_a_module_that_the_file_imports_from_go_there_in_order() -> None:
+    text, _ = ported(
+        "import rclpy\nfrom mine.srv import (\n    A,\n    B,\n)\nrclpy.init()\n"
+        "node = rclpy.create_node('n')\nx = [B.Response(), A.Response(), A(), B()]\n",
+        "rclpy",
+    )
+    assert "import (\n    A,\n    B,\n    AResponse,\n    BResponse,\n)\n" in text
+
+
 IMPORTS = [
     (
         "rospy",

@@ -169,6 +169,16 @@ def test_one_spin_ends_at_the_first_message(before: str, after: str) -> None:
     assert text.endswith(f"\nn = A()\n{after}\n")
 
 
+def test_a_node_that_ends_more_than_itself_is_ended() -> None:
+    own = "\n    def destroy_node(self):\n        print('ended')\n"
+    own += "        super().destroy_node()\n\n\n"
+    text = ported(
+        f"{CLASS[:-2]}{own}rclpy.init()\nnode = A()\nnode.destroy_node()\n", "rclpy", "rospy"
+    )
+    assert "        print('ended')\n\n\n" in text
+    assert text.endswith("\nnode = A()\nnode.destroy_node()\n")
+
+
 BUSY = [
     ("{sub}\nrospy.spin()", False),
     ("time.sleep(1)\n{sub}\nrospy.spin()", False),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from itertools import chain
 from sys import stdlib_module_names
 
@@ -69,7 +70,7 @@ def add_header(work: Work) -> None:
         if all(each.kind is BindingKind.IMPORT and each.target == name for each in bindings)
         and not all(work.is_gone(each.node) for each in bindings)
     }
-    needed = {line for line in work.imports - present if not _extend(work, line)}
+    needed = _extend(work, work.imports - present)
     wanted = sorted(_joined(needed), key=lambda line: (line.startswith("from "), line))
     standard = [line for line in wanted if line in _STANDARD]
     others = [line for line in wanted if line not in _STANDARD]
@@ -100,18 +101,29 @@ def add_header(work: Work) -> None:
         work.insert_first(end, "".join(helpers) + "\n" * max(missing, 0))
 
 
-def _extend(work: Work, line: str) -> bool:
-    """Write `from module import name` into an import of the module, if the file has one."""
-    module, _, name = line.removeprefix("from ").partition(" import ")
+def _extend(work: Work, imports: Iterable[str]) -> set[str]:
+    """Write imports into those of the same modules at the top of the file; return the others."""
+    left: set[str] = set()
+    for line in sorted(imports):
+        module, _, name = line.removeprefix("from ").partition(" import ")
+        names = _names_of(work, module)
+        if not names:
+            left.add(line)
+            continue
+        is_below = len(names) > 1 and names[-1].start_point.row > names[-2].start_point.row
+        gap = "\n" + " " * names[-1].start_point.column if is_below else " "
+        work.insert(names[-1].end_byte, f",{gap}{name}")
+    return left
+
+
+def _names_of(work: Work, module: str) -> list[Node]:
+    """Return the names that an import of a module at the top of the file takes from it."""
     for statement in work.analysis.syntax.root.named_children:
         source = statement.child_by_field_name("module_name")
-        names = statement.children_by_field_name("name")
-        if source is None or not names or work.slice(source) != module:
-            continue
-        if statement.id not in work.done and not work.is_gone(statement):
-            work.insert(names[-1].end_byte, f", {name}")
-            return True
-    return False
+        is_kept = statement.id not in work.done and not work.is_gone(statement)
+        if source is not None and is_kept and work.slice(source) == module:
+            return statement.children_by_field_name("name")
+    return []
 
 
 def _joined(imports: set[str]) -> list[str]:

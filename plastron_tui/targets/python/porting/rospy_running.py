@@ -99,9 +99,16 @@ def _port_spin(work: Work, call: Node, alone: Node | None) -> None:
 def _port_method(work: Work, call: Node, callee: Node, alone: Node | None) -> None:
     part = callee.child_by_field_name("attribute")
     name = work.slice(part) if part is not None else ""
-    if name == "destroy_node" and alone is not None:
+    if name == "destroy_node" and alone is not None and not _is_own(work, callee):
         work.delete(alone)
     elif name == "create_rate":
         arguments = call.child_by_field_name("arguments")
         inner = work.text(arguments) if arguments is not None else "()"
         work.replace(call, f"rospy.Rate{inner}")
+
+
+def _is_own(work: Work, callee: Node) -> bool:
+    """Tell whether a method may be one of the file, which ends more than the node."""
+    holder = callee.child_by_field_name("object")
+    is_base = holder is not None and work.slice(holder).startswith("super(")
+    return not is_base and any(each.name == "destroy_node" for each in work.analysis.scopes.all)
