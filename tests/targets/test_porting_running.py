@@ -210,6 +210,32 @@ def test_a_thread_handles_what_comes_while_the_file_is_busy(lines: str, is_busy:
     assert ("\nwait()\n" in text) == is_busy
 
 
+LOOP = f"{MARK}waits for another callback\n"
+LOOPS = [
+    ("while not self.done: pass", True),
+    ("while True:\n            if self.done: break", True),
+    ("while self.count: pass", False),
+    ("if self.done: pass", False),
+]
+
+
+@pytest.mark.parametrize(("loop", "is_marked"), LOOPS)
+def test_a_callback_that_waits_for_another_one_is_marked(loop: str, is_marked: bool) -> None:
+    text = ported(
+        "import rospy\nfrom std_msgs.msg import String\n\n\nclass A:\n"
+        "    def __init__(self):\n        rospy.Subscriber('a', String, self.go)\n"
+        "        rospy.Subscriber('b', String, self.end)\n\n"
+        f"    def go(self, m):\n        self.count = 1\n        {loop}\n\n"
+        "    def end(self, m):\n        self.done = True\n\n\n"
+        "rospy.init_node('n')\nA()\nrospy.spin()\n",
+        "rospy",
+        "rclpy",
+    )
+    mark = f"        {LOOP}" if is_marked else ""
+    assert f"{mark}        {loop}\n" in text
+    assert (LOOP in text) == is_marked
+
+
 ASKS = [
     ("x = input('a')", ["SIGINT", "SIGTERM"], False),
     ("rate = rospy.Rate(1)\nx = input('a')", ["SIGINT", "SIGTERM"], True),

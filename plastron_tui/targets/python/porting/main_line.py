@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from .port_state import Work
+from .port_state import Work, walk
 
 _QUESTIONS = frozenset({"input", "raw_input"})
 _TAKES_LONG = _QUESTIONS | frozenset(
@@ -85,3 +85,37 @@ def _main_line(work: Work) -> Iterator[Node]:
             callee = node.child_by_field_name("function") if node.type == "call" else None
             name = work.slice(callee).rpartition(".")[2] if callee is not None else ""
             pending += [(each, False) for each in reversed(bodies.pop(name, []))]
+
+
+def mark_waiting_loops(work: Work) -> None:
+    """Mark a loop of a callback that waits for what another callback sets: those take turns."""
+    callbacks = list(work.callbacks.values())
+    for function in callbacks:
+        others = [each for each in callbacks if each is not function]
+        set_elsewhere = {name for each in others for name in _assigned(work, each.node)}
+        for loop in walk(function.node):
+            if loop.type == "while_statement" and set_elsewhere & _read(work, loop):
+                work.mark(loop, "waits for another callback", _TURNS)
+
+
+_TURNS = "callbacks of rclpy take turns: it takes groups of their own and several threads"
+
+
+def _assigned(work: Work, place: Node) -> set[str]:
+    """Return the attributes and global names that a function sets."""
+    targets = (
+        each.child_by_field_name("left") for each in walk(place) if each.type == "assignment"
+    )
+    shared = {
+        work.slice(name)
+        for each in walk(place)
+        if each.type == "global_statement"
+        for name in each.named_children
+    }
+    names = {work.slice(each): each.type for each in targets if each is not None}
+    return {name for name, kind in names.items() if kind == "attribute" or name in shared}
+
+
+def _read(work: Work, place: Node) -> set[str]:
+    names = (each for each in walk(place) if each.type in ("identifier", "attribute"))
+    return {work.slice(each) for each in names}

@@ -28,6 +28,7 @@ _OF_ROS_1 = {
     "baxter_external_devices": _ROS_1_ONLY,
     "intera_interface": _ROS_1_ONLY,
     "jsk_topic_tools": _ROS_1_ONLY,
+    "aiorospy": _ROS_1_ONLY,
     "mavros": "the services of `mavros` itself",
     "ddynamic_reconfigure_python": "a callback of parameters",
     "rosserial_python": "`micro_ros`",

@@ -21,6 +21,7 @@ from .arrays import port_arrays
 from .endpoints import destroys_endpoints, mark_endpoint_attributes, port_endpoint_methods
 from .insertion_point import add_header
 from .leftovers import mark_leftovers, port_ending
+from .main_line import mark_waiting_loops
 from .other_modules import mark_other_modules
 from .plain import port_plain
 from .port_state import Work, walk
@@ -103,6 +104,7 @@ def port_to_rclpy(work: Work) -> None:
     make_node(work, node, running.starts, own_signals=running.own_signals)
     port_ending(work, {"shutdown": "cancel"}, _ENDING)
     mark_endpoint_attributes(work, {*_ATTRIBUTES, *_ENDING})
+    mark_waiting_loops(work)
     mark_actions(work)
     mark_other_modules(work)
     mark_leftovers(work, _LEFT, _ATTRIBUTES, _remedies(node))
