@@ -25,6 +25,10 @@ FIELDS = [
     ("[v.x, v.y] = [1, 2]", "[v.x, v.y] = [1.0, 2.0]"),
     ("v.x, (v.y, v.z) = pair", f"{MARK}fields of numbers\nv.x, (v.y, v.z) = pair"),
     ("v.x, v.y = *a, 1", f"{MARK}fields of numbers\nv.x, v.y = *a, 1"),
+    (
+        "from mine.msg import Move\nm = Move()\nm.far = 1.5\nm.far = 2\nm.kind = 3",
+        "from mine.msg import Move\nm = Move()\nm.far = 1.5\nm.far = 2.0\nm.kind = 3",
+    ),
     ("a, (b, c) = 1, (2, 3)", "a, (b, c) = 1, (2, 3)"),
     ("w = Vector3(**{'x': 1})", "w = Vector3(**{'x': 1.0})"),
     ("w = Vector3(**given)", f"{MARK}the fields of Vector3\nw = Vector3(**given)"),

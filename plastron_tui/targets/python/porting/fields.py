@@ -13,7 +13,7 @@ from plastron_tui.sources.python.splices import Splice
 from plastron_tui.sources.python.syntax import parts_of
 
 from .kinds import LIST, MESSAGE, PLAIN, REAL, is_plain, kind_of, some_plain
-from .message_types import typed
+from .message_types import constructed, typed
 from .port_state import Work
 from .types import new_field, target_type
 
@@ -186,3 +186,31 @@ def _each_a_float(work: Work, values: Node) -> _Written:
     start, end = made.start_byte, made.end_byte
     inside = [Splice(start, start, encode(found[0])), *found[1], Splice(end, end, encode(found[2]))]
     return "", inside, ""
+
+
+def is_real_elsewhere(work: Work, target: Node) -> bool:
+    """Tell whether the file puts a number with a point into a field of a message nobody knows."""
+    part, made = target.child_by_field_name("attribute"), _classes(work, target)
+    if part is None or not made:
+        return False
+    for each in work.analysis.captures.get("assignment", []):
+        left, right = each.child_by_field_name("left"), each.child_by_field_name("right")
+        name = left.child_by_field_name("attribute") if left is not None else None
+        is_field = name is not None and work.slice(name) == work.slice(part)
+        is_real = is_field and kind_of(work, right) == "float"
+        if left is not None and is_real and _classes(work, left) == made:
+            return True
+    return False
+
+
+def _classes(work: Work, target: Node) -> set[InterfaceName]:
+    """Return the messages that what holds a field is made as."""
+    holder = target.child_by_field_name("object")
+    found = set()
+    for each in work.bindings(holder) if holder is not None else ():
+        callee = each.value.child_by_field_name("function") if each.value is not None else None
+        made = constructed(work, callee) if callee is not None else None
+        if made is None:
+            return set()
+        found.add(made[0])
+    return found

@@ -5,7 +5,7 @@ from __future__ import annotations
 from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
-from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.interfaces import FieldType, InterfaceKind
 from plastron_tui.sources.python.analysis import Site
 from plastron_tui.sources.python.callbacks import callback_target
 from plastron_tui.sources.python.constants import Known
@@ -14,7 +14,15 @@ from plastron_tui.sources.python.splices import Splice
 from plastron_tui.sources.python.syntax import parts_of
 
 from .endpoints import site_of, visible_type
-from .fields import Fields, Given, fields_of, is_unchecked, write_fields, write_value
+from .fields import (
+    Fields,
+    Given,
+    fields_of,
+    is_real_elsewhere,
+    is_unchecked,
+    write_fields,
+    write_value,
+)
 from .kinds import LIST, is_plain, kind_of, some_plain
 from .message_types import constructed, field_type, section_of
 from .port_state import Work
@@ -118,6 +126,8 @@ def _port_targets(work: Work, node: Node, left: Node, right: Node) -> None:
     is_splat = any("splat" in each.type for each in (*targets, *values))
     if left.type not in _PATTERNS:
         type_ = field_type(work, left)
+        if type_ is None and right.type == "integer" and is_real_elsewhere(work, left):
+            type_ = FieldType("float64")
         splices = write_value(work, right, type_) if type_ is not None else []
         if splices is None:
             work.mark(node, work.slice(left), f"the field takes a `{type_}`")
