@@ -339,6 +339,8 @@ def _port_caught(work: Work, waiting: list[Node], answer: str, time_is_up: str) 
 
 def _port_raised(work: Work, name: str) -> set[str]:
     """Rewrite what the file raises itself, and return it."""
+    if b"ROSException" not in work.analysis.syntax.text:
+        return set()
     raised = [
         callee
         for call in work.analysis.captures.get("call", [])

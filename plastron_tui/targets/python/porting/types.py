@@ -43,6 +43,8 @@ def port_imports(work: Work, roots: frozenset[str]) -> None:
 
 def leave_manifests(work: Work) -> None:
     """Take `roslib.load_manifest('package')` away, which finds the imports of old packages."""
+    if b"load_manifest" not in work.analysis.syntax.text:
+        return
     for call in work.analysis.captures.get("call", []):
         callee = call.child_by_field_name("function")
         if callee is not None and "roslib.load_manifest" in work.qualified(callee):
