@@ -10,7 +10,7 @@ from enum import Enum
 from tree_sitter import Node
 
 from .analysis import Analysis
-from .insertion_point import Place
+from .place import Place
 from .syntax import parts_of
 
 # What the levels are called in the names of methods.
