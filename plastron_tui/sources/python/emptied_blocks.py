@@ -49,11 +49,10 @@ def leaves_pass(
     blocks = [each.parent for each in statements if each.parent is not None]
     return any(
         block.parent is not None
-        and block.parent.type not in ("function_definition", "module")
+        and block.parent.type != "function_definition"
         and found.is_empty(block)
         and not found.is_gone(block.parent)
         for block in blocks
-        if block.type == "block"
     )
 
 
@@ -117,8 +116,7 @@ class _Emptied:
                 return statement if self._are_pure(values) else None
             case "for_statement":
                 over = statement.child_by_field_name("right")
-                is_whole = owner.id == statement.id and not clauses
-                return statement if is_whole and self._are_pure([over]) else None
+                return statement if not clauses and self._are_pure([over]) else None
             case "try_statement":
                 return self._of_try(statement, clauses, owner)
         return None

@@ -220,12 +220,17 @@ LINES = {
         "if f():\n# Greet\n    {}    b = 2\n", "if f():\n# Greet\n    b = 2\n"
     ),
     "a condition": ("if x and not y:\n    {}b = 2\n", "b = 2\n"),
-    "a condition within another": ("if x:\n    if y > 1:\n        {}b = 2\n", "b = 2\n"),
+    "conditions within others": (
+        "if x:\n  if y:\n    if x and y:\n      with x.lock:\n        {}b = 2\n", "b = 2\n"
+    ),
     "a condition with an else": (
         "if x:\n    {}else:\n    b = 2\n", "if x:\n    pass\nelse:\n    b = 2\n"
     ),
     "an else": ("if x:\n    b = 2\nelse:\n    {}", "if x:\n    b = 2\n"),
     "both ways of a condition": ("if x:\n    {}elif y:\n    {}else:\n    {}b = 2\n", "b = 2\n"),
+    "the last two of three ways": (
+        "if x:\n    a = 1\nelif y:\n    {}else:\n    {}b = 2\n", "if x:\n    a = 1\nb = 2\n"
+    ),
     "the last of three ways": (
         "if x:\n    a = 1\nelif f():\n    {}elif y:\n    {}b = 2\n",
         "if x:\n    a = 1\nelif f():\n    pass\nb = 2\n",
@@ -236,10 +241,29 @@ LINES = {
     ),
     "what is done in the end for nothing": ("try:\n    {}finally:\n    pass\nb = 2\n", "b = 2\n"),
     "what a lock guards": ("with x.lock:\n    {}b = 2\n", "b = 2\n"),
+    "what a lock guards, and more": (
+        "with x.lock:\n    {}    b = 2\n", "with x.lock:\n    b = 2\n"
+    ),
     "what opens something": (
-        "with f() as z:\n    {}b = 2\n", "with f() as z:\n    pass\nb = 2\n"
+        "with x.lock, f() as z:\n    {}b = 2\n", "with x.lock, f() as z:\n    pass\nb = 2\n"
     ),
     "what may not fail any more": ("try:\n    {}except E:\n    c = 1\nb = 2\n", "b = 2\n"),
+    "what is done then all the same": (
+        "try:\n    {}finally:\n    c = 1\nb = 2\n",
+        "try:\n    pass\nfinally:\n    c = 1\nb = 2\n",
+    ),
+    "what is done after a failure": (
+        "try:\n    a = 1\nexcept E:\n    {}b = 2\n",
+        "try:\n    a = 1\nexcept E:\n    pass\nb = 2\n",
+    ),
+    "what is done but after a failure": (
+        "try:\n    a = 1\nexcept E:\n    c = 1\nelse:\n    {}b = 2\n",
+        "try:\n    a = 1\nexcept E:\n    c = 1\nb = 2\n",
+    ),
+    "what alone is done in the end": (
+        "try:\n    a = 1\nfinally:\n    {}b = 2\n",
+        "try:\n    a = 1\nfinally:\n    pass\nb = 2\n",
+    ),
     "what is done in the end": (
         "try:\n    a = 1\nexcept E:\n    c = 1\nfinally:\n    {}b = 2\n",
         "try:\n    a = 1\nexcept E:\n    c = 1\nb = 2\n",
@@ -247,6 +271,12 @@ LINES = {
     "a loop over what is there": ("for z in x:\n    {}b = 2\n", "b = 2\n"),
     "a loop over what is made": (
         "for z in f():\n    {}b = 2\n", "for z in f():\n    pass\nb = 2\n"
+    ),
+    "a loop with an else": (
+        "for z in x:\n    {}else:\n    b = 2\n", "for z in x:\n    pass\nelse:\n    b = 2\n"
+    ),
+    "a value that a block needs": (
+        "p = {}if f():\n    z = 1\n    p.publish(z)\n", "if f():\n    z = 1\n"
     ),
     "a comment that is not about it": (
         "a = 1\n\n# Greet\n{}\nb = 2\n", "a = 1\n\n# Greet\n\nb = 2\n"

@@ -121,6 +121,12 @@ LOCALS = {
     "m = Int32()\nfor each in range(x):\n    m.data = each\np.publish(m)": (
         "p.publish(Int32(data=2))"
     ),
+    "m = Int32()\nif measure(x):\n    m.data = 2\np.publish(m)": (
+        "m = Int32()\nif measure(x):\n    m.data = 2\np.publish(Int32(data=2))"
+    ),
+    "m = Int32()\nif measure(x):\n    m.data = 2\n    print(x)\np.publish(m)": (
+        "if measure(x):\n    print(x)\np.publish(Int32(data=2))"
+    ),
     "m = Int32()\nm.data = measure(x)\np.publish(m)": ("measure(x)\np.publish(Int32(data=2))"),
     "y = x + 1\nz = y * 2\np.publish(z)": "p.publish(Int32(data=2))",
     "y = x + 1\nz = y * 2\np.publish(z)\nprint(y)": "y = x + 1\np.publish(Int32(data=2))\nprint(y)",
