@@ -71,8 +71,6 @@ def starts_section(analysis: Analysis, place: Place, kind: EndpointKind) -> bool
         depth = len(line) - len(own)
         if not own or depth < len(indent) or not line.startswith(indent):
             return False
-        if own.startswith((b"import ", b"from ", b"#!")):
-            return False
         if own.startswith(b"#") and depth == len(indent):
             row = analysis.syntax.text.count(b"\n", 0, place.offset) - 1 - number
             is_of_last = row == place.statement.start_point.row - 1

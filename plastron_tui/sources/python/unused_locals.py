@@ -115,7 +115,7 @@ def _is_local(analysis: Analysis, scope: Scope, name: str) -> bool:
     """Whether a variable is of one function alone, or of a script, or a script's constant."""
     bindings = scope.bindings.get(name, [])
     is_plain = all(each.kind in _OF_VALUES for each in bindings)
-    is_shared = name in scope.globals or name in scope.nonlocals
+    is_shared = False
     if scope.parent is None:
         parents = [statement_of(each.node).parent for each in bindings]
         is_top = any(parent is None or parent.type == "module" for parent in parents)

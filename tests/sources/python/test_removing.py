@@ -278,6 +278,12 @@ LINES = {
     "a value that a block needs": (
         "p = {}if f():\n    z = 1\n    p.publish(z)\n", "if f():\n    z = 1\n"
     ),
+    "a value in a block of a script": (
+        "p = {}if f():\n    z = 1\n    p.publish(z)\n    b = 2\n", "if f():\n    b = 2\n"
+    ),
+    "a value of a class": (
+        "p = {}class A:\n    z = 1\n    p.publish(z)\n", "class A:\n    z = 1\n"
+    ),
     "a comment that is not about it": (
         "a = 1\n\n# Greet\n{}\nb = 2\n", "a = 1\n\n# Greet\n\nb = 2\n"
     ),

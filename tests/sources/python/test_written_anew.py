@@ -133,6 +133,28 @@ LOCALS = {
     "y = next(x)\np.publish(y)": "next(x)\np.publish(Int32(data=2))",
     "m = make()\np.publish(m)": "make()\np.publish(Int32(data=2))",
     "m = Int32()\nm.header.stamp = rospy.Time.now()\np.publish(m)": "p.publish(Int32(data=2))",
+    "m = []\nm.append(x)\nm.extend([x])\np.publish(m)": "p.publish(Int32(data=2))",
+    "m = []\nm.append(next(x))\np.publish(m)": (
+        "m = []\nm.append(next(x))\np.publish(Int32(data=2))"
+    ),
+    "m = []\nm.sort()\np.publish(m)": "m = []\nm.sort()\np.publish(Int32(data=2))",
+    "m = n = Int32()\np.publish(m)\nprint(n)": (
+        "m = n = Int32()\np.publish(Int32(data=2))\nprint(n)"
+    ),
+    "m = Int32()\nm[next(x)] = 1\np.publish(m)": (
+        "m = Int32()\nm[next(x)] = 1\np.publish(Int32(data=2))"
+    ),
+    "m = Int32()\nx[m.data] = 1\np.publish(m)": (
+        "m = Int32()\nx[m.data] = 1\np.publish(Int32(data=2))"
+    ),
+    "m = yield\np.publish(m)": "m = yield\np.publish(Int32(data=2))",
+    "m = Int32()\nm += 1\np.publish(m)": "m = Int32()\nm += 1\np.publish(Int32(data=2))",
+    "m = Int32()\nx.m = 1\np.publish(m)": "x.m = 1\np.publish(Int32(data=2))",
+    "m = Int32()\nf = [m for m in x]\np.publish(m)": (
+        "f = [m for m in x]\np.publish(Int32(data=2))"
+    ),
+    "for m in x:\n    print()\np.publish(m)": "for m in x:\n    print()\np.publish(Int32(data=2))",
+    "m = 1\np.publish(x.m)": "m = 1\np.publish(Int32(data=2))",
     "global m\nm = Int32(x)\np.publish(m)": "global m\nm = Int32(x)\np.publish(Int32(data=2))",
 }
 
