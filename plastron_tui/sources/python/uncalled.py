@@ -56,9 +56,7 @@ def _functions(analysis: Analysis, names: set[str]) -> list[Scope]:
     return [
         scope
         for scope in analysis.scopes.all
-        if scope.kind == "function"
-        and scope.name in names
-        and definition(scope).type == "function_definition"
+        if scope.name in names and definition(scope).type == "function_definition"
     ]
 
 

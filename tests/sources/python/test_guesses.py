@@ -78,3 +78,32 @@ def test_a_change_that_goes_by_a_guess_is_told(tmp_path: Path, statements: str) 
         )
     ] * (not statements.startswith("subscribe"))
     assert Outcome(tmp_path, "rospy", CLASS + MADE, statements).found == []
+
+
+HEAD = "import rospy\nfrom std_msgs.msg import String\n\n\n"
+SAID = {
+    "def start(topic='scan'):\n    rospy.Subscriber(topic, String, print)\n": (
+        "line 6 is the default of `topic`", "`start`"
+    ),
+    "def start(topic='scan'):\n    rospy.Subscriber(topic, String, print)\n\n\n"
+    "def go(topic='scan'):\n    rospy.Subscriber(topic, String, print)\n\n\ngo()\n": (
+        "line 6 is the default of `topic`", "`start`"
+    ),
+    "class Driver:\n    def start(self, topic='scan'):\n"
+    "        rospy.Subscriber(topic, String, print)\n": (
+        "line 7 is the default of `topic`", "`start`"
+    ),
+    "def start(a='scan', b='scan'):\n    rospy.Subscriber(a, String, print)\n"
+    "    rospy.Subscriber(b, String, print)\n    rospy.Subscriber('scan', String, print)\n": (
+        "lines 6, 7 is the default of `a`, `b`", "`start`"
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("text", SAID)
+def test_what_gives_another_name_is_told(tmp_path: Path, text: str) -> None:
+    outcome = Outcome(tmp_path, "rospy", HEAD + text, "unsubscribe n from 'scan'")
+    where, user = SAID[text]
+    (found,) = (each for each in outcome.found if each.code == "guessed-name")
+    assert where in found.message
+    assert (found.help or "").endswith(f" {user}")

@@ -77,6 +77,35 @@ def test_what_a_node_that_runs_is_given(case: str, library: str, line: str) -> N
     assert edited(NODES[library] + line, CALLED[case])
 
 
+GOING = {
+    "rospy": (
+        *("rospy.on_shutdown(f)", "t.wait()", "io_loop()", "app.exec_()", "plt.show()", "a.run()"),
+        *("t.Start()", "t.join()", "serve()", "input()", "signal.pause()", "listen()", "main()"),
+        *("rospy.Subscriber('b', String, print)", "rospy.Service('b', Empty, print)"),
+        *("rospy.Timer(rospy.Duration(1), print)", "Goals('b', FibonacciAction)"),
+    ),
+    "rclpy": (
+        "SingleThreadedExecutor(node)",
+        "helper.add_node(node)",
+        "BasicNavigator()",
+        "for each in 'ab':\n    rclpy.spin_once(node)",
+        "def turn():\n    rclpy.spin_once(node)\n\n\nwhile True:\n    turn()",
+    ),
+}
+IMPORTS = (
+    "from std_srvs.srv import Empty\nfrom actionlib import SimpleActionServer as Goals\n"
+    "from actionlib_tutorials.msg import FibonacciAction\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("library", "line"), [(each, line) for each, lines in GOING.items() for line in lines]
+)
+def test_what_lets_a_node_go_on(library: str, line: str) -> None:
+    imports = IMPORTS if library == "rospy" else ""
+    assert edited(f"{imports}{NODES[library]}{line}\n", CALLED["a subscription"])
+
+
 @pytest.mark.parametrize("case", CALLED)
 @pytest.mark.parametrize("library", NODES)
 def test_a_part_of_a_node_is_run_by_another_file(case: str, library: str) -> None:

@@ -38,11 +38,18 @@ BRANCHES = (
     "            return super().on_cleanup(state)\n        else:\n"
     "            return super().on_cleanup(state)\n"
 )
+STOPS = (
+    "\n    def start(self):\n        print(self.a_pub)\n"
+    "        self.other = self.create_publisher(String, 'c', 10)\n"
+    "\n    def stop(self):\n        self.destroy_publisher(self.other)\n"
+    "\n\nclass Other:\n    def close(self):\n        self.destroy_publisher(self.a_pub)\n"
+)
 NODES = {
     "one that returns in branches": HEAD + CONFIGURE + BRANCHES + TAIL,
     "one that destroys": HEAD + CONFIGURE + DESTROYS + TAIL,
     "one that forgets": HEAD + CONFIGURE + FORGETS + TAIL,
     "one with a helper": HEAD + CONFIGURE + HELPS + TAIL,
+    "one that destroys others elsewhere": HEAD + CONFIGURE + FORGETS + STOPS + TAIL,
     "one without": HEAD + CONFIGURE + TAIL,
 }
 CHANGES = {
@@ -66,7 +73,10 @@ def test_what_a_transition_creates_is_destroyed(node: str, change: str) -> None:
     changed, destroying = CHANGES[change]
     after = edited(NODES[node], changed)
     undone = after.partition("def close(" if node == "one with a helper" else "def on_cleanup(")[2]
+    end = "destroy_publisher(self.a_pub)" if node == "one with a helper" else "return super().on_c"
     for line in destroying:
+        assert after.count(line) == 1
+        assert (undone.index(line) < undone.index(end)) is (node != "one with a helper")
         assert undone.partition("\n    def ")[0].count(f"        {line}\n") == 1
         holder = line.partition("(")[2].rstrip(")")
         assert f"        {holder} = self.create_" in after
@@ -85,6 +95,18 @@ def test_a_publisher_is_one_of_the_lifecycle_as_the_others_are(node: str, method
     after = edited(text, publish("x"))
     assert "self.x_pub = self.create_lifecycle_publisher(String, 'x', 10)" in after
     assert f"self.{method}(self.x_pub)" in after
+
+
+def test_what_is_activated_is_destroyed_too() -> None:
+    text = NODES["one that forgets"].replace("configure", "activate")
+    after = edited(text.replace("cleanup", "deactivate"), subscribe("x"))
+    line = "        self.destroy_subscription(self.x_sub)\n"
+    assert f"{line}        return super().on_deactivate(state)\n" in after
+
+
+def test_a_method_of_another_node_is_no_transition() -> None:
+    text = NODES["one that destroys"].replace("LifecycleNode", "Node").replace("lifecycle", "node")
+    assert "(self.x_sub)" not in edited(text, subscribe("x"))
 
 
 def test_what_the_constructor_creates_stays() -> None:

@@ -172,7 +172,7 @@ def test_a_section_ends_where_the_next_begins() -> None:
     start = "        # State\n        self.a = 1\n        self.b = 1\n"
     wait = "        # Map\n        m = rospy.wait_for_message('map', String)\n"
     wait += "        self.pub = rospy.Publisher('a', String, queue_size=len(m))\n"
-    new = "        self.in_sub = rospy.Subscriber('in', String, self.on_in)\n"
+    new = "        rospy.Subscriber('in', String, self.on_in)\n"
     after = edited(f"{head}{start}{wait}\n\nArm()\nrospy.spin()\n", subscribe("in"))
     assert f"{start}\n{new}\n{wait}" in after
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from edits import AT, SUB, edit
+from edits import AT, SUB, edit, interface
 
-from plastron_tui.model.source import Remove, Rename
+from plastron_tui.model.kinds import Subscription
+from plastron_tui.model.source import Remove, Rename, Update
 
 FILE = (
     "import rospy\nfrom std_msgs.msg import String\n\n\ndef hear(msg):\n    print(msg)\n\n\n"
@@ -35,14 +36,21 @@ SAYING = {
     "x = 'what /robot/words are'": False,
     "# listening on /robot/words": False,
     "'''About /robot/words.'''": False,
+    "'''/robot/words'''": False,
+    "def f(topic='/robot/words'):\n    pass": False,
+    "rospy.Subscriber('/robot/words', Int32)": False,
     "rospy.Publisher('/robot/words', String)": False,
 }
 
 
+NEW = Subscription("/words", interface("std_msgs/String"), None, AT)
+
+
 @pytest.mark.parametrize("change", [Remove(SUB, "/robot/words", AT),
-                                    Rename(SUB, "/robot/words", "/words", AT)])  # fmt: skip
+                                    Rename(SUB, "/robot/words", "/words", AT),
+                                    Update(SUB, "/robot/words", NEW, AT)])  # fmt: skip
 @pytest.mark.parametrize("line", SAYING)
-def test_lines_that_say_the_old_name(line: str, change: Remove | Rename) -> None:
+def test_lines_that_say_the_old_name(line: str, change: Remove | Rename | Update) -> None:
     found = edit(FILE.format(line), change).diagnostics
     told = [each.message for each in found if each.code == "still-named"]
     assert len(told) == SAYING[line]
@@ -81,3 +89,20 @@ def test_a_plain_word_in_a_log_is_a_name_where_it_is_called_one(line: str) -> No
     assert [each.message for each in found.diagnostics] == (
         [] if PLAIN[line] else ["line 11 still says `words`"]
     )
+
+
+@pytest.mark.parametrize(
+    ("name", "count", "message"),
+    [
+        ("/abc", 1, None),
+        ("/abcd", 1, "line 11 still says `/abcd`"),
+        ("/abcd", 8, "lines 11, 12, 13, 14, 15, 16, 17, 18 still say `/abcd`"),
+        ("/abcd", 9, "lines 11, 12, 13, 14, 15, 16, 17, 18 and 1 more still say `/abcd`"),
+    ],
+)
+def test_how_many_lines_say_it(name: str, count: int, message: str | None) -> None:
+    lines = "\n".join([f"rospy.loginfo('{name}')"] * count)
+    text = FILE.replace("/robot/words", name).format(lines)
+    found = edit(text, Remove(SUB, name, AT)).diagnostics
+    told = [each.message for each in found if each.code == "still-named"]
+    assert told == ([] if message is None else [message])

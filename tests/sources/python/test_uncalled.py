@@ -77,7 +77,19 @@ CASES = {
         [],
     ),
     "one that nothing called before": (
-        "rospy.Subscriber('a', String, other.f)\n", UNSUBSCRIBE, [],
+        "def hear(m):\n    print(m)\n\n\nrospy.Subscriber('a', String, other.hear)\n",
+        UNSUBSCRIBE,
+        [],
+    ),
+    "more than are read": (
+        "".join(f"def f{i}(m):\n    print(m)\n\n\n" for i in range(9))
+        + "".join(f"rospy.Subscriber('t{i}', String, f{i})\n" for i in range(9)),
+        "\n".join(f"unsubscribe n from 't{i}'" for i in range(9)),
+        [
+            "nothing in the file calls "
+            + ", ".join(f"`f{i}` (line {9 + 4 * i})" for i in range(8))
+            + " and 1 more any more"
+        ],
     ),
     "another name": (SUB, "n renames topic 'a' to 'b'", []),
 }  # fmt: skip
@@ -90,6 +102,8 @@ def test_a_function_that_nothing_calls_any_more_is_told(tmp_path: Path, name: st
     assert outcome.text != HEAD + body
     assert {str(each.code) for each in outcome.found} <= {"uncalled-function"}
     assert [each.message for each in outcome.found] == messages
+    them = "them if they are" if " and " in "".join(messages) else "it if it is"
+    assert all(each.help == f"remove {them} of no other use" for each in outcome.found)
     names = [each for each in ("work", "hear", "again", "make") if f"`{each}`" in str(messages)]
     assert all(f"def {each}(" in outcome.text for each in names)
     assert all(each.span is not None for each in outcome.found)
