@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 from edits import edit, edited, publish
 
@@ -48,6 +50,7 @@ OWN = {
         "while not rospy.is_shutdown() and pub.get_num_connections() == 0:\n    rate.sleep()\n"
         + WHILE.format("print()")
     ),
+    "for ever": SCRIPT.format("while 1:\n    print()\n    rate.sleep()\n"),
     "left when it is interrupted": SCRIPT.format(
         "while not rospy.is_shutdown():\n    try:\n        print()\n        rate.sleep()\n"
         "    except rospy.ROSInterruptException:\n        break\n"
@@ -101,6 +104,16 @@ OTHERS = {
     "in a thread": RUN.format("Thread(target=a.run).start()\nrospy.spin()\n"),
     "a timer that starts later": TICK.format("0.2, self.tick, autostart=False", "        pass\n"),
     "a timer that ends": TICK.format("0.2, self.tick", "        self.timer.cancel()\n"),
+    "a timer that is taken away": TICK.format(
+        "0.2, self.tick", "        self.destroy_timer(self.timer)\n"
+    ),
+    "a timer that is shut down": TICK_1.format("").replace("print(event)", "t.shutdown()"),
+    "a timer of what cannot see it": TICK_1.format("").replace(
+        "rospy.Timer",
+        "class A:\n    def __init__(self):\n"
+        "        self.pub = rospy.Publisher('a', String, queue_size=1)\n\n\nA()\nrospy.Timer",
+    ),
+    "on one line": SCRIPT.format("while not rospy.is_shutdown(): rate.sleep()\n"),
     "a timer that returns early": TICK.format(
         "0.2, self.tick", "        if self.x:\n            return\n        print()\n"
     ),
@@ -123,7 +136,8 @@ def test_a_message_goes_into_the_loop_of_the_node(case: str) -> None:
 def test_a_message_gets_a_timer_where_no_loop_surely_runs(case: str) -> None:
     after = edited(OTHERS[case], publish("out", data="hi"))
     assert "def publish_out(" in after
-    assert after.count("Timer(") + after.count("create_timer(") == 1 + OTHERS[case].count("imer(")
+    made, had = (len(re.findall(r"Timer\(|create_timer\(", each)) for each in (after, OTHERS[case]))
+    assert made == had + 1
 
 
 @pytest.mark.parametrize(

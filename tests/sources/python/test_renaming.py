@@ -50,6 +50,21 @@ ROSPY = {
         TOPIC,
         {"Subscriber(A": "Subscriber('b/c'"},
     ),
+    "a constant of two that part": (
+        "A = 'a'\nrospy.Subscriber(A, String, f)\nc = rospy.ServiceProxy(A, Empty)\nc()\n",
+        "n renames topic 'a' to 'b'\nn renames service 'a' to 'c'",
+        {"Subscriber(A": "Subscriber('b'", "ServiceProxy(A": "ServiceProxy('c'"},
+    ),
+    "what is put together": (
+        "rospy.Subscriber(N + 'a', String, f)\n".replace("N", "'n/'"),
+        "n renames topic 'n/a' to 'b'",
+        {"'n/' + 'a'": "'b'"},
+    ),
+    "a topic, and not the service of its name": (
+        "rospy.wait_for_service('a')\nrospy.Subscriber('a', String, f)\n",
+        TOPIC,
+        {"Subscriber('a'": "Subscriber('b/c'"},
+    ),
     "what is handed over": (
         "class C:\n    def __init__(self, topic):\n"
         "        rospy.Subscriber(topic, String, f)\n\n\nC('a')\n",

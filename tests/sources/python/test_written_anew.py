@@ -27,6 +27,25 @@ OPTIONS = {
         "subscribe n to 'b' of message_type String\nsubscribe n to 'd' of message_type String",
         ["`tcp_nodelay=True` of `a` is not kept for `b`"],
     ),
+    "one that another has too": (
+        "rospy.Subscriber('a', String, f, tcp_nodelay=True)\n"
+        "rospy.Subscriber('k', String, f, tcp_nodelay=True)\n"
+        "rospy.Publisher('c', String, tcp_nodelay=True, queue_size=1)\n",
+        "unsubscribe n from 'a'\nsubscribe n to 'b' of message_type Int32",
+        ["`tcp_nodelay=True` of `a` is not kept for `b`"],
+    ),
+    "of one that goes beside another": (
+        "rospy.Subscriber('a', String, f, tcp_nodelay=True)\nrospy.Subscriber('c', String, f)\n",
+        "unsubscribe n from 'a'\nunsubscribe n from 'c'\n"
+        "subscribe n to 'b' of message_type Int32",
+        [],
+    ),
+    "of one that two follow": (
+        "rospy.Subscriber('a', String, f, tcp_nodelay=True)\n",
+        "unsubscribe n from 'a'\nsubscribe n to 'b' of message_type Int32\n"
+        "subscribe n to 'c' of message_type Float32",
+        [],
+    ),
     "a length of a queue": (
         "rospy.Subscriber('a', String, f, queue_size=1)\n"
         "rospy.Subscriber('c', String, f, queue_size=None)\n",
