@@ -10,6 +10,19 @@ MANNERS = {
         "    def on_a(self, msg: String) -> None:\n        pass\n",
         "    def on_b(self, msg: String) -> None:\n",
     ),
+    "types of callbacks, and of nothing else": (
+        "    def on_a(self, msg: String):\n        pass\n\n    def more(self, x):\n        pass\n\n"
+        "    def most(self, x):\n        pass\n",
+        "    def on_b(self, msg: String):\n",
+    ),
+    "a parameter that is not used": (
+        "    def on_a(self, _):\n        pass\n",
+        "    def on_b(self, message):\n",
+    ),
+    "a parameter with a default": (
+        "    def on_a(self, data=None):\n        pass\n",
+        "    def on_b(self, message):\n",
+    ),
     "docstrings": (
         '    def on_a(self, message):\n        """Hear a."""\n\n'
         '    def more(self):\n        """Do more."""\n',
@@ -54,6 +67,8 @@ def test_private_names_and_kept_handles():
     ("above", "is_apart"),
     [
         ("# Set up what is sent\n        self.pub = self.create_publisher(String, 'a', 10)", True),
+        ("if self.x:\n            self.pub = self.create_publisher(String, 'a', 10)", True),
+        ("self.pub = self.create_publisher(\n            String, 'a', 1\n            )", False),
         ("self.pub = self.create_publisher(String, 'a', 10)", False),
         ("self.sub = self.create_subscription(String, 'a', self.on_a, 10)", False),
         ("self.pub = self.create_publisher(\n            String, 'a', 10)", False),
