@@ -45,10 +45,12 @@ def is_message(analysis: Analysis, interfaces: Interfaces, node: Node, value: Me
 def _filled(analysis: Analysis, node: Node) -> dict[str, Node]:
     """Return the values of fields in `m = String()` and `m.data = 'on'`, and at "" what makes it.
 
-    Empty where anything else is done with the variable than to publish it.
+    Empty where anything else is done with the variable than to publish it, where a field has its
+    value under some condition, or gets it once the message is sent.
     """
     variable = variable_of(node, analysis)
     found: dict[str, Node] = {}
+    blocks: set[int | None] = set()
     for use in references(variable, analysis) if variable is not None else ():
         parent, name = use.node.parent, ""
         if parent is not None and parent.type == "attribute":
@@ -67,10 +69,13 @@ def _filled(analysis: Analysis, node: Node) -> dict[str, Node]:
             or not is_assigned
             or use.node.end_byte > value.start_byte
             or name in found
+            or use.node.start_byte > node.start_byte
         ):
             return {}
         found[name] = value
-    return found if "" in found else {}
+        block = use.statement.parent
+        blocks.add(block.id if block is not None else None)
+    return found if "" in found and len(blocks) == 1 else {}
 
 
 def _is_published(analysis: Analysis, arguments: Node) -> bool:

@@ -167,7 +167,8 @@ LOCALS = {
         "m = Int32()\nx[m.data] = 1\np.publish(Int32(data=2))"
     ),
     "m = yield\np.publish(m)": "m = yield\np.publish(Int32(data=2))",
-    "m = Int32()\nm += 1\np.publish(m)": "m = Int32()\nm += 1\np.publish(Int32(data=2))",
+    "m = Int32()\nm += 1\np.publish(m)": "p.publish(Int32(data=2))",
+    "m = Int32()\np.publish(m)\nm.data = 2": "p.publish(Int32(data=2))",
     "m = Int32()\nx.m = 1\np.publish(m)": "x.m = 1\np.publish(Int32(data=2))",
     "m = Int32()\nf = [m for m in x]\np.publish(m)": (
         "f = [m for m in x]\np.publish(Int32(data=2))"
