@@ -172,8 +172,9 @@ PORT_BY_HAND = Code(
 
 OTHER_TYPE = Code(
     "other-type",
-    "An endpoint of a loaded file gets another type, and goes on calling the function that it "
-    "called, in which there is code for the type that was there before. Change the function by "
+    "An endpoint of a loaded file gets another type, and the function that it called has code in "
+    "it for the type that was there before. Where that code cannot do with the new type, a new "
+    "function is called in its place, unless a statement says `calling`. Change the function by "
     "hand, or name another one with `calling`.",
     severity=Severity.WARNING,
 )

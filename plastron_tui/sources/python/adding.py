@@ -18,11 +18,9 @@ from plastron_tui.model.kinds import (
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface
-from plastron_tui.ros.names import name_as_written
 
 from .addition import Addition
 from .analysis import Analysis, Site
-from .calls import Argument, CallShape
 from .conventions import (
     callback_naming,
     target_name,
@@ -34,6 +32,7 @@ from .function_place import FunctionPlace, function_place, method_place
 from .insertion_point import find_place, running_place
 from .lifecycle import destroy_created, is_transition
 from .messages import CannotAddError
+from .new_call import CLASSES, METHODS, arguments_of, callee_of
 from .place import beside
 from .removal import callback_scope
 from .scopes import Scope
@@ -50,30 +49,12 @@ from .surroundings import (
 from .waits import Waits
 from .writing import Writer
 
-_METHODS = {
-    EndpointKind.PUBLISHER: "create_publisher",
-    EndpointKind.SUBSCRIPTION: "create_subscription",
-    EndpointKind.SERVICE: "create_service",
-    EndpointKind.CLIENT: "create_client",
-}
-_CLASSES = {
-    EndpointKind.PUBLISHER: "Publisher",
-    EndpointKind.SUBSCRIPTION: "Subscriber",
-    EndpointKind.SERVICE: "Service",
-    EndpointKind.CLIENT: "ServiceProxy",
-}
-# A plain name, which may be another one's profile as well.
-_NAME = re.compile(r"[\w.]+")
 # What a node has besides what creates endpoints.
 _ONLY_OF_NODES = frozenset(
     {"create_timer", "declare_parameter", "destroy_node", "get_clock", "get_logger"}
     | {"get_parameter"}
 )
-_OF_NODES = _ONLY_OF_NODES | {*_METHODS.values()}
-# A profile that may be made anew in each call.
-_PROFILE = re.compile(r"[\w.]+|([\w.]+\.)?QoSProfile\([\w.=, ]*\)")
-_QUEUED = (EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION)
-_QUEUE = re.compile(r"[1-9]\d{0,5}$")
+_OF_NODES = _ONLY_OF_NODES | {*METHODS.values()}
 
 
 def plan_addition(
@@ -182,8 +163,8 @@ def _create(added: Addition) -> list[str]:
     callback = callback_for(added, interface)
     check_parameters(added, callback)
     model = _model(added)
-    arguments = _arguments(added, model, class_, callback)
-    callee = _callee(added, model)
+    arguments = arguments_of(added, model, class_, callback)
+    callee = callee_of(added, model)
     added.variable = _variable(added, model)
     call = f"{callee}({arguments})"
     name = callback.rpartition(".")[2] if callback else ""
@@ -197,7 +178,7 @@ def _model(added: Addition) -> Site | None:
     names = {*shapes.functions(), *shapes.methods()}
     beside = added.place.beside
     sites = [site for site in added.analysis.sites if site.endpoint.kind is added.kind]
-    usual = _CLASSES[added.kind] if not added.is_rclpy else _METHODS[added.kind]
+    usual = CLASSES[added.kind] if not added.is_rclpy else METHODS[added.kind]
     sites = [
         site
         for site in sites
@@ -207,17 +188,6 @@ def _model(added: Addition) -> Site | None:
     if beside is not None and beside in sites:
         return beside
     return sites[-1] if sites else None
-
-
-def _callee(added: Addition, model: Site | None) -> str:
-    if added.is_rclpy:
-        method = _METHODS[added.kind]
-        if model is not None:
-            callee = model.call.child_by_field_name("function")
-            name = callee.child_by_field_name("attribute") if callee is not None else None
-            method = added.analysis.syntax.slice(name) if name is not None else method
-        return f"{added.place.receiver}.{method}"
-    return added.rospy(_CLASSES[added.kind])
 
 
 def _variable(added: Addition, model: Site | None) -> str:
@@ -243,102 +213,6 @@ def _variable(added: Addition, model: Site | None) -> str:
     # A name of a function or of the module is private to nothing.
     name = added.free_name(wanted if is_attribute else wanted.lstrip("_"))
     return f"{added.place.self_name}.{name}" if is_attribute else name
-
-
-def _arguments(added: Addition, model: Site | None, class_: str, callback: str) -> str:
-    """Return the arguments of the call, by position or keyword as the model has them."""
-    name = name_as_written(added.name, added.dialect.ros_version)
-    topic = added.writer.conventions.string(name)
-    shape = _shape(added)
-    given = ((shape.name, topic), (shape.type, class_), (shape.callback, callback))
-    values = {argument: value for argument, value in given if argument is not None and value}
-    queue = _queue(added, model)
-    parts = []
-    is_keyword = model is None and _spells_keywords(added)
-    equals = " = " if model is not None and _has_spaced_keywords(model) else "="
-    for argument, value in sorted(values.items()):
-        is_keyword = is_keyword or (
-            model is not None and argument.keyword in model.arguments.keywords
-        )
-        parts.append(f"{argument.keyword}{equals}{value}" if is_keyword else value)
-    if queue:
-        # rclpy takes the depth by position, rospy by its keyword.
-        keyword = "qos_profile" if added.is_rclpy else "queue_size"
-        is_named = is_keyword or not added.is_rclpy
-        if model is not None and keyword in model.arguments.keywords:
-            is_named = True
-        parts.append(f"{keyword}{equals}{queue}" if is_named else queue)
-    if group := added.callback_group(added.kind):
-        parts.append(f"callback_group{equals}{group}")
-    return ", ".join(parts)
-
-
-def _spells_keywords(added: Addition) -> bool:
-    """Whether the file creates its endpoints of other kinds by keywords alone."""
-    sites = [site for site in added.analysis.sites if site.endpoint.kind in _METHODS]
-    return bool(sites) and not any(site.arguments.positional for site in sites)
-
-
-def _has_spaced_keywords(model: Site) -> bool:
-    """Whether a call has its keywords as in `queue_size = 1`."""
-    return any(
-        b" = " in (value.parent.text or b"")[: -len(value.text or b"")]
-        for value in model.arguments.keywords.values()
-        if value.parent is not None
-    )
-
-
-def _shape(added: Addition) -> CallShape:
-    name = _METHODS[added.kind] if added.is_rclpy else f"rospy.{_CLASSES[added.kind]}"
-    library = added.analysis.library
-    return {**library.functions(), **library.methods()}[name]
-
-
-def _queue(added: Addition, model: Site | None) -> str:
-    """Return the length of the queue, as the model has it."""
-    if added.kind not in _QUEUED:
-        return ""
-    at = _depth_at(added, added.kind)
-    given = model.arguments.get(at) if model is not None else None
-    text = added.analysis.syntax.slice(given) if given is not None else ""
-    if alike := _given_for_same(added, at):
-        return alike
-    if _QUEUE.match(text):
-        return text
-    own = added.given_beside(added.kind, at)
-    both = [each for kind in _QUEUED for each in added.given_beside(kind, _depth_at(added, kind))]
-    if _PROFILE.fullmatch(text) and any(
-        len(each) > 1 and set(each) == {text} for each in (own, both)
-    ):
-        return text
-    is_needed = added.is_rclpy or added.kind is EndpointKind.PUBLISHER
-    return "10" if is_needed else ""
-
-
-def _depth_at(added: Addition, kind: EndpointKind) -> Argument:
-    """Return where calls of a kind say the length of the queue, or the profile."""
-    if not added.is_rclpy:
-        return Argument(-1, "queue_size")
-    return Argument(3 if kind is EndpointKind.SUBSCRIPTION else 2, "qos_profile")
-
-
-def _given_for_same(added: Addition, at: Argument) -> str:
-    """Return the profile of what has the same type and callback: it is to hear the same.
-
-    Best effort, as sensors have it, hears every publisher: there the type is enough.
-    """
-    if not added.is_rclpy or not isinstance(added.endpoint, Subscription):
-        return ""
-    callback = added.endpoint.callback
-    found = {
-        added.analysis.syntax.slice(given): site.endpoint.callback
-        for site in added.analysis.sites
-        if site.endpoint.kind is added.kind and site.endpoint.type == added.endpoint.type
-        if site.scope is added.place.scope and (given := site.arguments.get(at)) is not None
-    }
-    text, called = next(iter(found.items())) if len(found) == 1 else ("", None)
-    is_fitting = _NAME.fullmatch(text) is not None and not text.isdigit()
-    return text if is_fitting and (called == callback or "sensor" in text.lower()) else ""
 
 
 def callback_for(added: Addition, interface: Interface) -> str:

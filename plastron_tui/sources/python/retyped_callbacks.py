@@ -11,12 +11,18 @@ from plastron_tui.ros.interfaces import Interface, InterfaceName
 
 from .analysis import Analysis
 from .generated import body_of
+from .log_uses import is_only_told
 from .references import Variable, references
 from .removal import callback_scope
 from .replacing import Replacement
 from .scopes import BindingKind, Scope
 from .splices import Splice
 
+# What takes anything.
+_KEEPING = frozenset(
+    {"append", "appendleft", "deepcopy", "id", "isinstance", "len", "print", "put", "put_nowait"}
+    | {"repr", "set_result", "str", "type"}
+)
 _NAMES = frozenset({"attribute", "identifier"})
 
 
@@ -36,6 +42,34 @@ def retype_callback(update: Replacement, interface: Interface) -> None:
             text = re.sub(_word(old), text, analysis.syntax.slice(node))
         update.put(node, text)
     update.splices += _documented(analysis, function, old, interface.name)
+
+
+def needs_type(update: Replacement, interface: Interface) -> bool:
+    """Whether a callback cannot do with messages of another type.
+
+    It uses fields that they have not, or hands a message to what may look into it.
+    """
+    if missing_fields(update, interface):
+        return True
+    analysis, function = update.analysis, callback_scope(update.analysis, update.site)
+    name = _message(function) if function is not None else ""
+    if function is None or not name:
+        return False
+    return any(
+        _is_handed_on(analysis, reference.node)
+        for reference in references(Variable(function, name, False), analysis)
+    )
+
+
+def _is_handed_on(analysis: Analysis, node: Node) -> bool:
+    """Whether a message is an argument of a call that does more than to tell or to keep it."""
+    arguments = node.parent
+    if arguments is not None and arguments.type == "keyword_argument":
+        arguments = arguments.parent
+    call = arguments.parent if arguments is not None else None
+    if call is None or call.type != "call" or is_only_told(analysis, node):
+        return False
+    return analysis.syntax.called_name(call) not in _KEEPING
 
 
 def missing_fields(update: Replacement, interface: Interface) -> list[str]:

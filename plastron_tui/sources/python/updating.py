@@ -25,7 +25,7 @@ from .place import beside
 from .removal import callback_scope
 from .renaming import NotNamedError, plan_names
 from .replacing import NotInPlaceError, Replacement
-from .retyped_callbacks import missing_fields, retype_callback
+from .retyped_callbacks import missing_fields, needs_type, retype_callback
 from .scopes import BindingKind, Scope
 from .sent_messages import resend
 from .splices import Splice, delete_statements
@@ -58,14 +58,15 @@ def plan_update(
     is_retyped = interface.name != site.endpoint.type
     if is_retyped:
         _retype(update, interface)
-    callback = callback_of(change.endpoint)
-    if callback not in (None, site.endpoint.callback):
-        _call(update, interface)
-    else:
-        callback = site.endpoint.callback
-        if is_retyped:
-            retype_callback(update, interface)
-            _respond(update, interface)
+    callback = callback_of(change.endpoint) or site.endpoint.callback
+    is_lost = is_retyped and callback_of(change.endpoint) is None and needs_type(update, interface)
+    if is_lost or callback != site.endpoint.callback:
+        callback = _call(update, interface)
+    elif is_retyped:
+        retype_callback(update, interface)
+        _respond(update, interface)
+    if is_lost and site.endpoint.callback is not None:
+        _tell_lost(update, interface)
     added.writer.endpoints.append((change.kind, name, str(interface.name), callback or ""))
     resend(update, interface)
     return update
@@ -92,8 +93,8 @@ def _retype(update: Replacement, interface: Interface) -> None:
     update.put(given, update.added.messages.type_class(interface))
 
 
-def _call(update: Replacement, interface: Interface) -> None:
-    """Let the endpoint call another function; the stub that it called goes."""
+def _call(update: Replacement, interface: Interface) -> str:
+    """Let the endpoint call another function, and return its name; the stub that it called goes."""
     analysis, shape, site = update.analysis, update.site.shape, update.site
     given = site.arguments.get(shape.callback) if shape.callback is not None else None
     kinds = (BindingKind.FUNCTION, BindingKind.IMPORT)
@@ -101,13 +102,14 @@ def _call(update: Replacement, interface: Interface) -> None:
         given.type == "identifier" and not _is_bound(analysis, given, site.scope, *kinds)
     ):
         raise NotInPlaceError
-    _put_callback(update, given, interface)
+    callback = _put_callback(update, given, interface)
     gone = [Splice(given.start_byte, given.end_byte)]
     stubs = stub_callbacks(analysis, [site], gone)
     update.splices += delete_statements(analysis.syntax.text, stubs)
+    return callback.rpartition(".")[2]
 
 
-def _put_callback(update: Replacement, given: Node, interface: Interface) -> None:
+def _put_callback(update: Replacement, given: Node, interface: Interface) -> str:
     """Write another callback, which gets what the call, or a `partial` around it, hands on."""
     analysis, added, place = update.analysis, update.added, update.added.place
     added.handed = by_call = handed_by_call(analysis, update.site)
@@ -129,6 +131,7 @@ def _put_callback(update: Replacement, given: Node, interface: Interface) -> Non
         text = " ".join(analysis.syntax.slice(given).split())
         message = f"`{text}` of `{old.name}` is not kept for `{added.name}`"
         update.notes.append(written_anew(message, added.endpoint, old.name or added.name))
+    return callback
 
 
 def _respond(update: Replacement, interface: Interface) -> None:
@@ -146,6 +149,16 @@ def _respond(update: Replacement, interface: Interface) -> None:
         if statement.type == "return_statement" and value is not None and value.type == "call":
             update.put(value, update.added.messages.response(interface))
     update.added.stand(is_nested=True)
+
+
+def _tell_lost(update: Replacement, interface: Interface) -> None:
+    """Tell that a function gets no messages any more, as they are not those it is made for."""
+    added, found = update.added, update.site.endpoint
+    message = f"`{found.callback}` no longer gets `{added.name}`: it was written for `{found.type}`"
+    if missing := " and ".join(f"`{each}`" for each in missing_fields(update, interface)):
+        message += f", and `{interface.name}` has no {missing}"
+    help_ = "keep it with `calling`, and change it by hand"
+    update.notes.append(Diagnostic(codes.OTHER_TYPE, message, added.endpoint.span, help=help_))
 
 
 def _tell_other_type(update: Replacement, interface: Interface) -> None:

@@ -125,3 +125,47 @@ def test_a_handler_says_the_new_type(tmp_path: Path) -> None:
     head, _, body = text.partition("class N")
     expected = head.replace("import Empty, SetBool", "import SetBool")
     assert outcome.text == f"{expected}class N{body.replace('Empty', 'SetBool')}"
+
+
+# Which callbacks go on to be called with messages of another type.
+KEPT = {
+    "print('heard')": True,
+    "print(msg)": True,
+    "self.get_logger().info(f'{msg}')": True,
+    "self.last = msg": True,
+    "self.heard.append(msg)": True,
+    "self.x = msg.linear.x": False,
+    "self.turn(msg)": False,
+    "self.turn(message=msg)": False,
+    "self.pub.publish(msg)": False,
+}
+
+
+@pytest.mark.parametrize("line", KEPT)
+def test_a_callback_that_needs_the_old_type_is_called_no_longer(tmp_path: Path, line: str) -> None:
+    made = "self.create_subscription(Twist, 'a', self.steer, qos_profile_system_default)"
+    text = NODE.format(made=made) + f"\n    def steer(self, msg):\n        {line}\n"
+    outcome = Outcome(
+        tmp_path, "rclpy", text, "unsubscribe n from 'a'\nsubscribe n to 'a' of message_type Int32"
+    )
+    told = [(str(each.code), each.message) for each in outcome.found]
+    if KEPT[line]:
+        assert "Int32, 'a', self.steer, qos_profile_system_default)" in outcome.text
+        assert "on_a" not in outcome.text
+    else:
+        assert "Int32, 'a', self.on_a, qos_profile_system_default)" in outcome.text
+        assert "    def on_a(self, msg):\n        self.get_logger().info" in outcome.text
+        message = "`steer` no longer gets `a`: it was written for `geometry_msgs/Twist`"
+        message += ", and `std_msgs/Int32` has no `linear`" if "linear" in line else ""
+        assert told[0] == ("other-type", message)
+        assert told[1][0] == "uncalled-function"
+
+
+def test_a_handler_that_needs_the_old_request_is_called_no_longer(tmp_path: Path) -> None:
+    head = "import rospy\nfrom nav_msgs.srv import SetMap\n\n\n"
+    handler = "def serve(request):\n    return request.map\n\n\n"
+    statements = "n stop_service 'a'\nn provides_service 'a' of service_type SetBool"
+    made = "rospy.Service('a', SetMap, serve)\n"
+    outcome = Outcome(tmp_path, "rospy", head + handler + made, statements)
+    assert "rospy.Service('a', SetBool, handle_a)\n" in outcome.text
+    assert [str(each.code) for each in outcome.found] == ["other-type", "uncalled-function"]
