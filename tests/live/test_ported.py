@@ -257,8 +257,10 @@ def test_a_ported_node_talks(graph: Graph, tmp_path: Path) -> None:
 LOOP = """\
 import rospy
 from std_msgs.msg import Float64, Int32, String
+from std_srvs.srv import Trigger, TriggerResponse
 
 heard = 0
+is_resting = False
 
 
 def hear(message):
@@ -273,8 +275,15 @@ def steps():
     return 3
 
 
+def rest(request):
+    global is_resting
+    is_resting = True
+    return TriggerResponse(success=True)
+
+
 if __name__ == "__main__":
     rospy.init_node("loop", anonymous=True)
+    rospy.Service("rest", Trigger, rest)
     count = rospy.Publisher("count", Int32, queue_size=10)
     words = rospy.Publisher("words", String, queue_size=10)
     number = rospy.Publisher("number", Float64, queue_size=10)
@@ -283,11 +292,14 @@ if __name__ == "__main__":
     message = Float64()
     try:
         while not rospy.is_shutdown():
-            words.publish(rospy.get_param("~word", "hello"))
-            message.data = steps()
-            number.publish(message)
-            rospy.loginfo_once("the first of many")
-            rospy.loginfo_throttle(60.0, "a word of %s", rospy.get_name())
+            if is_resting:
+                rospy.loginfo_once("at rest")
+            else:
+                words.publish(rospy.get_param("~word", "hello"))
+                message.data = steps()
+                number.publish(message)
+                rospy.loginfo_once("the first of many")
+                rospy.loginfo_throttle(60.0, "a word of %s", rospy.get_name())
             rate.sleep()
     except rospy.ROSInterruptException:
         print("ended")
@@ -301,6 +313,9 @@ def test_a_ported_loop_outlives_its_callbacks_and_ends(graph: Graph, tmp_path: P
     received = graph.listen(topics, 1)
     assert received["/number"][-1].message == {"data": 3.0}
     assert received["/count"][-1].message["data"] > 4
+    # What is published as ROS ends fails, as it does with rospy.
+    assert graph.call("/rest", "std_srvs/Trigger", {})["success"]
+    node.wait_to_print("at rest")
     node.send(signal.SIGTERM)
     assert node.wait(60) == 0
     assert node.output.count("the first of many") == 1

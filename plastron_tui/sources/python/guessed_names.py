@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
-from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.diagnostics import Diagnostic, codes, listed
 from plastron_tui.model.source import Add, Change
 
 from .analysis import Analysis, Site
@@ -28,12 +28,12 @@ def tell_guessed_names(analysis: Analysis, changes: Sequence[Change]) -> Iterato
         guesses = {site: found for site in sites if (found := _guessed(analysis, site))}
         if not guesses:
             continue
-        lines = _listed(str(site.endpoint.line) for site in guesses)
-        parameters = _listed(f"`{name}`" for name, _ in guesses.values())
+        lines = listed(dict.fromkeys(str(site.endpoint.line) for site in guesses))
+        parameters = listed(dict.fromkeys(f"`{name}`" for name, _ in guesses.values()))
         is_one = len(guesses) == 1
         message = f"the name `{change.name}` in line{'' if is_one else 's'} {lines} is the default"
         message += f" of {parameters}, for which another file may give another name"
-        users = _listed(f"`{user}`" for _, user in guesses.values())
+        users = listed(dict.fromkeys(f"`{user}`" for _, user in guesses.values()))
         help_ = f"look at what other files give to {users}"
         yield Diagnostic(codes.GUESSED_NAME, message, change.span, help=help_)
 
@@ -52,7 +52,3 @@ def _guessed(analysis: Analysis, site: Site) -> tuple[str, str] | None:
     owner = function.parent
     is_made = function.name == "__init__" and owner is not None
     return name, owner.name if is_made and owner is not None else function.name
-
-
-def _listed(texts: Iterable[str]) -> str:
-    return ", ".join(dict.fromkeys(texts))

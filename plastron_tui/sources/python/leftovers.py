@@ -24,7 +24,7 @@ _LOGGING = frozenset(
 _PUBLISHES = b".publish("
 _SENT = re.compile(rb"\b(publish|sent\b|sending\b)", re.IGNORECASE)
 _MADE = re.compile(rb"subscri|publish|advertis|servi|client", re.IGNORECASE)
-_WORD = re.compile(rb"[\w/]*\w")
+_WORD = re.compile(rb"\w+(?:/\w+)*")
 
 
 def placeholders(analysis: Analysis, variable: Variable, removal: Removal) -> list[Node]:
@@ -85,7 +85,7 @@ def _sends_more(block: Node, removal: Removal) -> bool:
 
 def _names(said: bytes, names: set[str | None]) -> bool:
     """Whether a text has one of some endpoints' names in it."""
-    words = {word.strip(b"/") for word in _WORD.findall(said)}
+    words = set(_WORD.findall(said))
     return any(name and name.strip("~/").encode() in words for name in names)
 
 

@@ -18,7 +18,7 @@ _LEVELS = {"info": ("info",), "error": ("error", "err")}
 _OF_LOGGER = re.compile(r"debug|info|warn|warning|error|fatal|critical|exception")
 # `rospy.loginfo`, and what classes have around a logger: `self.loginfo`, `self.info_msg`.
 _OF_OBJECT = re.compile(r"(_*(?:log_?)?)(debug|info|warn|warning|err|error|fatal)((?:_?msg)?)")
-_LOGGER = re.compile(r"_*(\w+_)?log(ger)?_?", re.IGNORECASE)
+_LOGGER = re.compile(r"(\w*_)?log(ger)?_?", re.IGNORECASE)
 
 
 class Filling(Enum):

@@ -26,7 +26,7 @@ _HOLDING = frozenset(
 # What is around an endpoint and yet runs exactly once.
 _RUNS_ONCE = frozenset({"try_statement", "with_statement"})
 _GOES_ON = re.compile(rb"\bis_shutdown\(|\brclpy\.ok\(|\bspin\(")
-_LOG = re.compile(rb"(print|[\w.]*log[\w.]*(\(\)\.\w+)?)\(")
+_CALLED = re.compile(rb"([\w.]+)(\(\)\.\w+)?\(")
 # How a log speaks of one endpoint of a kind.
 _TELLING = {
     EndpointKind.PUBLISHER: rb"publish(er|ing|es)?\b|advertis",
@@ -119,9 +119,10 @@ def _tells_of(above: Node, statement: Node, site: Site) -> bool:
     What tells of several, or of the node, comes when all of them are there.
     """
     text = statement.text or b""
-    if statement.start_point.row != above.end_point.row + 1 or not _LOG.match(text):
-        return False
-    if b"node" in text.lower():
+    called = _CALLED.match(text)
+    is_log = called is not None and (called[1] == b"print" or b"log" in called[1])
+    is_below = statement.start_point.row == above.end_point.row + 1
+    if not (is_log and is_below) or b"node" in text.lower():
         return False
     topic = re.escape((site.endpoint.name or "").strip("/~").encode())
     words = _TELLING.get(site.endpoint.kind, rb"(?!)") + (

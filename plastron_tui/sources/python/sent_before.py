@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from tree_sitter import Node
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, listed
 from plastron_tui.model.kinds import Publisher
 
 from .analysis import Analysis, Site
@@ -52,25 +52,25 @@ def lost_sending(
         is_in_place: whether the same lines go on publishing.
     """
     publishing, values = publishing_on(analysis, variable), new.publications
-    for sent in sent_by(analysis, publishing):
-        expression = sent.expression
-        is_kept = any(
-            is_message(analysis, interfaces, expression, each.message.value) for each in values
+    gone = [
+        f"`{' '.join(analysis.syntax.slice(sent.expression).split())}`"
+        for sent in sent_by(analysis, publishing)
+        if is_computed(analysis, sent.expression)
+        and not any(
+            is_message(analysis, interfaces, sent.expression, each.message.value) for each in values
         )
-        if not is_kept and is_computed(analysis, expression):
-            written = " ".join(analysis.syntax.slice(expression).split())
-            message = f"`{new.name}` no longer sends `{written}`, which the node works out"
-            yield written_anew(message, new, old)
+    ]
+    if gone:
+        said = listed(dict.fromkeys(gone))
+        message = f"`{new.name}` no longer sends {said}, which the node works out"
+        yield written_anew(message, new, old)
     lines = sorted({line_of(each.statement) for each in publishing})
     if lines and values and not is_in_place:
         rates = dict.fromkeys(each.rate for each in values if not each.is_rate_open)
         often = " and ".join(f"{rate:g}" for rate in rates)
-        listed = ", ".join(map(str, lines))
-        who = (
-            f"line {listed} no longer decides"
-            if len(lines) == 1
-            else f"lines {listed} no longer decide"
-        )
+        numbers = listed(map(str, lines))
+        is_one = len(lines) == 1
+        who = f"line {numbers} no longer decides" if is_one else f"lines {numbers} no longer decide"
         message = f"{who} when `{new.name}` is sent"
         message += f": that is {often} times a second" if often else ""
         yield written_anew(message, new, old)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
-from plastron_tui.diagnostics import Diagnostic, Span, codes
+from plastron_tui.diagnostics import Diagnostic, Span, codes, listed
 from plastron_tui.model.source import Change, Remove, Rename, Update
 
 from .analysis import Analysis
@@ -14,8 +14,6 @@ from .creation import line_of
 from .log_uses import is_only_told
 from .name_texts import is_other_name, texts_saying
 
-# A message that lists more lines than these is not read.
-_MOST_LINES = 8
 # Shorter names are words as well.
 _FEWEST_LETTERS = 4
 
@@ -39,10 +37,8 @@ def tell_still_named(after: Analysis, changes: Sequence[Change]) -> Diagnostic |
 
 
 def _says(lines: Sequence[int]) -> str:
-    listed = ", ".join(map(str, lines[:_MOST_LINES]))
-    if (more := len(lines) - _MOST_LINES) > 0:
-        listed += f" and {more} more"
-    return f"line {listed} still says" if len(lines) == 1 else f"lines {listed} still say"
+    numbers = listed(map(str, lines))
+    return f"line {numbers} still says" if len(lines) == 1 else f"lines {numbers} still say"
 
 
 def _old_name(change: Change) -> tuple[str | None, Span | None]:

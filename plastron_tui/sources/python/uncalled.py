@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from plastron_tui.diagnostics import Diagnostic, Span, codes
+from plastron_tui.diagnostics import Diagnostic, Span, codes, listed
 from plastron_tui.model.source import Change, Remove, Update
 
 from .analysis import Analysis
@@ -15,9 +15,6 @@ from .generated import is_own_helper
 from .nodes import part_of
 from .removal import definition, find_sites, function_uses
 from .scopes import Scope
-
-# A message that lists more functions than these is not read.
-_MOST_NAMES = 8
 
 
 def tell_uncalled(
@@ -41,10 +38,7 @@ def tell_uncalled(
     ]
     if not found:
         return None
-    listed = [f"`{each.name}` (line {line_of(each.node)})" for each in found]
-    more = len(listed) - _MOST_NAMES
-    listed[_MOST_NAMES:] = [f"{more} more"] if more > 0 else []
-    names = " and ".join(filter(None, (", ".join(listed[:-1]), listed[-1])))
+    names = listed(f"`{each.name}` (line {line_of(each.node)})" for each in found)
     message = f"nothing in the file calls {names} any more"
     it = "it if it is" if len(found) == 1 else "them if they are"
     span = _span(before, changes, {each.name for each in found})
