@@ -92,7 +92,7 @@ def test_a_function_that_nothing_calls_any_more_is_told(tmp_path: Path, name: st
     assert outcome.text != HEAD + body
     assert {str(each.code) for each in outcome.found} <= {"uncalled-function"}
     assert [each.message for each in outcome.found] == messages
-    them = "them if they are" if " and " in "".join(messages) else "it if it is"
+    them = "them if they are" if "), " in "".join(messages) else "it if it is"
     assert all(each.help == f"remove {them} of no other use" for each in outcome.found)
     names = [each for each in ("work", "hear", "again", "make") if f"`{each}`" in str(messages)]
     assert all(f"def {each}(" in outcome.text for each in names)
