@@ -65,23 +65,23 @@ def test_values_of_rclpy(before: str, after: str) -> None:
 
 NONE = ", which is None\n"
 NODES = [
-    ("n = rclpy.create_node('n')\nrclpy.spin(n)", 'rospy.init_node("n")\nrospy.spin()'),
+    ("n = rclpy.create_node('n')\nrclpy.spin(n)", "rospy.init_node('n')\nrospy.spin()"),
     (
         "n = rclpy.create_node('n')\nn.create_publisher(n.kind, 'x', 1)",
-        f"n = rospy.init_node(\"n\")\n{MARK}n{NONE}rospy.Publisher('x', n.kind, queue_size=1)",
+        f"n = rospy.init_node('n')\n{MARK}n{NONE}rospy.Publisher('x', n.kind, queue_size=1)",
     ),
     (
         "n = rclpy.create_node('n')\nhelp(n)\nx.n(n=1)",
-        f'n = rospy.init_node("n")\n{MARK}n{NONE}help(n)\nx.n(n=1)',
+        f"n = rospy.init_node('n')\n{MARK}n{NONE}help(n)\nx.n(n=1)",
     ),
     (
         "n = rclpy.create_node('n')\nn.get_name()",
-        f'n = rospy.init_node("n")\n{MARK}.get_name\nn.get_name()',
+        f"n = rospy.init_node('n')\n{MARK}.get_name\nn.get_name()",
     ),
     (
         "class A:\n    def f(self):\n        self.n = rclpy.create_node('n')\n"
         "        help(self.n)\n\n\nclass B:\n    def f(self):\n        help(self.n)",
-        'class A:\n    def f(self):\n        self.n = rospy.init_node("n")\n'
+        "class A:\n    def f(self):\n        self.n = rospy.init_node('n')\n"
         f"        {MARK}self.n{NONE}        help(self.n)\n\n\n"
         "class B:\n    def f(self):\n        help(self.n)",
     ),

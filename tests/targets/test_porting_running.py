@@ -40,7 +40,7 @@ SPINS = [
     ("if True:\n    rclpy.spin(A())", "if True:\n    A()\n    rospy.spin()"),
     ("if True: rclpy.spin(A())", "if True: A(); rospy.spin()"),
     ("x = rclpy.spin(A())", "x = (A(), rospy.spin())[1]"),
-    ("rclpy.spin(rclpy.create_node('b'))", 'rospy.init_node("b")\nrospy.spin()'),
+    ("rclpy.spin(rclpy.create_node('b'))", "rospy.init_node('b')\nrospy.spin()"),
 ]
 
 
@@ -67,7 +67,7 @@ def test_the_helpers_stand_before_a_line_that_follows_the_imports_at_once() -> N
     )
     assert text.index("def spin_in_thread():") < text.index("\nspin_in_thread()")
     assert text.endswith(
-        '\n\n\nrclpy.init()\nnode = rclpy.create_node("n")\nspin_in_thread()\n'
+        "\n\n\nrclpy.init()\nnode = rclpy.create_node('n')\nspin_in_thread()\n"
         "node.create_subscription(String, 's', print, 10)\n"
     )
 
@@ -135,7 +135,7 @@ CONTEXTS = [
         "try:\n    executor.spin()\nfinally:\n    executor.shutdown()\n"
         "    rclpy.try_shutdown()",
         "node = A()\ntry:\n    rospy.spin()\nfinally:\n"
-        '    rospy.signal_shutdown("the node is done")',
+        "    rospy.signal_shutdown('the node is done')",
     ),
 ]
 
@@ -267,7 +267,7 @@ def test_the_comments_and_blank_lines_of_imports_and_of_the_node_stay() -> None:
     )
     assert text == (
         "# of numbers\nimport numpy\n\n# of ROS\nimport rclpy\n\nimport mine\n\n"
-        '# the node is made\nrclpy.init()\nnode = rclpy.create_node("n")  # here\n'
+        "# the node is made\nrclpy.init()\nnode = rclpy.create_node('n')  # here\n"
     )
 
 
@@ -323,3 +323,30 @@ def test_an_executor_that_another_function_uses_stays() -> None:
         f"\n{MARK}rclpy.executors.SingleThreadedExecutor\n"
         "executor = SingleThreadedExecutor()\nexecutor.add_node(node)\n"
     )
+
+
+# Whether what makes the node is held in a variable of the ported function.
+HELD = {
+    "node = A()\n    rclpy.spin(node)": "A()\n    rospy.spin()",
+    "node = A()\n    use(node)\n    rclpy.spin(node)": (
+        "node = A()\n    use(node)\n    rospy.spin()"
+    ),
+    "global node\n    node = A()\n    rclpy.spin(node)": (
+        "global node\n    node = A()\n    rospy.spin()"
+    ),
+    "self.node = A()\n    rclpy.spin(self.node)": "self.node = A()\n    rospy.spin()",
+    "other = B()\n    rclpy.spin(A())": "other = B()\n    A()\n    rospy.spin()",
+}
+
+
+@pytest.mark.parametrize("before", HELD)
+def test_a_node_that_is_only_spun_needs_no_variable(before: str) -> None:
+    text = ported(f"{CLASS}def main(self):\n    rclpy.init()\n    {before}\n", "rclpy", "rospy")
+    assert text.endswith(f"def main(self):\n    {HELD[before]}\n")
+
+
+def test_a_line_stays_as_long_as_rclpy_allows() -> None:
+    call = "        self.words = self.create_subscription(String, 'words', self.on_words, 10)"
+    after = "        self.words = rospy.Subscriber('words', String, self.on_words, queue_size=10)"
+    text = ported(f"{CLASS}{call}\n", "rclpy", "rospy")
+    assert after in text.split("\n")

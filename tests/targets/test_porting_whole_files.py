@@ -145,7 +145,7 @@ class Robot:
 
 
 def main(args=None):
-    robot = Robot()
+    Robot()
     try:
         rospy.spin()
     except (KeyboardInterrupt, rospy.ROSInterruptException):

@@ -26,6 +26,7 @@ from .to_rclpy import port_to_rclpy
 from .to_rospy import port_to_rospy
 from .types import target_type
 from .unused_imports import without_unused
+from .unused_nodes import without_unused_nodes
 
 _PORTS = {"rclpy": port_to_rclpy, "rospy": port_to_rospy}
 _LEFT = {"rospy": ("rospy", "roslib"), "rclpy": ("rclpy",)}
@@ -60,7 +61,8 @@ def port_python(
             None, (Diagnostic(codes.EDIT_REFUSED, message, help="mend the file first"),)
         )
     try:
-        limit = line_limit(source.files.main, library, line_length)
+        # One of both is rclpy's, which allows more than rospy's; the file keeps to its own.
+        limit = line_limit(source.files.main, "rclpy", line_length)
         return _ported(source, Work(before, catalog), library, limit)
     except UnicodeEncodeError as error:
         return Rendered(None, (not_encodable(source, error),))
@@ -83,6 +85,9 @@ def _ported(source: SourceUnit, work: Work, library: str, limit: LineLimit) -> R
         _mark_type(work, site)
     made = without_contexts(work.result(limit.length))
     made = without_unused(made, _LEFT[source.library], work.freed)
+    if library == "rospy":
+        owners = {each.owner.name for each in before.nodes if each.owner is not None}
+        made = without_unused_nodes(made, frozenset({*owners, "rospy.init_node"}))
     text = wrap_new_lines(source.files.main, parse(made), limit)
     lines = _comment_lines(text.decode(before.syntax.encoding, "replace"))
     found = [_listed(mark, source, library, lines) for mark in _in_order(work.marks)]

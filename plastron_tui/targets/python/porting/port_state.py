@@ -14,6 +14,7 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import FieldType, Section
 from plastron_tui.sources.python.analysis import Analysis, Site
 from plastron_tui.sources.python.callbacks import callback_target
+from plastron_tui.sources.python.conventions import Conventions, conventions_of
 from plastron_tui.sources.python.references import STATEMENT_PARENTS, is_member
 from plastron_tui.sources.python.scopes import Binding, BindingKind, Scope
 from plastron_tui.sources.python.splices import (
@@ -67,6 +68,7 @@ class Work:
         helpers: functions that go behind them.
         callbacks: the functions that the endpoints call.
         before: the types of the distribution that it comes from.
+        conventions: how the file writes things.
         kinds: what expressions give, by the ids of their nodes.
         types: the types of messages and their fields, by the ids of the expressions.
         freed: imported names whose uses are written otherwise.
@@ -83,6 +85,7 @@ class Work:
     helpers: list[str] = field(default_factory=list)
     callbacks: dict[int, Scope] = field(default_factory=dict)
     before: Catalog = field(init=False)
+    conventions: Conventions = field(init=False)
     kinds: dict[int, str | None] = field(default_factory=dict)
     types: dict[int, Section | FieldType | None] = field(default_factory=dict)
     freed: set[str] = field(default_factory=set)
@@ -93,10 +96,15 @@ class Work:
 
     def __post_init__(self) -> None:
         self.before = Catalog(self.analysis.library.distribution)
+        self.conventions = conventions_of(self.analysis)
         for site in self.analysis.sites:
             function = self.callback_of(site)
             if function is not None:
                 self.callbacks[function.node.id] = function
+
+    def string(self, value: str) -> str:
+        """Write a string in the file's quotes."""
+        return self.conventions.string(value)
 
     def slice(self, node: Node) -> str:
         """Return the source of a node, as it was."""

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 
 from tree_sitter import Node
 
-from plastron_tui.sources.python import literals
 from plastron_tui.sources.python.analysis import NodeSite
 from plastron_tui.sources.python.references import statement_of
 from plastron_tui.sources.python.splices import line_start
@@ -53,8 +52,8 @@ def _place(work: Work, init: NodeSite, node: str, lines: list[str], starts: Sequ
     """Write the lines that make and start the node, behind those that are given."""
     assert init.call is not None
     statement = statement_of(init.call)
-    written = init.expression if init.name is None else literals.string(init.name)
-    lines.append(f"{node} = rclpy.create_node({written or literals.string('node')})")
+    written = init.expression if init.name is None else work.string(init.name)
+    lines.append(f"{node} = rclpy.create_node({written or work.string('node')})")
     options = _options(work, init, node, lines)
     lines += starts
     for option in options:

@@ -37,7 +37,7 @@ def port_rospy_running(work: Work) -> None:
         elif names & {"rclpy.spin"}:
             _port_spin(work, call, statement if is_alone else None)
         elif names & {"rclpy.shutdown", "rclpy.try_shutdown"}:
-            work.replace(call, 'rospy.signal_shutdown("the node is done")')
+            work.replace(call, f"rospy.signal_shutdown({work.string('the node is done')})")
         elif callee.type == "attribute":
             _port_method(work, call, callee, statement if is_alone else None)
     for node in walk(work.analysis.syntax.root):

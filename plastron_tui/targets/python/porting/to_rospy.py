@@ -6,7 +6,6 @@ from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind
-from plastron_tui.sources.python import literals
 from plastron_tui.sources.python.analysis import NodeSite, Site
 from plastron_tui.sources.python.calls import Argument
 from plastron_tui.sources.python.constants import Known
@@ -306,9 +305,9 @@ def _leave_base(work: Work, owner: Scope, base: Node) -> None:
 
 def _init(work: Work, maker: NodeSite) -> None:
     assert maker.call is not None
-    written = maker.expression if maker.name is None else literals.string(maker.name)
+    written = maker.expression if maker.name is None else work.string(maker.name)
     if not written:
-        written = '"node"'
+        written = work.string("node")
         work.mark(maker.call, "the node's name")
     arguments = maker.call.child_by_field_name("arguments")
     if arguments is not None and arguments.named_child_count > 1:
