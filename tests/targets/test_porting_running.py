@@ -150,7 +150,7 @@ def test_what_rclpy_runs_a_node_with(before: str, after: str) -> None:
 
 ONCE = f"{MARK}spin_once ends at the first message\n"
 SPINS_ONCE = [
-    ("while x:\n    rclpy.spin_once(n, timeout_sec=1)", "while x:\n    rospy.sleep(1)"),
+    ("while x:\n    rclpy.spin_once(n, timeout_sec=1)", "while x:\n    rospy.sleep(0.1)"),
     (
         "while x:\n    rclpy.spin_once(n, timeout_sec=1)\n    y()",
         f"while x:\n    {ONCE}    rospy.sleep(1)\n    y()",

@@ -335,7 +335,7 @@ BACK = [
         f"{MARK}callback_group\nrospy.Timer(rospy.Duration(1.0), lambda event: tick())",
     ),
     ("log = node.get_logger()", f"{MARK}.get_logger\nlog = node.get_logger()"),
-    ("x = rclpy.ok() and y", "x = (not rospy.is_shutdown()) and y"),
+    ("x = rclpy.ok() and y", "x = not rospy.is_shutdown() and y"),
     ("x.header.stamp = node.get_clock().now().to_msg()", "x.header.stamp = rospy.Time.now()"),
     ("x = Header(stamp=node.get_clock().now().to_msg())", "x = Header(stamp=rospy.Time.now())"),
     ("use(node.get_clock().now().to_msg())", "use(rospy.Time.now())"),

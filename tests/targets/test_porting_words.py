@@ -40,7 +40,7 @@ WORDS = [
         "rospy.loginfo('a', exc_info=True)",
         f"{MARK}rospy.loginfo\nrospy.loginfo('a', exc_info=True)",
     ),
-    ("x = rospy.is_shutdown() or y", "x = (not rclpy.ok()) or y"),
+    ("x = rospy.is_shutdown() or y", "x = not rclpy.ok() or y"),
     ("x = not rospy.is_shutdown() and y", "x = rclpy.ok() and y"),
     ("x.header.stamp = rospy.Time.now()", "x.header.stamp = node.get_clock().now().to_msg()"),
     (

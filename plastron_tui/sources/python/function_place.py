@@ -18,17 +18,23 @@ from .scopes import Scope
 from .splices import before_comments, line_end, line_start
 from .syntax import parts_of
 
+_RULER = re.compile(r"#+ ?([-=*~_#+])\1{7,}#?")
 _TELLS_END = re.compile(rb"#+ *end\b", re.I)
 
 
 @dataclass(frozen=True, slots=True)
 class FunctionPlace:
-    """Where a new function goes: its offset, its indent, and the blank lines around it."""
+    """Where a new function goes: its offset, its indent, and the blank lines around it.
+
+    Attributes:
+        ruler: the line that the file has above its methods, "" for none.
+    """
 
     offset: int
     indent: str
     before: int
     after: int
+    ruler: str = ""
 
 
 def method_place(analysis: Analysis, place: Place, near: Iterable[Scope]) -> FunctionPlace:
@@ -41,7 +47,20 @@ def method_place(analysis: Analysis, place: Place, near: Iterable[Scope]) -> Fun
     node = definition(behind)
     indent = leading_space(analysis, node)
     offset = _end_with_comments(text, line_end(text, node.end_byte), indent)
-    return FunctionPlace(offset, indent, _method_gap(node), 0)
+    return FunctionPlace(offset, indent, _method_gap(node), 0, _ruler(analysis, node))
+
+
+def _ruler(analysis: Analysis, node: Node) -> str:
+    """Return the line of dashes or the like that stands above most methods of a class."""
+    methods = [each for each in parts_of(node.parent) if each.type.endswith("_definition")]
+    above = (each.prev_named_sibling for each in methods)
+    lines = Counter(
+        analysis.syntax.slice(each) if each is not None and each.type == "comment" else ""
+        for each in above
+    )
+    line, count = lines.most_common(1)[0]
+    is_usual = count > 1 and count * 2 > len(methods)
+    return line if is_usual and _RULER.fullmatch(line) else ""
 
 
 def _method_gap(node: Node) -> int:

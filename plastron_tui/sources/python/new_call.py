@@ -29,6 +29,9 @@ _NAME = re.compile(r"[\w.]+")
 # A profile that may be made anew in each call.
 _PROFILE = re.compile(r"[\w.]+|([\w.]+\.)?QoSProfile\([\w.=, ]*\)")
 _QUEUED = (EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION)
+# A comma that something parts from what is behind it, or a call that has none.
+_COMMA = re.compile(rb",\s|^[^,]*$")
+_TEXT = re.compile(rb"\"[^\"]*\"|'[^']*'")
 _QUEUE = re.compile(r"[1-9]\d{0,5}$")
 
 
@@ -69,7 +72,14 @@ def arguments_of(added: Addition, model: Site | None, class_: str, callback: str
         parts.append(f"{keyword}{equals}{queue}" if is_named else queue)
     if group := added.callback_group(added.kind):
         parts.append(f"callback_group{equals}{group}")
-    return ", ".join(parts)
+    is_tight = model is not None and _COMMA.search(_written(model)) is None
+    return ("," if is_tight and len(parts) > 1 else ", ").join(parts)
+
+
+def _written(model: Site) -> bytes:
+    """Return the arguments of a call, what is in texts left out."""
+    arguments = model.call.child_by_field_name("arguments")
+    return _TEXT.sub(b"", (arguments.text or b"") if arguments is not None else b"")
 
 
 def _spells_keywords(added: Addition) -> bool:

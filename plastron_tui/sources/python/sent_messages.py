@@ -17,6 +17,7 @@ from .analysis import Analysis, Site
 from .creation import Removal, read_in, remove_creation
 from .emptied_blocks import emptied_blocks
 from .generated import is_docstring, is_named_as_own, is_own_call
+from .leftovers import remove_idle
 from .own_loop import is_loop, is_once, is_sleep
 from .rates import Pace, is_shared, loop_pace, timer_pace
 from .references import Reference, Variable, references
@@ -59,6 +60,8 @@ def resend(update: Replacement, interface: Interface) -> None:
     if not is_done:
         before = len(uses.splices)
         remove_what_served(update.analysis, uses)
+        while remove_idle(update.analysis, uses):
+            remove_what_served(update.analysis, uses)
         gone = delete_statements(update.analysis.syntax.text, uses.statements)
         gone += uses.splices[before:]
         update.splices += gone

@@ -7,7 +7,7 @@ from tree_sitter import Node
 from plastron_tui.diagnostics import Diagnostic, codes
 
 from .addition import Addition
-from .analysis import Site
+from .analysis import Analysis, Site
 from .scopes import BindingKind, Scope
 
 
@@ -26,7 +26,8 @@ def shared_name(added: Addition) -> Diagnostic | None:
     if owner is None or is_node:
         return None
     for site in analysis.sites:
-        if site.scope.enclosing("function") is place.scope and _has_parameter(site, place.scope):
+        function = site.scope.enclosing("function")
+        if function is place.scope and _has_parameter(analysis, site, function):
             message = f"each object of `{owner.name}` creates `{added.name}`, while line "
             message += f"{site.endpoint.line} gives each a name of its own"
             help_ = "add it to what makes the objects, if there are several"
@@ -34,19 +35,31 @@ def shared_name(added: Addition) -> Diagnostic | None:
     return None
 
 
-def _has_parameter(site: Site, function: Scope) -> bool:
-    """Whether the name of an endpoint is made of what the function around it has to be given."""
+def _has_parameter(analysis: Analysis, site: Site, function: Scope) -> bool:
+    """Whether the name of an endpoint is made of what has to be given to make the object."""
     given = site.arguments.get(site.shape.name)
     pending: list[Node] = [given] if given is not None else []
     while pending:
         node = pending.pop()
+        if _is_given(analysis, node, function):
+            return True
+        if node.type == "attribute":
+            bindings = analysis.resolver.attribute_bindings(node, site.scope)
+            values = [(each.value, each.scope) for each in bindings if each.value is not None]
+            if any(_is_given(analysis, value, scope) for value, scope in values):
+                return True
         pending += node.named_children
-        if node.type != "identifier":
-            continue
-        name = (node.text or b"").decode("utf-8", "replace")
-        if name != function.self_name and any(
+    return False
+
+
+def _is_given(analysis: Analysis, node: Node, function: Scope) -> bool:
+    """Whether a name is a parameter of a method that has no default."""
+    name = analysis.syntax.slice(node)
+    return (
+        node.type == "identifier"
+        and name != function.self_name
+        and any(
             each.kind is BindingKind.PARAMETER and each.value is None
             for each in function.bindings.get(name, [])
-        ):
-            return True
-    return False
+        )
+    )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tree_sitter import Node
 
-from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.diagnostics import Diagnostic, codes, listed
 from plastron_tui.model.kinds import callback_of
 from plastron_tui.model.source import Update
 from plastron_tui.ros.catalog import Catalog
@@ -155,7 +155,7 @@ def _tell_lost(update: Replacement, interface: Interface) -> None:
     """Tell that a function gets no messages any more, as they are not those it is made for."""
     added, found = update.added, update.site.endpoint
     message = f"`{found.callback}` no longer gets `{added.name}`: it was written for `{found.type}`"
-    if missing := " and ".join(f"`{each}`" for each in missing_fields(update, interface)):
+    if missing := listed(f"`{each}`" for each in missing_fields(update, interface)):
         message += f", and `{interface.name}` has no {missing}"
     help_ = "keep it with `calling`, and change it by hand"
     update.notes.append(Diagnostic(codes.OTHER_TYPE, message, added.endpoint.span, help=help_))
@@ -175,7 +175,7 @@ def _tell_other_type(update: Replacement, interface: Interface) -> None:
         what = " and ".join(names) or f"what takes its messages from line {found.line} on"
     else:
         return
-    missing = " and ".join(f"`{each}`" for each in missing_fields(update, interface))
+    missing = listed(f"`{each}`" for each in missing_fields(update, interface))
     if callback_of(update.added.endpoint) is None or missing:
         message = f"{what} {was} written for `{found.type}`, and gets `{interface.name}`"
         message += f", which has no {missing}" if missing else ""

@@ -151,6 +151,11 @@ def _manner(syntax: Syntax, arguments: Node, limit: int, indent: str) -> Bracket
     items = parts_of(arguments)
     rows = [item.start_point.row for item in items]
     last = items[-1]
+    line = syntax.text[line_start(syntax.text, arguments.start_byte) :]
+    margin = line[: len(line) - len(line.lstrip())]
+    deeper = items[0].start_point.column - len(margin)
+    if rows[0] > arguments.start_point.row and b"\t" not in margin and deeper in (2, 4, 8):
+        indent = " " * deeper
     return Brackets(
         limit,
         indent,

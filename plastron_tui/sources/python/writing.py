@@ -57,8 +57,8 @@ class Writer:
 
     def function(self, place: FunctionPlace, lines: list[str]) -> None:
         """Insert a function with the blank lines around it."""
-        blank = [""] * place.before
-        self.lines(place.offset, place.indent, [*blank, *lines, *[""] * place.after])
+        above = [""] * place.before + [place.ruler] * bool(place.ruler)
+        self.lines(place.offset, place.indent, [*above, *lines, *[""] * place.after])
 
     def _indented(self, indent: str, line: str) -> str:
         body = line.lstrip("\t")

@@ -42,6 +42,15 @@ HABITS = {
         "            String, 't', self.on_text, 10)\n",
         "(\n            String, '{}', self.on_text, 10)\n",
     ),
+    "two deeper": (
+        "        self.sub = self.create_subscription(\n          String, 't', self.on_text, 10)\n",
+        "(\n          String, '{}', self.on_text, 10)\n",
+    ),
+    "eight deeper": (
+        "        self.sub = self.create_subscription(\n"
+        "                String, 't', self.on_text, 10)\n",
+        "(\n                String, '{}', self.on_text, 10)\n",
+    ),
     "a line each": (
         "        self.sub = self.create_subscription(\n            String,\n"
         "            't',\n            self.on_text,\n            10\n        )\n",

@@ -32,6 +32,21 @@ MANNERS = {
         "    def on_a(self) -> None:\n        pass\n",
         "    def on_b(self, message: String) -> None:\n",
     ),
+    "a ruler above each": (
+        "    # ---------\n    def on_a(self, message):\n        pass\n\n"
+        "    # ---------\n    def more(self):\n        pass\n",
+        "    # ---------\n    def on_b(self, message):\n",
+    ),
+    "a ruler above one": (
+        "    # ---------\n    def on_a(self, message):\n        pass\n\n"
+        "    def more(self):\n        pass\n",
+        "        pass\n\n    def on_b(self, message):\n",
+    ),
+    "a comment above each": (
+        "    # it\n    def on_a(self, message):\n        pass\n\n"
+        "    # it\n    def more(self):\n        pass\n",
+        "        pass\n\n    def on_b(self, message):\n",
+    ),
     "nothing said": (
         "    def on_a(self, data):\n        pass\n\n    def more(self):\n        pass\n",
         "    def on_b(self, data):\n        self.get_logger()",
@@ -90,7 +105,7 @@ def test_a_section_of_its_own(above, is_apart):
 
 PER_OBJECT = (
     "import rospy\nfrom std_msgs.msg import String\n\n\nclass Joint:\n"
-    "    def __init__(self, number, t='joint'):\n"
+    "    def __init__(self, number, t='joint'):\n        self.name, self.at = number, t\n"
     "        self.pub = rospy.Publisher({}, String, queue_size=1)\n"
     "\n\nrospy.init_node('n')\nJoint(make())\nJoint(make())\nrospy.spin()\n"
 )
@@ -98,7 +113,15 @@ PER_OBJECT = (
 
 @pytest.mark.parametrize(
     ("name", "is_told"),
-    [("'joint' + str(number)", True), ("f'joint{number}'", True), ("'j'", False), ("t", False)],
+    [
+        ("'joint' + str(number)", True),
+        ("f'joint{number}'", True),
+        ("self.name", True),
+        ("'j' + self.name", True),
+        ("'j'", False),
+        ("t", False),
+        ("self.at", False),
+    ],
 )
 def test_it_is_told_that_each_object_creates_an_endpoint(name, is_told):
     found = edit(PER_OBJECT.format(name), provide("stop")).diagnostics
@@ -249,3 +272,18 @@ def test_a_name_of_the_module_is_not_private():
         "        self._b = 2\n\n\nrospy.init_node('n')\nrospy.spin()\n"
     )
     assert "\nc_pub = rospy.Publisher('c', " in edited(text, publish("c"))
+
+
+# How a call is written beside one of its kind.
+CALLS = {
+    "rospy.Subscriber('a',String,f)": "rospy.Subscriber('b',String,on_b)",
+    "rospy.Subscriber('a,b',String,f)": "rospy.Subscriber('b',String,on_b)",
+    "rospy.Subscriber('a', String, f)": "rospy.Subscriber('b', String, on_b)",
+    "rospy.Subscriber('a',String, f)": "rospy.Subscriber('b', String, on_b)",
+}
+
+
+@pytest.mark.parametrize("call", CALLS)
+def test_commas_are_as_in_the_call_beside(call):
+    head = "import rospy\nfrom std_msgs.msg import String\n\nrospy.init_node('n')\n"
+    assert f"\n{CALLS[call]}\n" in edited(f"{head}{call}\nrospy.spin()\n", subscribe("b"))

@@ -197,3 +197,12 @@ def test_a_use_that_stands_in_the_way_is_kept_by_a_new_name(tmp_path: Path) -> N
     assert [str(each.code) for each in outcome.found] == ["endpoint-in-use"]
     help_ = "change this line in the file first, or keep them: `renames topic 'a' to 'b'`"
     assert [each.help for each in outcome.found] == [help_]
+
+
+def test_a_timer_that_only_sent_what_is_gone_goes(tmp_path: Path) -> None:
+    timer = "rospy.Timer(rospy.Duration(1), tick)\n"
+    tick = "def tick(event):\n    p.publish(1)\n    p.publish(3)\n\n\n"
+    text, _ = told(tmp_path, LOOP.format(tick + timer), TAKE)
+    assert "def tick" not in text
+    assert timer not in text
+    assert text.count("rospy.Timer") == text.count("Int32(data=2)") == 1

@@ -129,6 +129,13 @@ def append_parameter(work: Work, listed: Node, parameters: list[Node], parameter
         work.insert(listed.start_byte + 1, parameter)
 
 
+# Where a `not` needs no parentheses.
+_NEGATING = frozenset(
+    {"if_statement", "while_statement", "boolean_operator", "parenthesized_expression"}
+    | {"return_statement", "assignment"}
+)
+
+
 def replace_by_opposite(work: Work, call: Node, opposite: str) -> None:
     """Rewrite a call as the opposite of another: `not rclpy.ok()` as `rospy.is_shutdown()`."""
     parent = call.parent
@@ -136,8 +143,8 @@ def replace_by_opposite(work: Work, call: Node, opposite: str) -> None:
         work.done.add(call.id)
         work.replace(parent, opposite)
         return
-    is_condition = parent is not None and parent.type in ("if_statement", "while_statement")
-    work.replace(call, f"not {opposite}" if is_condition else f"(not {opposite})")
+    is_plain = parent is not None and parent.type in _NEGATING
+    work.replace(call, f"not {opposite}" if is_plain else f"(not {opposite})")
 
 
 def first_statement(body: Node) -> Node:

@@ -60,12 +60,13 @@ def _port_spin_once(work: Work, call: Node) -> None:
     loop = body.parent if body is not None else None
     is_loop = loop is not None and loop.type == "while_statement"
     is_idle = body is not None and body.named_children == [statement]
-    if limit is not None and limit.type != "none":
-        work.replace(call, f"rospy.sleep({work.text(limit)})")
-        if is_loop and not is_idle and work.slice(limit) not in ("0", "0.0"):
-            work.mark(call, "spin_once ends at the first message", _SPIN_ONCE)
-    elif is_loop and is_idle:
+    if is_loop and is_idle:
+        # The loop asks again as soon as what it waits for may have come.
         work.replace(call, "rospy.sleep(0.1)")
+    elif limit is not None and limit.type != "none":
+        work.replace(call, f"rospy.sleep({work.text(limit)})")
+        if is_loop and work.slice(limit) not in ("0", "0.0"):
+            work.mark(call, "spin_once ends at the first message", _SPIN_ONCE)
 
 
 _SPIN_ONCE = "`rospy.sleep` waits as long as it is told: wait for what the callback sets"
