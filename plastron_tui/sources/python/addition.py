@@ -12,6 +12,7 @@ from plastron_tui.model.source import EndpointKind
 from plastron_tui.model.unique_names import numbered
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface
+from plastron_tui.ros.names import name_as_written
 
 from . import literals, naming
 from .analysis import Analysis
@@ -87,7 +88,7 @@ class Addition:
     @property
     def label(self) -> str:
         """The endpoint's name, as prose."""
-        return naming.label(self.name, "its topic")
+        return naming.label(name_as_written(self.name, self.dialect.ros_version), "its topic")
 
     def free_name(self, wanted: str) -> str:
         """Return a name that the file does not use yet."""

@@ -66,7 +66,9 @@ def line_limit(text: bytes, library: str, said: int | None) -> LineLimit:
     length = next((each for each in (allowed, *_USUAL) if longest <= each >= allowed), _USUAL[-1])
     if longest <= allowed:
         length = _kept_to(code, max(lengths, default=0), allowed)
-    is_checked = length == ROS_2 and lengths[0] <= length if lengths else False
+    # A file whose longest line nearly has that length is kept to it.
+    least = 0 if length == ROS_2 else length - _WORD
+    is_checked = length == allowed and least < lengths[0] <= length if lengths else False
     return LineLimit(length, 0 if is_checked else _WORD, _longest(code, length))
 
 

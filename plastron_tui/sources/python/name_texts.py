@@ -36,9 +36,12 @@ class NameText(NamedTuple):
 
 
 def texts_saying(analysis: Analysis, name: str) -> Iterator[NameText]:
-    """Yield the strings of a file that say a name, but for docstrings."""
+    """Yield the strings of a file that say a name, but for docstrings.
+
+    What goes on before or behind a string, as in `prefix + '/scan'`, says another name.
+    """
     bare = name.lstrip("~/")
-    word = re.compile(rb"(?<![\w/.-])[~/]*%s(?![\w/]|[.-]\w)" % re.escape(bare.encode()))
+    word = re.compile(rb"(?<![\w/.}-])[~/]*%s(?![\w/{]|[.-]\w)" % re.escape(bare.encode()))
     for found in word.finditer(analysis.syntax.text):
         node = analysis.syntax.root.descendant_for_byte_range(found.start(), found.end())
         while node is not None and node.type in ("string_content", "escape_sequence"):
@@ -47,12 +50,30 @@ def texts_saying(analysis: Analysis, name: str) -> Iterator[NameText]:
             continue
         if node.parent is not None and node.parent.type == "expression_statement":
             continue
+        if _goes_on(node, found.start(), found.end()):
+            continue
         parts = [each for each in node.named_children if each.type == "string_content"]
         is_whole = [analysis.syntax.slice(each).lstrip("~/") for each in parts] == [bare]
         around = analysis.syntax.text[node.start_byte : node.end_byte]
         is_sure = bool(_NAME_PART.search(found[0]) or _called(bare).search(around))
         written = found[0].decode()
         yield NameText(node, found.start(), found.end(), written, is_whole, is_sure)
+
+
+def _goes_on(string: Node, start: int, end: int) -> bool:
+    """Whether a name at an end of a string is a part of one that an expression makes."""
+    parts = [each for each in string.named_children if each.type == "string_content"]
+    outer = string.parent
+    if outer is None or not parts or outer.type not in ("binary_operator", "concatenated_string"):
+        return False
+    operator = outer.child_by_field_name("operator")
+    if operator is not None and operator.type != "+":
+        return False
+    is_first = outer.start_byte == string.start_byte
+    is_last = outer.end_byte == string.end_byte
+    return (start == parts[0].start_byte and not is_first) or (
+        end == parts[-1].end_byte and not is_last
+    )
 
 
 def is_other_name(analysis: Analysis, text: NameText) -> bool:

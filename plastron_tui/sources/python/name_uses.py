@@ -45,7 +45,9 @@ class NameUses:
         if variable in self._seen:
             return True
         self._seen.add(variable)
-        return all(_binds(use) or self.is_harmless(use.node) for use in self._uses(variable))
+        uses = [use for use in self._uses(variable) if not _binds(use)]
+        # What nothing in the file uses may be for another file.
+        return bool(uses) and all(self.is_harmless(use.node) for use in uses)
 
     def is_harmless(self, node: Node) -> bool:
         """Whether what is done with an expression is harmless: a name, or what holds one."""

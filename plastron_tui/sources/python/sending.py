@@ -116,8 +116,9 @@ def _timer(added: Addition, rate: float, publications: list[Publication]) -> lis
 
 def _timer_variable(added: Addition) -> str:
     """Return the attribute of the node, or the variable, that a timer is held by."""
-    name = added.free_name(variable_naming(added.analysis, EndpointKind.TIMER).name(added.name))
+    wanted = variable_naming(added.analysis, EndpointKind.TIMER).name(added.name)
     holder, dot, _ = added.variable.rpartition(".")
+    name = added.free_name(wanted if dot else wanted.lstrip("_"))
     return f"{holder}{dot}{name}"
 
 

@@ -48,8 +48,19 @@ def _has_parameter(analysis: Analysis, site: Site, function: Scope) -> bool:
             values = [(each.value, each.scope) for each in bindings if each.value is not None]
             if any(_is_given(analysis, value, scope) for value, scope in values):
                 return True
-        pending += node.named_children
+        pending += [*node.named_children, *_sources(analysis, node, function, pending)]
     return False
+
+
+def _sources(analysis: Analysis, node: Node, function: Scope, seen: list[Node]) -> list[Node]:
+    """Return what a local variable is made of: `name, kind = ask(topic)`."""
+    name = analysis.syntax.slice(node) if node.type == "identifier" else ""
+    statements = [
+        each.node.child_by_field_name("right")
+        for each in function.bindings.get(name, [])
+        if each.kind is not BindingKind.PARAMETER and each.node.end_byte < node.start_byte
+    ]
+    return [each for each in statements if each is not None and each not in seen]
 
 
 def _is_given(analysis: Analysis, node: Node, function: Scope) -> bool:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from tree_sitter import Node
+
 from plastron_tui.diagnostics import Diagnostic, Span, codes, listed
 from plastron_tui.model.source import Change, Remove, Update
 
@@ -67,13 +69,22 @@ def _path(function: Scope) -> tuple[str, ...]:
 def _has_uses(analysis: Analysis, function: Scope) -> bool:
     """Whether a file mentions a function, as a name or as a text, but for within itself."""
     text = re.escape(analysis.syntax.encode(function.name))
-    if re.search(rb"""(["'])%b\1""" % text, analysis.syntax.text):
+    names = [node.call for node in analysis.nodes] + [site.call for site in analysis.sites]
+    if any(
+        not any(_is_argument(call, found.start()) for call in names)
+        for found in re.finditer(rb"""(["'])%b\1""" % text, analysis.syntax.text)
+    ):
         return True
     whole = function.node
     return any(
         not whole.start_byte <= node.start_byte < whole.end_byte
         for node in function_uses(analysis, function)
     )
+
+
+def _is_argument(call: Node | None, offset: int) -> bool:
+    """Whether a text is given to what creates a node or an endpoint: it names that."""
+    return call is not None and call.start_byte <= offset < call.end_byte
 
 
 def _span(before: Analysis, changes: Sequence[Change], names: set[str]) -> Span | None:

@@ -13,6 +13,8 @@ from .conventions import Conventions
 from .function_place import FunctionPlace
 from .splices import Splice
 
+# What is around docstrings.
+_SINGLE, _DOUBLE = b"'''", b'"""'
 _WORD = re.compile(r"\w+")
 
 Key = tuple[EndpointKind, str | None, str, str]
@@ -57,6 +59,9 @@ class Writer:
 
     def function(self, place: FunctionPlace, lines: list[str]) -> None:
         """Insert a function with the blank lines around it."""
+        text = self.analysis.syntax.text
+        if text.count(_SINGLE) > text.count(_DOUBLE):
+            lines = [line.replace(_DOUBLE.decode(), _SINGLE.decode()) for line in lines]
         above = [""] * place.before + [place.ruler] * bool(place.ruler)
         self.lines(place.offset, place.indent, [*above, *lines, *[""] * place.after])
 

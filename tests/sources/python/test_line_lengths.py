@@ -223,7 +223,7 @@ def call_of(function: str, length: int) -> str:
         ([("f", 110)], ("f", 105), False),
         ([("f", 110)], ("f", 125), True),
         ([("g", 110)], ("f", 105), True),
-        ([("f", 79)], ("f", 85), False),
+        ([("f", 79)], ("f", 85), True),
         ([("f", 70)], ("f", 99), True),
     ],
 )

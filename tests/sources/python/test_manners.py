@@ -1,7 +1,7 @@
 """Functions and names as the file writes its own."""
 
 import pytest
-from edits import AT, SUB, edit, edited, provide, publish, subscribe
+from edits import AT, SUB, edit, edited, provide, publish, request, subscribe
 
 from plastron_tui.model.source import Remove
 
@@ -27,6 +27,11 @@ MANNERS = {
         '    def on_a(self, message):\n        """Hear a."""\n\n'
         '    def more(self):\n        """Do more."""\n',
         '    def on_b(self, message):\n        """Log what comes over b."""\n',
+    ),
+    "docstrings in other quotes": (
+        "    def on_a(self, message):\n        '''Hear a.'''\n\n"
+        "    def more(self):\n        '''Do more.'''\n",
+        "    def on_b(self, message):\n        '''Log what comes over b.'''\n",
     ),
     "what none of them takes": (
         "    def on_a(self) -> None:\n        pass\n",
@@ -121,6 +126,7 @@ PER_OBJECT = (
         ("'j'", False),
         ("t", False),
         ("self.at", False),
+        ("find(number)", True),
     ],
 )
 def test_it_is_told_that_each_object_creates_an_endpoint(name, is_told):
@@ -287,3 +293,17 @@ CALLS = {
 def test_commas_are_as_in_the_call_beside(call):
     head = "import rospy\nfrom std_msgs.msg import String\n\nrospy.init_node('n')\n"
     assert f"\n{CALLS[call]}\n" in edited(f"{head}{call}\nrospy.spin()\n", subscribe("b"))
+
+
+def test_a_name_in_a_log_is_as_the_file_writes_it():
+    text = "import rospy\n\nrospy.init_node('n')\nrospy.spin()\n"
+    assert "rospy.loginfo('~b: %s'" in edited(text, subscribe("~/b"))
+
+
+def test_a_local_timer_is_private_to_nothing():
+    text = edited(
+        "import rclpy\n\n\ndef main():\n    node = rclpy.create_node('b')\n"
+        "    _beat_timer = node.create_timer(1.0, f)\n    rclpy.spin(node)\n",
+        request("b", "std_srvs/Trigger"),
+    )
+    assert "    b_timer = node.create_timer(" in text

@@ -34,6 +34,11 @@ SAYING = {
     "rospy.loginfo('my/robot/words')": False,
     "rospy.loginfo('/robot/words.bag')": False,
     "x = 'what /robot/words are'": False,
+    "rospy.wait_for_service(x + '/robot/words')": False,
+    "rospy.loginfo('/robot/words' + x)": False,
+    "rospy.loginfo(f'{x}/robot/words')": False,
+    "rospy.loginfo('{}/robot/words'.format(x))": False,
+    "rospy.loginfo('x' '/robot/words')": False,
     "# listening on /robot/words": False,
     "'''About /robot/words.'''": False,
     "'''/robot/words'''": False,
@@ -51,8 +56,10 @@ NEW = Subscription("/words", interface("std_msgs/String"), None, AT)
                                     Update(SUB, "/robot/words", NEW, AT)])  # fmt: skip
 @pytest.mark.parametrize("line", SAYING)
 def test_lines_that_say_the_old_name(line: str, change: Remove | Rename | Update) -> None:
-    found = edit(FILE.format(line), change).diagnostics
-    told = [each.message for each in found if each.code == "still-named"]
+    rendered = edit(FILE.replace("{}", line), change)
+    assert rendered.files is not None
+    assert "String" in line or "Int32" in line or f"\n{line}\n" in rendered.files.main.decode()
+    told = [each.message for each in rendered.diagnostics if each.code == "still-named"]
     assert len(told) == SAYING[line]
     assert all(each.endswith("still says `/robot/words`") for each in told)
 

@@ -81,6 +81,12 @@ CASES = {
         UNSUBSCRIBE,
         [],
     ),
+    "a node of its name": (
+        "rospy.init_node('work')\n" + SUB,
+        UNSUBSCRIBE,
+        ["nothing in the file calls `work` (line 5) any more"],
+    ),
+    "a text that is its name": (SUB + "run('work')\n", UNSUBSCRIBE, []),
     "another name": (SUB, "n renames topic 'a' to 'b'", []),
 }  # fmt: skip
 
