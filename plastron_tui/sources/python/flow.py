@@ -36,6 +36,25 @@ def reaching(bindings: list[Binding], owner: Scope, node: Node, scope: Scope) ->
     return [last] if is_sure else bindings
 
 
+def straight_line(bindings: list[Binding], owner: Scope) -> list[Node]:
+    """Return the assignments of a local that run one after the other, each once in a call.
+
+    They are in the order of the file and in one block; none where anything else binds the name.
+    """
+    nodes = [binding.node for binding in bindings]
+    is_plain = all(node.type == "assignment" for node in nodes)
+    if len(nodes) < 2 or owner.kind != "function" or not is_plain:
+        return []
+    # Around an assignment is its statement, but for the inner one of `a = b = value`.
+    blocks = {node.parent.parent for node in nodes if node.parent is not None}
+    around = blocks.pop()
+    while around is not None and around.id != owner.node.id:
+        if blocks or around.type in _LOOPS:
+            return []
+        around = around.parent
+    return sorted(nodes, key=lambda node: node.start_byte)
+
+
 def _running(scope: Scope) -> Scope:
     """Return the scope whose code runs where a comprehension is."""
     while scope.kind == "comprehension" and scope.parent is not None:

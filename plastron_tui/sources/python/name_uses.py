@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Collection
 
 from tree_sitter import Node
@@ -9,9 +10,10 @@ from tree_sitter import Node
 from .analysis import Analysis
 from .callers import called_function, given_for
 from .constants import Known
+from .flow import straight_line
 from .log_uses import told
 from .name_texts import texts_saying
-from .references import Reference, Use, Variable, references, variable_of
+from .references import Reference, Use, Variable, references, statement_of, variable_of
 from .runs import LOOPS
 from .scopes import BindingKind, Scope
 
@@ -48,6 +50,31 @@ class NameUses:
         uses = [use for use in self._uses(variable) if not _binds(use)]
         # What nothing in the file uses may be for another file.
         return bool(uses) and all(self.is_harmless(use.node) for use in uses)
+
+    def is_handed_alone(self, node: Node) -> bool:
+        """Whether the uses of a variable that see what one of them hands on are harmless."""
+        variable = variable_of(node, self._analysis)
+        alike = self._seeing_alike(node, variable) if variable is not None else None
+        if alike is None:
+            return self.are_harmless(variable)
+        return all(_binds(use) or self.is_harmless(use.node) for use in alike)
+
+    def _seeing_alike(self, node: Node, variable: Variable) -> list[Reference] | None:
+        """Return the uses of a local that see the same literal; None where others may see it."""
+        owner = variable.scope
+        lines = straight_line(owner.bindings.get(variable.name, []), owner)
+        block = statement_of(lines[0]).parent if lines else None
+        ends = [line.end_byte for line in lines]
+        place = bisect_right(ends, node.start_byte)
+        value = lines[place - 1].child_by_field_name("right") if place else None
+        if block is None or value is None or value.type != "string":
+            return None
+        start, uses = lines[0].start_byte, self._uses(variable)
+        for use in uses:
+            is_inside = start <= use.node.start_byte < block.end_byte
+            if not is_inside or self._analysis.scopes.at(use.node.start_byte) is not owner:
+                return None
+        return [use for use in uses if bisect_right(ends, use.node.start_byte) == place]
 
     def is_harmless(self, node: Node) -> bool:
         """Whether what is done with an expression is harmless: a name, or what holds one."""

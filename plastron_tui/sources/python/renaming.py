@@ -17,7 +17,6 @@ from .analysis import Analysis, Site
 from .constants import Known
 from .conventions import conventions_of
 from .name_uses import NameUses
-from .references import variable_of
 from .removal import waits
 from .runs import EVERYWHERE
 from .scopes import BindingKind, Scope
@@ -176,14 +175,14 @@ def _deciding_alone(analysis: Analysis, said: Sequence[_Said]) -> list[_Said]:
         for each in said
         if each.literals
         and all(len(names[literal.id]) == 1 for literal in each.literals)
-        and _serves_only(NameUses(analysis, read), analysis, each)
+        and _serves_only(NameUses(analysis, read), each)
     ]
 
 
-def _serves_only(uses: NameUses, analysis: Analysis, said: _Said) -> bool:
+def _serves_only(uses: NameUses, said: _Said) -> bool:
     """Whether what decides a name harms nothing else of the file with another one."""
     return (
-        all(uses.are_harmless(variable_of(each, analysis)) for each in said.handed)
+        all(uses.is_handed_alone(each) for each in said.handed)
         and all(uses.is_given_alone(call) for call in said.calls)
         and all(uses.is_held_alone(literal) for literal in said.literals)
     )

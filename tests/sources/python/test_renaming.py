@@ -236,6 +236,42 @@ def test_what_a_container_or_a_function_gives_to_others_stays(
     assert outcome.text == text.replace(*changed)
 
 
+# A variable of a function that has one name after the other, and whether its literal changes.
+ONE_BY_ONE = {
+    "A = 'o'\nMAKE\nprint(A)\nA = 'a'\nSUB\nprint(A)\nA = 'p'\nMAKE\nwork(A)": True,
+    "A = 'a'\nSUB\nwhile wait():\n    print(f'no {A}')\nA = 'o'\nwork(A)": True,
+    "A = 'a'\nif q:\n    SUB\n    raise OSError('no ' + A)\nA = work(1)\nMAKE": True,
+    "if q:\n    A = 'a'\n    SUB\n    A = 'o'\n    work(A)": True,
+    "A = 'o'\nwork(A)\nA: str = 'a'\nSUB": True,
+    "A = 'a'\nSUB\nMAKE\nA = 'o'": False,
+    "A = 'a'\nSUB\nwork(A)\nA = 'o'\nprint(A)": False,
+    "A = 'a'\nSUB\nA = A + 'o'\nwork(A)": False,
+    "A = 'a'\nSUB\nA = A\nwork(A)": False,
+    "A = B = 'a'\nSUB\nA = 'o'\nwork(A, B)": False,
+    "A = 'a'\nSUB\nA += 'o'\nwork(A)": False,
+    "A = 'a'\nSUB\nif q:\n    A = 'o'\nwork(A)": False,
+    "A = 'a'\nSUB\nif q:\n    A = 'o'\n    work(A)": False,
+    "for q in work(1):\n    A = 'a'\n    SUB\n    A = 'o'\n    work(A)": False,
+    "try:\n    A = 'a'\n    SUB\n    A = 'o'\nexcept OSError:\n    work(A)": False,
+    "A = 'a'\nSUB\ndef told():\n    work(A)\nA = 'o'\ntold()": False,
+    "A = 'o'\ndef told():\n    work(A)\nA = 'a'\nSUB\ntold()\nA = 'o'": False,
+    "A = 'o'\neach = (work(A) for _ in q)\nA = 'a'\nSUB\nlist(each)": False,
+    "A = 'a'\nSUB\neach = (work(A) for _ in q)\nA = 'o'": False,
+}
+
+
+@pytest.mark.parametrize("body", ONE_BY_ONE)
+def test_the_literal_changes_where_a_local_has_one_name_after_the_other(
+    tmp_path: Path, body: str
+) -> None:
+    lines = body.replace("SUB", "rospy.Subscriber(A, String, f)")
+    lines = lines.replace("MAKE", "rospy.Service(A, Empty, f)")
+    text = f"{HEAD}\n\ndef go(q):\n    " + lines.replace("\n", "\n    ") + "\n\n\ngo(1)\n"
+    outcome = Outcome(tmp_path, "rospy", text, TOPIC)
+    in_call = ("Subscriber(A", "Subscriber('b/c'")
+    assert outcome.text == text.replace(*("'a'", "'b/c'") if ONE_BY_ONE[body] else in_call)
+
+
 RCLPY_HEAD = """\
 from rclpy.action import ActionClient
 from rclpy.node import Node
@@ -257,6 +293,15 @@ RCLPY = {
         "self.dock = ActionClient(self, Dock, 'a')",
         "n renames action 'a' to 'b/c'",
         {"'a'": "'b/c'"},
+    ),
+    "a service that logs tell, and another behind it": (
+        "srv = 'a/on'\n        c = self.create_client(Dock, srv)\n"
+        "        while not c.wait_for_service():\n            self.info(f'{srv} not there')\n"
+        "        c.call_async(1)\n        srv = 'o/on'\n        d = self.create_client(Dock, srv)\n"
+        "        d.call_async(1)\n        self.info(f'{srv} there')\n\n"
+        "    def info(self, text):\n        self.get_logger().info(text)",
+        "n renames service 'a/on' to 'b/on'",
+        {"'a/on'": "'b/on'"},
     ),
     "a parameter, where it is declared and where it is read": (
         "self.declare_parameter('a', 1)\n        self.get_parameter('a').value",
