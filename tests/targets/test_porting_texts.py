@@ -224,10 +224,8 @@ def test_a_file_that_does_not_parse_is_refused() -> None:
 
 
 def test_a_file_of_python_2_is_brought_over_and_said_to_be_one() -> None:
-    text, found = ported(
-        LISTENER_1.replace("text = shout", "print data\n    text = shout"), "rospy"
-    )
-    assert "    print data\n    text = shout(data.data)\n" in text
+    text, found = ported(LISTENER_1.replace("text = shout", "exec data\n    text = shout"), "rospy")
+    assert "    exec data\n    text = shout(data.data)\n" in text
     assert any("the file is no Python 3: " in each.message for each in found)
 
 

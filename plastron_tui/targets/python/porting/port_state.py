@@ -195,6 +195,13 @@ class Work:
         ]
         return all(words.search(text) is not None for text in around)
 
+    def is_rewritten(self, node: Node) -> bool:
+        """Tell whether a node is in what is rewritten as a whole."""
+        return any(
+            each.start <= node.start_byte and node.end_byte <= each.end
+            for each in (*self._splices, *self._last)
+        )
+
     def is_in_callback(self, node: Node) -> bool:
         """Tell whether a node is in the body of a callback, which is carried over as it is."""
         return any(

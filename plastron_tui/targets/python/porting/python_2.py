@@ -1,19 +1,33 @@
-"""From rospy to rclpy: what Python 2 had, and Python 3, which ROS 2 is of, calls otherwise."""
+"""From rospy to rclpy: what Python 2 has, and Python 3, which ROS 2 is of, writes otherwise."""
 
 from __future__ import annotations
 
+import re
+
 from tree_sitter import Node
 
+from plastron_tui.sources.python.compiling import syntax_error
 from plastron_tui.sources.python.syntax import parts_of
 
-from .port_state import Work
+from .port_state import Work, walk
 
 _FUNCTIONS = {"raw_input": "input", "xrange": "range", "unicode": "str"}
 _METHODS = {"iteritems": "items", "itervalues": "values", "iterkeys": "keys"}
+_OCTAL = re.compile(r"0[0-7]*[1-7][0-7]*")
 
 
 def port_python_2(work: Work) -> None:
-    """Rewrite the functions and methods of Python 2, where the file has none of the name."""
+    """Rewrite the functions, methods, operators and numbers of Python 2.
+
+    A function or method of the file's own stays, whatever its name.
+    """
+    for node in walk(work.analysis.syntax.root):
+        if node.type == "integer":
+            _port_number(work, node)
+        elif node.type == "comparison_operator":
+            for operator in node.children:
+                if operator.type == "<>":
+                    work.replace(operator, "!=")
     for call in work.analysis.captures.get("call", []):
         callee = call.child_by_field_name("function")
         if callee is None or work.is_gone(call):
@@ -22,6 +36,97 @@ def port_python_2(work: Work) -> None:
             _port_function(work, callee)
         elif callee.type == "attribute":
             _port_method(work, call, callee)
+
+
+def port_statements(work: Work) -> None:
+    """Rewrite the statements that Python 3 has not, around all that is rewritten inside of them."""
+    text = work.analysis.syntax.text
+    statements = list(walk(work.analysis.syntax.root))
+    # `print` alone, and `print ("a"), b`, are something else in Python 3.
+    is_old = syntax_error(text) is not None and not any(
+        each.type == "future_import_statement" and "print_function" in work.slice(each)
+        for each in statements
+    )
+    for statement in statements:
+        if work.is_gone(statement) or work.is_rewritten(statement):
+            continue
+        match statement.type:
+            case "print_statement":
+                _port_print(work, statement)
+            case "expression_statement" if is_old and _prints(statement):
+                _port_print(work, statement)
+            case "except_clause":
+                _port_except(work, statement)
+            case "raise_statement":
+                _port_raise(work, statement)
+
+
+def _prints(statement: Node) -> bool:
+    """Tell whether the grammar read a print statement as an expression, and no call of it."""
+    first = statement.children[0]
+    is_alone = first.type == "call" and len(statement.children) == 1
+    if is_alone and first.children[0].type == "identifier":
+        return False
+    while first.children:
+        first = first.children[0]
+    return first.type == "identifier" and first.text == b"print"
+
+
+def _port_print(work: Work, statement: Node) -> None:
+    """Write `print >>out, a,` as `print(a, end=" ", file=out)`."""
+    start = statement.start_byte + len(b"print")
+    end = statement.end_byte
+    parts = [each for each in statement.children if each.type not in ("print", "line_continuation")]
+    keywords = []
+    if parts[-1].type == ",":
+        end = parts[-2].end_byte
+        keywords.append(f"end={work.string(' ')}")
+    rest = work.analysis.syntax.text[start:end]
+    begin = end - len(rest.lstrip(b" \t"))
+    if parts[0].type == "chevron":
+        keywords.append(f"file={work.text(parts[0].named_children[0])}")
+        begin = parts[2].start_byte if len(parts) > 2 else end
+    separator = ", " if begin < end and keywords else ""
+    work.replace_between(start, begin, "(")
+    closing = f"{separator}{', '.join(keywords)})"
+    if end < statement.end_byte:
+        work.replace_between(end, statement.end_byte, closing)
+    else:
+        work.insert_last(end, closing)
+
+
+def _port_except(work: Work, clause: Node) -> None:
+    """Write `except X, error:` as `except X as error:`."""
+    values = clause.children_by_field_name("value")
+    if len(values) == 2 and values[1].type == "identifier":
+        work.replace_between(values[0].end_byte, values[1].start_byte, " as ")
+
+
+def _port_raise(work: Work, statement: Node) -> None:
+    """Write `raise X, "text"` as `raise X("text")`; another value may be the exception itself."""
+    given = statement.named_children[0] if statement.named_children else None
+    if given is None or given.type != "expression_list" or len(given.named_children) != 2:
+        return
+    class_, value = given.named_children
+    if class_.type in ("identifier", "attribute") and _is_text(value):
+        work.replace_between(class_.end_byte, value.start_byte, "(")
+        work.insert_last(value.end_byte, ")")
+
+
+def _is_text(value: Node) -> bool:
+    """Tell whether a value is a string, or one with what is formatted into it."""
+    while value.type == "binary_operator":
+        value = value.children[0]
+    return value.type in ("string", "concatenated_string")
+
+
+def _port_number(work: Work, number: Node) -> None:
+    """Write `0777` as `0o777`, and `10L` as `10`."""
+    written = work.slice(number)
+    if _OCTAL.fullmatch(written):
+        work.replace(number, f"0o{written.lstrip('0')}")
+    elif written[-1] in "lL" and not written.startswith("0"):
+        work.replace(number, written[:-1])
 
 
 def _port_function(work: Work, callee: Node) -> None:

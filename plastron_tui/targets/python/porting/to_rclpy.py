@@ -25,7 +25,7 @@ from .main_line import mark_waiting_loops
 from .other_modules import mark_other_modules
 from .plain import port_plain
 from .port_state import Work, walk
-from .python_2 import port_python_2
+from .python_2 import port_python_2, port_statements
 from .rclpy_node import make_node
 from .rclpy_parameters import port_parameters
 from .rclpy_running import port_running
@@ -111,6 +111,7 @@ def port_to_rclpy(work: Work) -> None:
     keep_used_imports(work, _GONE)
     work.imports.add("import rclpy")
     add_header(work)
+    port_statements(work)
 
 
 def _remedies(node: str) -> dict[str, str]:
