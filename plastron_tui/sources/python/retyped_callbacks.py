@@ -51,7 +51,7 @@ def needs_type(update: Replacement, interface: Interface) -> bool:
     """
     if missing_fields(update, interface):
         return True
-    analysis, function = update.analysis, callback_scope(update.analysis, update.site)
+    analysis, function = update.analysis, _taker(update)
     name = _message(function) if function is not None else ""
     if function is None or not name:
         return False
@@ -74,7 +74,7 @@ def _is_handed_on(analysis: Analysis, node: Node) -> bool:
 
 def missing_fields(update: Replacement, interface: Interface) -> list[str]:
     """Return the fields that a callback uses of its messages, and their new type has not."""
-    analysis, function = update.analysis, callback_scope(update.analysis, update.site)
+    analysis, function = update.analysis, _taker(update)
     name = _message(function) if function is not None else ""
     if function is None or not name or not interface.fields:
         return []
@@ -88,6 +88,15 @@ def missing_fields(update: Replacement, interface: Interface) -> list[str]:
             used[slice_(field)] = None
     has = {field.name for field in interface.fields}
     return [each for each in used if each not in has and not each.startswith("_")]
+
+
+def _taker(update: Replacement) -> Scope | None:
+    """Return the function of the file, or the lambda, that an endpoint calls."""
+    analysis, site = update.analysis, update.site
+    given = site.arguments.get(site.shape.callback) if site.shape.callback is not None else None
+    if given is None or given.type != "lambda":
+        return callback_scope(analysis, site)
+    return next((each for each in analysis.scopes.all if each.node.id == given.id), None)
 
 
 def _serves_others(update: Replacement, function: Scope) -> bool:

@@ -161,6 +161,27 @@ def test_a_callback_that_needs_the_old_type_is_called_no_longer(tmp_path: Path, 
         assert told[1][0] == "uncalled-function"
 
 
+@pytest.mark.parametrize(
+    ("given", "is_kept"),
+    [
+        ("lambda m: print(m)", True),
+        ("lambda m: self.heard.append(m)", True),
+        ("lambda m: self.steer(m, 1)", False),
+        ("lambda m: self.heard.append(m.linear)", False),
+    ],
+)
+def test_a_lambda_that_needs_the_old_type_goes(tmp_path: Path, given: str, is_kept: bool) -> None:
+    made = f"self.create_subscription(Twist, 'a', {given}, 10)"
+    text = NODE.format(made=made) + "\n    def steer(self, msg, x):\n        pass\n"
+    outcome = Outcome(
+        tmp_path, "rclpy", text, "unsubscribe n from 'a'\nsubscribe n to 'a' of message_type Int32"
+    )
+    after = given if is_kept else "self.on_a"
+    assert f"self.create_subscription(Int32, 'a', {after}, 10)" in outcome.text
+    code = "other-type" if is_kept else "written-anew"
+    assert str(outcome.found[0].code) == code
+
+
 def test_a_handler_that_needs_the_old_request_is_called_no_longer(tmp_path: Path) -> None:
     head = "import rospy\nfrom nav_msgs.srv import SetMap\n\n\n"
     handler = "def serve(request):\n    return request.map\n\n\n"
