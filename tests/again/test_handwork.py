@@ -241,7 +241,9 @@ def test_file_that_is_indented_anew(tmp_path: Path, library: str) -> None:
     assert hand.generate(UNSUBSCRIBE) == (["changed"], [])
     hand.original.write_text(hand.text.expandtabs(4))
     for statements in ((PUBLISH,), ("n stop_publishing to 'status'\n", SUBSCRIBE)):
-        assert hand.generate(*statements) == (["changed"], [KEPT])
+        states, told = hand.generate(*statements)
+        assert (states, told[-1]) == (["changed"], KEPT)
+        assert all(each.startswith("idle-code: ") for each in told[:-1])
         assert "\t" not in hand.text
         compile(hand.text, "robot.py", "exec")
         assert hand.generate(*statements)[0] == ["identical"]

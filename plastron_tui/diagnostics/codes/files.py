@@ -196,6 +196,14 @@ UNCALLED_FUNCTION = Code(
     severity=Severity.WARNING,
 )
 
+IDLE_CODE = Code(
+    "idle-code",
+    "A statement takes away all that a function of a loaded file did, or all that a loop did but "
+    "to sleep. It is kept, as something calls it, or waits for its end; remove it by hand where "
+    "nothing needs that.",
+    severity=Severity.WARNING,
+)
+
 WRITTEN_ANEW = Code(
     "written-anew",
     "A statement takes something out of a loaded file and another one writes it anew, under "

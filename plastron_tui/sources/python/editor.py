@@ -17,6 +17,7 @@ from .compiling import syntax_error
 from .dialect import Dialect
 from .edits import Edits, Found, RefusedError, endpoints_of
 from .guessed_names import tell_guessed_names
+from .idle_code import tell_idle
 from .imports import restore_imports
 from .keeps_running import never_called
 from .line_limit import line_limit
@@ -87,7 +88,11 @@ def edit_python(
     silent = never_called(before, analysis)
     if silent is not None:
         return Rendered(None, (silent,))
-    told = (tell_uncalled(before, analysis, changes), tell_still_named(analysis, changes))
+    told = (
+        tell_uncalled(before, analysis, changes),
+        tell_idle(before, analysis, changes),
+        tell_still_named(analysis, changes),
+    )
     edits.notes += [each for each in told if each is not None]
     return Rendered(source.files.with_main(analysis.syntax.text), tuple(edits.notes))
 

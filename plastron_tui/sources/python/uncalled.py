@@ -32,11 +32,11 @@ def tell_uncalled(
     # Few names are fewer than before; only for these is it asked where they are used.
     rarer = count_words(before.syntax.text) - count_words(after.syntax.text)
     words = {word.decode(before.syntax.encoding, "replace") for word in rarer}
-    called = {_path(each) for each in _functions(before, words) if _has_uses(before, each)}
+    called = {path_of(each) for each in _functions(before, words) if _has_uses(before, each)}
     found = [
         each
         for each in _functions(after, words)
-        if _path(each) in called and not _has_uses(after, each) and not is_own_helper(each)
+        if path_of(each) in called and not _has_uses(after, each) and not is_own_helper(each)
     ]
     if not found:
         return None
@@ -56,8 +56,8 @@ def _functions(analysis: Analysis, names: set[str]) -> list[Scope]:
     ]
 
 
-def _path(function: Scope) -> tuple[str, ...]:
-    """Return the names of a function and of what it is in."""
+def path_of(function: Scope) -> tuple[str, ...]:
+    """Return the names of a function and of what it is in, from the inside."""
     path: list[str] = []
     scope: Scope | None = function
     while scope is not None:

@@ -1,0 +1,62 @@
+"""Functions and loops that an edit leaves with nothing to do."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+
+from tree_sitter import Node
+
+from plastron_tui.diagnostics import Diagnostic, codes, listed
+from plastron_tui.model.source import Change, Remove, Update
+
+from .analysis import Analysis
+from .creation import line_of
+from .generated import body_of
+from .own_loop import is_sleep, statements_of
+from .scopes import Scope
+from .uncalled import path_of
+
+
+def tell_idle(before: Analysis, after: Analysis, changes: Sequence[Change]) -> Diagnostic | None:
+    """Return a warning that names what of a file still runs, and does nothing any more.
+
+    Args:
+        before: the file as it was.
+        after: the file as it is.
+        changes: what was asked for.
+    """
+    spans = [change.span for change in changes if isinstance(change, Remove | Update)]
+    if not spans:
+        return None
+    had = Counter(path for path, _ in _idle(before))
+    found = []
+    for path, what in _idle(after):
+        had[path] -= 1
+        if had[path] < 0:
+            found.append(what)
+    if not found:
+        return None
+    message = f"nothing is left to do for {listed(found)}"
+    span = spans[0] if len(spans) == 1 else None
+    return Diagnostic(codes.IDLE_CODE, message, span, help="remove it by hand if nothing needs it")
+
+
+def _idle(analysis: Analysis) -> Iterator[tuple[tuple[str, ...], str]]:
+    """Yield where a function does nothing or a loop only sleeps, and what it is called."""
+    for scope in analysis.scopes.all:
+        is_function = scope.kind == "function" and scope.node.type == "function_definition"
+        if is_function and all(each.type == "pass_statement" for each in body_of(scope)):
+            yield ("def", *path_of(scope)), f"`{scope.name}` (line {line_of(scope.node)})"
+    for loop in analysis.captures.get("while", []):
+        body = loop.child_by_field_name("body")
+        if body is not None and all(is_sleep(analysis, each) for each in statements_of(body)):
+            yield (
+                ("while", *path_of(_function(analysis, loop))),
+                f"the loop in line {line_of(loop)}",
+            )
+
+
+def _function(analysis: Analysis, loop: Node) -> Scope:
+    scope = analysis.scopes.at(loop.start_byte)
+    return scope.enclosing("function") or analysis.scopes.module
