@@ -33,7 +33,7 @@ def be_quick() -> None:
 
 def examples(number: int) -> int:
     """Return how many examples a property is tried on: so many where tests may take long."""
-    return max(number // _QUICK, min(number, 10)) if _is_quick else number
+    return max(number // _QUICK, min(number, 6)) if _is_quick else number
 
 
 def mostly_long(

@@ -390,7 +390,8 @@ if __name__ == "__main__":
 
 
 @pytest.mark.parametrize("graph", ["ros2"], indirect=True)
-@pytest.mark.parametrize("end", mostly_long([signal.SIGINT, signal.SIGTERM], [signal.SIGINT]))
+@pytest.mark.long
+@pytest.mark.parametrize("end", [signal.SIGINT, signal.SIGTERM])
 def test_a_ported_callback_waits_for_a_service(
     graph: Graph, tmp_path: Path, end: signal.Signals
 ) -> None:
