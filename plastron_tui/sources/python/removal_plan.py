@@ -31,9 +31,10 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
     remove_what_served(analysis, removal)
     while remove_idle(analysis, removal):
         remove_what_served(analysis, removal)
-    _keep_conditions(analysis, removal)
     for variable in variables:
         removal.statements += placeholders(analysis, variable, removal)
+    remove_what_served(analysis, removal)
+    _keep_conditions(analysis, removal)
     gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
     callbacks = stub_callbacks(analysis, removal.sites, gone)
     removal.statements += callbacks

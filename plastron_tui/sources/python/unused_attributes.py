@@ -15,7 +15,9 @@ from .splices import Splice
 from .unused_locals import fills, is_filling_pure, is_of_its_own, value_of
 
 # Any other base class may read what is defined below it.
-_ONLY_NODE = re.compile(rb"\(\s*((rclpy\.)?(node\.)?Node|object)?\s*\)")
+_ONLY_NODE = re.compile(
+    rb"\(\s*((rclpy\.)?((node\.)?Node|(lifecycle\.)?LifecycleNode)|object)?\s*\)"
+)
 
 
 def unused_attributes(analysis: Analysis, gone: Sequence[Splice]) -> list[Node]:

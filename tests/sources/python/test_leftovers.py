@@ -206,3 +206,28 @@ def test_what_only_made_a_message_goes_with_it(case):
     end = f"\n\n{TAIL}"
     sending = f"{before}    p.publish(m)\n\n\np = rospy.Publisher('t', String)\n{TAIL}"
     assert edited(head + sending, Remove(PUB, "t", AT)) == f"{head}{after}{end}"
+
+
+HELD = """\
+from rclpy.lifecycle import LifecycleNode
+from std_msgs.msg import String
+
+
+class A(LifecycleNode):
+    def on_activate(self, state):
+        if self.is_loud:
+            self.pub = self.create_publisher(String, 'topic', 10)
+        return super().on_activate(state)
+
+    def on_deactivate(self, state):
+        if self.is_loud:
+            self.destroy_publisher(self.pub)
+            self.pub = None
+        return super().on_deactivate(state)
+"""
+
+
+def test_a_condition_around_all_that_is_gone_goes():
+    after = edited(HELD, Remove(PUB, "topic", AT))
+    assert "is_loud" not in after
+    assert "pass" not in after
