@@ -155,7 +155,9 @@ def _check_removal(before: Text, after: Text, change: Remove) -> Iterator[str]:
     )
     if (lost or after.keys - expected) and not unknown:
         yield f"loses {_listed(lost)}, adds {_listed(after.keys - expected)}"
-    words = _words(before, change)
+    words = _words(before, change) | {
+        key[3].encode() for key in expected - after.keys if _is_gone_timer(key, after)
+    }
     for old, new in _replaced(before.source.files.main, after.source.files.main):
         if not _is_within(new.replace(b"pass", b""), old):
             yield f"changes {old!r} to {new!r}"

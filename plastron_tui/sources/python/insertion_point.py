@@ -196,11 +196,13 @@ def _started(analysis: Analysis, statement: Node) -> Node | None:
     """
     block = statement.parent
     around = block.parent if block is not None else None
+    if around is None:
+        return climb(statement)
     rest = [each for each in parts_of(block) if each.start_byte > statement.start_byte]
-    if around is not None and around.type == "try_statement" and not rest:
+    if around.type == "try_statement" and not rest:
         return climb(around)
-    is_branch = around is not None and around.type in ("else_clause", "elif_clause")
-    whole = around.parent if around is not None and is_branch else around
+    is_branch = around.type in ("else_clause", "elif_clause")
+    whole = around.parent if is_branch else around
     if whole is None or whole.type != "if_statement" or is_main_guard(whole):
         return climb(statement)
     branches = [whole.child_by_field_name("consequence")]

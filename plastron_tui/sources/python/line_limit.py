@@ -19,7 +19,7 @@ _MOST_ROWS = 12
 # A line that a word more makes too long is left as it is where nobody said what is too long.
 _WORD = 12
 
-_SUBJECT = re.compile(r"\s*(?:async\s+)?(?:(def|class|from|import)\b|[^#'\"(]*?\b(\w+)\()")
+_SUBJECT = re.compile(r"(?:async\s+)?(?:(def|class|from|import)\b|[^#'\"(]*?\b(\w+)\()")
 # What is said in so many letters does not tell how long a line of code may be.
 _PROSE = re.compile(r"""(["'])(?:(?!\1).){40,}\1|\s#\s""")
 _TRIPLE = re.compile(r"\"{3}|'{3}")
@@ -130,5 +130,5 @@ def _is_open(line: str) -> bool:
 
 def _subject(line: str) -> str:
     """Return what a line defines or calls first: `def`, `import`, `create_timer`, "" for none."""
-    found = _SUBJECT.match(line)
+    found = _SUBJECT.match(line.lstrip())
     return (found[1] or found[2]) if found is not None else ""
