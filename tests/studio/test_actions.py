@@ -4,6 +4,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from machine import mostly_long
 from studio_driver import PROGRAM, SIZES, Driver, fail, studio
 from textual.widgets import Button, Label
 
@@ -97,10 +98,10 @@ async def test_the_theme_and_the_layout_are_remembered(program: Path) -> None:
     ("size", "docks"),
     [
         ((200, 60), {"outline", "result", "bottom"}),
-        ((120, 40), {"outline", "bottom"}),
+        pytest.param((120, 40), {"outline", "bottom"}, marks=pytest.mark.long),
         ((80, 24), {"outline"}),
-        ((60, 20), {"outline"}),
-        ((40, 10), set()),
+        pytest.param((60, 20), {"outline"}, marks=pytest.mark.long),
+        pytest.param((40, 10), set(), marks=pytest.mark.long),
         ((20, 5), set()),
     ],
 )
@@ -180,7 +181,7 @@ async def test_the_tour_goes_around(tmp_path: Path) -> None:
         assert driver.app.profile.remembered.toured
 
 
-@pytest.mark.parametrize("size", [(80, 24), (120, 40), (200, 50)])
+@pytest.mark.parametrize("size", mostly_long([(80, 24), (120, 40), (200, 50)], [(80, 24)]))
 async def test_the_tour_does_not_hide_what_it_is_about(
     program: Path, size: tuple[int, int]
 ) -> None:

@@ -42,7 +42,7 @@ def line_of(node: Node) -> int:
     return int(node.start_point.row) + 1
 
 
-def read_in(analysis: Analysis, gone: Iterable[Splice]) -> list[Site]:
+def parameters_in(analysis: Analysis, gone: Iterable[Splice]) -> list[Site]:
     """Return the parameters that are read in what is deleted: that is done no more."""
     return [
         site

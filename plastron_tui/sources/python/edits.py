@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.diagnostics import Diagnostic, codes, listed
 from plastron_tui.model.kinds import (
     Client,
     Endpoint,
@@ -39,9 +39,6 @@ from .sites import analyze
 from .splices import apply, delete_statements
 from .updating import plan_update
 from .writing import Key, Writer, key_of
-
-# A message that lists more lines than these is not read.
-_MOST_LINES = 20
 
 # With fewer additions to come it does not pay to find out whether they may be made in one go.
 _MANY = 16
@@ -378,10 +375,8 @@ def _not_named(site: Site, changes: Sequence[Rename]) -> RefusedError:
 
 
 def _in_use(change: Remove, removal: Removal) -> RefusedError:
-    listed = sorted(removal.lines)
-    lines = ", ".join(map(str, listed[:_MOST_LINES]))
-    lines += f" and {more} more" if (more := len(listed) - _MOST_LINES) > 0 else ""
-    plural, these = ("s", "these lines") if len(listed) > 1 else ("", "this line")
+    lines = listed(map(str, sorted(removal.lines)))
+    plural, these = ("s", "these lines") if len(removal.lines) > 1 else ("", "this line")
     message = f"the {change.kind.word} `{change.name}` is used in line{plural} {lines}"
     help_ = f"change {these} in the file first"
     return RefusedError(Diagnostic(codes.ENDPOINT_IN_USE, message, change.span, help=help_))

@@ -10,12 +10,12 @@ from plastron_tui.model.source import EndpointKind
 
 from .analysis import Analysis, NodeSite, Site
 from .conventions import target_name
-from .place import LAST, Place, beside, climb, is_main_guard, place_at, stays
+from .place import LAST, Place, beside, climb, place_at, stays
 from .references import statement_of
 from .removal import callback_scope
 from .run_order import Starting, When
 from .scopes import Scope
-from .syntax import parts_of
+from .syntax import is_main_guard, parts_of
 from .waits import Waits
 
 KINDS = (

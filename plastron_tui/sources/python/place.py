@@ -14,7 +14,7 @@ from .conventions import leading_space, target_name
 from .references import STATEMENT_PARENTS, statement_of
 from .scopes import Scope
 from .splices import before_comments, line_end, line_start
-from .syntax import parts_of
+from .syntax import is_main_guard, parts_of
 
 # Behind these nothing runs, or not while the node does.
 LAST = frozenset({"while_statement", "return_statement", "raise_statement"})
@@ -177,12 +177,6 @@ def stays(statement: Node) -> bool:
     """Whether a statement holds what the node does until it ends, so that nothing comes after."""
     is_loop = statement.type == "while_statement"
     return not is_loop and _GOES_ON.search(statement.text or b"") is not None
-
-
-def is_main_guard(statement: Node) -> bool:
-    """Whether a statement holds what runs when the file is started."""
-    condition = statement.child_by_field_name("condition")
-    return condition is not None and b"__name__" in (condition.text or b"")
 
 
 def place_at(

@@ -35,43 +35,28 @@ _PURE_FUNCTIONS = frozenset(
 _PURE_METHODS = frozenset(
     {"get_clock", "now", "to_msg", "to_sec", "to_nsec", "seconds_nanoseconds", "from_sec"}
     | {"get_parameter", "get_parameter_value", "get_name", "get_namespace"}
-    | {"format", "join", "split", "strip", "lower", "upper", "encode", "decode", "replace"}
+    | {"format", "join", "split", "strip", "lower", "upper", "replace"}
     | {"keys", "values", "items", "index", "count", "copy", "tolist", "tobytes", "astype"}
     | {"flatten", "reshape", "cv2_to_imgmsg", "imgmsg_to_cv2"}
 )
 # All of these modules work out and change nothing, but for what is listed below them.
 _PURE_MODULES = (
-    *(
-        "base64.",
-        "colorsys.",
-        "datetime.",
-        "itertools.",
-        "math.",
-        "numpy.",
-        "os.path.",
-        "platform.",
-    ),
-    *("sensor_msgs.point_cloud2.", "sensor_msgs_py.point_cloud2.", "statistics.", "string."),
-    *("tf.transformations.", "tf_transformations.", "time.", "transforms3d.", "uuid."),
-)
+    "base64.", "colorsys.", "datetime.", "itertools.", "math.", "numpy.", "os.path.", "platform.",
+    "sensor_msgs.point_cloud2.", "sensor_msgs_py.point_cloud2.", "statistics.", "string.",
+    "tf.transformations.", "tf_transformations.", "time.", "transforms3d.", "uuid.",
+)  # fmt: skip
 _DOING = (
-    *("numpy.random.", "numpy.save", "numpy.load", "numpy.copyto", "numpy.put", "numpy.seterr"),
-    *("time.sleep", "time.tzset"),
-)
+    "numpy.copyto", "numpy.fill_diagonal", "numpy.load", "numpy.memmap", "numpy.place", "numpy.put",
+    "numpy.random.", "numpy.save", "numpy.set", "time.sleep", "time.tzset",
+)  # fmt: skip
 _PURE_TYPES = frozenset(
     {"identifier", "string", "integer", "float", "true", "false", "none", "attribute", "subscript"}
     | {"list", "tuple", "dictionary", "pair", "set", "parenthesized_expression", "binary_operator"}
     | {"unary_operator", "not_operator", "boolean_operator", "comparison_operator", "slice"}
     | {"conditional_expression", "concatenated_string", "interpolation", "string_content"}
     | {"string_start", "string_end", "escape_sequence", "expression_list", "keyword_argument"}
-    | {
-        "list_splat",
-        "dictionary_splat",
-        "argument_list",
-        "format_specifier",
-        "type_conversion",
-        "comment",
-    }
+    | {"list_splat", "dictionary_splat", "argument_list", "format_specifier", "type_conversion"}
+    | {"comment"}
     | {"list_comprehension", "dictionary_comprehension", "set_comprehension", "if_clause"}
     | {"generator_expression", "for_in_clause", "lambda", "lambda_parameters"}
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from .analysis import Analysis, Site
-from .creation import Removal, read_in, remove_creation
+from .creation import Removal, parameters_in, remove_creation
 from .emptied_blocks import bare_conditions, emptied_blocks
 from .imports import unused_imports
 from .leftovers import placeholders, remove_idle, sending_logs, stub_callbacks
@@ -45,7 +45,7 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
     gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
     removal.splices = gone + names
     removal.statements = []
-    removal.sites += read_in(analysis, removal.splices)
+    removal.sites += parameters_in(analysis, removal.splices)
     return removal
 
 

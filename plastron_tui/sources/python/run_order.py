@@ -13,7 +13,7 @@ from plastron_tui.model.source import EndpointKind
 from .analysis import Analysis, Site
 from .references import statement_of
 from .scopes import Scope
-from .syntax import parts_of
+from .syntax import is_main_guard, parts_of
 
 # Functions that run as a node starts, whoever calls them.
 _STARTING = frozenset({"__init__", "main", "on_configure", "setUp"})
@@ -193,12 +193,7 @@ def is_sure(node: Node, caller: Scope) -> bool:
     """Whether a function runs a part of it once, whatever happens."""
     current = node.parent
     while current is not None and current.id != caller.node.id:
-        if current.type in _CONDITIONS and not _is_main_guard(current):
+        if current.type in _CONDITIONS and not is_main_guard(current):
             return False
         current = current.parent
     return True
-
-
-def _is_main_guard(statement: Node) -> bool:
-    condition = statement.child_by_field_name("condition")
-    return condition is not None and b"__name__" in (condition.text or b"")

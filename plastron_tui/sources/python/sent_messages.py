@@ -14,7 +14,7 @@ from plastron_tui.ros.interfaces import Interface
 
 from .addition import Addition
 from .analysis import Analysis, Site
-from .creation import Removal, read_in, remove_creation
+from .creation import Removal, parameters_in, remove_creation
 from .emptied_blocks import emptied_blocks
 from .generated import is_docstring, is_named_as_own, is_own_call
 from .leftovers import remove_idle
@@ -65,7 +65,7 @@ def resend(update: Replacement, interface: Interface) -> None:
         gone = delete_statements(update.analysis.syntax.text, uses.statements)
         gone += uses.splices[before:]
         update.splices += gone
-        update.lost += uses.sites[1:] + read_in(update.analysis, gone)
+        update.lost += uses.sites[1:] + parameters_in(update.analysis, gone)
         update.is_silent = True
 
 
@@ -111,7 +111,7 @@ def _publish(update: Replacement, variable: Variable, publications: Sequence[Pub
     blocks = emptied_blocks(analysis, unused.statements)
     text = analysis.syntax.text
     update.splices += delete_statements(text, [*unused.statements, *blocks]) + unused.splices
-    update.lost += read_in(analysis, update.splices[before:])
+    update.lost += parameters_in(analysis, update.splices[before:])
     added.stand(is_nested=True)
     return True
 

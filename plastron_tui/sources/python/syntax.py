@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import codecs
 import re
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -180,3 +181,22 @@ def holders(target: Node | None) -> list[Node]:
         target = target.child_by_field_name("object") or target.child_by_field_name("value")
         found += [target] if target is not None else []
     return found
+
+
+def is_main_guard(statement: Node) -> bool:
+    """Whether a statement holds what runs when the file is started."""
+    condition = statement.child_by_field_name("condition")
+    return condition is not None and b"__name__" in (condition.text or b"")
+
+
+def nodes_in(root: Node, ranges: Iterable[tuple[int, int]]) -> Iterator[Node]:
+    """Yield the nodes that begin in parts of a text, from one offset to another each."""
+    for start, end in ranges:
+        pending = [root.descendant_for_byte_range(start, max(start, end - 1))]
+        while pending:
+            node = pending.pop()
+            if node is None or node.end_byte <= start or node.start_byte >= end:
+                continue
+            pending.extend(node.named_children)
+            if node.start_byte >= start:
+                yield node

@@ -12,6 +12,7 @@ from .emptied_blocks import leaves_pass
 from .references import identifiers, is_member, statement_of
 from .scopes import BindingKind, Scope
 from .splices import Splice
+from .syntax import nodes_in
 from .unused_locals import fills, is_filling_pure, is_of_its_own, value_of
 
 # Any other base class may read what is defined below it.
@@ -53,18 +54,11 @@ def _read_in(
 ) -> dict[tuple[Scope, str], set[Scope | None]]:
     """Return the attributes of `self` that parts of a file mention, and in which functions."""
     found: dict[tuple[Scope, str], set[Scope | None]] = {}
-    for start, end in ranges:
-        pending = [analysis.syntax.root.descendant_for_byte_range(start, max(start, end - 1))]
-        while pending:
-            node = pending.pop()
-            if node is None or node.end_byte <= start or node.start_byte >= end:
-                continue
-            pending.extend(node.named_children)
-            owner = _owner(analysis, node)
-            name = node.child_by_field_name("attribute")
-            if owner is not None and name is not None and node.start_byte >= start:
-                key = (owner, analysis.syntax.slice(name))
-                found.setdefault(key, set()).add(_function(analysis, node))
+    for node in nodes_in(analysis.syntax.root, ranges):
+        owner, name = _owner(analysis, node), node.child_by_field_name("attribute")
+        if owner is not None and name is not None:
+            key = (owner, analysis.syntax.slice(name))
+            found.setdefault(key, set()).add(_function(analysis, node))
     return found
 
 

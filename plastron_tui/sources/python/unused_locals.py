@@ -16,7 +16,7 @@ from .purity import FILLING, doing_part, is_fresh, is_pure
 from .references import identifiers, is_member, statement_of
 from .scopes import BindingKind, Scope
 from .splices import Splice, around
-from .syntax import holders, parts_of
+from .syntax import holders, nodes_in, parts_of
 
 _RUNS = re.compile(rb"""^if\s+__name__\s*==|^(rospy\.)?init_node\(|^rclpy\.init\(""", re.M)
 _LITERALS = frozenset({"string", "concatenated_string", "integer", "float"})
@@ -95,19 +95,13 @@ def _unused_in(
 def _locals_in(analysis: Analysis, ranges: Iterable[tuple[int, int]]) -> set[tuple[Scope, str]]:
     """Return the local variables that are read in parts of a file."""
     found = set()
-    for start, end in ranges:
-        pending = [analysis.syntax.root.descendant_for_byte_range(start, max(start, end - 1))]
-        while pending:
-            node = pending.pop()
-            if node is None or node.end_byte <= start or node.start_byte >= end:
-                continue
-            pending.extend(node.named_children)
-            if node.type != "identifier" or is_member(node) or node.start_byte < start:
-                continue
-            name = analysis.syntax.slice(node)
-            holder = analysis.scopes.at(node.start_byte).lookup(name)
-            if holder is not None and _is_local(analysis, holder[0], name):
-                found.add((holder[0], name))
+    for node in nodes_in(analysis.syntax.root, ranges):
+        if node.type != "identifier" or is_member(node):
+            continue
+        name = analysis.syntax.slice(node)
+        holder = analysis.scopes.at(node.start_byte).lookup(name)
+        if holder is not None and _is_local(analysis, holder[0], name):
+            found.add((holder[0], name))
     return found
 
 

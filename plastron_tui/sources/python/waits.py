@@ -11,13 +11,14 @@ from plastron_tui.model.source import EndpointKind
 
 from .analysis import Analysis, Site
 from .conventions import target_name
-from .place import LAST, Place, is_main_guard, place_at, place_before
+from .place import LAST, Place, place_at, place_before
 from .references import STATEMENT_PARENTS, statement_of
 from .scopes import Scope
+from .syntax import is_main_guard
 
 _WAITING = re.compile(r"wait_?for_?\w+$|get_topic_(class|type)$|spin_until_future_complete$", re.I)
 # A look-up of a topic's type waits for its publisher only if it is told to.
-_LOOKING_UP = re.compile(rb"get_topic_(?:class|type)\((?!.*(?:blocking\s*=\s*)?True)", re.DOTALL)
+_LOOKING_UP = re.compile(rb"get_topic_(?:class|type)\((?!.*True)", re.DOTALL)
 # What a statement waits for, by its name or the variable of that.
 _SERVICES = re.compile(rb"wait_for_(?:service|server)\(([^)]*)\)")
 _TOKENS = re.compile(rb"[A-Za-z_][\w.]*|\"[^\"]*\"|'[^']*'")

@@ -31,6 +31,7 @@ async def test_a_type_is_found_by_what_it_is_for(here: Path) -> None:
         assert "radiation type" in [label.replace("_", " ") for label in it.rows]
 
 
+@pytest.mark.long
 async def test_a_type_is_taken_by_mouse(here: Path) -> None:
     async with wizard() as it:
         await it.go(MAKE, SEND)
@@ -172,6 +173,7 @@ async def test_a_library_of_which_nothing_is_installed_is_explained(
         assert it.help.startswith("rclpy for ROS 2 kilted: no ROS is found here; it can be written")
 
 
+@pytest.mark.long
 async def test_what_was_searched_for_stays_when_the_rows_change(here: Path) -> None:
     """A name that is a type by itself brings its fields; the rest of the name goes on after it."""
     async with wizard() as it:

@@ -5,7 +5,7 @@ rospy calls callbacks from the moment that a subscriber is made; rclpy while it 
 
 from __future__ import annotations
 
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Iterator
 
 from tree_sitter import Node
@@ -29,6 +29,8 @@ _TAKES_LONG = _QUESTIONS | frozenset(
 )
 _LOOPS = frozenset({"exec_", "mainloop", "serve_forever", "waitKey", "wait_for_service"})
 """Methods that run until somebody ends them: of windows, and of servers."""
+
+_TURNS = "callbacks of rclpy take turns: it takes groups of their own and several threads"
 
 
 def is_busy_before_spin(work: Work, listens: set[int], spins: set[int]) -> bool:
@@ -89,16 +91,13 @@ def _main_line(work: Work) -> Iterator[Node]:
 
 def mark_waiting_loops(work: Work) -> None:
     """Mark a loop of a callback that waits for what another callback sets: those take turns."""
-    callbacks = list(work.callbacks.values())
-    for function in callbacks:
-        others = [each for each in callbacks if each is not function]
-        set_elsewhere = {name for each in others for name in _assigned(work, each.node)}
+    names = {key: _assigned(work, each.node) for key, each in work.callbacks.items()}
+    setting = Counter(name for each in names.values() for name in each)
+    for key, function in work.callbacks.items():
+        set_elsewhere = {name for name, count in setting.items() if count > (name in names[key])}
         for loop in walk(function.node):
             if loop.type == "while_statement" and set_elsewhere & _read(work, loop):
                 work.mark(loop, "waits for another callback", _TURNS)
-
-
-_TURNS = "callbacks of rclpy take turns: it takes groups of their own and several threads"
 
 
 def _assigned(work: Work, place: Node) -> set[str]:
