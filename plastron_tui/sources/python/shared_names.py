@@ -39,28 +39,31 @@ def _has_parameter(analysis: Analysis, site: Site, function: Scope) -> bool:
     """Whether the name of an endpoint is made of what has to be given to make the object."""
     given = site.arguments.get(site.shape.name)
     pending: list[Node] = [given] if given is not None else []
+    seen: set[int] = set()
     while pending:
         node = pending.pop()
+        if node.id in seen:
+            continue
+        seen.add(node.id)
         if _is_given(analysis, node, function):
             return True
         if node.type == "attribute":
-            bindings = analysis.resolver.attribute_bindings(node, site.scope)
-            values = [(each.value, each.scope) for each in bindings if each.value is not None]
-            if any(_is_given(analysis, value, scope) for value, scope in values):
-                return True
-        pending += [*node.named_children, *_sources(analysis, node, function, pending)]
+            for each in analysis.resolver.attribute_bindings(node, site.scope):
+                if each.value is not None and _is_given(analysis, each.value, each.scope):
+                    return True
+        pending += [*node.named_children, *_sources(analysis, node, function)]
     return False
 
 
-def _sources(analysis: Analysis, node: Node, function: Scope, seen: list[Node]) -> list[Node]:
+def _sources(analysis: Analysis, node: Node, function: Scope) -> list[Node]:
     """Return what a local variable is made of: `name, kind = ask(topic)`."""
     name = analysis.syntax.slice(node) if node.type == "identifier" else ""
-    statements = [
+    values = (
         each.node.child_by_field_name("right")
         for each in function.bindings.get(name, [])
-        if each.kind is not BindingKind.PARAMETER and each.node.end_byte < node.start_byte
-    ]
-    return [each for each in statements if each is not None and each not in seen]
+        if each.kind is not BindingKind.PARAMETER
+    )
+    return [each for each in values if each is not None]
 
 
 def _is_given(analysis: Analysis, node: Node, function: Scope) -> bool:

@@ -96,6 +96,15 @@ def test_what_a_caller_gives_stays():
     assert "        self.count = start\n" in edited(before, Remove(PUB, "topic", AT))
 
 
+@pytest.mark.parametrize(("given", "is_kept"), [("start", True), ("START", False), ("9", False)])
+def test_what_a_message_is_made_of_goes_but_for_what_a_caller_gives(given, is_kept):
+    before = TALKER.replace("__init__(self)", "__init__(self, start)")
+    before = before.replace("count = 0", f"count = {given}").replace("self.count += 1", "pass")
+    before = before.replace("\n\nclass", "\nSTART = make()\n\n\nclass", 1)
+    after = edited(before, Remove(PUB, "topic", AT))
+    assert (f"self.count = {given}" in after) == is_kept
+
+
 # What stands below a subscription of `/scan`, and whether it goes with it.
 BESIDE = {
     "rospy.loginfo('Subscribed to /scan')": True,

@@ -111,6 +111,7 @@ def test_a_section_of_its_own(above, is_apart):
 PER_OBJECT = (
     "import rospy\nfrom std_msgs.msg import String\n\n\nclass Joint:\n"
     "    def __init__(self, number, t='joint'):\n        self.name, self.at = number, t\n"
+    "        kind = 'k' + str(number)\n        kind = kind + kind\n        fixed = 'f'\n"
     "        self.pub = rospy.Publisher({}, String, queue_size=1)\n"
     "\n\nrospy.init_node('n')\nJoint(make())\nJoint(make())\nrospy.spin()\n"
 )
@@ -127,11 +128,26 @@ PER_OBJECT = (
         ("t", False),
         ("self.at", False),
         ("find(number)", True),
+        ("kind", True),
+        ("fixed", False),
     ],
 )
 def test_it_is_told_that_each_object_creates_an_endpoint(name, is_told):
     found = edit(PER_OBJECT.format(name), provide("stop")).diagnostics
     assert [str(each.code) for each in found] == ["shared-name"] * is_told
+
+
+@pytest.mark.parametrize("start", ["rospy.init_node('j')", "super().__init__('j')"])
+def test_a_node_is_made_once(start):
+    text = PER_OBJECT.format("'j' + number").replace("self.name", f"{start}\n        self.name")
+    text = text.replace("rospy.init_node('n')\n", "")
+    if "super" in start:
+        text = text.replace("class Joint", "from rclpy.node import Node\n\n\nclass Joint(Node)")
+        text = text.replace("rospy.Publisher(", "self.create_publisher(String, ")
+        text = text.replace(", String, queue_size=1", ", 1").replace("import rospy\n", "")
+    assert not [
+        each for each in edit(text, provide("stop")).diagnostics if each.code == "shared-name"
+    ]
 
 
 def test_a_timer_is_in_the_group_of_the_others():
