@@ -38,11 +38,6 @@ ROSPY_WAITS = {
         f"{INIT}        rospy.loginfo('the arm')\n+        rospy.wait_for_service('home')\n{HOME}",
         "",
     ),
-    "for what a variable names": (
-        f"{INIT}        other = 'x'\n+        name = 'home'\n"
-        "        rospy.wait_for_service(name)\n        print(other)\n",
-        "",
-    ),
     "under a comment": (
         f"{INIT}+        # The arm has to be there.\n        rospy.wait_for_service('home')\n",
         "",
