@@ -38,6 +38,8 @@ def _endpoint(endpoint: SourceEndpoint) -> dict[str, Any]:
     if endpoint.is_guess:
         found["guess"] = True
     found["line"] = endpoint.line
+    if endpoint.file:
+        found["file"] = endpoint.file
     return found
 
 
@@ -60,7 +62,8 @@ def _row(endpoint: SourceEndpoint) -> tuple[str, str, str, str]:
         endpoint.name or _unknown(endpoint.expression),
         type_
         + (f" calling {endpoint.callback}" if endpoint.callback else "")
-        + (" (a guess)" if endpoint.is_guess else ""),
+        + (" (a guess)" if endpoint.is_guess else "")
+        + (f" in {endpoint.file}" if endpoint.file else ""),
     )
 
 

@@ -226,7 +226,7 @@ class NodeLoader:
             if known is None or any(stamp_of(each) != stamp for each, stamp in known[0].items()):
                 stamps: Stamps = {path: stamp_of(path)}
                 files = with_others(path, read_regular(path, LARGEST_FILE), stamps)
-                known = stamps, read_node(path, files)
+                known = stamps, read_node(path, files, stamps)
                 self._files.nodes[path] = known
             return known[1]
         except OSError as error:
@@ -247,12 +247,13 @@ class NodeLoader:
         start = find_start(path, self._author, lambda folder: manifests(folder)[0], may_read)
         files = [path, manifest]
         loaded = None
+        stamps: Stamps = {}
         if start is not None:
             files += [start.path.parent / _MANIFEST]
             for main in (start.path, path):
                 files += [place_of(main, name) for name in start.files.names]
-            loaded = _with_origin(read_node(start.path, start.files), start.origin)
-        stamps = {file: stamp_of(file) for file in files}
+            loaded = _with_origin(read_node(start.path, start.files, stamps), start.origin)
+        stamps.update({file: stamp_of(file) for file in files})
         self._files.starts[path] = _Known(loaded, self._author, stamps)
         return loaded
 
@@ -297,11 +298,19 @@ class _Known(NamedTuple):
         )
 
 
-def read_node(path: Path, files: FileSet) -> Loaded:
-    """Read the files of a node."""
+def read_node(path: Path, files: FileSet, stamps: Stamps | None = None) -> Loaded:
+    """Read the files of a node.
+
+    Args:
+        path: the main file.
+        files: what they hold.
+        stamps: gets the stamps of what else was read.
+    """
     from plastron_tui.targets import read_source
 
     result = read_source(path, files)
+    if stamps is not None:
+        stamps.update({each: stamp_of(each) for each in result.beside})
     return Loaded(result.source, result.diagnostics)
 
 

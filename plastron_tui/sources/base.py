@@ -35,10 +35,17 @@ class Rendered(NamedTuple):
 
 
 class ReadResult(NamedTuple):
-    """What a file holds; `source` is None when the language cannot read the file at all."""
+    """What a file holds.
+
+    Attributes:
+        source: the nodes of the file, None when the language cannot read the file at all.
+        diagnostics: why, or what is doubtful.
+        beside: the other files that had a part in it, which are read only.
+    """
 
     source: SourceUnit | None
     diagnostics: tuple[Diagnostic, ...] = ()
+    beside: tuple[Path, ...] = ()
 
 
 class Language:

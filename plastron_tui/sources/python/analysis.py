@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from tree_sitter import Node
 
@@ -14,6 +15,9 @@ from .names import Resolver
 from .runs import World
 from .scopes import Scope, ScopeTree
 from .syntax import Syntax
+
+if TYPE_CHECKING:
+    from .package import PackageNames
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -74,6 +78,7 @@ class Analysis:
         sites: the calls that create endpoints.
         disguised: the objects of other libraries that do so as well, which no edit takes apart.
         nodes: what makes the nodes.
+        package: what its names stand for that other files of its package have.
     """
 
     syntax: Syntax
@@ -84,6 +89,7 @@ class Analysis:
     sites: list[Site] = field(default_factory=list)
     disguised: list[Site] = field(default_factory=list)
     nodes: list[NodeSite] = field(default_factory=list)
+    package: PackageNames | None = None
 
     def first_sites(self) -> list[Site]:
         """Return a call site for each call, the first where it creates several endpoints."""

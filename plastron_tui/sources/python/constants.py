@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 from tree_sitter import Node
 
@@ -14,9 +14,13 @@ from . import literals
 from .arguments import Arguments
 from .calls import Argument
 from .flow import reaching
+from .imported_names import ImportedNames
 from .scopes import Binding, BindingKind, Scope, ScopeTree
 from .syntax import Syntax, parts_of
 from .work_limits import Effort
+
+if TYPE_CHECKING:
+    from .names import Instance
 
 # What a person writes is far flatter; a file that is deeper was made to break readers.
 MOST_DEEP = 24
@@ -53,6 +57,7 @@ class Names(Protocol):
     """What folding asks of names, which ask for constants in turn."""
 
     effort: Effort
+    package: ImportedNames | None
 
     def attribute_bindings(self, node: Node, scope: Scope, depth: int = 0) -> list[Binding]:
         """Return what an attribute of an object of the file is bound to."""
@@ -80,6 +85,12 @@ class Names(Protocol):
 
     def returned(self, call: Node, scope: Scope, depth: int) -> Folded:
         """Return the constant that a call of a function of the file gives."""
+
+    def seen(self, node: Node | None, scope: Scope, depth: int) -> tuple[str, ...]:
+        """Return the qualified names that the file itself gives to an imported name."""
+
+    def instance(self, node: Node | None, scope: Scope, depth: int = 0) -> Instance | None:
+        """Return what an expression is an instance of; None where the file does not say it."""
 
 
 class Constants:
@@ -164,9 +175,11 @@ class Constants:
     def _identifier(self, node: Node, scope: Scope, depth: int) -> Folded:
         name = self._syntax.slice(node)
         found = scope.lookup(name)
-        if found is None or len(found[1]) > MOST_BINDINGS:
+        if found is None:
+            return self._imported(node, scope, depth)
+        if len(found[1]) > MOST_BINDINGS:
             return None
-        return self._fold_all(reaching(found[1], found[0], node, scope), name, depth)
+        return self.fold_all(reaching(found[1], found[0], node, scope), name, depth)
 
     def _attribute(self, node: Node, scope: Scope, depth: int) -> Folded:
         name = node.child_by_field_name("attribute")
@@ -178,15 +191,16 @@ class Constants:
             return self._parameter_value(holder, scope, depth)
         bindings = self._names.attribute_bindings(node, scope, depth)
         if not bindings:
-            return self._names.option(node, scope, depth)
+            option = self._names.option(node, scope, depth)
+            return self._imported(node, scope, depth) if option is None else option
         found = scope.lookup(self._syntax.slice(holder)) if holder.type == "identifier" else None
         if found is not None and found[0].self_name == self._syntax.slice(holder):
-            return self._fold_all(bindings, text, depth)
+            return self.fold_all(bindings, text, depth)
         # Which call has made another object is not known.
         with self._names.during({}):
-            return self._fold_all(bindings, text, depth)
+            return self.fold_all(bindings, text, depth)
 
-    def _fold_all(self, bindings: list[Binding], name: str, depth: int) -> Folded:
+    def fold_all(self, bindings: list[Binding], name: str, depth: int) -> Folded:
         """Fold what a name is bound to; None unless every binding says the same."""
         if len(bindings) > MOST_BINDINGS:
             return None
@@ -201,9 +215,25 @@ class Constants:
             return self._names.parameter(binding, name, depth)
         if binding.kind is BindingKind.VALUE:
             return self.fold(binding.value, binding.scope, depth)
+        if binding.kind is BindingKind.IMPORT:
+            package = self._names.package
+            return None if package is None else package.constant(binding.target, depth)
         if binding.node.type == "augmented_assignment":
             return self._operator(binding.node, binding.scope, depth)
         return self._names.fold_item(binding, name, depth)
+
+    def _imported(self, node: Node, scope: Scope, depth: int) -> Folded:
+        """Fold a name that another file of the package has."""
+        package = self._names.package
+        if package is None:
+            return None
+        names = self._names.seen(node, scope, depth)
+        part = node.child_by_field_name("attribute")
+        if part is not None and not names:
+            made = self._names.instance(node.child_by_field_name("object"), scope, depth)
+            names = (f"{made.qualified}.{self._syntax.slice(part)}",) if made is not None else ()
+        values = {package.constant(name, depth) for name in names} - {None}
+        return values.pop() if len(values) == 1 else None
 
     def _call(self, node: Node, scope: Scope, depth: int) -> Folded:
         callee = node.child_by_field_name("function")

@@ -22,6 +22,7 @@ from .imports import restore_imports
 from .keeps_running import never_called
 from .line_limit import line_limit
 from .messages import CannotAddError
+from .package import Package
 from .sites import analyze
 from .splices import apply
 from .still_named import tell_still_named
@@ -52,7 +53,8 @@ def edit_python(
     if not changes:
         return Rendered(source.files)
     library = LIBRARIES[source.library]
-    before = analyze(source.files.main, library)
+    package = Package(source.path, library).names
+    before = analyze(source.files.main, library, package)
     used = {
         (each.kind.facts.interface, each.type)
         for each in source.endpoints
@@ -70,7 +72,7 @@ def edit_python(
     analysis = edits.analysis
     restored = apply(analysis.syntax.text, restore_imports(before, analysis))
     if restored != analysis.syntax.text:
-        analysis = analyze(restored, library)
+        analysis = analyze(restored, library, package)
     standard = _Standard(before)
     problem = standard.problem(analysis, edits.expected)
     # Of a call that gets another name one string changes, unless a linter asks for more.
@@ -79,7 +81,7 @@ def edit_python(
         limit = line_limit(before.syntax.text, source.library, line_length)
         wrapped = wrap_new_lines(before.syntax.text, analysis.syntax, limit)
         if wrapped != analysis.syntax.text:
-            again = analyze(wrapped, library)
+            again = analyze(wrapped, library, package)
             if standard.problem(again, edits.expected) is None:
                 analysis = again
     if problem is not None:

@@ -23,6 +23,7 @@ from plastron_tui.ros.interfaces import InterfaceName
 
 from .adding import plan_addition
 from .analysis import Analysis, Site
+from .base_classes import inherited
 from .creation import Removal
 from .dialect import Dialect
 from .existing_callbacks import NotCallableError
@@ -158,7 +159,9 @@ class Edits:
             self.expected.subtract([(label, key_of(site.endpoint))])
             self.expected[label, (kind, name, type_, callback)] += 1
         self._read(before.syntax.text)
-        self.analysis = analyze(apply(before.syntax.text, renaming.splices), before.library)
+        self.analysis = analyze(
+            apply(before.syntax.text, renaming.splices), before.library, before.package
+        )
 
     def _remove(self, change: Remove) -> None:
         sites = find_sites(part_of(self.analysis, change.node), change)
@@ -179,7 +182,7 @@ class Edits:
         )
         text = apply(self.analysis.syntax.text, removal.splices)
         self._read(text)
-        self.analysis = analyze(text, self.analysis.library)
+        self.analysis = analyze(text, self.analysis.library, self.analysis.package)
 
     def _add(self, change: Add, following: Sequence[Change] = ()) -> int:
         """Make an addition, and those that follow it and are alike; return how many."""
@@ -194,7 +197,7 @@ class Edits:
             self.notes += writer.notes
         self._exchange.add(change.endpoint)
         self._read(text)
-        self.analysis = analyze(text, self.analysis.library)
+        self.analysis = analyze(text, self.analysis.library, self.analysis.package)
         return len(writers)
 
     def _update(self, change: Update) -> None:
@@ -273,12 +276,12 @@ class Edits:
         self.expected.update((label, key) for key in update.added.writer.endpoints)
         text = apply(before.syntax.text, update.all_splices())
         self._read(text)
-        after = analyze(text, before.library)
+        after = analyze(text, before.library, before.package)
         imports, names = unused_imports(after, [], update.freed())
         if imports or names:
             text = apply(text, [*delete_statements(text, imports), *names])
             self._read(text)
-            after = analyze(text, before.library)
+            after = analyze(text, before.library, before.package)
         is_worse = after.syntax.errors > before.syntax.errors
         if is_worse or endpoints_of(after) != +self.expected:
             raise NotInPlaceError
@@ -350,6 +353,10 @@ def _not_there(analysis: Analysis, change: Remove | Rename) -> RefusedError:
     for site in find_sites(replace(analysis, sites=analysis.disguised), change):
         line, what = site.endpoint.line, site.endpoint.expression
         message = f"the {change.kind.word} `{change.name}` is a part of `{what}` in line {line}"
+    for each in inherited(analysis, None):
+        if each.kind is change.kind and change.name in (each.name, each.default):
+            place = f"`{each.file}`, line {each.line}"
+            message = f"the {change.kind.word} `{change.name}` is of a base class, in {place}"
     return RefusedError(Diagnostic(codes.EDIT_REFUSED, message, change.span))
 
 

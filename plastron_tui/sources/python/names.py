@@ -9,22 +9,19 @@ from tree_sitter import Node
 
 from plastron_tui.ros.interfaces import InterfaceName
 
-from .arguments import Arguments
-from .calls import Argument, ClientLibrary
-from .constants import MOST_BINDINGS, MOST_DEEP, Constants, Folded, Known, without_none
+from .calls import ClientLibrary
+from .constants import MOST_BINDINGS, MOST_DEEP, Constants, Folded, without_none
 from .containers import Given
+from .imported_names import ImportedNames, joined
 from .passes import Passes
 from .scopes import Binding, BindingKind, Scope, ScopeTree
-from .stars import star_interface
 from .syntax import Syntax, parts_of
+from .type_names import Types
 from .work_limits import bounded
 
-_WRAPPED_TYPES = frozenset({"rospy.numpy_msg.numpy_msg", "numpy_msg.numpy_msg"})
-_CLASS_LOADERS = frozenset({"roslib.message.get_message_class", "roslib.message.get_service_class"})
 # What `from our_tools import *` brings along, where no import of the file binds these names.
 _LIBRARIES = frozenset({"rospy", "rclpy", "message_filters", "actionlib"})
 _ANYTHING = frozenset({"typing.Any", "typing.TypeVar", "typing.Protocol"})
-_KINDS = ("msg", "srv", "action")
 
 
 NODE = "a node"
@@ -43,9 +40,15 @@ class Resolver(Passes):
     """Answers what the names of one file stand for."""
 
     def __init__(
-        self, syntax: Syntax, scopes: ScopeTree, calls: list[Node], library: ClientLibrary
+        self,
+        syntax: Syntax,
+        scopes: ScopeTree,
+        calls: list[Node],
+        library: ClientLibrary,
+        package: ImportedNames | None = None,
     ) -> None:
         super().__init__(syntax, scopes, calls)
+        self.package = package
         self._ros = library.distribution
         self._node_makers = library.node_classes | library.node_calls.keys()
         self._trace: list[Node] | None = None
@@ -55,7 +58,18 @@ class Resolver(Passes):
 
     @bounded(())
     def qualified(self, node: Node | None, scope: Scope, depth: int = 0) -> tuple[str, ...]:
-        """Return the qualified names that an imported name may stand for."""
+        """Return the qualified names that an imported name may stand for.
+
+        Where other files of the package hand it on, they are those that it has outside of it.
+        """
+        names = self.seen(node, scope, depth)
+        if self.package is None:
+            return names
+        led = [target for name in names for target in self.package.targets(name, depth)]
+        return tuple(dict.fromkeys(led))
+
+    def seen(self, node: Node | None, scope: Scope, depth: int) -> tuple[str, ...]:
+        """Return the qualified names that the file itself gives to an imported name."""
         tail: list[str] = []
         while node is not None and node.type == "attribute":
             part = node.child_by_field_name("attribute")
@@ -69,10 +83,10 @@ class Resolver(Passes):
         if found is None:
             stars = self.star_modules(scope)
             own = (name + suffix,) if name in _LIBRARIES and stars else ()
-            return own + tuple(f"{module}.{name}{suffix}" for module in stars)
+            return own + tuple(joined(module, name) + suffix for module in stars)
         targets: dict[str, None] = {}
         for binding in self._distinct(name, *found):
-            for target in self._targets(binding, name, depth):
+            for target in self.targets(binding, name, depth):
                 targets[target + suffix] = None
         if not targets and tail and found[0].self_name == name:
             return self._held(found[0].parent, tail[::-1], depth)
@@ -104,7 +118,7 @@ class Resolver(Passes):
         bindings = without_none(self.classes.attribute(owner, first))
         if len(bindings) != 1:
             return ()
-        return tuple(".".join((each, *rest)) for each in self._targets(bindings[0], "", depth))
+        return tuple(".".join((each, *rest)) for each in self.targets(bindings[0], "", depth))
 
     def star_modules(self, scope: Scope) -> list[str]:
         """Return the modules that are imported whole where a scope sees them."""
@@ -113,9 +127,10 @@ class Resolver(Passes):
         while current is not None:
             found += current.star_imports
             current = current.parent
-        return found
+        return found if self.package is None else self.package.star_modules(found)
 
-    def _targets(self, binding: Binding, name: str, depth: int) -> tuple[str, ...]:
+    def targets(self, binding: Binding, name: str, depth: int) -> tuple[str, ...]:
+        """Return the qualified names of what is imported that a binding gives a name to."""
         if binding.kind is BindingKind.IMPORT:
             return (binding.target,)
         value, scope = binding.value, binding.scope
@@ -133,36 +148,8 @@ class Resolver(Passes):
     @bounded(None)
     def interface(self, node: Node | None, scope: Scope, depth: int = 0) -> InterfaceName | None:
         """Return the interface type that an expression names."""
-        if node is None or depth > MOST_DEEP:
-            return None
-        if node.type == "parenthesized_expression" and node.named_child_count == 1:
-            return self.interface(node.named_children[0], scope, depth + 1)
-        if node.type == "call":
-            return self._wrapped_interface(node, scope, depth)
-        if node.type == "attribute":
-            values = self.attribute_bindings(node, scope)
-            found = {self._interface_of(value, depth) for value in values}
-            if len(found) == 1 and None not in found:
-                return found.pop()
-        if node.type == "identifier" and scope.lookup(self._syntax.slice(node)) is None:
-            return star_interface(self._syntax.slice(node), self.star_modules(scope), self._ros)
-        names = {_interface_name(name) for name in self.qualified(node, scope)} - {None}
-        return names.pop() if len(names) == 1 else None
-
-    def _interface_of(self, binding: Binding, depth: int) -> InterfaceName | None:
-        return self.interface(binding.value, binding.scope, depth + 1)
-
-    def _wrapped_interface(self, node: Node, scope: Scope, depth: int) -> InterfaceName | None:
-        names = self.qualified(node.child_by_field_name("function"), scope)
-        argument = Arguments.of(node, self._syntax).get(Argument(0, ""))
-        if any(name in _WRAPPED_TYPES for name in names):
-            return self.interface(argument, scope, depth + 1)
-        if any(name in _CLASS_LOADERS for name in names):
-            folded = self.fold(argument, scope, depth + 1)
-            if isinstance(folded, Known) and isinstance(folded.value, str):
-                package, slash, name = folded.value.partition("/")
-                return InterfaceName(package, name) if slash and name else None
-        return None
+        types = Types(self, self._syntax, self._ros)
+        return types.named(node, scope, depth) if depth <= MOST_DEEP else None
 
     def attribute_bindings(self, node: Node, scope: Scope, depth: int = 0) -> list[Binding]:
         """Return what binds `object.name` where the object is of a class of the file."""
@@ -202,6 +189,9 @@ class Resolver(Passes):
             self._own_foreign[owner] = [
                 name for base in bases if outer is not None for name in self.qualified(base, outer)
             ]
+            if self.package is not None:
+                for name in self._own_foreign[owner][:]:
+                    self._own_foreign[owner] += self.package.bases(name)
         return self._own_foreign[owner]
 
     @bounded(None)
@@ -296,6 +286,12 @@ class Resolver(Passes):
         constants = Constants(self, self._syntax, self._scopes, self._trace)
         return constants.fold(node, scope, depth)
 
+    @bounded(None)
+    def fold_all(self, bindings: list[Binding], name: str, depth: int = 0) -> Folded:
+        """Return the constant that a name is by all that binds it."""
+        constants = Constants(self, self._syntax, self._scopes, self._trace)
+        return constants.fold_all(bindings, name, depth)
+
     def read_for(self, node: Node, scope: Scope) -> list[Node]:
         """Return the expressions that decide which constant an expression is."""
         trace: list[Node] = []
@@ -328,14 +324,3 @@ def _annotated(annotation: Node) -> list[Node]:
         else:
             pending.extend(node.named_children)
     return found[1:] if annotation.type in ("generic_type", "subscript") else found
-
-
-def _interface_name(qualified: str) -> InterfaceName | None:
-    parts = qualified.split(".")
-    if len(parts) > 3 and not parts[2].startswith("_"):
-        # A class within a type's class, such as the request of a service, is no interface.
-        return None
-    for kind in _KINDS:
-        if len(parts) >= 3 and parts[1] == kind and parts[0] not in ("rospy", ""):
-            return InterfaceName(parts[0], parts[-1])
-    return None

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 
 from plastron_tui.diagnostics import Span
-from plastron_tui.model.source import SourceNode
+from plastron_tui.model.source import SourceEndpoint, SourceNode
 
 from .analysis import Analysis, NodeSite, Site
+from .base_classes import inherited
 from .site_owner import Owners
 
 
@@ -19,9 +21,13 @@ def group(analysis: Analysis) -> tuple[SourceNode, ...]:
         sites.sort(key=lambda site: site.call.start_byte)
         analysis = replace(analysis, sites=sites)
     if not makers:
-        return (_source_node(None, analysis.sites),) if analysis.sites else ()
+        found = inherited(analysis, None)
+        return (_source_node(None, analysis.sites, found),) if analysis.sites or found else ()
     owned = _owned(makers, analysis)
-    return tuple(_source_node(maker, sites) for maker, sites in zip(makers, owned, strict=True))
+    return tuple(
+        _source_node(maker, sites, inherited(analysis, maker.owner))
+        for maker, sites in zip(makers, owned, strict=True)
+    )
 
 
 def part_of(analysis: Analysis, label: str | None) -> Analysis:
@@ -53,8 +59,10 @@ def makers_of(analysis: Analysis) -> list[NodeSite]:
     return [replace(first, name=None)]
 
 
-def _source_node(maker: NodeSite | None, sites: list[Site]) -> SourceNode:
-    endpoints = tuple(site.endpoint for site in sites)
+def _source_node(
+    maker: NodeSite | None, sites: list[Site], more: Iterable[SourceEndpoint] = ()
+) -> SourceNode:
+    endpoints = (*(site.endpoint for site in sites), *more)
     if maker is None:
         return SourceNode(None, "", endpoints)
     place = maker.call if maker.call is not None else maker.scope.node

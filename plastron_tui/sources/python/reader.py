@@ -11,6 +11,7 @@ from plastron_tui.sources.base import ReadResult
 
 from .calls import LIBRARIES, ClientLibrary
 from .nodes import group
+from .package import Package
 from .reading_cost import MOST_CLASSES, comment_run
 from .sites import analyze
 from .syntax import parse
@@ -47,12 +48,15 @@ def read_python(path: Path, files: FileSet, library: str | None = None) -> ReadR
     if len(syntax.captures("structure").get("class", [])) > MOST_CLASSES:
         problem = f"the file has more than {MOST_CLASSES} classes, and is not read"
         return _refuse(path, codes.FILE_TOO_LARGE, problem)
-    analyses = [analyze(syntax, candidate) for candidate in candidates or [LIBRARIES["rclpy"]]]
+    analyses = [
+        analyze(syntax, candidate, Package(path, candidate).names)
+        for candidate in candidates or [LIBRARIES["rclpy"]]
+    ]
     if is_guess and all(site.endpoint.type is None for site in analyses[0].sites):
         return _refuse(path, codes.NO_NODE, "the file imports neither rospy nor rclpy")
     best = max(analyses, key=lambda analysis: (len(analysis.sites), len(analysis.nodes)))
     source = SourceUnit(path, files, best.library.module, group(best))
-    return ReadResult(source)
+    return ReadResult(source, beside=() if best.package is None else best.package.paths)
 
 
 def _refuse(path: Path, code: Code, message: str) -> ReadResult:

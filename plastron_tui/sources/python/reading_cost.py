@@ -13,6 +13,11 @@ MOST_CLASSES = 1_000
 _COMMENTS = re.compile(rb"^(?:[ \t\f]*(?:#[^\n]*|\r?)\n){64,}", re.MULTILINE)
 
 
+def is_readable(text: bytes) -> bool:
+    """Tell whether a text is one that may be parsed: no data, and no run of comments too long."""
+    return b"\x00" not in text and comment_run(text) is None
+
+
 def comment_run(text: bytes) -> int | None:
     """Return the line of a run of comments that is too long to parse, None where there is none.
 

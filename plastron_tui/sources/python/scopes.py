@@ -8,6 +8,7 @@ from enum import Enum
 
 from tree_sitter import Node
 
+from .imported_names import joined
 from .syntax import Syntax, parts_of
 
 MOST_BASES = 64
@@ -294,7 +295,7 @@ class _Binder:
         for name in node.children_by_field_name("name"):
             alias = name.child_by_field_name("alias")
             source = name.child_by_field_name("name") if alias is not None else name
-            target = f"{module}.{self._dotted(source)}"
+            target = joined(module, self._dotted(source))
             bound = self._syntax.slice(alias if alias is not None else name)
             scope.bind(bound, Binding(BindingKind.IMPORT, scope, node, target=target))
 

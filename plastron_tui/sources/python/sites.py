@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from typing import TYPE_CHECKING
 
 from tree_sitter import Node
 
@@ -16,6 +17,9 @@ from .names import NODE, Resolver
 from .scopes import Scope, build_scopes
 from .syntax import Syntax, parse
 
+if TYPE_CHECKING:
+    from .package import PackageNames
+
 # How people call a variable that holds a node, where nothing else says what it is.
 _NODE_VARIABLE = re.compile(r"(?:\w*_)?node(?:handle)?_*$", re.IGNORECASE)
 _NODE_MAKER = re.compile(r"(Node|_node)$")
@@ -26,14 +30,22 @@ _NO_NODES = frozenset(
 )
 
 
-def analyze(text: bytes | Syntax, library: ClientLibrary) -> Analysis:
-    """Find the call sites of a file that create endpoints of a client library."""
+def analyze(
+    text: bytes | Syntax, library: ClientLibrary, package: PackageNames | None = None
+) -> Analysis:
+    """Find the call sites of a file that create endpoints of a client library.
+
+    Args:
+        text: what the file holds.
+        library: the client library.
+        package: what the names stand for that it imports from its package, None to leave them.
+    """
     syntax = parse(text) if isinstance(text, bytes) else text
     captures = syntax.captures("structure")
     scopes = build_scopes(syntax, captures)
     calls = sorted(captures.get("call", []), key=lambda node: node.start_byte)
-    resolver = Resolver(syntax, scopes, calls, library)
-    analysis = Analysis(syntax, library, scopes, resolver, captures)
+    resolver = Resolver(syntax, scopes, calls, library, package)
+    analysis = Analysis(syntax, library, scopes, resolver, captures, package=package)
     finder = _Finder(analysis)
     for call in calls:
         finder.visit(call)

@@ -1,0 +1,301 @@
+"""The other files of the package that a file is in, as far as the file imports from them.
+
+They are read and never run: constants, classes, and what they import in turn. What leads out of
+the package stays a name.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import NamedTuple
+from weakref import proxy
+
+from plastron_tui.regular_files import read_regular
+
+from .analysis import Analysis
+from .calls import ClientLibrary
+from .constants import MOST_BINDINGS, MOST_DEEP, Folded
+from .imported_names import joined
+from .reading_cost import is_readable
+from .scopes import Binding, BindingKind, Scope
+from .sites import analyze
+from .syntax import parse
+
+MOST_MODULES = 32
+"""The most files of a package that one file is read with."""
+
+_LARGEST = 256 * 1024
+_MOST_BYTES = 1024 * 1024
+# How far one file leads to the next; each is read while the one before it is.
+_MOST_NESTED = 6
+_MOST_PARTS = 8
+_MOST_ABOVE = 4
+# What a package of ROS, or of Python, has in its folder.
+_MARKS = ("package.xml", "setup.py", "pyproject.toml")
+_SUFFIX = ".py"
+
+
+class _Found(NamedTuple):
+    """The file of a module, and the names that lead on from it."""
+
+    path: str
+    names: tuple[str, ...]
+
+
+class Package:
+    """The modules of a package, each read when a name first leads to it.
+
+    Attributes:
+        paths: the files that were looked into.
+    """
+
+    def __init__(self, main: Path, library: ClientLibrary) -> None:
+        """Begin with the file that is read; its own text is never taken from the disk."""
+        self._main = os.path.realpath(main)
+        self._library = library
+        self._root = _root_of(self._main)
+        self._modules: dict[str, Analysis | None] = {self._main: None}
+        self._found: dict[tuple[str, str], _Found | None] = {}
+        self._is_own: dict[tuple[str, str], bool] = {}
+        self._left = _MOST_BYTES
+        self._nested = 0
+
+    @property
+    def paths(self) -> tuple[Path, ...]:
+        """The files that were looked into."""
+        return tuple(Path(path) for path in self._modules if path != self._main)
+
+    @property
+    def names(self) -> PackageNames:
+        """What the names of the file itself stand for."""
+        return PackageNames(self, self._main)
+
+    def find(self, name: str, seen_from: str) -> _Found | None:
+        """Return the module that a qualified name leads to, None where it leads elsewhere.
+
+        Args:
+            name: the name.
+            seen_from: the file that imports it.
+        """
+        key = name, os.path.dirname(seen_from)  # noqa: PTH120
+        if not self._may_be_own(*key):
+            return None
+        if key not in self._found:
+            self._found[key] = self._find(*key)
+        return self._found[key]
+
+    def _may_be_own(self, name: str, folder: str) -> bool:
+        first = name.partition(".")[0]
+        if not first:
+            return name[1:2] != ""
+        if (first, folder) not in self._is_own:
+            places = (os.path.join(each, first) for each in self._folders(folder))  # noqa: PTH118
+            self._is_own[first, folder] = any(
+                os.path.isdir(place) or os.path.isfile(place + _SUFFIX)  # noqa: PTH112, PTH113
+                for place in places
+            )
+        return self._is_own[first, folder]
+
+    def _folders(self, folder: str) -> tuple[str, ...]:
+        """Return where Python, or what a build makes of a package, has its modules."""
+        scripts = os.path.dirname(self._main)  # noqa: PTH120
+        sources = os.path.join(self._root, "src")  # noqa: PTH118
+        return tuple(dict.fromkeys((folder, scripts, self._root, sources)))
+
+    def _find(self, name: str, folder: str) -> _Found | None:
+        bare = name.lstrip(".")
+        parts = tuple(bare.split("."))
+        if not all(map(str.isidentifier, parts)) or len(parts) > _MOST_PARTS:
+            return None
+        above = len(name) - len(bare)
+        folders = self._folders(folder)
+        if above:
+            folders = (os.path.normpath(os.path.join(folder, *[os.pardir] * (above - 1))),)  # noqa: PTH118
+        for start in folders:
+            for count in range(len(parts), 0, -1):
+                place = os.path.join(start, *parts[:count])  # noqa: PTH118
+                for path in (place + _SUFFIX, os.path.join(place, "__init__.py")):  # noqa: PTH118
+                    real = os.path.realpath(path)
+                    if os.path.isfile(real) and self._is_within(real):  # noqa: PTH113
+                        return _Found(real, parts[count:])
+        return None
+
+    def _is_within(self, path: str) -> bool:
+        return path != self._main and path.startswith(self._root + os.sep)
+
+    def module(self, path: str) -> Analysis | None:
+        """Return what is known of a module, None where it is not read, or just being read."""
+        if path not in self._modules:
+            if len(self._modules) > MOST_MODULES or self._nested >= _MOST_NESTED:
+                return None
+            self._modules[path] = None
+            self._nested += 1
+            try:
+                self._modules[path] = self._read(path)
+            finally:
+                self._nested -= 1
+        return self._modules[path]
+
+    def _read(self, path: str) -> Analysis | None:
+        try:
+            text = read_regular(path, min(_LARGEST, self._left))
+        except (OSError, ValueError):
+            return None
+        self._left -= len(text)
+        syntax = parse(text) if is_readable(text) else None
+        # Held by no module: each would hold the other.
+        names = PackageNames(proxy(self), path)
+        return analyze(syntax, self._library, names) if syntax is not None else None
+
+
+class PackageNames:
+    """What the names stand for that one file of a package imports from the others."""
+
+    def __init__(self, package: Package, path: str) -> None:
+        """Set the package, and the file that imports."""
+        self._package = package
+        self._path = path
+
+    @property
+    def paths(self) -> tuple[Path, ...]:
+        """The files of the package that were looked into."""
+        return self._package.paths
+
+    def relative(self, other: PackageNames) -> str:
+        """Return the path of another file of the package from the folder of this one."""
+        return os.path.relpath(other._path, os.path.dirname(self._path))  # noqa: PTH120
+
+    def targets(self, name: str, depth: int = 0) -> tuple[str, ...]:
+        """Return the qualified names that a name stands for outside of the package, or itself."""
+        found = self._package.find(name, self._path) if depth <= MOST_DEEP else None
+        module = self._package.module(found.path) if found is not None else None
+        if found is None or module is None or not found.names:
+            return (name,)
+        outer = PackageNames(self._package, found.path)
+        first, *rest = found.names
+        led: dict[str, None] = {}
+        for binding in module.scopes.module.bindings.get(first, [])[:MOST_BINDINGS]:
+            for target in module.resolver.targets(binding, first, depth + 1):
+                whole = ".".join((target, *rest))
+                led.update(dict.fromkeys(outer.targets(whole, depth + 1)))
+        if first not in module.scopes.module.bindings:
+            for star in module.scopes.module.star_imports:
+                whole = ".".join((joined(star, first), *rest))
+                led.update(dict.fromkeys(outer.targets(whole, depth + 1)))
+        # What stays in the package is told apart by the name that leads there.
+        left = tuple(each for each in led if outer.leads_out(each))
+        return left or (name,)
+
+    def star_modules(self, modules: list[str], depth: int = 0) -> list[str]:
+        """Return modules that are imported whole, with those that they import whole in turn.
+
+        Those that stand for themselves outside of the package alone have names that mean anything
+        here.
+        """
+        led: dict[str, None] = {}
+        for name in modules:
+            led[name] = None
+            found = self._package.find(name, self._path) if depth <= _MOST_NESTED else None
+            module = self._package.module(found.path) if found is not None else None
+            if found is not None and module is not None and not found.names:
+                outer = PackageNames(self._package, found.path)
+                stars = outer.star_modules(module.scopes.module.star_imports, depth + 1)
+                led.update((star, None) for star in stars if outer.leads_out(star))
+        return list(led)[:MOST_MODULES]
+
+    def leads_out(self, name: str) -> bool:
+        """Whether a name is of no module of the package."""
+        return self._package.find(name, self._path) is None and not name.startswith(".")
+
+    def constant(self, name: str, depth: int = 0) -> Folded:
+        """Return the constant that a name is, None where the package does not say it.
+
+        What only the default of a parameter says is none: another file may give another value.
+        """
+        found = self._package.find(name, self._path) if depth <= MOST_DEEP else None
+        module = self._package.module(found.path) if found is not None else None
+        if found is None or module is None or not found.names:
+            return None
+        first, *rest = found.names
+        outer = PackageNames(self._package, found.path)
+        bindings = module.scopes.module.bindings.get(first)
+        if bindings is None:
+            stars = (joined(star, first) for star in module.scopes.module.star_imports)
+            values = {outer.constant(".".join((each, *rest)), depth + 1) for each in stars} - {None}
+            return values.pop() if len(values) == 1 else None
+        if len(bindings) == 1 and bindings[0].kind is BindingKind.IMPORT:
+            return outer.constant(".".join((bindings[0].target, *rest)), depth + 1)
+        for part in rest:
+            bindings = _members(module, bindings, part)
+        return _folded(module, bindings, found.names[-1], depth + 1)
+
+    def bases(self, name: str) -> list[str]:
+        """Return the qualified names of the classes that a class of the package derives from."""
+        held = self.class_(name)
+        return [] if held is None else held[0].resolver.foreign_bases(held[1])
+
+    def class_(self, name: str, depth: int = 0) -> tuple[Analysis, Scope] | None:
+        """Return the class of the package that a name stands for, and the file that has it."""
+        found = self._package.find(name, self._path) if depth <= MOST_DEEP else None
+        module = self._package.module(found.path) if found is not None else None
+        if found is None or module is None or len(found.names) != 1:
+            return None
+        outer = PackageNames(self._package, found.path)
+        bindings = module.scopes.module.bindings.get(found.names[0])
+        if bindings is None:
+            stars = (joined(s, found.names[0]) for s in module.scopes.module.star_imports)
+            held = (outer.class_(star, depth + 1) for star in stars)
+            return next((each for each in held if each is not None), None)
+        if len(bindings) != 1:
+            return None
+        if bindings[0].kind is BindingKind.IMPORT:
+            return outer.class_(bindings[0].target, depth + 1)
+        owner = bindings[0].owner
+        is_class = bindings[0].kind is BindingKind.CLASS and owner is not None
+        return (module, owner) if is_class and owner is not None else None
+
+
+def _members(module: Analysis, bindings: list[Binding], name: str) -> list[Binding]:
+    """Return what an attribute of a class or an object of a module is bound to."""
+    if len(bindings) != 1:
+        return []
+    owner = bindings[0].owner if bindings[0].kind is BindingKind.CLASS else None
+    if owner is None and bindings[0].value is not None:
+        made = module.resolver.instance(bindings[0].value, bindings[0].scope)
+        owner = made.scope if made is not None else None
+    return [] if owner is None else module.resolver.classes.attribute(owner, name)
+
+
+def _folded(module: Analysis, bindings: list[Binding], name: str, depth: int) -> Folded:
+    """Fold what a module binds a name to, where no parameter has a part in it."""
+    if any(_depends_on_parameter(module, binding) for binding in bindings):
+        return None
+    return module.resolver.fold_all(bindings, name, depth)
+
+
+def _depends_on_parameter(module: Analysis, binding: Binding) -> bool:
+    if binding.value is None:
+        return binding.kind is BindingKind.PARAMETER
+    for read in module.resolver.read_for(binding.value, binding.scope):
+        if read.type == "identifier":
+            found = module.scopes.at(read.start_byte).lookup(module.syntax.slice(read))
+            kinds = [] if found is None else [each.kind for each in found[1][:MOST_BINDINGS]]
+            if BindingKind.PARAMETER in kinds:
+                return True
+    return False
+
+
+def _root_of(main: str) -> str:
+    """Return the folder of the package that a file is in: its own folder where none is marked."""
+    own = Path(main).parent
+    folders = (own, *own.parents)[:_MOST_ABOVE]
+    home = Path(os.path.expanduser("~"))  # noqa: PTH111 (never raises)
+    for folder in folders:
+        if folder == home:
+            break
+        if any(os.path.isfile(folder / mark) for mark in _MARKS):  # noqa: PTH113
+            return str(folder)
+        if os.path.lexists(folder / ".git"):
+            break
+    return str(own)
