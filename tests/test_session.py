@@ -53,6 +53,17 @@ def test_files_that_were_written_are_loaded_when_that_is_told(tmp_path: Path) ->
     assert list(made.workspace.nodes["talker"].of(Publisher)) == ["chatter"]
 
 
+def test_a_node_is_read_again_where_a_file_that_it_imports_from_changed(tmp_path: Path) -> None:
+    node = "import rospy\nfrom topics import T\nfrom std_msgs.msg import String\n"
+    (tmp_path / "node.py").write_text(f"{node}rospy.Publisher(T, String, queue_size=1)\n")
+    (tmp_path / "topics.py").write_text("T = 'old'\n")
+    made = session(tmp_path, "load 'node.py' as node\n")
+    assert list(made.workspace.nodes["node"].of(Publisher)) == ["old"]
+    (tmp_path / "topics.py").write_text("T = 'newer'\n")
+    made.files_changed()
+    assert list(made.workspace.nodes["node"].of(Publisher)) == ["newer"]
+
+
 def test_a_manifest_is_read_once_and_again_where_it_changed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from tree_sitter import Node
@@ -65,8 +65,7 @@ class Resolver(Passes):
         names = self.seen(node, scope, depth)
         if self.package is None:
             return names
-        led = [target for name in names for target in self.package.targets(name, depth)]
-        return tuple(dict.fromkeys(led))
+        return tuple(dict.fromkeys(t for name in names for t in self.package.targets(name, depth)))
 
     def seen(self, node: Node | None, scope: Scope, depth: int) -> tuple[str, ...]:
         """Return the qualified names that the file itself gives to an imported name."""
@@ -286,21 +285,23 @@ class Resolver(Passes):
         constants = Constants(self, self._syntax, self._scopes, self._trace)
         return constants.fold(node, scope, depth)
 
-    @bounded(None)
-    def fold_all(self, bindings: list[Binding], name: str, depth: int = 0) -> Folded:
+    def fold_all(self, bindings: list[Binding], name: str, depth: int) -> Folded:
         """Return the constant that a name is by all that binds it."""
         constants = Constants(self, self._syntax, self._scopes, self._trace)
         return constants.fold_all(bindings, name, depth)
 
-    def read_for(self, node: Node, scope: Scope) -> list[Node]:
-        """Return the expressions that decide which constant an expression is."""
-        trace: list[Node] = []
+    def traced(self, fold: Callable[[], Folded]) -> tuple[Folded, list[Node]]:
+        """Return the constant that an expression is, and the expressions that decide it."""
+        before, trace = self._trace, list[Node]()
         self._trace = trace
         try:
-            self.fold(node, scope)
+            return fold(), trace
         finally:
-            self._trace = None
-        return trace
+            self._trace = before
+
+    def read_for(self, node: Node, scope: Scope) -> list[Node]:
+        """Return the expressions that decide which constant an expression is."""
+        return self.traced(lambda: self.fold(node, scope))[1]
 
 
 def _may_name(binding: Binding) -> bool:

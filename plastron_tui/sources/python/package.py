@@ -11,6 +11,8 @@ from pathlib import Path
 from typing import NamedTuple
 from weakref import proxy
 
+from tree_sitter import Node
+
 from plastron_tui.regular_files import read_regular
 
 from .analysis import Analysis
@@ -21,6 +23,7 @@ from .reading_cost import is_readable
 from .scopes import Binding, BindingKind, Scope
 from .sites import analyze
 from .syntax import parse
+from .work_limits import Effort, bounded
 
 MOST_MODULES = 32
 """The most files of a package that one file is read with."""
@@ -48,28 +51,35 @@ class Package:
 
     Attributes:
         paths: the files that were looked into.
+        main: the file that is read.
+        effort: what is left of the steps for all of them.
+        led: the names outside of the package that names of a file stand for, as far as known.
+        constants: the constants that names of a file are, as far as known.
     """
 
     def __init__(self, main: Path, library: ClientLibrary) -> None:
         """Begin with the file that is read; its own text is never taken from the disk."""
-        self._main = os.path.realpath(main)
+        self.main = os.path.realpath(main)
         self._library = library
-        self._root = _root_of(self._main)
-        self._modules: dict[str, Analysis | None] = {self._main: None}
+        self._root = _root_of(self.main)
+        self._modules: dict[str, Analysis | None] = {self.main: None}
         self._found: dict[tuple[str, str], _Found | None] = {}
         self._is_own: dict[tuple[str, str], bool] = {}
+        self.effort = Effort(_MOST_BYTES)
+        self.led: dict[tuple[str, str], tuple[str, ...]] = {}
+        self.constants: dict[tuple[str, str], Folded] = {}
         self._left = _MOST_BYTES
         self._nested = 0
 
     @property
     def paths(self) -> tuple[Path, ...]:
         """The files that were looked into."""
-        return tuple(Path(path) for path in self._modules if path != self._main)
+        return tuple(Path(path) for path in self._modules if path != self.main)
 
     @property
     def names(self) -> PackageNames:
         """What the names of the file itself stand for."""
-        return PackageNames(self, self._main)
+        return PackageNames(self, self.main)
 
     def find(self, name: str, seen_from: str) -> _Found | None:
         """Return the module that a qualified name leads to, None where it leads elsewhere.
@@ -99,7 +109,7 @@ class Package:
 
     def _folders(self, folder: str) -> tuple[str, ...]:
         """Return where Python, or what a build makes of a package, has its modules."""
-        scripts = os.path.dirname(self._main)  # noqa: PTH120
+        scripts = os.path.dirname(self.main)  # noqa: PTH120
         sources = os.path.join(self._root, "src")  # noqa: PTH118
         return tuple(dict.fromkeys((folder, scripts, self._root, sources)))
 
@@ -122,7 +132,7 @@ class Package:
         return None
 
     def _is_within(self, path: str) -> bool:
-        return path != self._main and path.startswith(self._root + os.sep)
+        return path != self.main and path.startswith(self._root + os.sep)
 
     def module(self, path: str) -> Analysis | None:
         """Return what is known of a module, None where it is not read, or just being read."""
@@ -156,6 +166,12 @@ class PackageNames:
         """Set the package, and the file that imports."""
         self._package = package
         self._path = path
+        self.effort = package.effort
+
+    @property
+    def is_beside(self) -> bool:
+        """Whether the file is one of the others itself."""
+        return self._path != self._package.main
 
     @property
     def paths(self) -> tuple[Path, ...]:
@@ -168,6 +184,13 @@ class PackageNames:
 
     def targets(self, name: str, depth: int = 0) -> tuple[str, ...]:
         """Return the qualified names that a name stands for outside of the package, or itself."""
+        key = name, self._path
+        if key not in self._package.led:
+            self._package.led[key] = self._targets(name, depth)
+        return self._package.led[key]
+
+    @bounded(())
+    def _targets(self, name: str, depth: int) -> tuple[str, ...]:
         found = self._package.find(name, self._path) if depth <= MOST_DEEP else None
         module = self._package.module(found.path) if found is not None else None
         if found is None or module is None or not found.names:
@@ -187,22 +210,22 @@ class PackageNames:
         left = tuple(each for each in led if outer.leads_out(each))
         return left or (name,)
 
-    def star_modules(self, modules: list[str], depth: int = 0) -> list[str]:
-        """Return modules that are imported whole, with those that they import whole in turn.
-
-        Those that stand for themselves outside of the package alone have names that mean anything
-        here.
-        """
-        led: dict[str, None] = {}
-        for name in modules:
-            led[name] = None
-            found = self._package.find(name, self._path) if depth <= _MOST_NESTED else None
+    def star_modules(self, modules: list[str]) -> list[str]:
+        """Return modules that are imported whole, with those that they import whole in turn."""
+        led = dict.fromkeys(modules)
+        pending = [(self, name) for name in modules]
+        seen: set[str] = set()
+        while pending:
+            names, name = pending.pop(0)
+            found = self._package.find(name, names._path)
             module = self._package.module(found.path) if found is not None else None
-            if found is not None and module is not None and not found.names:
+            if found is None:
+                led[name] = None
+            elif module is not None and not found.names and found.path not in seen:
+                seen.add(found.path)
                 outer = PackageNames(self._package, found.path)
-                stars = outer.star_modules(module.scopes.module.star_imports, depth + 1)
-                led.update((star, None) for star in stars if outer.leads_out(star))
-        return list(led)[:MOST_MODULES]
+                pending += [(outer, star) for star in module.scopes.module.star_imports]
+        return list(led)
 
     def leads_out(self, name: str) -> bool:
         """Whether a name is of no module of the package."""
@@ -213,6 +236,13 @@ class PackageNames:
 
         What only the default of a parameter says is none: another file may give another value.
         """
+        key = name, self._path
+        if key not in self._package.constants:
+            self._package.constants[key] = self._constant(name, depth)
+        return self._package.constants[key]
+
+    @bounded(None)
+    def _constant(self, name: str, depth: int) -> Folded:
         found = self._package.find(name, self._path) if depth <= MOST_DEEP else None
         module = self._package.module(found.path) if found is not None else None
         if found is None or module is None or not found.names:
@@ -235,6 +265,7 @@ class PackageNames:
         held = self.class_(name)
         return [] if held is None else held[0].resolver.foreign_bases(held[1])
 
+    @bounded(None)
     def class_(self, name: str, depth: int = 0) -> tuple[Analysis, Scope] | None:
         """Return the class of the package that a name stands for, and the file that has it."""
         found = self._package.find(name, self._path) if depth <= MOST_DEEP else None
@@ -269,21 +300,16 @@ def _members(module: Analysis, bindings: list[Binding], name: str) -> list[Bindi
 
 def _folded(module: Analysis, bindings: list[Binding], name: str, depth: int) -> Folded:
     """Fold what a module binds a name to, where no parameter has a part in it."""
-    if any(_depends_on_parameter(module, binding) for binding in bindings):
-        return None
-    return module.resolver.fold_all(bindings, name, depth)
+    resolver = module.resolver
+    folded, trace = resolver.traced(lambda: resolver.fold_all(bindings, name, depth))
+    reads = (each for each in trace if each.type == "identifier")
+    return None if any(_is_parameter(module, read) for read in reads) else folded
 
 
-def _depends_on_parameter(module: Analysis, binding: Binding) -> bool:
-    if binding.value is None:
-        return binding.kind is BindingKind.PARAMETER
-    for read in module.resolver.read_for(binding.value, binding.scope):
-        if read.type == "identifier":
-            found = module.scopes.at(read.start_byte).lookup(module.syntax.slice(read))
-            kinds = [] if found is None else [each.kind for each in found[1][:MOST_BINDINGS]]
-            if BindingKind.PARAMETER in kinds:
-                return True
-    return False
+def _is_parameter(module: Analysis, read: Node) -> bool:
+    found = module.scopes.at(read.start_byte).lookup(module.syntax.slice(read))
+    bindings = [] if found is None else found[1][:MOST_BINDINGS]
+    return any(binding.kind is BindingKind.PARAMETER for binding in bindings)
 
 
 def _root_of(main: str) -> str:

@@ -45,6 +45,8 @@ def analyze(
     scopes = build_scopes(syntax, captures)
     calls = sorted(captures.get("call", []), key=lambda node: node.start_byte)
     resolver = Resolver(syntax, scopes, calls, library, package)
+    if package is not None and package.is_beside:
+        resolver.effort = package.effort
     analysis = Analysis(syntax, library, scopes, resolver, captures, package=package)
     finder = _Finder(analysis)
     for call in calls:

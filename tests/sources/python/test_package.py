@@ -1,4 +1,4 @@
-"""What a node takes from other files of its package: names, types, classes; never a file outside."""
+"""What a node takes from other files of its package: names, types, classes; nothing outside."""
 
 from __future__ import annotations
 
@@ -38,7 +38,8 @@ FILES = {
     "package.xml": "<package/>",
     "src/demo/__init__.py": "",
     "src/demo/topics.py": TOPICS,
-    "src/demo/again.py": "from .topics import *\nfrom . import topics as t\nMINE = t.SCAN + '/mine'\n",
+    "src/demo/again.py": "from .topics import *\nfrom . import topics as t\nMINE = t.SCAN + "
+    "'/mine'\n",
     "src/demo/types.py": "from std_msgs.msg import *\nfrom geometry_msgs.msg import *\n",
     "src/demo/round_a.py": "from .round_b import NAME\n",
     "src/demo/round_b.py": "from .round_a import NAME\n",
@@ -85,7 +86,8 @@ NAMES = {
     "handed on": ("from demo.again import SCAN", "SCAN", "/robot/scan"),
     "made of another file's": ("from demo.again import MINE", "MINE", "/robot/scan/mine"),
     "one of two imports": (
-        "try:\n    from demo.topics import SCAN\nexcept ImportError:\n    from demo.again import SCAN",
+        "try:\n    from demo.topics import SCAN\n"
+        "except ImportError:\n    from demo.again import SCAN",
         "SCAN",
         "/robot/scan",
     ),

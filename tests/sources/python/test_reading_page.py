@@ -21,7 +21,7 @@ node = rclpy.create_node('n')
 FOUND = {
     "A library that is chosen as the file runs": [],
     "Both libraries in one file": ["state"],
-    "What another file decides": [None],
+    "What a file of another package decides": [None],
     "What the run decides": [None],
 }
 
@@ -38,7 +38,8 @@ def test_what_the_page_says_of_its_examples_is_so(title: str) -> None:
 
 
 def test_an_object_that_is_not_known_to_be_a_node_creates_nothing_of_an_unknown_type() -> None:
-    text = f"{IMPORTS}from config import session, KIND\nsession.create_publisher(KIND, 'a', 10)\n"
+    imports = f"{IMPORTS}from other.config import session, KIND\n"
+    text = f"{imports}session.create_publisher(KIND, 'a', 10)\n"
     source = read_python(Path("node.py"), one(text.encode()), "rclpy").source
     assert source is not None
     assert not any(node.endpoints for node in source.nodes)
