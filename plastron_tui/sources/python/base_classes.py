@@ -48,7 +48,7 @@ def _sites(analysis: Analysis, owner: Scope, depth: int) -> Iterator[tuple[Analy
             continue
         module, base = held
         family = [base, *module.resolver.classes.bases(base)]
-        for site in module.sites:
+        for site in analysis.package.sites(module):
             method = _method(site, family)
             if method is not None and not _is_replaced(method, own, analysis):
                 yield module, site

@@ -7,6 +7,8 @@ the package stays a name.
 from __future__ import annotations
 
 import os
+import re
+from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
 from weakref import proxy
@@ -15,13 +17,13 @@ from tree_sitter import Node
 
 from plastron_tui.regular_files import read_regular
 
-from .analysis import Analysis
+from .analysis import Analysis, Site
 from .calls import ClientLibrary
 from .constants import MOST_BINDINGS, MOST_DEEP, Folded
 from .imported_names import joined
 from .reading_cost import is_readable
 from .scopes import Binding, BindingKind, Scope
-from .sites import analyze
+from .sites import complete, outline
 from .syntax import parse
 from .work_limits import Effort, bounded
 
@@ -30,8 +32,6 @@ MOST_MODULES = 32
 
 _LARGEST = 256 * 1024
 _MOST_BYTES = 1024 * 1024
-# How far one file leads to the next; each is read while the one before it is.
-_MOST_NESTED = 6
 _MOST_PARTS = 8
 _MOST_ABOVE = 4
 # What a package of ROS, or of Python, has in its folder.
@@ -62,19 +62,20 @@ class Package:
         self.main = os.path.realpath(main)
         self._library = library
         self._root = _root_of(self.main)
-        self._modules: dict[str, Analysis | None] = {self.main: None}
+        self._texts: dict[str, bytes | None] = {}
+        self._modules: dict[str, Analysis | None] = {}
         self._found: dict[tuple[str, str], _Found | None] = {}
         self._is_own: dict[tuple[str, str], bool] = {}
         self.effort = Effort(_MOST_BYTES)
         self.led: dict[tuple[str, str], tuple[str, ...]] = {}
         self.constants: dict[tuple[str, str], Folded] = {}
         self._left = _MOST_BYTES
-        self._nested = 0
+        self._complete: set[int] = set()
 
     @property
     def paths(self) -> tuple[Path, ...]:
         """The files that were looked into."""
-        return tuple(Path(path) for path in self._modules if path != self.main)
+        return tuple(map(Path, self._texts))
 
     @property
     def names(self) -> PackageNames:
@@ -126,37 +127,46 @@ class Package:
             for count in range(len(parts), 0, -1):
                 place = os.path.join(start, *parts[:count])  # noqa: PTH118
                 for path in (place + _SUFFIX, os.path.join(place, "__init__.py")):  # noqa: PTH118
-                    real = os.path.realpath(path)
-                    if os.path.isfile(real) and self._is_within(real):  # noqa: PTH113
-                        return _Found(real, parts[count:])
+                    if os.path.isfile(path) and self._is_within(os.path.realpath(path)):  # noqa: PTH113
+                        return _Found(os.path.realpath(path), parts[count:])
         return None
 
     def _is_within(self, path: str) -> bool:
         return path != self.main and path.startswith(self._root + os.sep)
 
-    def module(self, path: str) -> Analysis | None:
-        """Return what is known of a module, None where it is not read, or just being read."""
-        if path not in self._modules:
-            if len(self._modules) > MOST_MODULES or self._nested >= _MOST_NESTED:
+    def text(self, path: str) -> bytes | None:
+        """Return what a module holds, None where it is not read."""
+        if path not in self._texts:
+            if len(self._texts) == MOST_MODULES:
                 return None
-            self._modules[path] = None
-            self._nested += 1
-            try:
-                self._modules[path] = self._read(path)
-            finally:
-                self._nested -= 1
+            self._texts[path] = None
+            with suppress(OSError, ValueError):
+                self._texts[path] = read_regular(path, min(_LARGEST, self._left))
+            self._left -= len(self._texts[path] or b"")
+        return self._texts[path]
+
+    def defines(self, path: str, name: str) -> bool:
+        """Whether a module has a function or a class of a name, which leads no further."""
+        definition = rb"^(?:async +def|def|class)[ \t]+%s\b" % re.escape(name.encode())
+        return re.search(definition, self.text(path) or b"", re.MULTILINE) is not None
+
+    def module(self, path: str) -> Analysis | None:
+        """Return what the names of a module stand for, None where it is not read."""
+        if path not in self._modules:
+            text = self.text(path)
+            syntax = parse(text) if text is not None and is_readable(text) else None
+            # Held by no module: each would hold the other.
+            names = PackageNames(proxy(self), path)
+            known = outline(syntax, self._library, names) if syntax is not None else None
+            self._modules[path] = known
         return self._modules[path]
 
-    def _read(self, path: str) -> Analysis | None:
-        try:
-            text = read_regular(path, min(_LARGEST, self._left))
-        except (OSError, ValueError):
-            return None
-        self._left -= len(text)
-        syntax = parse(text) if is_readable(text) else None
-        # Held by no module: each would hold the other.
-        names = PackageNames(proxy(self), path)
-        return analyze(syntax, self._library, names) if syntax is not None else None
+    def sites(self, module: Analysis) -> list[Site]:
+        """Return the call sites of a module."""
+        if id(module) not in self._complete:
+            self._complete.add(id(module))
+            complete(module)
+        return module.sites
 
 
 class PackageNames:
@@ -178,6 +188,10 @@ class PackageNames:
         """The files of the package that were looked into."""
         return self._package.paths
 
+    def sites(self, module: Analysis) -> list[Site]:
+        """Return the call sites of another file."""
+        return self._package.sites(module)
+
     def relative(self, other: PackageNames) -> str:
         """Return the path of another file of the package from the folder of this one."""
         return os.path.relpath(other._path, os.path.dirname(self._path))  # noqa: PTH120
@@ -192,8 +206,10 @@ class PackageNames:
     @bounded(())
     def _targets(self, name: str, depth: int) -> tuple[str, ...]:
         found = self._package.find(name, self._path) if depth <= MOST_DEEP else None
-        module = self._package.module(found.path) if found is not None else None
-        if found is None or module is None or not found.names:
+        if found is None or not found.names or self._package.defines(found.path, found.names[0]):
+            return (name,)
+        module = self._package.module(found.path)
+        if module is None:
             return (name,)
         outer = PackageNames(self._package, found.path)
         first, *rest = found.names

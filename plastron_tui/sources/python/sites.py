@@ -40,6 +40,15 @@ def analyze(
         library: the client library.
         package: what the names stand for that it imports from its package, None to leave them.
     """
+    analysis = outline(text, library, package)
+    complete(analysis)
+    return analysis
+
+
+def outline(
+    text: bytes | Syntax, library: ClientLibrary, package: PackageNames | None = None
+) -> Analysis:
+    """Find out what the names of a file stand for, and no call sites yet."""
     syntax = parse(text) if isinstance(text, bytes) else text
     captures = syntax.captures("structure")
     scopes = build_scopes(syntax, captures)
@@ -47,15 +56,18 @@ def analyze(
     resolver = Resolver(syntax, scopes, calls, library, package)
     if package is not None and package.is_beside:
         resolver.effort = package.effort
-    analysis = Analysis(syntax, library, scopes, resolver, captures, package=package)
+    return Analysis(syntax, library, scopes, resolver, captures, package=package)
+
+
+def complete(analysis: Analysis) -> None:
+    """Find the call sites of a file of which no more than the names were known."""
     finder = _Finder(analysis)
-    for call in calls:
+    for call in sorted(analysis.captures.get("call", []), key=lambda node: node.start_byte):
         finder.visit(call)
     finder.add_unsure()
     finder.add_node_classes()
     # An outer call comes before the calls in its arguments, as in the text.
     analysis.sites.sort(key=lambda site: (site.call.start_byte, site.endpoint.span.start))
-    return analysis
 
 
 class _Finder:
