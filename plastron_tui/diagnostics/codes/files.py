@@ -196,6 +196,14 @@ UNCALLED_FUNCTION = Code(
     severity=Severity.WARNING,
 )
 
+STILL_READ = Code(
+    "still-read",
+    "A statement takes away what called the one function of a loaded file that set an attribute "
+    "or a variable, filled a queue or woke who waits. Other functions go on reading it: what they "
+    "find is its first value, and what waits for another one waits for ever.",
+    severity=Severity.WARNING,
+)
+
 IDLE_CODE = Code(
     "idle-code",
     "A statement takes away all that a function of a loaded file did, or all that a loop did but "

@@ -26,7 +26,8 @@ from .package import Package
 from .sites import analyze
 from .splices import apply
 from .still_named import tell_still_named
-from .uncalled import tell_uncalled
+from .still_read import tell_still_read
+from .uncalled import tell_uncalled, uncalled_functions
 from .unresolved import Meanings, lost_names, meanings
 from .wrapping import wrap_new_lines
 
@@ -90,8 +91,10 @@ def edit_python(
     silent = never_called(before, analysis)
     if silent is not None:
         return Rendered(None, (silent,))
+    uncalled = uncalled_functions(before, analysis)
     told = (
-        tell_uncalled(before, analysis, changes),
+        tell_uncalled(before, changes, uncalled),
+        tell_still_read(before, analysis, changes, uncalled),
         tell_idle(before, analysis, changes),
         tell_still_named(analysis, changes),
     )

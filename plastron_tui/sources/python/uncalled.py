@@ -19,31 +19,40 @@ from .removal import definition, find_sites, function_uses
 from .scopes import Scope
 
 
-def tell_uncalled(
-    before: Analysis, after: Analysis, changes: Sequence[Change]
-) -> Diagnostic | None:
-    """Return a warning that names the functions which nothing in a file refers to any more.
+def uncalled_functions(before: Analysis, after: Analysis) -> list[Scope]:
+    """Return the functions of a file as it is which nothing in it refers to any more.
 
     Args:
         before: the file as it was.
         after: the file as it is.
-        changes: what was asked for.
     """
     # Few names are fewer than before; only for these is it asked where they are used.
     rarer = count_words(before.syntax.text) - count_words(after.syntax.text)
     words = {word.decode(before.syntax.encoding, "replace") for word in rarer}
     called = {path_of(each) for each in _functions(before, words) if _has_uses(before, each)}
-    found = [
+    return [
         each
         for each in _functions(after, words)
         if path_of(each) in called and not _has_uses(after, each) and not is_own_helper(each)
     ]
+
+
+def tell_uncalled(
+    before: Analysis, changes: Sequence[Change], found: Sequence[Scope]
+) -> Diagnostic | None:
+    """Return a warning that names the functions which nothing in a file refers to any more.
+
+    Args:
+        before: the file as it was.
+        changes: what was asked for.
+        found: the functions.
+    """
     if not found:
         return None
     names = listed(f"`{each.name}` (line {line_of(each.node)})" for each in found)
     message = f"nothing in the file calls {names} any more"
     it = "it if it is" if len(found) == 1 else "them if they are"
-    span = _span(before, changes, {each.name for each in found})
+    span = span_of(before, changes, {each.name for each in found})
     return Diagnostic(codes.UNCALLED_FUNCTION, message, span, help=f"remove {it} of no other use")
 
 
@@ -87,7 +96,7 @@ def _is_argument(call: Node | None, offset: int) -> bool:
     return call is not None and call.start_byte <= offset < call.end_byte
 
 
-def _span(before: Analysis, changes: Sequence[Change], names: set[str]) -> Span | None:
+def span_of(before: Analysis, changes: Sequence[Change], names: set[str]) -> Span | None:
     """Return the statement that took the call of one of some functions away."""
     taking = [change for change in changes if isinstance(change, Remove | Update)]
     for change in taking:
