@@ -231,7 +231,8 @@ SHARED_NAME = Code(
 STILL_NAMED = Code(
     "still-named",
     "A loaded file goes on saying the name of something that is removed or called otherwise: in a "
-    "text that is the name, or in what it logs. Comments are not looked at.",
+    "text that is the name, in what it logs, or in a comment or a docstring, where a `/` or a `_`, "
+    "or the word topic, tells that the name is meant.",
     severity=Severity.WARNING,
 )
 

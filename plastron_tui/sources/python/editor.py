@@ -21,6 +21,7 @@ from .idle_code import tell_idle
 from .imports import restore_imports
 from .keeps_running import never_called
 from .line_limit import line_limit
+from .listed_endpoints import gone_entries
 from .messages import CannotAddError
 from .package import Package
 from .sites import analyze
@@ -74,6 +75,8 @@ def edit_python(
     restored = apply(analysis.syntax.text, restore_imports(before, analysis))
     if restored != analysis.syntax.text:
         analysis = analyze(restored, library, package)
+    if entries := gone_entries(analysis, changes):
+        analysis = analyze(apply(analysis.syntax.text, entries), library, package)
     standard = _Standard(before)
     problem = standard.problem(analysis, edits.expected)
     # Of a call that gets another name one string changes, unless a linter asks for more.
@@ -96,7 +99,7 @@ def edit_python(
         tell_uncalled(before, changes, uncalled),
         tell_still_read(before, analysis, changes, uncalled),
         tell_idle(before, analysis, changes),
-        tell_still_named(analysis, changes),
+        tell_still_named(analysis, changes, uncalled),
     )
     edits.notes += [each for each in told if each is not None]
     return Rendered(source.files.with_main(analysis.syntax.text), tuple(edits.notes))

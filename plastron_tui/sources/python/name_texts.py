@@ -9,10 +9,11 @@ from typing import NamedTuple
 from tree_sitter import Node
 
 from .analysis import Analysis
+from .splices import is_commented_code, line_end, line_start
 
 # Frames of tf and attributes often have the names of topics.
 _OTHER = re.compile(rb"frame|transform|\btf|(has|get|set)attr", re.IGNORECASE)
-_NAME_PART = re.compile(rb"[/_]")
+_NAME_PART = re.compile(rb"[/_~]")
 
 
 class NameText(NamedTuple):
@@ -41,23 +42,47 @@ def texts_saying(analysis: Analysis, name: str) -> Iterator[NameText]:
     What goes on before or behind a string, as in `prefix + '/scan'`, says another name.
     """
     bare = name.lstrip("~/")
-    word = re.compile(rb"(?<![\w/.}-])[~/]*%s(?![\w/{]|[.-]\w)" % re.escape(bare.encode()))
-    for found in word.finditer(analysis.syntax.text):
-        node = analysis.syntax.root.descendant_for_byte_range(found.start(), found.end())
-        while node is not None and node.type in ("string_content", "escape_sequence"):
-            node = node.parent
-        if node is None or node.type != "string":
-            continue
-        if node.parent is not None and node.parent.type == "expression_statement":
+    for found, node in _mentions(analysis, bare):
+        if node.type != "string" or is_documentation(node):
             continue
         if _goes_on(node, found.start(), found.end()):
             continue
         parts = [each for each in node.named_children if each.type == "string_content"]
         is_whole = [analysis.syntax.slice(each).lstrip("~/") for each in parts] == [bare]
-        around = analysis.syntax.text[node.start_byte : node.end_byte]
-        is_sure = bool(_NAME_PART.search(found[0]) or _called(bare).search(around))
-        written = found[0].decode()
-        yield NameText(node, found.start(), found.end(), written, is_whole, is_sure)
+        is_sure = _is_sure(found, bare, node.text or b"")
+        yield NameText(node, found.start(), found.end(), found[0].decode(), is_whole, is_sure)
+
+
+def docs_saying(analysis: Analysis, name: str) -> Iterator[NameText]:
+    """Yield the comments and docstrings that say a name, but for code in comments."""
+    bare, text = name.lstrip("~/"), analysis.syntax.text
+    for found, node in _mentions(analysis, bare):
+        is_docstring = node.type == "string" and is_documentation(node)
+        if not is_docstring and (node.type != "comment" or is_commented_code(node.text or b"")):
+            continue
+        line = text[line_start(text, found.start()) : line_end(text, found.start())]
+        is_sure = _is_sure(found, bare, line)
+        yield NameText(node, found.start(), found.end(), found[0].decode(), False, is_sure)
+
+
+def _mentions(analysis: Analysis, bare: str) -> Iterator[tuple[re.Match[bytes], Node]]:
+    """Yield where a file says a name, with the string, comment or expression that does."""
+    word = re.compile(rb"(?<![\w/.}-])[~/]*%s(?![\w/{]|[.-]\w)" % re.escape(bare.encode()))
+    for found in word.finditer(analysis.syntax.text):
+        node = analysis.syntax.root.descendant_for_byte_range(found.start(), found.end())
+        while node is not None and node.type in ("string_content", "escape_sequence"):
+            node = node.parent
+        if node is not None:
+            yield found, node
+
+
+def _is_sure(found: re.Match[bytes], bare: str, around: bytes) -> bool:
+    return bool(_NAME_PART.search(found[0]) or _called(bare).search(around))
+
+
+def is_documentation(string: Node) -> bool:
+    """Whether a string is a statement of its own."""
+    return string.parent is not None and string.parent.type == "expression_statement"
 
 
 def _goes_on(string: Node, start: int, end: int) -> bool:
@@ -79,8 +104,8 @@ def _goes_on(string: Node, start: int, end: int) -> bool:
 def is_other_name(analysis: Analysis, text: NameText) -> bool:
     """Whether the line of a text speaks of something else that has names."""
     source = analysis.syntax.text
-    start = source.rfind(b"\n", 0, text.node.start_byte) + 1
-    end = source.find(b"\n", text.node.end_byte)
+    start = source.rfind(b"\n", 0, text.start) + 1
+    end = source.find(b"\n", text.end)
     return bool(_OTHER.search(source, start, end if end >= 0 else len(source)))
 
 

@@ -27,9 +27,9 @@ _STEM = 5
 _SHORT = {b"msg": b"messa", b"msgs": b"messa"}
 _BLANKS = re.compile(rb"[ \t]*")
 _HEADER = re.compile(rb"(?:\xef\xbb\xbf)?(?:[ \t]*(?:#[^\n]*)?\r?\n)*")
-_CODE = re.compile(
-    rb"\w\(|^[\w.\[\]'\"]+\s*[-+*/]?=|==|^(from|import|if|for|while|return|del|pass)\b"
-)
+_CALL_OR_VALUE = rb"\w\(|^[\w.\[\]'\"]+\s*[-+*/]?=|=="
+_CODE = re.compile(rb"%s|^(from|import|if|for|while|return|del|pass)\b" % _CALL_OR_VALUE)
+_SURE_CODE = re.compile(_CALL_OR_VALUE)
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -301,6 +301,11 @@ def _is_prose(comment: bytes) -> bool:
     is_code = _CODE.search(said) is not None or said.endswith((b":", b",", b"]", b"}"))
     is_plain = _RULER.search(comment) is None and _FOR_TOOLS.search(comment) is None
     return bool(said) and is_plain and not is_code
+
+
+def is_commented_code(comment: bytes) -> bool:
+    """Whether a comment has a line in it that can be nothing but code."""
+    return _SURE_CODE.search(comment.lstrip(b"#").strip()) is not None
 
 
 def delete_item(text: bytes, items: Sequence[Node], item: Node) -> Splice:

@@ -43,9 +43,14 @@ SAYING = {
     "rospy.loginfo(f'{x}/robot/words')": False,
     "rospy.loginfo('{}/robot/words'.format(x))": False,
     "rospy.loginfo('x' '/robot/words')": False,
-    "# listening on /robot/words": False,
-    "'''About /robot/words.'''": False,
-    "'''/robot/words'''": False,
+    "# listening on /robot/words": True,
+    "x = 1  # from topic robot/words": True,
+    "# rospy.Publisher('/robot/words', String)": False,
+    "# in the transform /robot/words": False,
+    "# see my/robot/words, /robot/words.bag, /robot/words/more": False,
+    "'''About /robot/words.'''": True,
+    "'''/robot/words'''": True,
+    "'''\nA transform of x.\nAbout /robot/words.\n'''": True,
     "def f(topic='/robot/words'):\n    pass": False,
     "rospy.Subscriber('/robot/words', Int32)": False,
     "rospy.Publisher('/robot/words', String)": False,
@@ -80,6 +85,47 @@ def test_what_tells_a_name_tells_the_new_one(line: str) -> None:
 def test_what_tells_a_name_that_is_gone_is_told(line: str) -> None:
     told = edit(FILE.format(line), Remove(SUB, "/robot/words", AT)).diagnostics
     assert [str(each.code) for each in told][-1] == "still-named"
+
+
+# What is said of a word that may mean something else, and whether it is told.
+WORDS = {
+    "# to hear words": False,
+    "# to hear the topic words": True,
+    "# to hear 'words' topic": True,
+    "# to hear /words": True,
+    "# to hear ~words": True,
+    "rospy.init_node('words')": False,
+}
+SNAKES = {
+    "# to hear all_words": True,
+    "# to hear all_words, and\nall_words = 1": False,
+    "# to hear all_words, and\nx.all_words = 1": False,
+    "# to hear /all_words, and\nall_words = 1": True,
+}
+
+
+@pytest.mark.parametrize(
+    ("name", "line", "is_told"),
+    [("words", *each) for each in WORDS.items()]
+    + [("all_words", *each) for each in SNAKES.items()],
+)
+def test_a_comment_says_a_name_where_it_can_be_nothing_else(name, line, is_told):
+    found = edit(FILE.replace("/robot/words", name).format(line), Remove(SUB, name, AT))
+    assert [str(each.code) for each in found.diagnostics] == (
+        ["uncalled-function"] + ["still-named"] * is_told
+    )
+
+
+def test_a_comment_of_a_function_that_nothing_calls_is_not_told():
+    text = FILE.replace("    print(msg)", "    # from /robot/words\n    print(msg)").format("")
+    (found,) = edit(text, Remove(SUB, "/robot/words", AT)).diagnostics
+    assert found.code == "uncalled-function"
+
+
+def test_a_comment_that_may_speak_of_another_endpoint_is_not_told():
+    text = FILE.format("# from /robot/words\nrospy.Publisher('robot/words', String)")
+    (found,) = edit(text, Remove(SUB, "/robot/words", AT)).diagnostics
+    assert found.code == "uncalled-function"
 
 
 PLAIN = {
