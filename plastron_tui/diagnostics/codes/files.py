@@ -206,9 +206,9 @@ STILL_READ = Code(
 
 IDLE_CODE = Code(
     "idle-code",
-    "A statement takes away all that a function of a loaded file did, or all that a loop did but "
-    "to sleep. It is kept, as something calls it, or waits for its end; remove it by hand where "
-    "nothing needs that.",
+    "A statement takes away all that a function of a loaded file did, all that a loop did but to "
+    "sleep, or all that a node was made for. It is kept, as something calls it, waits for its end "
+    "or looks for the node; remove it by hand where nothing needs that.",
     severity=Severity.WARNING,
 )
 

@@ -8,9 +8,14 @@ from tree_sitter import Node
 
 from .analysis import Analysis
 from .purity import doing_part, is_pure
-from .syntax import parts_of
+from .references import identifiers, is_member, statement_of
+from .syntax import nodes_in, parts_of
 
 _CLAUSES = frozenset({"else_clause", "elif_clause", "finally_clause", "except_clause"})
+
+# What a block of a loop may be in.
+_BRANCHES = frozenset({"if_statement", "elif_clause", "else_clause", "block"})
+_LEAVING = frozenset({"break_statement", "continue_statement", "pass_statement"})
 
 
 def emptied_blocks(
@@ -32,6 +37,7 @@ def emptied_blocks(
         block = pending.pop()
         owner = block.parent
         more = found.with_block(owner) if owner is not None and found.is_empty(block) else None
+        more = more or found.idle_loop(block)
         if more is not None and not found.is_gone(more):
             found.add(more)
             if more.parent is not None:
@@ -76,6 +82,12 @@ def bare_conditions(analysis: Analysis, gone: Sequence[Node]) -> list[tuple[Node
     return listed
 
 
+def _names_in(target: Node | None) -> list[Node]:
+    ranges = [(target.start_byte, target.end_byte)] if target is not None else []
+    root = target.parent if target is not None else None
+    return [each for each in nodes_in(root, ranges) if each.type == "identifier"] if root else []
+
+
 class _Emptied:
     """What is gone, and what goes with it."""
 
@@ -115,11 +127,58 @@ class _Emptied:
                 values = [item.child_by_field_name("value") for item in items]
                 return statement if self._are_pure(values) else None
             case "for_statement":
-                over = statement.child_by_field_name("right")
-                return statement if not clauses and self._are_pure([over]) else None
+                return statement if self._may_go(statement) else None
             case "try_statement":
                 return self._of_try(statement, clauses, owner)
         return None
+
+    def idle_loop(self, block: Node) -> Node | None:
+        """Return the loop that does nothing but leave its turns, of which a block is a part."""
+        while block.parent is not None and block.parent.type in _BRANCHES:
+            block = block.parent
+        loop = block.parent
+        if loop is None or loop.type != "for_statement" or not self._may_go(loop):
+            return None
+        return loop if all(map(self._only_leaves, parts_of(block))) else None
+
+    def _only_leaves(self, statement: Node) -> bool:
+        """Whether a statement of a loop does nothing but end the turn, or the loop."""
+        if self.is_gone(statement) or statement.type in _LEAVING:
+            return True
+        if statement.type != "if_statement":
+            return False
+        clauses = [part for part in statement.named_children if part.type in _CLAUSES]
+        conditions = [each.child_by_field_name("condition") for each in (statement, *clauses)]
+        blocks = [part for each in (statement, *clauses) for part in each.named_children]
+        return self._are_pure([each for each in conditions if each is not None]) and all(
+            self._only_leaves(each)
+            for block in blocks
+            if block.type == "block"
+            for each in parts_of(block)
+        )
+
+    def _may_go(self, loop: Node) -> bool:
+        """Whether a loop has no `else`, goes over what is there, and leaves its variable unused."""
+        if any(part.type in _CLAUSES for part in loop.named_children):
+            return False
+        target, over = (loop.child_by_field_name(each) for each in ("left", "right"))
+        return self._are_pure([over]) and not any(map(self._is_used_after, _names_in(target)))
+
+    def _is_used_after(self, variable: Node) -> bool:
+        """Whether the variable of a loop is used behind it as the loop has left it."""
+        analysis, loop = self._analysis, statement_of(variable)
+        name = analysis.syntax.slice(variable)
+        holder = analysis.scopes.at(variable.start_byte).lookup(name)
+        bound = [each.node for each in holder[1]] if holder is not None else []
+        bound = [each for each in bound if each.start_byte >= loop.end_byte]
+        for node in identifiers(name, analysis):
+            if node.start_byte < loop.end_byte or is_member(node) or self.is_gone(node):
+                continue
+            if analysis.scopes.at(node.start_byte).lookup(name) != holder:
+                continue
+            if not any(each.start_byte <= node.start_byte for each in bound):
+                return True
+        return False
 
     def _of_condition(self, statement: Node, clauses: list[Node], owner: Node) -> Node | None:
         left = [each for each in clauses if not self.is_gone(each)]

@@ -10,10 +10,11 @@ from tree_sitter import Node
 from plastron_tui.diagnostics import Diagnostic, codes, listed
 from plastron_tui.model.source import Change, Remove, Update
 
-from .analysis import Analysis
+from .analysis import Analysis, NodeSite
 from .creation import line_of
 from .generated import body_of
 from .own_loop import is_sleep, statements_of
+from .references import Use, references, variable_of
 from .scopes import Scope
 from .uncalled import path_of
 
@@ -48,13 +49,32 @@ def _idle(analysis: Analysis) -> Iterator[tuple[tuple[str, ...], str]]:
         is_function = scope.kind == "function" and scope.node.type == "function_definition"
         if is_function and all(each.type == "pass_statement" for each in body_of(scope)):
             yield ("def", *path_of(scope)), f"`{scope.name}` (line {line_of(scope.node)})"
-    for loop in analysis.captures.get("while", []):
+    for node in analysis.nodes:
+        held = _holder(node)
+        if held is not None and not _is_used(analysis, held):
+            yield ("node", analysis.syntax.slice(held)), f"the node in line {line_of(held)}"
+    loops = [each for each in analysis.captures.get("loop", []) if each.type == "for_statement"]
+    for loop in (*analysis.captures.get("while", []), *loops):
         body = loop.child_by_field_name("body")
         if body is not None and all(is_sleep(analysis, each) for each in statements_of(body)):
             yield (
                 ("while", *path_of(_function(analysis, loop))),
                 f"the loop in line {line_of(loop)}",
             )
+
+
+def _holder(node: NodeSite) -> Node | None:
+    """Return the name that a call which makes a node of rclpy is assigned to."""
+    assignment = node.call.parent if node.call is not None and node.owner is None else None
+    target = assignment.child_by_field_name("left") if assignment is not None else None
+    return target if target is not None and target.type == "identifier" else None
+
+
+def _is_used(analysis: Analysis, held: Node) -> bool:
+    variable = variable_of(held, analysis)
+    return variable is None or any(
+        each.use not in (Use.BINDING, Use.NOTHING) for each in references(variable, analysis)
+    )
 
 
 def _function(analysis: Analysis, loop: Node) -> Scope:

@@ -244,9 +244,10 @@ def _makes_object(analysis: Analysis, call: Node) -> bool:
 
 
 def _creates(analysis: Analysis, statement: Node) -> bool:
-    """Whether a statement creates an endpoint, which may live as long as its variable."""
+    """Whether a statement creates an endpoint or a node, which live as long as their variable."""
     start, end = statement.start_byte, statement.end_byte
-    return any(
+    nodes = [each.call for each in analysis.nodes if each.call is not None and each.owner is None]
+    return any(start <= call.start_byte < end for call in nodes) or any(
         start <= site.call.start_byte < end and site.endpoint.kind is not EndpointKind.PARAMETER
         for site in analysis.sites
     )

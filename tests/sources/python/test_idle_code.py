@@ -28,6 +28,10 @@ CASES = {
         f"{PUB}{RATE}while not rospy.is_shutdown():\n    pub.publish('x')\n    rate.sleep()\n",
         ["nothing is left to do for the loop in line 3"],
     ),
+    "a loop over numbers": (
+        f"{PUB}{RATE}for i in range(9):\n    pub.publish('x')\n    rate.sleep()\n",
+        ["nothing is left to do for the loop in line 3"],
+    ),
     "a loop that waits for something else": (
         f"{PUB}{RATE}while wait():\n    rate.sleep()\npub.publish('x')\n",
         [],
@@ -48,3 +52,32 @@ def test_what_does_nothing_any_more_is_told(tmp_path: Path, name: str) -> None:
     assert {str(each.code) for each in outcome.found} <= {"idle-code"}
     assert [each.message for each in outcome.found] == messages
     assert all(each.span is not None for each in outcome.found)
+
+
+NODE = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+rclpy.init()
+
+
+def main():
+    node = {}
+    pub = node.create_publisher(String, 'a', 1)
+    pub.publish(String())
+    {}
+"""
+
+
+@pytest.mark.parametrize("made", ["rclpy.create_node('n')", "Node('n')"])
+@pytest.mark.parametrize(("rest", "is_told"), [("work()", True), ("rclpy.spin(node)", False)])
+def test_a_node_is_kept_as_nothing_else_keeps_it_alive(
+    tmp_path: Path, made: str, rest: str, is_told: bool
+) -> None:
+    outcome = Outcome(tmp_path, "rclpy", NODE.format(made, rest), STOP)
+    assert f"    node = {made}\n    {rest}\n" in outcome.text
+    line = 1 + outcome.text.splitlines().index(f"    node = {made}")
+    assert [each.message for each in outcome.found] == (
+        [f"nothing is left to do for the node in line {line}"] if is_told else []
+    )

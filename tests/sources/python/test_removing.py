@@ -272,6 +272,26 @@ LINES = {
     "a loop over what is made": (
         "for z in f():\n    {}b = 2\n", "for z in f():\n    pass\nb = 2\n"
     ),
+    "a loop whose turns may end": (
+        "for z in x:\n    if z > 1:\n        break\n    elif z:\n        continue\n    {}b = 2\n",
+        "b = 2\n",
+    ),
+    "a loop whose turns may end otherwise": (
+        "for z in x:\n    if z > 1:\n        {}    else:\n        continue\nb = 2\n", "b = 2\n",
+    ),
+    "a loop that something ends": (
+        "for z in x:\n    if f(z):\n        break\n    {}b = 2\n",
+        "for z in x:\n    if f(z):\n        break\nb = 2\n",
+    ),
+    "a loop that looks for something": (
+        "for z in x:\n    if z > 1:\n        break\n    {}b = z\n",
+        "for z in x:\n    if z > 1:\n        break\nb = z\n",
+    ),
+    "a loop before another one": ("for z in x:\n    {}for z in y:\n    b = z\n",
+                                  "for z in y:\n    b = z\n"),
+    "a loop that something is left of": (
+        "for z in x:\n    {}b = z\n", "for z in x:\n    pass\nb = z\n"
+    ),
     "a loop with an else": (
         "for z in x:\n    {}else:\n    b = 2\n", "for z in x:\n    pass\nelse:\n    b = 2\n"
     ),
