@@ -46,12 +46,14 @@ def unused_imports(
         The statements that go, and what takes names out of others.
     """
     removed: dict[int, tuple[Node, list[Node]]] = {}
+    others: dict[int, tuple[Node, list[Node]]] = {}
     every = ((scope, *entry) for scope in analysis.scopes.all for entry in scope.bindings.items())
     for scope, name, bindings in every:
         if len(bindings) != 1 or bindings[0].kind is not BindingKind.IMPORT:
             continue
         binding = bindings[0]
-        if not _is_removable(binding, analysis):
+        is_sure = _is_removable(binding, analysis)
+        if not is_sure and not _is_one_of_several(binding):
             continue
         uses = [
             node
@@ -66,8 +68,15 @@ def unused_imports(
         if _is_named_in_strings(name, analysis):
             continue
         item = _item(binding.node, name, analysis)
-        if item is not None:
+        if item is not None and not is_sure:
+            others.setdefault(binding.node.id, (binding.node, []))[1].append(item)
+        elif item is not None:
             removed.setdefault(binding.node.id, (binding.node, []))[1].append(item)
+    # What else a module does as it is imported is done as long as one name is left.
+    for key, (statement, items) in others.items():
+        more = removed.get(key, (statement, []))[1]
+        if len(items) + len(more) < len(statement.children_by_field_name("name")):
+            removed[key] = statement, [*more, *items]
     statements: list[Node] = []
     splices: list[Splice] = []
     for statement, items in removed.values():
@@ -92,6 +101,13 @@ def _is_removable(binding: Binding, analysis: Analysis) -> bool:
     return binding.node.type == "import_statement" and any(
         is_interface_module(analysis.syntax.slice(name)) for name in names
     )
+
+
+def _is_one_of_several(binding: Binding) -> bool:
+    """Whether a name is one that the module takes out of another one, with others."""
+    parent, names = binding.node.parent, binding.node.children_by_field_name("name")
+    is_module = parent is not None and parent.type == "module"
+    return is_module and binding.node.type == "import_from_statement" and len(names) > 1
 
 
 def _is_one_tried(block: Node) -> bool:

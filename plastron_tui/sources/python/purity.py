@@ -26,8 +26,11 @@ _PURE_FUNCTIONS = frozenset(
     | {"rospy.get_namespace", "rospy.get_caller_id", "socket.gethostname"}
     | {"rospy.get_param", "rospy.has_param", "rospy.is_shutdown", "rospy.resolve_name"}
     | {"rospy.rostime.get_rostime", "rospy.rostime.get_time", "rospy.Rate"}
-    | {"copy.copy", "copy.deepcopy", "json.dumps", "struct.pack"}
+    | {"copy.copy", "copy.deepcopy", "json.dumps", "jsonpickle.encode"}
+    | {"struct.calcsize", "struct.pack", "struct.unpack", "struct.unpack_from"}
     | {"multiprocessing.cpu_count", "os.getcwd", "os.getenv", "os.getpid"}
+    | {"rclpy.callback_groups.MutuallyExclusiveCallbackGroup"}
+    | {"rclpy.callback_groups.ReentrantCallbackGroup"}
     | {"rclpy.duration.Duration", "rclpy.qos.QoSProfile", "rclpy.time.Time", "rclpy.ok"}
     | {"cv2.cvtColor", "cv2.imencode", "cv2.resize", "cv_bridge.CvBridge"}
 )
@@ -37,11 +40,12 @@ _PURE_METHODS = frozenset(
     | {"get_parameter", "get_parameter_value", "get_name", "get_namespace"}
     | {"format", "join", "split", "strip", "lower", "upper", "replace"}
     | {"keys", "values", "items", "index", "count", "copy", "tolist", "tobytes", "astype"}
-    | {"flatten", "reshape", "cv2_to_imgmsg", "imgmsg_to_cv2"}
+    | {"flatten", "reshape", "cv2_to_imgmsg", "imgmsg_to_cv2", "GetQuaternion", "GetRPY"}
 )
 # All of these modules work out and change nothing, but for what is listed below them.
 _PURE_MODULES = (
     "base64.", "colorsys.", "datetime.", "itertools.", "math.", "numpy.", "os.path.", "platform.",
+    "ros2_numpy.", "ros_numpy.",
     "sensor_msgs.point_cloud2.", "sensor_msgs_py.point_cloud2.", "statistics.", "string.",
     "tf.transformations.", "tf_transformations.", "time.", "transforms3d.", "uuid.",
 )  # fmt: skip
@@ -58,7 +62,8 @@ _PURE_TYPES = frozenset(
     | {"list_splat", "dictionary_splat", "argument_list", "format_specifier", "type_conversion"}
     | {"comment"}
     | {"list_comprehension", "dictionary_comprehension", "set_comprehension", "if_clause"}
-    | {"generator_expression", "for_in_clause", "lambda", "lambda_parameters"}
+    | {"generator_expression", "for_in_clause", "lambda", "lambda_parameters", "pattern_list"}
+    | {"tuple_pattern"}
 )
 # A value that some of these have is only worked out at times.
 _AT_TIMES = frozenset(

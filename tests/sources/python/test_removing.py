@@ -327,7 +327,9 @@ def test_lines_around_what_is_removed(case):
     [("d.get('k')", False), ("d.get(True)", True), ("d.get()", True), ("rospy.get_name()", False),
      ("Point(*d)", True), ("numpy.max(d)", False), ("numpy.random.rand()", True),
      ("String(*d)", False), ("take()", True), ("rospy.get_param('~x', 1)", False),
-     ("[2 * each for each in d]", False),
+     ("[2 * each for each in d]", False), ("[a + b for a, b in d]", False),
+     ("[a + b for a, (b, c) in d]", False),
+     ("d.M.GetQuaternion()", False),
      ("rospy.Time.now().to_sec()", False)],
 )  # fmt: skip
 def test_what_made_a_message_is_kept_where_it_does_something_else(value, is_kept):
@@ -376,6 +378,45 @@ def test_what_only_asks_for_an_endpoint_goes_with_it(asked):
     assert edited(f"{before}{TAIL}", Remove(PUB, "t", AT)) == head + TAIL
     (found,) = edit(f"{before}    print(x)\n{TAIL}", Remove(PUB, "t", AT)).diagnostics
     assert found.code == "endpoint-in-use"
+
+
+GROUPED = """\
+import rclpy
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class A(Node):
+    def __init__(self):
+        super().__init__('a')
+        first = MutuallyExclusiveCallbackGroup()
+        self.second = ReentrantCallbackGroup(){}
+
+
+rclpy.spin(A())
+"""
+
+
+@pytest.mark.parametrize("group", ["first", "self.second"])
+def test_a_callback_group_goes_with_what_alone_is_in_it(group):
+    made = f"\n        self.create_subscription(String, 't', print, 1, callback_group={group})"
+    after = edited(GROUPED.format(made), Remove(SUB, "t", AT))
+    assert group not in after
+    assert after.count("CallbackGroup") == 2
+
+
+@pytest.mark.parametrize(
+    ("names", "used", "left"),
+    [("Kind, other", "other", "other"), ("Kind", "0", "Kind"), ("Kind, other", "0", "Kind, other")],
+)
+def test_a_name_of_another_module_goes_where_one_of_it_is_left(names, used, left):
+    before = f"from mine import {names}\n{HEAD}{MORE}x = {used}, String, Int32\n{TAIL}"
+    made = "rospy.Publisher('t', String, kind=Kind, f=other)\n"
+    if "other" not in names or used == "other":
+        made = made.replace(", f=other", "")
+    after = edited(before + made, Remove(PUB, "t", AT))
+    assert after == before.replace(names, left)
 
 
 IN_USE = {
