@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from tree_sitter import Node
 
 from .analysis import Analysis
+from .imports import is_interface_module
 from .references import function_of
 from .scopes import BindingKind, Scope
 from .syntax import holders, parts_of
@@ -147,7 +148,7 @@ def _is_pure_call(analysis: Analysis, call: Node, depth: int = 0) -> bool:
         return depth < _MOST_DEEP and _is_pure_function(analysis, function, depth + 1)
     names = resolver.qualified(callee, scope)
     if names:
-        return all(_is_known(each) for each in names)
+        return all(_is_known(each) or is_interface_module(each) for each in names)
     method = callee.child_by_field_name("attribute")
     name = analysis.syntax.slice(method) if method is not None else ""
     return name in _PURE_METHODS or (name == "get" and _is_of_mapping(call))

@@ -419,6 +419,29 @@ def test_a_name_of_another_module_goes_where_one_of_it_is_left(names, used, left
     assert after == before.replace(names, left)
 
 
+EITHER = """\
+import rclpy
+if NEW:
+    from geometry_msgs.msg import TwistStamped as Twist
+else:
+    from geometry_msgs.msg import Twist
+
+
+def send(x):
+    {}
+
+
+node = rclpy.create_node('n')
+{}rclpy.spin(node)
+"""
+
+
+def test_a_message_of_either_of_two_types_goes_with_its_publisher():
+    before = EITHER.format("m = Twist()\n    m.x = x\n    p.publish(m)",
+                           "p = node.create_publisher(Twist, 't', 1)\n")  # fmt: skip
+    assert edited(before, Remove(PUB, "t", AT)) == EITHER.format("pass", "")
+
+
 IN_USE = {
     "unregistered on the way": ("s = rospy.Subscriber('t', String)\nf(s.unregister())\n", [4]),
     "asked for listeners": ("p = rospy.Publisher('t', String)\nif p.get_num_connections():\n"
