@@ -219,6 +219,9 @@ def _over_comment(text: bytes, lines: Splice) -> int:
         line = text[previous:start].strip()
         if previous >= start or _indent(text, previous) != indent or not line.startswith(b"#"):
             break
+        # What stands below a line of code that somebody took out is a comment of its own.
+        if is_commented_code(line):
+            break
         if not _is_prose(line):
             return lines.start
         start = previous

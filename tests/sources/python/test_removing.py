@@ -307,6 +307,13 @@ LINES = {
     "a comment that is not about it": (
         "a = 1\n\n# Greet\n{}\nb = 2\n", "a = 1\n\n# Greet\n\nb = 2\n"
     ),
+    "a comment below code that is none": (
+        "a = 1\n# print(x)\n# publish x\n{}\nb = 2\n", "a = 1\n# print(x)\n\nb = 2\n"
+    ),
+    "code that is none below a comment": (
+        "a = 1\n# publish x\n# print(x)\n{}\nb = 2\n",
+        "a = 1\n# publish x\n# print(x)\n\nb = 2\n",
+    ),
     "a comment in Chinese": ("# 创建发布者\n{}b = 2\n", "b = 2\n"),
     "a comment in Chinese on something else": ("# 创建订阅者\n{}b = 2\n", "# 创建订阅者\nb = 2\n"),
     "a comment in another script": ("a = 1\n\n# 发布\n{}\nb = 2\n", "a = 1\n\nb = 2\n"),
