@@ -222,10 +222,9 @@ class _Uses:
             elif access.method != _CLEARING:
                 read.append((use.node, access))
         set_ += self._set_elsewhere()
-        values = {_value(node) for node, _ in set_ if self._is_first(node)} | _EMPTY
-        again = {
-            path for node, path in set_ if not self._is_first(node) and _value(node) not in values
-        }
+        first = {node.id for node, _ in set_ if self._is_first(node)}
+        values = {_value(node) for node, _ in set_ if node.id in first} - {None} | _EMPTY
+        again = {path for node, path in set_ if node.id not in first and _value(node) not in values}
         left = [path for path in paths if not any(path[: len(each)] == each for each in again)]
         told: dict[Scope, str] = {}
         for node, access in read:

@@ -66,6 +66,13 @@ METHODS = {
         "self.last.append(2)",
         None,
     ),
+    "one that others fill as at first": (
+        "self.last = []\nself.last.append(0)",
+        "self.last.append(1)",
+        TICK,
+        "self.last.append(2)",
+        None,
+    ),
     "one that others count": ("self.last = 0", "self.last = 3", TICK, "self.last -= 1", None),
     "one of several that are set": (
         "self.last, self.x = 0, 0",
