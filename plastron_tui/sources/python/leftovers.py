@@ -114,6 +114,9 @@ def remove_idle(analysis: Analysis, removal: Removal) -> bool:
     scopes = (analysis.scopes.at(start).enclosing("function") for start, _ in gone)
     for function in {each.node.id: each for each in scopes if each is not None}.values():
         whole = definition(function)
+        if not _is_within(whole, gone) and _is_inherited_alike(function, gone):
+            removal.statements.append(whole)
+            continue
         if _is_within(whole, gone) or not _is_emptied(function, gone):
             continue
         timers = timers_of(analysis, function)
@@ -140,6 +143,20 @@ def _is_emptied(function: Scope, gone: set[tuple[int, int]]) -> bool:
         return False
     return not _is_decorated(function) and all(
         each.type == "pass_statement" or _is_within(each, gone) for each in body_of(function)
+    )
+
+
+def _is_inherited_alike(function: Scope, gone: set[tuple[int, int]]) -> bool:
+    """Whether nothing is left of a constructor or `__del__`, and each object has one like it."""
+    owner, block = function.parent, function.node.child_by_field_name("body")
+    is_own = function.name in ("__init__", "__del__") and list(function.bindings) == ["self"]
+    if not is_own or block is None or owner is None or owner.kind != "class":
+        return False
+    is_plain = all(each.text == b"object" for each in owner.bases)
+    # A comment above the first statement is no part of the block.
+    parts = [each for each in function.node.children if each.type == "comment"] + block.children
+    return (
+        is_plain and not _is_decorated(function) and all(_is_within(each, gone) for each in parts)
     )
 
 

@@ -240,3 +240,27 @@ def test_a_condition_around_all_that_is_gone_goes():
     after = edited(HELD, Remove(PUB, "topic", AT))
     assert "is_loud" not in after
     assert "pass" not in after
+
+
+# How a class begins, what is left in the constructor, and whether that goes.
+CONSTRUCTORS = {
+    "A:\n    def __init__(self):": True,
+    "A(object):\n    def __init__(self):": True,
+    "A(Base):\n    def __init__(self):": False,
+    "A:\n    def __init__(self, x):": False,
+    "A:\n    def __init__(self):\n        # Nothing else.": False,
+    "A:\n    def __init__(self):\n        '''Make it.'''": False,
+    "A:\n    def __init__(self):\n        self.x = 1": False,
+    "A:\n    def begin(self):": False,
+}
+
+
+@pytest.mark.parametrize("head", CONSTRUCTORS)
+def test_a_constructor_goes_where_nothing_is_left_of_it(head):
+    rest = "    def work(self):\n        return 1\n\n\nA()\n"
+    made = "        rospy.Subscriber('t', String, print)\n\n"
+    after = edited(f"{HEAD}{MORE}x = String\n\n\nclass {head}\n{made}{rest}", Remove(SUB, "t", AT))
+    name = head.partition("(self")[0].rpartition(" ")[2]
+    assert (f"def {name}(" not in after) == CONSTRUCTORS[head]
+    if CONSTRUCTORS[head]:
+        assert f"class {head.partition(':')[0]}:\n{rest}" in after
