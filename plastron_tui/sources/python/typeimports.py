@@ -15,6 +15,7 @@ from .analysis import Analysis
 from .constants import without_none
 from .conventions import Conventions, leading_space
 from .import_block import Imports, member_key
+from .import_place import imports_in, is_library, module_of, place_import
 from .imports import is_interface_module
 from .references import identifiers, is_member
 from .scopes import Binding, BindingKind, Scope
@@ -217,31 +218,29 @@ class FileImports(Imports):
 
     def _has_ros(self, block: Node) -> bool:
         return any(
-            is_interface_module(module) or _is_library(module)
-            for statement in _imports_in(block)
+            is_interface_module(module) or is_library(module)
+            for statement in imports_in(block)
             if block.type == "module" or statement.end_byte <= self._offset
-            for module in [self._module_of(statement)]
+            for module in [module_of(self._analysis, statement)]
         )
 
-    def _module_of(self, statement: Node) -> str:
-        node = statement.child_by_field_name("module_name")
-        if node is None:
-            node = next(iter(statement.children_by_field_name("name")), None)
-        return self._analysis.syntax.slice(node) if node is not None else ""
-
     def _extendable(self, home: int, module: str) -> Node | None:
-        for statement in reversed(_imports_in(self._homes[home])):
+        for statement in reversed(imports_in(self._homes[home])):
             is_named = bool(statement.children_by_field_name("name"))
             is_alike = statement.type == "import_from_statement" and is_named
-            if is_alike and self._module_of(statement) == module and not statement.has_error:
+            if (
+                is_alike
+                and module_of(self._analysis, statement) == module
+                and not statement.has_error
+            ):
                 return statement
         return None
 
     def _has_line_each(self, home: int) -> bool:
         """Whether every name has an import of its own, as isort's `force_single_line` wants it."""
         count = Counter(
-            self._module_of(statement)
-            for statement in _imports_in(self._homes[home])
+            module_of(self._analysis, statement)
+            for statement in imports_in(self._homes[home])
             if len(statement.children_by_field_name("name")) == 1
             and statement.type == "import_from_statement"
         )
@@ -269,71 +268,15 @@ class FileImports(Imports):
             return Splice(last.start_byte, last.start_byte, encode(f"{item},{gap}"))
         return Splice(last.end_byte, last.end_byte, encode(f",{gap}{item}"))
 
-    def _sorted_place(self, imports: list[Node], module: str, *, is_from: bool) -> int | None:
-        """Return where an import sorts among those of ROS, None where these do not sort."""
-        text = self._analysis.syntax.text
-        groups = _groups(imports)
-        for is_wanted in (is_interface_module, _is_library):
-            for group in reversed(groups):
-                modules = [self._module_of(node).lower() for node in group]
-                if len(group) < 2 or not any(map(is_wanted, modules)):
-                    continue
-                kinds = [node.type == "import_from_statement" for node in group]
-                for new, keys in (
-                    ((is_from, module.lower()), list(zip(kinds, modules, strict=True))),
-                    ((False, module.lower()), [(False, each) for each in modules]),
-                ):
-                    if keys == sorted(keys):
-                        place = sum(key <= new for key in keys)
-                        end = line_end(text, group[place - 1].end_byte)
-                        if place and (end == len(text) or text[end - 1 : end] != b"\n"):
-                            return None
-                        return end if place else line_start(text, group[0].start_byte)
-        return None
-
     def _line(self, home: int, module: str, line: str) -> Splice:
-        """Place a new import: among those of interface types, or behind the last import."""
-        imports = _imports_in(self._homes[home])
+        """Place a new import: in the group of its like, or at the top of the file."""
+        imports = imports_in(self._homes[home])
+        newline = self._conventions.newline
         if imports:
             line = leading_space(self._analysis, imports[-1]) + line
-        text = self._analysis.syntax.text
-        newline = self._conventions.newline
-        encode = self._analysis.syntax.encode
-        is_from = line.lstrip().startswith("from")
-        if (at := self._sorted_place(imports, module, is_from=is_from)) is not None:
-            return Splice(at, at, encode(line + newline))
-        alike = [node for node in imports if is_interface_module(self._module_of(node))]
-        modules = [self._module_of(node) for node in alike]
-        if is_interface_module(module) and alike and modules == sorted(modules):
-            before = [node for node in alike if self._module_of(node) <= module]
-            if not before:
-                at = line_start(text, alike[0].start_byte)
-                return Splice(at, at, encode(line + newline))
-            alike = before
-        if alike and not is_interface_module(module):
-            at = line_start(text, imports[0].start_byte)
-            return Splice(at, at, encode(line + newline))
-        anchor = alike[-1] if alike else self._last_import(imports)
-        if anchor is None:
-            at = self._after_docstring()
-            return Splice(at, at, encode(line + newline))
-        at = line_end(text, anchor.end_byte)
-        if at == len(text) and not text.endswith(b"\n"):
-            return Splice(at, at, encode(newline + line))
-        return Splice(at, at, encode(line + newline))
-
-    def _last_import(self, imports: list[Node]) -> Node | None:
-        """Return the last import before the first definition, that of the library at least."""
-        definition = next(
-            (
-                child.start_byte
-                for child in self._analysis.syntax.root.named_children
-                if child.type.endswith("_definition")
-            ),
-            len(self._analysis.syntax.text),
-        )
-        early = [node for node in imports if node.start_byte < definition]
-        return early[-1] if early else (imports[-1] if imports else None)
+            return place_import(self._analysis, imports, module, line, newline)
+        at = self._after_docstring()
+        return Splice(at, at, self._analysis.syntax.encode(line + newline))
 
     def _after_docstring(self) -> int:
         text = self._analysis.syntax.text
@@ -358,30 +301,6 @@ def _is_for_types_only(node: Node) -> bool:
         parent = parent.parent
     condition = parent.child_by_field_name("condition") if parent is not None else None
     return condition is not None and (condition.text or b"").endswith(b"TYPE_CHECKING")
-
-
-def _imports_in(block: Node) -> list[Node]:
-    """Return the import statements of a block."""
-    return [
-        child
-        for child in block.named_children
-        if child.type in ("import_statement", "import_from_statement")
-    ]
-
-
-def _groups(imports: list[Node]) -> list[list[Node]]:
-    """Return the imports that stand together, with no blank line or comment between."""
-    groups: list[list[Node]] = []
-    for node in imports:
-        if groups and groups[-1][-1].end_point.row + 1 == node.start_point.row:
-            groups[-1].append(node)
-        else:
-            groups.append([node])
-    return groups
-
-
-def _is_library(module: str) -> bool:
-    return module.partition(".")[0] in ("rospy", "rclpy")
 
 
 def _import_item(symbol: tuple[str, str]) -> str:

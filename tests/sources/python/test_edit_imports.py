@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 from edits import AT, CLI, SUB, edited, publish, subscribe
 
@@ -185,3 +187,65 @@ def test_an_import_goes_where_it_sorts(order: str) -> None:
     main = "def hear(message):\n    pass\n\n\nrospy.init_node('n')\nrospy.spin()\n"
     text = edited(f"{before}\n{main}", subscribe("text", callback="hear"))
     assert text.startswith(f"{after}\n")
+
+
+# Where `from std_msgs.msg import String` goes: at the `>`; Twist at the `<`.
+GROUPS = {
+    "among the messages, not in the library's group above": (
+        "# ROS\nimport rospy\nimport tf\n\n# Messages\nfrom nav_msgs.msg import Path\n"
+        "from geometry_msgs.msg import Twist\n>\n# Mine\nfrom rover_msgs.msg import Wheel\n"
+    ),
+    "among those that come with ROS, of one group below another": (
+        "import rospy\n\nfrom nav_msgs.msg import Path\n>\nfrom rover_msgs.msg import Arm, Wheel\n"
+        "from rover_msgs.srv import Stop\n"
+    ),
+    "with its package, among those of one kind": (
+        "import rospy\nfrom geometry_msgs.msg import Twist\nfrom nav_msgs.msg import Path\n\n"
+        "from std_srvs.srv import Empty\n\nfrom std_msgs.msg import Bool\n"
+        "from std_msgs.msg import Int8\n>"
+    ),
+    "with messages, not with services": (
+        "import rospy\n\n# Services\nfrom std_srvs.srv import Empty\n"
+        "from nav_msgs.srv import GetPlan\n\n# Messages\nfrom nav_msgs.msg import Path\n>"
+    ),
+    "beside the library alone, not with what is of nobody": (
+        "import os\n\nimport rospy\n>\nimport numpy as np\nfrom rover import wheels\n"
+    ),
+    "beside the library, in no order": (
+        "import sys\nimport os\nimport rospy\n>\nimport numpy as np\nimport cv2\n"
+    ),
+    "in a group of its own, where each package has one": (
+        "import math\n\nfrom nav_msgs.msg import Path\n\nimport rclpy\n"
+        "from rclpy.node import Node\n>\nfrom tf2_msgs.msg import TFMessage\n"
+    ),
+    "in a group of its own, behind the library": (
+        "from nav_msgs.msg import Path\n\nimport rclpy\nfrom rclpy.node import Node\n>"
+    ),
+    "in a group of its own, before all": (
+        "import math\n\n<import rclpy\n\nfrom std_msgs.msg import String\n"
+    ),
+    "in the group behind the library": (
+        "import rclpy\nfrom rclpy.node import Node\n\nfrom nav_msgs.msg import Path\n>"
+    ),
+    "in the group behind the library, before another": (
+        "from geometry_msgs.msg import Twist\nfrom nav_msgs.msg import Path\n\nimport rclpy\n\n"
+        ">from tf2_msgs.msg import TFMessage\nfrom turtle_msgs.msg import Pose\n"
+    ),
+    "not behind what a file imports late": (
+        "import rospy\nimport numpy\n>\n\ndef sub():\n    pass\n\n\nfrom nav_msgs.msg import Path\n"
+    ),
+}
+
+
+@pytest.mark.parametrize("groups", GROUPS)
+def test_an_import_goes_to_its_group(groups: str) -> None:
+    before, mark, after = re.split("([<>])", GROUPS[groups])
+    package, name = ("std_msgs", "String") if mark == ">" else ("geometry_msgs", "Twist")
+    own = f"from {package}.msg import {name}\n"
+    if "of its own" in groups:
+        own = own + "\n" if before.endswith("\n\n") else "\n" + own
+    main = "\n\ndef hear(message):\n    pass\n\n\nrospy.init_node('n')\nrospy.spin()\n"
+    if "rclpy" in GROUPS[groups]:
+        main = main.replace("rospy.init_node", "node = rclpy.create_node")
+    text = edited(before + after + main, subscribe("text", f"{package}/{name}", "hear"))
+    assert text.startswith(before + own + after + "\n\ndef")
