@@ -102,7 +102,8 @@ def _place_across(
     parts = [(group, [module_of(analysis, node) for node in group]) for group in groups]
     parts = [part for part in parts if not all(map(_is_standard, part[1]))]
     flat = [each.lower() for _, modules in parts for each in modules]
-    if len(parts) < 2 or "rclpy" not in flat or flat != sorted(flat):
+    has_rclpy = "rclpy" in map(_package, flat)
+    if len(parts) < 2 or not has_rclpy or flat != sorted(flat):
         return None
     is_parted = _are_parted_by_blank_lines(analysis, [group for group, _ in parts])
     has_library_apart = all(

@@ -175,7 +175,11 @@ def _behind_node(analysis: Analysis, node: NodeSite) -> Place | None:
             if not receiver:
                 return None
         climbed = climb(statement) if receiver else _started(analysis, statement)
-        return place_at(analysis, climbed, scope, receiver, None) if climbed is not None else None
+        if climbed is None:
+            return None
+        if scope.self_name:
+            climbed = _behind_bases(analysis, climbed)
+        return place_at(analysis, climbed, scope, receiver, None)
     for call in analysis.captures.get("call", []):
         # A node class without a constructor: the variable that holds its instance.
         callee = call.child_by_field_name("function")
@@ -186,6 +190,18 @@ def _behind_node(analysis: Analysis, node: NodeSite) -> Place | None:
                 scope = analysis.scopes.at(call.start_byte)
                 return place_at(analysis, climbed, scope, receiver, None)
     return None
+
+
+def _behind_bases(analysis: Analysis, statement: Node) -> Node:
+    """Return the last statement of a block that sets up a base class, or the one given."""
+    found, current = statement, statement.next_named_sibling
+    while current is not None and current.type not in LAST and not stays(current):
+        called = next(iter(current.named_children), None)
+        is_call = current.type == "expression_statement" and called is not None
+        if is_call and analysis.syntax.called_name(called) == "__init__":
+            found = current
+        current = current.next_named_sibling
+    return found
 
 
 def _started(analysis: Analysis, statement: Node) -> Node | None:

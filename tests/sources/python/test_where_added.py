@@ -148,7 +148,26 @@ MADE_FOR_EACH = (
     "        self.pub = rospy.Publisher(name, String, queue_size=1)\n\n\n"
     "rospy.init_node('legs')\nlegs = [Leg(name) for name in ('a', 'b')]\nrospy.spin()\n"
 )
+TWO_BASES = (
+    f"{RCLPY}class Arm(Node, Base):\n    def __init__(self):\n        Node.__init__(self, 'arm')\n"
+    "        self.n = 1\n        Base.__init__(self)\n        self.m = 1\n\n\n"
+    "rclpy.init()\nrclpy.spin(Arm())\n"
+)
+TWO_BASES_ROSPY = (
+    f"{ROSPY}class Arm(Base):\n    def __init__(self):\n        rospy.init_node('arm')\n"
+    "        super().__init__()\n        self.m = 1\n\n\nArm()\nrospy.spin()\n"
+)
 PLACES = {
+    "behind what sets up the last base class": (
+        TWO_BASES,
+        publish("out"),
+        "Base.__init__(self)\n        self.out_pub = self.create_publisher(String, 'out', 10)\n",
+    ),
+    "behind the node and what sets up the base class": (
+        TWO_BASES_ROSPY,
+        publish("out"),
+        "__init__()\n        self.out_pub = rospy.Publisher('out', String, queue_size=10)\n",
+    ),
     "where an object is made that subscribes when asked": (
         WHEN_ASKED,
         publish("out"),
@@ -312,44 +331,6 @@ def test_nothing_is_created_at_every_call(case, change):
     (found,) = edit(NO_PLACES[case], change).diagnostics
     assert found.code == "edit-refused"
     assert "once, as it starts" in found.message
-
-
-@pytest.mark.parametrize("blank", range(4))
-def test_two_blank_lines_are_around_a_function_that_is_written(blank):
-    head = "import rospy\nfrom std_msgs.msg import String\n" + "\n" * blank
-    main = "if __name__ == '__main__':\n    rospy.init_node('n')\n    rospy.spin()\n"
-    text = edited(f"{head}{main}", subscribe("text"))
-    written, _, _ = text.partition("if __name__")
-    before, _, _ = written.partition("def ")
-    assert written.endswith(")\n\n\n")
-    assert before.endswith("String\n" + "\n" * max(blank, 2))
-
-
-SCRIPT = "import rospy\nfrom std_msgs.msg import String\n{0}if __name__ == '__main__':\n{1}"
-RUN = "    rospy.init_node('n')\n"
-
-
-def test_a_function_stands_behind_the_constants():
-    text = edited(SCRIPT.format("\nSPEED = 5\n\n", RUN + "    rospy.spin()\n"), subscribe("text"))
-    assert "SPEED = 5\n\n\ndef on_text" in text
-
-
-def test_a_function_stands_behind_the_imports():
-    load = (
-        "import roslib\nroslib.load_manifest('a')\nimport rospy\nfrom std_msgs.msg import String\n"
-    )
-    text = edited(f"{load}rospy.init_node('n')\nrospy.spin()\n", subscribe("text"))
-    assert text.startswith(f"{load}\n\ndef on_text")
-
-
-def test_a_method_stands_behind_what_tells_the_end_of_another():
-    text = edited(
-        "import rospy\nfrom std_msgs.msg import String\n\n\nclass A:\n    def __init__(self):\n"
-        "        rospy.init_node('a')\n        rospy.Subscriber('a', String, self.on_a)\n\n"
-        "    def on_a(self, data):\n        print(data)\n    # end def\n    # other things\n",
-        subscribe("b"),
-    )
-    assert "    # end def\n\n    def on_b(self, data):\n        rospy.loginfo" in text
 
 
 @pytest.mark.parametrize(
