@@ -43,6 +43,7 @@ _STRING = re.compile(
     rb"""#[^\n]*|\"{3}[\s\S]*?\"{3}|'{3}[\s\S]*?'{3}"""
     rb"""|(?P<quote>["'])(?:(?!(?P=quote))[^\\\n]|\\.)*(?P=quote)"""
 )
+_BLOCK = re.compile(rb"^([ \t]*)[^\s#][^\n]*:[ \t]*\r?\n\1([ \t]+)[^\s#]", re.M)
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,8 +114,13 @@ def _indent(analysis: Analysis) -> str:
             found[inner[len(outer) :]] += 1
     if found:
         return found.most_common(1)[0][0]
-    first = re.search(rb"^([ \t]+)\S", analysis.syntax.text, re.M)
-    return first[1].decode() if first is not None else "    "
+    return block_indent(analysis.syntax.text)
+
+
+def block_indent(text: bytes) -> str:
+    """Return one level of indent, as most blocks of a text have it."""
+    found = Counter(each[2] for each in _BLOCK.finditer(text))
+    return found.most_common(1)[0][0].decode() if found else "    "
 
 
 def leading_space(analysis: Analysis, node: Node) -> str:

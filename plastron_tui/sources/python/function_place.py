@@ -19,6 +19,7 @@ from .splices import before_comments, line_end, line_start
 from .syntax import parts_of
 
 _RULER = re.compile(r"#+ ?([-=*~_#+])\1{7,}#?")
+_WITH_BLOCK = ("block", "_clause")
 _TELLS_END = re.compile(rb"#+ *end\b", re.I)
 
 
@@ -46,8 +47,10 @@ def method_place(analysis: Analysis, place: Place, near: Iterable[Scope]) -> Fun
     text = analysis.syntax.text
     node = definition(behind)
     indent = leading_space(analysis, node)
-    offset = _end_with_comments(text, line_end(text, node.end_byte), indent)
-    return FunctionPlace(offset, indent, _method_gap(node), 0, _ruler(analysis, node))
+    offset = _end_with_comments(text, line_end(text, _end_of_code(node)), indent)
+    gap = _method_gap(node)
+    after = _missing_after(text, offset, min(gap, 1))
+    return FunctionPlace(offset, indent, gap, after, _ruler(analysis, node))
 
 
 def _ruler(analysis: Analysis, node: Node) -> str:
@@ -74,6 +77,16 @@ def _method_gap(node: Node) -> int:
     return max(max(gaps, key=lambda gap: (gaps[gap], gap)), 0) if gaps else 1
 
 
+def _end_of_code(node: Node) -> int:
+    """Return where the last statement of a definition ends, comments below it left out."""
+    inner = parts_of(node)
+    while node.type in ("block", "decorated_definition") or inner[-1].type.endswith(_WITH_BLOCK):
+        node, inner = inner[-1], parts_of(inner[-1])
+        if not inner:
+            break
+    return node.end_byte
+
+
 def _end_with_comments(text: bytes, offset: int, indent: str) -> int:
     """Step over comments that are of a definition: they stand deeper, or tell its end."""
     at = found = offset
@@ -86,9 +99,11 @@ def _end_with_comments(text: bytes, offset: int, indent: str) -> int:
             continue
         if stripped and not (stripped.startswith(b"#") and len(line) - len(stripped) > len(indent)):
             break
-        if stripped:
-            found = end
         at = end
+        # A comment right above the next definition is of this one.
+        is_of_next = text[found:at].startswith((b"\n", b"\r")) and text[at : at + 1] not in b"\r\n"
+        if stripped and not is_of_next:
+            found = end
     return found
 
 
@@ -117,7 +132,7 @@ def function_place(
         at = before_comments(text, line_start(text, top.start_byte))
         is_first = not text[:at].strip()
         return FunctionPlace(at, "", 0 if is_first else _missing_before(text, at, gap), gap)
-    at = _end_with_comments(text, line_end(text, behind.end_byte), "")
+    at = _end_with_comments(text, line_end(text, _end_of_code(behind)), "")
     return FunctionPlace(at, "", gap, _missing_after(text, at, gap))
 
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from dataclasses import replace
 from difflib import SequenceMatcher
 
 from tree_sitter import Node
 
+from .conventions import block_indent
 from .layout import Brackets, fit
 from .line_limit import LineLimit
 from .references import statement_of
@@ -27,8 +27,6 @@ _MOST_CALLS = 200
 _MOST_LINES = 200
 _MOST_LETTERS = 200
 _ALIKE = 0.8
-
-_BLOCK = re.compile(rb"^([ \t]*)[^\s#][^\n]*:[ \t]*\r?\n\1([ \t]+)[^\s#]", re.M)
 
 
 def wrap_new_lines(before: bytes, syntax: Syntax, limit: LineLimit) -> bytes:
@@ -124,7 +122,7 @@ def _brackets(syntax: Syntax, statement: Node, broken: Broken, limit: int) -> Br
     alike = [each for each in calls if name and syntax.called_name(each.parent) == name]
     own = broken["parameters"] if is_head else alike
     models = own or calls
-    indent = _indent(syntax)
+    indent = block_indent(syntax.text)
     found = Counter(_manner(syntax, each, limit, indent) for each in models[-_MOST_CALLS:])
     usual = Brackets(limit, indent, splits_strings=False)
     style = found.most_common(1)[0][0] if found else usual
@@ -181,9 +179,3 @@ def _is_broken(arguments: Node) -> bool:
     items = parts_of(arguments)
     rows = {arguments.start_point.row, *(item.start_point.row for item in items)}
     return bool(items) and len(rows) > 1
-
-
-def _indent(syntax: Syntax) -> str:
-    """Return one level of indent, as most blocks of a file have it."""
-    found = Counter(each[2] for each in _BLOCK.finditer(syntax.text))
-    return found.most_common(1)[0][0].decode() if found else "    "
