@@ -76,7 +76,8 @@ def plan_addition(
     present = [
         site for site in node.sites if site.endpoint.kind is kind and site.endpoint.name == name
     ]
-    place = find_place(node, kind)
+    is_calling = isinstance(endpoint, Client) and is_sending(endpoint)
+    place = find_place(node, kind, needs_function=is_calling)
     if place is None:
         message = f"the file has no line behind which it could create `{name}` once, as it starts"
         remedy = "add it to the file that makes the node"

@@ -29,11 +29,20 @@ KINDS = (
 )
 
 
-def find_place(analysis: Analysis, kind: EndpointKind) -> Place | None:
-    """Return where an endpoint of a kind goes, None where the file makes no node."""
+def find_place(
+    analysis: Analysis, kind: EndpointKind, *, needs_function: bool = False
+) -> Place | None:
+    """Return where an endpoint of a kind goes, None where the file makes no node.
+
+    Args:
+        analysis: what is known of the node.
+        kind: the kind of the endpoint.
+        needs_function: whether a function comes with it, which is rather a class's method than
+            one in another function.
+    """
     callbacks = _callbacks(analysis)
     starting, waits = Starting(analysis), Waits(analysis)
-    last: dict[tuple[bool, bool, When], Place] = {}
+    last: dict[tuple[bool, bool, bool, When], Place] = {}
     has_class = any(node.owner and _behind_node(analysis, node) for node in analysis.nodes)
     for site in reversed(analysis.sites):
         if site.endpoint.kind not in KINDS or not _is_setup(analysis, site, callbacks):
@@ -42,12 +51,14 @@ def find_place(analysis: Analysis, kind: EndpointKind) -> Place | None:
             continue
         if (place := beside(analysis, site)) is not None:
             is_other = site.endpoint.kind is not kind
-            rank = (is_other and waits.is_behind(place), is_other, starting.when(site))
+            is_nested = needs_function and not place.owner and place.scope.parent is not None
+            is_behind = is_other and waits.is_behind(place)
+            rank = (is_nested, is_behind, is_other, starting.when(site))
             last.setdefault(rank, place)
-    ready = [rank for rank in last if rank[2] <= When.SETTING_UP]
+    ready = [rank for rank in last if rank[3] <= When.SETTING_UP]
     if ready:
         return _once_named(analysis, last[min(ready)])
-    later = sorted(last, key=lambda rank: (rank[2], rank[0], rank[1]))
+    later = sorted(last, key=lambda rank: (rank[3], *rank[:3]))
     for rank in later:
         made = _in_constructor(analysis, last[rank], starting)
         if made is not None:
@@ -56,7 +67,7 @@ def find_place(analysis: Analysis, kind: EndpointKind) -> Place | None:
         behind = _behind_node(analysis, node)
         if behind is not None:
             return behind
-    return last[later[0]] if later and later[0][2] < When.ON_DEMAND else None
+    return last[later[0]] if later and later[0][3] < When.ON_DEMAND else None
 
 
 def _in_constructor(analysis: Analysis, place: Place, starting: Starting) -> Place | None:

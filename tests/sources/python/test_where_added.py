@@ -157,7 +157,19 @@ TWO_BASES_ROSPY = (
     f"{ROSPY}class Arm(Base):\n    def __init__(self):\n        rospy.init_node('arm')\n"
     "        super().__init__()\n        self.m = 1\n\n\nArm()\nrospy.spin()\n"
 )
+MAIN_ASKS = (
+    f"{ROSPY}class Arm:\n    def __init__(self):\n        # Topics & Subscriptions\n"
+    "        self.pub = rospy.Publisher('at', String, queue_size=1)\n\n\n"
+    "def main():\n    rospy.init_node('arm')\n    Arm()\n"
+    "    home = rospy.ServiceProxy('home', Trigger)\n    home()\n    rospy.spin()\n\n\nmain()\n"
+)
 PLACES = {
+    "a client that is called, in the class rather than in another function": (
+        MAIN_ASKS,
+        request("ask", "std_srvs/Trigger"),
+        "\n        self.ask_client = rospy.ServiceProxy('ask', Trigger)\n"
+        "        rospy.Timer(rospy.Duration(0.1), self.call_ask, oneshot=True)\n\n    def call_ask",
+    ),
     "behind what sets up the last base class": (
         TWO_BASES,
         publish("out"),
