@@ -29,11 +29,11 @@ from .conventions import (
 from .dialect import Dialect
 from .existing_callbacks import check_parameters, existing_callback
 from .function_place import FunctionPlace, function_place, method_place
-from .insertion_point import find_place, running_place
+from .insertion_point import find_place, once_named, running_place
 from .lifecycle import destroy_created, is_transition
 from .messages import CannotAddError
 from .new_call import CLASSES, METHODS, arguments_of, callee_of
-from .place import beside
+from .place import Place, beside
 from .removal import callback_scope
 from .scopes import Scope
 from .sending import add_calls, add_publishing, keep_running
@@ -91,7 +91,7 @@ def plan_addition(
     writer = added.writer
     lines: list[str] = []
     if present:
-        _use_present(added, present)
+        _use_present(added, node, present)
     else:
         lines = _create(added)
         if (note := shared_name(added)) is not None:
@@ -143,18 +143,26 @@ def _check_methods(added: Addition) -> None:
         raise CannotAddError(codes.EDIT_REFUSED, message, added.endpoint.span, remedy)
 
 
-def _use_present(added: Addition, present: list[Site]) -> None:
-    """Send through an endpoint that the file has."""
+def _use_present(added: Addition, node: Analysis, present: list[Site]) -> None:
+    """Send through an endpoint that the file has: behind the last of its like, or behind it."""
     for site in present:
         place = beside(added.analysis, site)
         variable = target_name(added.analysis, site)
         if place is not None and variable is not None:
-            added.place = place
+            if not _is_further_down(added.place, place):
+                added.place = running_place(node, once_named(node, place))
             added.variable = variable
             return
     lines = ", ".join(str(site.endpoint.line) for site in present)
     message = f"no variable of the file holds `{added.name}`, created in line {lines}"
     raise CannotAddError(codes.EDIT_REFUSED, message, added.endpoint.span)
+
+
+def _is_further_down(place: Place, other: Place) -> bool:
+    """Whether a place is in the same block as another one, and behind it."""
+    block, above = place.statement.parent, other.statement.parent
+    is_same = block is not None and above is not None and block.id == above.id
+    return is_same and place.offset > other.offset
 
 
 def _create(added: Addition) -> list[str]:

@@ -57,7 +57,7 @@ def find_place(
             last.setdefault(rank, place)
     ready = [rank for rank in last if rank[3] <= When.SETTING_UP]
     if ready:
-        return _once_named(analysis, last[min(ready)])
+        return once_named(analysis, last[min(ready)])
     later = sorted(last, key=lambda rank: (rank[3], *rank[:3]))
     for rank in later:
         made = _in_constructor(analysis, last[rank], starting)
@@ -108,7 +108,7 @@ def _is_set_in(made: Scope, name: str) -> bool:
     return any(each.scope is made for each in found)
 
 
-def _once_named(analysis: Analysis, place: Place) -> Place:
+def once_named(analysis: Analysis, place: Place) -> Place:
     """Return a place behind `init_node`: before it, rospy starts no timer and no service."""
     if analysis.library.node_classes:
         return place

@@ -163,7 +163,26 @@ MAIN_ASKS = (
     "def main():\n    rospy.init_node('arm')\n    Arm()\n"
     "    home = rospy.ServiceProxy('home', Trigger)\n    home()\n    rospy.spin()\n\n\nmain()\n"
 )
+EARLY = (
+    f"{ROSPY}def main():\n    pub = rospy.Publisher('at', String, queue_size=1)\n"
+    "    rospy.init_node('arm')\n    rospy.spin()\n\n\nmain()\n"
+)
+AMONG_OTHERS = (
+    f"{RCLPY}class Arm(Node):\n    def __init__(self):\n        super().__init__('arm')\n"
+    "        self.at = self.create_publisher(String, 'at', 10)\n"
+    "        self.to = self.create_publisher(String, 'to', 10)\n        self.n = 1\n"
+)
 PLACES = {
+    "what sends through a publisher that is made before the node, behind the node": (
+        EARLY,
+        publish("at", rate=2.0, data="x"),
+        "    rospy.init_node('arm')\n\n    def publish_at(event):\n",
+    ),
+    "what sends through one of several publishers, behind them": (
+        AMONG_OTHERS,
+        publish("at", rate=2.0, data="x"),
+        "'to', 10)\n        self.create_timer(0.5, self.publish_at)\n",
+    ),
     "a client that is called, in the class rather than in another function": (
         MAIN_ASKS,
         request("ask", "std_srvs/Trigger"),
