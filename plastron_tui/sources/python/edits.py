@@ -22,6 +22,7 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceName
 
 from .adding import plan_addition
+from .aligning import realigned
 from .analysis import Analysis, Site
 from .base_classes import inherited
 from .creation import Removal
@@ -159,9 +160,8 @@ class Edits:
             self.expected.subtract([(label, key_of(site.endpoint))])
             self.expected[label, (kind, name, type_, callback)] += 1
         self._read(before.syntax.text)
-        self.analysis = analyze(
-            apply(before.syntax.text, renaming.splices), before.library, before.package
-        )
+        splices = realigned(before.syntax, renaming.splices)
+        self.analysis = analyze_again(before, apply(before.syntax.text, splices))
 
     def _remove(self, change: Remove) -> None:
         sites = find_sites(part_of(self.analysis, change.node), change)
@@ -274,7 +274,7 @@ class Edits:
             (labels.get(site, ""), key_of(site.endpoint)) for site in update.lost
         )
         self.expected.update((label, key) for key in update.added.writer.endpoints)
-        text = apply(before.syntax.text, update.all_splices())
+        text = apply(before.syntax.text, realigned(before.syntax, update.all_splices()))
         self._read(text)
         after = analyze(text, before.library, before.package)
         imports, names = unused_imports(after, [], update.freed())
