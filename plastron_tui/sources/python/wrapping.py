@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterable
 from dataclasses import replace
 from difflib import SequenceMatcher
 
@@ -37,7 +38,7 @@ def wrap_new_lines(before: bytes, syntax: Syntax, limit: LineLimit) -> bytes:
         syntax: the text now.
         limit: how long a line may be.
     """
-    known, after = {line.rstrip() for line in before.splitlines()}, syntax.text
+    known, after = Counter(line.rstrip() for line in before.splitlines()), syntax.text
     splices: list[Splice] = []
     gone: list[str] | None = None
     broken: Broken | None = None
@@ -49,14 +50,14 @@ def wrap_new_lines(before: bytes, syntax: Syntax, limit: LineLimit) -> bytes:
         if len(text) <= limit.length or written in known or limit.allows(text):
             continue
         if gone is None:
-            gone = _long_lines(known - {each.rstrip() for each in after.splitlines()}, limit)
+            gone = _long_lines(known - Counter(map(bytes.rstrip, after.splitlines())), limit)
         if not any(limit.allows_instead(text, each) and _is_like(text, each) for each in gone):
             broken = broken or _broken(syntax)
             splices += _wrap(syntax, start, start + len(written), broken, limit.length)
     return apply(after, splices) if splices else after
 
 
-def _long_lines(lines: set[bytes], limit: LineLimit) -> list[str]:
+def _long_lines(lines: Iterable[bytes], limit: LineLimit) -> list[str]:
     decoded = (line.decode("utf-8", "replace") for line in lines)
     return [line for line in decoded if len(line) > limit.length - limit.slack][:_MOST_LINES]
 
@@ -79,7 +80,10 @@ def _wrap(syntax: Syntax, start: int, end: int, broken: Broken, limit: int) -> l
         head, _, names = text.partition(" import ")
         text = f"{head} import ({names})"
     if statement.start_byte == first:
-        fitted = fit(text, _brackets(syntax, statement, broken, limit))
+        style = _brackets(syntax, statement, broken, limit)
+        if first > start and "\t" not in text:
+            style = replace(style, indent=style.indent.replace("\t", " " * 4))
+        fitted = fit(text, style)
         if fitted != text:
             return [Splice(start, end, syntax.encode(fitted.replace("\n", newline)))]
     return _break_before_last(syntax, start, end, newline)

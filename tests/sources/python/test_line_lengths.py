@@ -263,3 +263,17 @@ def test_a_call_is_broken_as_those_of_the_same_name():
     after = f"{above}f({'a' * 60}, 2, 3)\n"
     wrapped = wrap_new_lines(above.encode(), parse(after.encode()), LineLimit(60)).decode()
     assert wrapped == f"{above}f(\n    {'a' * 60},\n    2,\n    3,\n)\n"
+
+
+def test_a_long_line_that_a_file_has_twice_may_be_as_long_when_one_changes():
+    call = "    f('" + "a" * 60 + "', {})\n"
+    before, after = call.format("Bool") * 2, call.format("Bool") + call.format("Byte")
+    assert wrap_new_lines(before.encode(), parse(after.encode()), LineLimit(60)) == after.encode()
+
+
+def test_no_tab_stands_behind_spaces():
+    above = "if a:\n\tb()\nif c:\n    "
+    wrapped = wrap_new_lines(
+        above.encode(), parse(f"{above}f_of_a_name('{'a' * 40}', 1)\n".encode()), LineLimit(60)
+    ).decode()
+    assert wrapped == f"{above}f_of_a_name(\n        '{'a' * 40}', 1\n    )\n"
