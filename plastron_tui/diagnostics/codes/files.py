@@ -222,9 +222,9 @@ WRITTEN_ANEW = Code(
 
 SHARED_NAME = Code(
     "shared-name",
-    "An endpoint is added to a class of a loaded file whose objects are told what to call their "
-    "other endpoints. Where there are several objects, each creates it by the same name; rospy "
-    "takes no second service of a name.",
+    "An endpoint is added to a class of a loaded file whose objects are told a name or a namespace "
+    "of their own, or what to call their other endpoints. Where there are several objects, each "
+    "creates it by the same name; rospy takes no second service of a name.",
     severity=Severity.WARNING,
 )
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from tree_sitter import Node
 
 from plastron_tui.diagnostics import Diagnostic, codes
@@ -9,6 +11,10 @@ from plastron_tui.diagnostics import Diagnostic, codes
 from .addition import Addition
 from .analysis import Analysis, Site
 from .scopes import BindingKind, Scope
+
+# Parameters that tell one object of a class from another, as ROS has them in its graph.
+_NAMESPACE = re.compile(r"(\w+_)?(ns|namespace)")
+_TELLING = re.compile(r"(\w+_)?(ns|namespace)|(robot_|topic_)?(name|prefix)")
 
 
 def shared_name(added: Addition) -> Diagnostic | None:
@@ -19,20 +25,44 @@ def shared_name(added: Addition) -> Diagnostic | None:
     """
     place, analysis = added.place, added.analysis
     owner = place.owner
+    if owner is None:
+        return None
     is_node = any(
         node.owner is owner or (node.scope.enclosing("function") is place.scope)
         for node in analysis.nodes
     )
-    if owner is None or is_node:
-        return None
-    for site in analysis.sites:
+    telling = _telling(analysis, added, owner, is_node=is_node)
+    for site in () if is_node else analysis.sites:
         function = site.scope.enclosing("function")
         if function is place.scope and _has_parameter(analysis, site, function):
-            message = f"each object of `{owner.name}` creates `{added.name}`, while line "
-            message += f"{site.endpoint.line} gives each a name of its own"
-            help_ = "add it to what makes the objects, if there are several"
-            return Diagnostic(codes.SHARED_NAME, message, added.endpoint.span, help=help_)
-    return None
+            telling = f"line {site.endpoint.line}"
+            break
+    if not telling:
+        return None
+    message = f"each object of `{owner.name}` creates `{added.name}`, while {telling} gives each"
+    message += " a name of its own"
+    help_ = "add it to what makes the objects, if there are several"
+    return Diagnostic(codes.SHARED_NAME, message, added.endpoint.span, help=help_)
+
+
+def _telling(analysis: Analysis, added: Addition, owner: Scope, *, is_node: bool) -> str:
+    """Return the parameter of a constructor that tells apart what other files make of a class.
+
+    A node has its namespace before the names of all that it has, but for absolute ones.
+    """
+    found = owner.bindings.get("__init__", [])
+    made = found[0].owner if len(found) == 1 else None
+    if made is None or (is_node and not added.name.startswith("/")):
+        return ""
+    calls = analysis.captures.get("call", [])
+    if sum(analysis.syntax.called_name(call) == owner.name for call in calls) == 1:
+        return ""
+    telling = _NAMESPACE if is_node else _TELLING
+    for name, bindings in made.bindings.items():
+        is_given = all(each.kind is BindingKind.PARAMETER and not each.value for each in bindings)
+        if is_given and telling.fullmatch(name):
+            return f"`{name}`"
+    return ""
 
 
 def _has_parameter(analysis: Analysis, site: Site, function: Scope) -> bool:

@@ -150,6 +150,35 @@ def test_a_node_is_made_once(start):
     ]
 
 
+@pytest.mark.parametrize(
+    ("base", "given", "made", "name", "is_told"),
+    [
+        ("object", "robot_name", "", "stop", True),
+        ("object", "arm_namespace", "Joint(1)\nJoint(2)\n", "stop", True),
+        ("object", "name", "Joint(1)\n", "stop", False),
+        ("object", "name='a'", "", "stop", False),
+        ("object", "file_name", "", "stop", False),
+        ("Node", "namespace", "", "/stop", True),
+        ("Node", "namespace", "", "stop", False),
+        ("Node", "name", "", "/stop", False),
+    ],
+)
+def test_a_constructor_tells_that_there_are_several_objects(base, given, made, name, is_told):
+    text = (
+        "import rospy\nfrom std_msgs.msg import String\n\n\nclass Joint(object):\n"
+        f"    def __init__(self, {given}):\n        self.n = 1\n"
+        f"        self.pub = rospy.Publisher('at', String, queue_size=1)\n\n\n{made}"
+    )
+    if base == "Node":
+        text = text.replace("import rospy", "import rclpy\nfrom rclpy.node import Node")
+        text = text.replace("object", "Node").replace("self.n = 1", "super().__init__('n')")
+        text = text.replace(
+            "rospy.Publisher('at', String, queue_size=1)", "self.create_publisher(String, 'at', 1)"
+        )
+    found = edit(text, provide(name)).diagnostics
+    assert [str(each.code) for each in found] == ["shared-name"] * is_told
+
+
 def test_a_timer_is_in_the_group_of_the_others():
     text = edited(
         "from rclpy.node import Node\nfrom std_msgs.msg import String\n\n\nclass A(Node):\n"
