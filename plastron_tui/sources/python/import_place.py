@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from itertools import pairwise
+from typing import NamedTuple
 
 from tree_sitter import Node
 
@@ -59,7 +60,7 @@ def place_import(
     if isinstance(across, int):
         return Splice(across, across, encode(newline + line + newline))
     group = across or _group_for(analysis, groups, module)
-    anchor = _anchor(analysis, group, module, is_from=line.lstrip().startswith("from"))
+    anchor = _anchor(analysis, group, module, line)
     if anchor is None:
         at = line_start(text, group[0].start_byte)
         return Splice(at, at, encode(line + newline))
@@ -116,7 +117,7 @@ def _place_across(
     if above and above[-1][1][-1].lower() > module.lower():
         return above[-1][0]
     taking = [modules for _, modules in parts if any(map(is_interface_module, modules))]
-    is_for_one = len(taking) > 1 and all(len(set(map(_package, each))) == 1 for each in taking)
+    is_for_one = len(parts) > 2 and all(len(set(map(_package, each))) == 1 for _, each in parts)
     for group, modules in (*above[-1:], *below[:1]):
         is_same = _package(module) in map(_package, modules)
         if is_same or (modules in taking and not is_for_one):
@@ -166,21 +167,42 @@ def _is_known(analysis: Analysis, module: str) -> bool:
     return any(_package(module) == name.package for names in every for name in names)
 
 
-def _anchor(analysis: Analysis, group: Group, module: str, *, is_from: bool) -> Node | None:
+def _anchor(analysis: Analysis, group: Group, module: str, line: str) -> Node | None:
     """Return the statement of a group behind which an import goes, None for before all."""
     alike = group
     if is_interface_module(module):
         alike = [node for node in group if is_interface_module(module_of(analysis, node))] or group
     for members, has_kinds in ((group, True), (group, False), (alike, False)):
-        keys = [
-            (has_kinds and node.type == "import_from_statement", module_of(analysis, node).lower())
-            for node in members
-        ]
-        if keys == sorted(keys):
-            place = sum(key <= (has_kinds and is_from, module.lower()) for key in keys)
-            behind = group.index(members[place - 1 if place else 0]) - (not place)
-            return group[behind] if behind >= 0 else None
-    return alike[-1] if is_interface_module(module) else None
+        # Names from one module have their own order where each has a line.
+        for has_names in (True, False):
+            order = _Order(has_kinds, has_names)
+            keys = [order.key(analysis.syntax.slice(node)) for node in members]
+            if keys == sorted(keys):
+                place = sum(key <= order.key(line.strip()) for key in keys)
+                behind = group.index(members[place - 1 if place else 0]) - (not place)
+                return group[behind] if behind >= 0 else None
+    if not is_interface_module(module):
+        return None
+    same = [node for node in alike if _package(module_of(analysis, node)) == _package(module)]
+    return (same or alike)[-1]
+
+
+class _Order(NamedTuple):
+    """What imports are sorted by, besides their modules.
+
+    Attributes:
+        has_kinds: whether whole modules come first.
+        has_names: whether what comes from one module is sorted by the first name.
+    """
+
+    has_kinds: bool
+    has_names: bool
+
+    def key(self, statement: str) -> tuple[bool, str, str]:
+        """Return what a statement is sorted by."""
+        kind, module, *rest = statement.split(None, 3)
+        name = rest[-1].strip("( \r\n") if self.has_names and kind == "from" else ""
+        return (self.has_kinds and kind == "from", module.rstrip(",").lower(), name.lower())
 
 
 def _package(module: str) -> str:

@@ -231,6 +231,18 @@ GROUPS = {
         "from geometry_msgs.msg import Twist\nfrom nav_msgs.msg import Path\n\nimport rclpy\n\n"
         ">from tf2_msgs.msg import TFMessage\nfrom turtle_msgs.msg import Pose\n"
     ),
+    "in a group of its own, where each package has one, its message alone": (
+        "import rclpy\nfrom rclpy.node import Node\n\nfrom sensor_msgs.msg import Imu\n>\n"
+        "import yaml\n"
+    ),
+    "where its name sorts, a line each": (
+        "import rospy\nfrom nav_msgs.msg import Path\nfrom std_msgs.msg import Bool\n"
+        ">from std_msgs.msg import StringX\n"
+    ),
+    "behind its package, in no order": (
+        "import rospy\nfrom std_msgs.msg import Int8\nfrom std_msgs.msg import Bool\n>"
+        "from nav_msgs.msg import Path\nfrom tf import x\nimport sys\n"
+    ),
     "not behind what a file imports late": (
         "import rospy\nimport numpy\n>\n\ndef sub():\n    pass\n\n\nfrom nav_msgs.msg import Path\n"
     ),
