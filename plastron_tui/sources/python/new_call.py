@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 from plastron_tui.model.kinds import Subscription
 from plastron_tui.model.source import EndpointKind
@@ -50,7 +51,7 @@ def callee_of(added: Addition, model: Site | None) -> str:
 def arguments_of(added: Addition, model: Site | None, class_: str, callback: str) -> str:
     """Return the arguments of the call, by position or keyword as the model has them."""
     name = name_as_written(added.name, added.dialect.ros_version)
-    topic = added.writer.conventions.string(name)
+    topic = _quoted(added, model, name)
     shape = _shape(added)
     given = ((shape.name, topic), (shape.type, class_), (shape.callback, callback))
     values = {argument: value for argument, value in given if argument is not None and value}
@@ -74,6 +75,16 @@ def arguments_of(added: Addition, model: Site | None, class_: str, callback: str
         parts.append(f"callback_group{equals}{group}")
     is_tight = model is not None and _COMMA.search(_written(model)) is None
     return ("," if is_tight and len(parts) > 1 else ", ").join(parts)
+
+
+def _quoted(added: Addition, model: Site | None, name: str) -> str:
+    """Return a name as a text, in the quotes that the model has around its name."""
+    given = model.arguments.get(model.shape.name) if model is not None else None
+    quote = added.analysis.syntax.slice(given)[:1] if given is not None else ""
+    conventions = added.writer.conventions
+    if quote in ("'", '"'):
+        conventions = replace(conventions, quote=quote)
+    return conventions.string(name)
 
 
 def _written(model: Site) -> bytes:

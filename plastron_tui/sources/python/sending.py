@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections import defaultdict
 from collections.abc import Sequence
 
@@ -19,6 +20,7 @@ from .conventions import leading_space, method_naming, variable_naming
 from .function_place import function_place, method_place
 from .generated import is_own_helper
 from .lifecycle import is_transition
+from .loggers import own_logger
 from .own_loop import is_sleep, own_block, statements_of, woken_loop
 from .removal import callback_scope
 from .signatures import parameter_names, signatures_of
@@ -203,12 +205,12 @@ def add_calls(added: Addition, client: Client) -> list[str]:
 def _call_rclpy(added: Addition, name: str, summary: str, requests: list[str]) -> list[str]:
     """Call once from a timer, so that the node goes on while the service answers."""
     timer = _timer_variable(added)
-    receiver = added.receiver_in_callback() or added.place.receiver
+    info = _info(added)
     quote = added.writer.conventions.quote
     # A call that waits would hold up all else that the node does.
     body = [
         f"if not {added.variable}.service_is_ready():",
-        f"\t{receiver}.get_logger().info("
+        f"\t{info}("
         f"{quote}{added.label}: waiting for the service{quote}, throttle_duration_sec=10.0)",
         "\treturn",
         f"{timer}.cancel()",
@@ -216,11 +218,24 @@ def _call_rclpy(added: Addition, name: str, summary: str, requests: list[str]) -
     logged = f"f{quote}{added.label}: {{done.result()}}{quote}"
     for request in requests:
         body.append(f"future = {added.variable}.call_async({request})")
-        logs = f"{receiver}.get_logger().info({logged})"
+        logs = f"{info}({logged})"
         body.append(f"future.add_done_callback(lambda done: {logs})")
     callback, lines = _function(added, name, summary, body)
     added.writer.endpoints.append((EndpointKind.TIMER, _timer_name(added, "0.1"), "None", name))
     return [*lines, f"{timer} = {_timer_call(added, '0.1', callback)})"]
+
+
+def _info(added: Addition) -> str:
+    """Return what logs for a node of rclpy: the file's own logger, where it is the node's."""
+    own = own_logger(added.analysis, added.place, "info")
+    holder = re.escape(own.rpartition(".")[0])
+    is_of_node = re.search(
+        rf"^[ \t]*{holder}(:[^=\n]*)? *= *[\w.]+\.get_logger\(\)[ \t\r]*$".encode(),
+        added.analysis.syntax.text,
+        re.M,
+    )
+    receiver = added.receiver_in_callback() or added.place.receiver
+    return own if own and is_of_node else f"{receiver}.get_logger().info"
 
 
 def _call_in_own_method(added: Addition, requests: list[str]) -> bool:

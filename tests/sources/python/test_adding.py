@@ -259,3 +259,32 @@ def test_a_callback_is_named_as_the_methods_are(methods):
         subscribe("new_word"),
     )
     assert f"    def {METHODS[methods]}(self, message):\n" in text
+
+
+LOGS = (
+    "from rclpy.node import Node\nfrom std_msgs.msg import String\n\n\nclass A(Node):\n"
+    "    def __init__(self):\n        super().__init__('a')\n"
+    "        self.logger = {}\n        self.logger.info('there')\n"
+    "        self.a = self.create_subscription(String, 'a', print, 10)\n"
+    "        self.b = self.create_subscription(String, 'b', print, 10)\n"
+    '        self.pub = self.create_publisher(String, "b", 10)\n'
+)
+
+
+@pytest.mark.parametrize(
+    ("logger", "expected"),
+    [
+        ("self.get_logger()", "self.logger.info('c: waiting"),
+        ("logging.getLogger('a')", "self.get_logger().info('c: waiting"),
+    ],
+)
+def test_a_call_logs_by_the_logger_that_a_node_keeps(logger, expected):
+    text = edited(LOGS.format(logger), request("c", "std_srvs/SetBool", data=True))
+    assert text.count(expected.partition("'")[0]) == (3 if "logger.i" in expected else 2)
+    assert expected in text
+
+
+def test_a_name_has_the_quotes_of_the_one_beside_it():
+    text = edited(LOGS.format("1"), publish("c"), subscribe("d"))
+    assert 'self.create_publisher(String, "c", 10)\n' in text
+    assert "self.create_subscription(String, 'd', self." in text
