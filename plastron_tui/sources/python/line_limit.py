@@ -21,7 +21,7 @@ _WORD = 12
 
 _SUBJECT = re.compile(r"(?:async\s+)?(?:(def|class|from|import)\b|[^#'\"(]*?\b(\w+)\()")
 # What is said in so many letters does not tell how long a line of code may be.
-_PROSE = re.compile(r"""(["'])(?:(?!\1).){40,}\1|\s#\s""")
+_PROSE = re.compile(r"""(["'])(?=(?:(?!\1).)*\s)(?:(?!\1).){40,}\1|\s#\s""")
 _TRIPLE = re.compile(r"\"{3}|'{3}")
 _OPEN, _CLOSED = re.compile(r"[(\[{]"), re.compile(r"[)\]}]")
 

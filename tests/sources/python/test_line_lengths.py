@@ -277,3 +277,10 @@ def test_no_tab_stands_behind_spaces():
         above.encode(), parse(f"{above}f_of_a_name('{'a' * 40}', 1)\n".encode()), LineLimit(60)
     ).decode()
     assert wrapped == f"{above}f_of_a_name(\n        '{'a' * 40}', 1\n    )\n"
+
+
+def test_a_long_name_is_no_prose():
+    call = "self.pub = rospy.Publisher('/" + "a" * 60 + "', String, queue_size=10)\n"
+    assert line_limit((call * 3).encode(), "rospy", None).length == 120
+    said = call.replace("a" * 60, "a " * 30)
+    assert line_limit((said * 3).encode(), "rospy", None).length == 79
