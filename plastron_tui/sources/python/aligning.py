@@ -75,7 +75,7 @@ def _brackets(syntax: Syntax, start: int, end: int) -> Iterator[_Bracket]:
         if token is None or around is None or token.named_child_count or token.is_named:
             continue
         first, row = token.next_sibling, token.start_point.row
-        last = around.children[-1].end_point.row
+        last = around.end_point.row
         if first is not None and first.type != "comment" and first.start_point.row == row < last:
             yield _Bracket(offset, range(row + 1, last + 1))
 
