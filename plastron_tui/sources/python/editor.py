@@ -15,7 +15,7 @@ from .analysis import Analysis
 from .calls import LIBRARIES
 from .compiling import syntax_error
 from .dialect import Dialect
-from .edits import Edits, Found, RefusedError, endpoints_of
+from .edits import Edits, Found, endpoints_of
 from .guessed_names import tell_guessed_names
 from .idle_code import tell_idle
 from .imports import restore_imports
@@ -24,7 +24,8 @@ from .line_limit import line_limit
 from .listed_endpoints import gone_entries
 from .messages import CannotAddError
 from .package import Package
-from .sites import analyze
+from .refusals import RefusedError
+from .sites import analyze, analyze_again
 from .splices import apply
 from .still_named import tell_still_named
 from .still_read import tell_still_read
@@ -55,8 +56,7 @@ def edit_python(
     if not changes:
         return Rendered(source.files)
     library = LIBRARIES[source.library]
-    package = Package(source.path, library).names
-    before = analyze(source.files.main, library, package)
+    before = analyze(source.files.main, library, Package(source.path, library).names)
     used = {
         (each.kind.facts.interface, each.type)
         for each in source.endpoints
@@ -74,9 +74,9 @@ def edit_python(
     analysis = edits.analysis
     restored = apply(analysis.syntax.text, restore_imports(before, analysis))
     if restored != analysis.syntax.text:
-        analysis = analyze(restored, library, package)
+        analysis = analyze_again(before, restored)
     if entries := gone_entries(analysis, changes):
-        analysis = analyze(apply(analysis.syntax.text, entries), library, package)
+        analysis = analyze_again(before, apply(analysis.syntax.text, entries))
     standard = _Standard(before)
     problem = standard.problem(analysis, edits.expected)
     # Of a call that gets another name one string changes, unless a linter asks for more.
@@ -85,7 +85,7 @@ def edit_python(
         limit = line_limit(before.syntax.text, source.library, line_length)
         wrapped = wrap_new_lines(before.syntax.text, analysis.syntax, limit)
         if wrapped != analysis.syntax.text:
-            again = analyze(wrapped, library, package)
+            again = analyze_again(before, wrapped)
             if standard.problem(again, edits.expected) is None:
                 analysis = again
     if problem is not None:

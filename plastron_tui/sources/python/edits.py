@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, codes, listed
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.kinds import (
     Client,
     Endpoint,
@@ -23,8 +23,7 @@ from plastron_tui.ros.interfaces import InterfaceName
 
 from .adding import plan_addition
 from .aligning import realigned
-from .analysis import Analysis, Site
-from .base_classes import inherited
+from .analysis import Analysis
 from .creation import Removal
 from .dialect import Dialect
 from .existing_callbacks import NotCallableError
@@ -32,12 +31,13 @@ from .imports import unused_imports
 from .lost import Exchange, or_renames
 from .messages import CannotAddError
 from .nodes import group, labels_of, part_of
+from .refusals import RefusedError, in_use, not_named, not_there, refuse_passes
 from .removal import find_sites
 from .removal_plan import plan_removal
 from .renaming import NotNamedError, plan_names
 from .replacing import NotInPlaceError
 from .sent_before import lost_of_site
-from .sites import analyze
+from .sites import analyze_again
 from .splices import apply, delete_statements
 from .updating import plan_update
 from .writing import Key, Writer, key_of
@@ -47,14 +47,6 @@ _MANY = 16
 
 _MOST_WORK = 16 * 1024 * 1024
 """The most bytes that the changes of a file read, each of which reads the file as it then is."""
-
-
-class RefusedError(Exception):
-    """A change that cannot be made."""
-
-    def __init__(self, diagnostic: Diagnostic) -> None:
-        super().__init__(diagnostic.message)
-        self.diagnostic = diagnostic
 
 
 Found = Counter[tuple[str, Key]]
@@ -145,14 +137,14 @@ class Edits:
         for change in changes:
             sites = find_sites(part_of(before, change.node), change)
             if not sites:
-                raise _not_there(self.analysis, change)
+                raise not_there(self.analysis, change)
             wanted.update(dict.fromkeys(sites, change.to))
         try:
             renaming = plan_names(before, wanted)
         except NotNamedError as error:
             for change in changes:
-                _refuse_passes(change, [each for each in wanted if each is error.site])
-            raise _not_named(error.site, changes) from None
+                refuse_passes(change, [each for each in wanted if each is error.site])
+            raise not_named(error.site, changes) from None
         labels = labels_of(before)
         for site, name in zip(renaming.lost, renaming.names, strict=True):
             kind, _, type_, callback = key_of(site.endpoint)
@@ -166,13 +158,13 @@ class Edits:
     def _remove(self, change: Remove) -> None:
         sites = find_sites(part_of(self.analysis, change.node), change)
         if not sites:
-            raise _not_there(self.analysis, change)
-        _refuse_passes(change, sites)
+            raise not_there(self.analysis, change)
+        refuse_passes(change, sites)
         for site in sites:
             self._exchange.take(self.analysis, site, change.name)
         removal = plan_removal(self.analysis, sites)
         if removal.lines:
-            raise _in_use(change, removal)
+            raise in_use(change, removal)
         self._take_out(removal)
 
     def _take_out(self, removal: Removal) -> None:
@@ -182,7 +174,7 @@ class Edits:
         )
         text = apply(self.analysis.syntax.text, removal.splices)
         self._read(text)
-        self.analysis = analyze(text, self.analysis.library, self.analysis.package)
+        self.analysis = analyze_again(self.analysis, text)
 
     def _add(self, change: Add, following: Sequence[Change] = ()) -> int:
         """Make an addition, and those that follow it and are alike; return how many."""
@@ -197,7 +189,7 @@ class Edits:
             self.notes += writer.notes
         self._exchange.add(change.endpoint)
         self._read(text)
-        self.analysis = analyze(text, self.analysis.library, self.analysis.package)
+        self.analysis = analyze_again(self.analysis, text)
         return len(writers)
 
     def _update(self, change: Update) -> None:
@@ -205,7 +197,7 @@ class Edits:
         before, expected = self.analysis, self.expected.copy()
         if self._differs_in_name(change) and self._has_renamed(change):
             return
-        _refuse_passes(change, find_sites(part_of(self.analysis, change.node), change))
+        refuse_passes(change, find_sites(part_of(self.analysis, change.node), change))
         try:
             self._update_in_place(change)
         except NotCallableError:
@@ -276,12 +268,12 @@ class Edits:
         self.expected.update((label, key) for key in update.added.writer.endpoints)
         text = apply(before.syntax.text, realigned(before.syntax, update.all_splices()))
         self._read(text)
-        after = analyze(text, before.library, before.package)
+        after = analyze_again(before, text)
         imports, names = unused_imports(after, [], update.freed())
         if imports or names:
             text = apply(text, [*delete_statements(text, imports), *names])
             self._read(text)
-            after = analyze(text, before.library, before.package)
+            after = analyze_again(before, text)
         is_worse = after.syntax.errors > before.syntax.errors
         if is_worse or endpoints_of(after) != +self.expected:
             raise NotInPlaceError
@@ -346,47 +338,6 @@ class Edits:
             message = "the file is too large for so many changes, each of which reads it anew"
             remedy = "let several nodes have them, or make some of the changes by hand"
             raise RefusedError(Diagnostic(codes.EDIT_REFUSED, message, help=remedy))
-
-
-def _not_there(analysis: Analysis, change: Remove | Rename) -> RefusedError:
-    message = f"the file has no {change.kind.word} `{change.name}`"
-    for site in find_sites(replace(analysis, sites=analysis.disguised), change):
-        line, what = site.endpoint.line, site.endpoint.expression
-        message = f"the {change.kind.word} `{change.name}` is a part of `{what}` in line {line}"
-    for each in inherited(analysis, None):
-        if each.kind is change.kind and change.name in (each.name, each.default):
-            place = f"`{each.file}`, line {each.line}"
-            message = f"the {change.kind.word} `{change.name}` is of a base class, in {place}"
-    return RefusedError(Diagnostic(codes.EDIT_REFUSED, message, change.span))
-
-
-def _refuse_passes(change: Remove | Rename | Update, sites: Sequence[Site]) -> None:
-    """Refuse to change one of the endpoints that a call creates one after the other."""
-    site = next((site for site in sites if site.passes), None)
-    if site is None:
-        return
-    line, given = site.endpoint.line, site.endpoint.expression
-    message = f"line {line} creates the {change.kind.word} `{change.name}` among others"
-    remedy = f"change by hand what gives `{given}` its values"
-    raise RefusedError(Diagnostic(codes.EDIT_REFUSED, message, change.span, help=remedy))
-
-
-def _not_named(site: Site, changes: Sequence[Rename]) -> RefusedError:
-    kind, name = site.endpoint.kind, site.endpoint.name or site.endpoint.default
-    spans = [each.span for each in changes if (each.kind, each.name) == (kind, name)]
-    message = f"line {site.endpoint.line} does not say the name of the {kind.word} `{name}` itself"
-    remedy = f"change by hand what `{site.endpoint.expression}` is"
-    return RefusedError(
-        Diagnostic(codes.EDIT_REFUSED, message, next(iter(spans), None), help=remedy)
-    )
-
-
-def _in_use(change: Remove, removal: Removal) -> RefusedError:
-    lines = listed(map(str, sorted(removal.lines)))
-    plural, these = ("s", "these lines") if len(removal.lines) > 1 else ("", "this line")
-    message = f"the {change.kind.word} `{change.name}` is used in line{plural} {lines}"
-    help_ = f"change {these} in the file first"
-    return RefusedError(Diagnostic(codes.ENDPOINT_IN_USE, message, change.span, help=help_))
 
 
 def _applied(analysis: Analysis, writers: Iterable[Writer]) -> bytes:

@@ -45,6 +45,11 @@ def analyze(
     return analysis
 
 
+def analyze_again(before: Analysis, text: bytes) -> Analysis:
+    """Find the call sites of what a file holds by now."""
+    return analyze(text, before.library, before.package)
+
+
 def outline(
     text: bytes | Syntax, library: ClientLibrary, package: PackageNames | None = None
 ) -> Analysis:
