@@ -138,6 +138,11 @@ def ported(text: str | bytes, library: str) -> tuple[str, tuple[Diagnostic, ...]
     return result.files.main.decode("utf-8", "replace"), result.diagnostics
 
 
+def count_marks(text: str) -> int:
+    """Return how many comments there are, beside the one of an import that a marked line needs."""
+    return text.count(MARK) - text.count(f"{MARK}import ")
+
+
 def endpoints(read: SourceUnit) -> Counter[tuple[EndpointKind, str]]:
     return Counter(
         (each.kind, each.name.replace("~/", "~"))

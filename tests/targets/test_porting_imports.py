@@ -16,6 +16,10 @@ UNUSED = [
     ("import rospy.timer\nrospy.foo()\n", "rospy.foo()\n"),
     ("import rospy.timer\nrospy.timer.foo()\n", "import rospy.timer\nrospy.timer.foo()\n"),
     ("from rospy import a, b as c\na()\n", "from rospy import a\na()\n"),
+    (
+        "from rospy import a, b, \\\n    c, d, \\\n    e\na(e)\n",
+        "from rospy import a, \\\n    e\na(e)\n",
+    ),
     ("from rospy import *\nx = 1\n", "from rospy import *\nx = 1\n"),
     ("from a.srv import B, C\nC()\n", "from a.srv import C\nC()\n"),
     ("from a.srv import B\nx.B(B=1)\n", "x.B(B=1)\n"),
@@ -69,6 +73,12 @@ def test_names_of_a_module_that_the_file_imports_from_go_there_in_order() -> Non
         "rclpy",
     )
     assert "import (\n    A,\n    B,\n    AResponse,\n    BResponse,\n)\n" in text
+
+
+def test_an_import_that_a_marked_line_needs_is_marked() -> None:
+    text, found = ported("import rospy, sys\nrospy.init_node('n')\nrospy.loginfo(*x)\n", "rospy")
+    assert f"\n{MARK}import rospy\nimport rospy, sys\n" in text
+    assert [each.message.split("`")[1] for each in found] == ["import rospy", "rospy.loginfo"]
 
 
 IMPORTS = [

@@ -39,7 +39,7 @@ class TestThroughAProgram:
         (tmp_path / "listener.py").write_text(marked)
         [made] = session.generated()
         assert made.files is not None
-        assert [found.span is not None for found in made.diagnostics] == [True]
+        assert [found.span is not None for found in made.diagnostics] == [True, True]
         lines = made.files.files.main.decode().split("\n")
         for found in made.diagnostics:
             match = re.match(r"`(.*)` in line (\d+) of the new file", found.message)

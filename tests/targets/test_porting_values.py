@@ -6,7 +6,7 @@ import ast
 import textwrap
 
 import pytest
-from ported_nodes import MARK, after_head, ported
+from ported_nodes import MARK, after_head, count_marks, ported
 
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import FieldType
@@ -165,7 +165,7 @@ PUBLISHED = [
 def test_what_is_published(before: str, after: str) -> None:
     text = after_head(before)
     assert text.endswith(f"\n{after}\n")
-    assert text.count(MARK) == after.count(MARK)
+    assert count_marks(text) == after.count(MARK)
 
 
 HEARD = [
@@ -270,7 +270,7 @@ RETURNED = [
 def test_what_a_handler_returns(type_: str, before: str, after: str) -> None:
     text = after_head(f"def handle(req):\n    {before}\n\n\nrospy.Service('s', {type_}, handle)")
     assert f"def handle(req, response=None):\n    {after}\n" in text
-    assert text.count(MARK) == after.count(MARK)
+    assert count_marks(text) == after.count(MARK)
 
 
 def test_a_handler_of_two_types_is_marked() -> None:

@@ -52,13 +52,16 @@ def leave_manifests(work: Work) -> None:
 
 
 def keep_used_imports(work: Work, roots: frozenset[str]) -> None:
-    """Keep the imports of the library that the file leaves, where a marked line still uses them."""
+    """Keep the imports of the library that the file leaves, where a marked line still uses them.
+
+    Such an import fails in the other ROS, and is marked as well.
+    """
     used = {
         name
         for mark in work.marks
         if mark.node.id not in work.done  # else what is left in it has a mark of its own
         for node in walk(mark.node)
-        if node.type == "identifier" and node.id not in work.done and not work.is_gone(node)
+        if node.type == "identifier" and node.id not in work.done and work.is_written(node)
         for name in work.qualified(node)
         if name.partition(".")[0] in roots
     }
@@ -75,6 +78,8 @@ def keep_used_imports(work: Work, roots: frozenset[str]) -> None:
         roots_given = {each.partition(".")[0] for each in given}
         if given & used or (module is None and roots_given & used):
             work.keep(node)
+            lost = sorted(roots_given & roots)
+            work.mark(node, f"import {', '.join(lost)}", "it goes with the last line that uses it")
 
 
 def _port_plain(work: Work, node: Node, roots: frozenset[str]) -> None:

@@ -44,6 +44,7 @@ def without_unused(text: bytes, roots: Iterable[str], freed: Iterable[str]) -> b
     names, paths = _used(syntax)
     dead: list[Node] = []
     splices: list[Splice] = []
+    is_more = False
     for statement in statements:
         bound = list(_bound(syntax, statement))
         unused = [
@@ -56,8 +57,11 @@ def without_unused(text: bytes, roots: Iterable[str], freed: Iterable[str]) -> b
             dead.append(statement)
         elif unused:
             items = [each.item for each in bound]
-            splices += [delete_item(text, items, each.item) for each in unused]
-    return apply(text, [*splices, *delete_statements(text, dead)])
+            splices.append(delete_item(text, items, unused[0].item))
+            is_more |= len(unused) > 1
+    made = apply(text, [*splices, *delete_statements(text, dead)])
+    # What stands between two items is known when the one before is gone.
+    return without_unused(made, gone_roots, gone_names) if is_more else made
 
 
 def _bound(syntax: Syntax, statement: Node) -> Iterable[_Import]:
