@@ -16,6 +16,7 @@ from plastron_tui.sources.python.references import is_member
 from plastron_tui.sources.python.scopes import Scope
 from plastron_tui.sources.python.syntax import parts_of
 
+from .action_uses import mark_action_uses
 from .actions import mark_actions
 from .arrays import port_arrays
 from .endpoints import destroys_endpoints, mark_endpoint_attributes, port_endpoint_methods
@@ -106,6 +107,7 @@ def port_to_rclpy(work: Work) -> None:
     mark_endpoint_attributes(work, {*_ATTRIBUTES, *_ENDING})
     mark_waiting_loops(work)
     mark_actions(work)
+    mark_action_uses(work)
     mark_other_modules(work)
     mark_leftovers(work, _LEFT, _ATTRIBUTES, _remedies(node))
     keep_used_imports(work, _GONE)
@@ -140,6 +142,8 @@ def _remedies(node: str) -> dict[str, str]:
         "rospy.Duration": "`rclpy.duration.Duration(seconds=...)`",
         "rospy.signal_shutdown": "`rclpy.shutdown()`",
         "rospy.Rate": f"`{node}.create_rate(...)`",
+        "actionlib.SimpleActionClient": "`rclpy.action.ActionClient(node, type, name)`",
+        "actionlib.SimpleActionServer": "`rclpy.action.ActionServer(node, type, name, callback)`",
         "actionlib": "`rclpy.action`",
         "tf": "`tf2_ros`",
     }

@@ -13,6 +13,7 @@ from plastron_tui.sources.python.scopes import Scope
 from plastron_tui.sources.python.splices import delete_item
 from plastron_tui.sources.python.syntax import parts_of
 
+from .action_uses import mark_action_uses
 from .actions import mark_actions
 from .contexts import port_executors
 from .endpoints import mark_endpoint_attributes
@@ -92,6 +93,8 @@ _OPTIONS = {"callback_group": "rospy calls callbacks in threads of their own"}
 _REMEDIES = {
     "rclpy.time": "`rospy.Time`",
     "rclpy.duration": "`rospy.Duration`",
+    "rclpy.action.ActionClient": "`actionlib.SimpleActionClient(name, type)`",
+    "rclpy.action.ActionServer": "`actionlib.SimpleActionServer(name, type, callback, False)`",
     "rclpy.action": "`actionlib`",
     "rclpy.qos": "ROS 1 has `latch` and `queue_size` only",
     "rclpy.spin_once": "`rospy.sleep(...)`: rospy handles what comes in threads of its own",
@@ -118,6 +121,7 @@ def port_to_rospy(work: Work) -> None:
     port_ending(work, {"cancel": "shutdown"}, _ENDING)
     mark_endpoint_attributes(work, {*_ATTRIBUTES, *_ENDING})
     mark_actions(work)
+    mark_action_uses(work)
     mark_other_modules(work)
     mark_leftovers(work, _LEFT, {k: v or "" for k, v in _ATTRIBUTES.items()}, _REMEDIES)
     mark_helpers(work)

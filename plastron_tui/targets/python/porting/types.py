@@ -78,7 +78,7 @@ def keep_used_imports(work: Work, roots: frozenset[str]) -> None:
         roots_given = {each.partition(".")[0] for each in given}
         if given & used or (module is None and roots_given & used):
             work.keep(node)
-            lost = sorted(roots_given & roots)
+            lost = [work.slice(module)] if module is not None else sorted(roots_given & roots)
             work.mark(node, f"import {', '.join(lost)}", "it goes with the last line that uses it")
 
 
