@@ -223,10 +223,23 @@ def test_a_file_that_does_not_parse_is_refused() -> None:
     assert [found.code for found in result.diagnostics] == ["edit-refused"]
 
 
-def test_a_file_of_python_2_is_brought_over_and_said_to_be_one() -> None:
-    text, found = ported(LISTENER_1.replace("text = shout", "exec data\n    text = shout"), "rospy")
-    assert "    exec data\n    text = shout(data.data)\n" in text
-    assert any("the file is no Python 3: " in each.message for each in found)
+PYTHON_2 = [
+    ("raise X, y", "invalid syntax"),
+    ("def f(a, (b, c)): pass", "parenthesized"),
+    ("if x:\n            y()\n        z()", "unindent"),
+]
+
+
+@pytest.mark.parametrize(("line", "reason"), PYTHON_2)
+def test_what_stays_of_python_2_is_refused_with_its_line(line: str, reason: str) -> None:
+    target = find_target("rclpy")
+    assert target is not None
+    read = source(LISTENER_1.replace("text = shout", f"{line}\n    text = shout"), "rospy")
+    result = target.port(None, read, CATALOGS["rclpy"])  # type: ignore[arg-type]
+    assert result.files is None
+    [found] = result.diagnostics
+    assert reason in found.message and "(line" not in found.message
+    assert found.help is not None and line.split("\n")[-1].strip() in found.help
 
 
 def test_a_name_that_the_file_decides_is_listed() -> None:

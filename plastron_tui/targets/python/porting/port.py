@@ -13,7 +13,7 @@ from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.sources.base import Rendered
 from plastron_tui.sources.python.analysis import Analysis, Site
 from plastron_tui.sources.python.calls import LIBRARIES
-from plastron_tui.sources.python.compiling import syntax_error
+from plastron_tui.sources.python.compiling import NotPython, syntax_error
 from plastron_tui.sources.python.editor import not_encodable
 from plastron_tui.sources.python.line_limit import LineLimit, line_limit
 from plastron_tui.sources.python.sites import analyze
@@ -22,6 +22,7 @@ from plastron_tui.sources.python.wrapping import wrap_new_lines
 
 from .contexts import without_contexts
 from .port_state import COMMENT, SEPARATOR, Mark, Work
+from .python_2 import without_tabs
 from .to_rclpy import port_to_rclpy
 from .to_rospy import port_to_rospy
 from .types import target_type
@@ -89,17 +90,30 @@ def _ported(source: SourceUnit, work: Work, library: str, limit: LineLimit) -> R
         owners = {each.owner.name for each in before.nodes if each.owner is not None}
         made = without_unused_nodes(made, frozenset({*owners, "rospy.init_node"}))
     text = wrap_new_lines(source.files.main, parse(made), limit)
+    if library == "rclpy":
+        text = without_tabs(text)
     lines = _comment_lines(text.decode(before.syntax.encoding, "replace"))
     found = [_listed(mark, source, library, lines) for mark in _in_order(work.marks)]
     after = analyze(text, LIBRARIES[library])
     found += _missing(work, before, after, source)
     problem = syntax_error(text)
-    if problem is not None and syntax_error(source.files.main) is None:
-        message = f"`{source.path.name}` cannot be brought to {library}: {problem.reason}"
-        return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message),))
+    was_python_3 = problem is not None and syntax_error(source.files.main) is None
+    if problem is not None and (was_python_3 or library == "rclpy"):
+        # The line is one of the new file, which nobody sees.
+        reason = problem.reason.partition(" (line ")[0]
+        message = f"`{source.path.name}` cannot be brought to {library}: {reason}"
+        remedy = None if was_python_3 else _no_python_3(text, problem)
+        return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message, help=remedy),))
     if problem is not None:
         found.append(_by_hand(source, f"the file is no Python 3: {problem.reason}", None, None))
     return Rendered(source.files.with_main(text), tuple(found))
+
+
+def _no_python_3(text: bytes, problem: NotPython) -> str:
+    """Return what to do about a line of Python 2 that is not brought over."""
+    lines = text.decode("utf-8", "replace").split("\n")
+    line = lines[problem.line - 1].strip() if problem.line else ""
+    return f"write `{line[:_LONGEST]}` as Python 3 has it first" if line else "mend the file first"
 
 
 def _mark_type(work: Work, site: Site) -> None:

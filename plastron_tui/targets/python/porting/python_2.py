@@ -7,12 +7,16 @@ import re
 from tree_sitter import Node
 
 from plastron_tui.sources.python.compiling import syntax_error
-from plastron_tui.sources.python.syntax import parts_of
+from plastron_tui.sources.python.syntax import parse, parts_of
 
+from .kinds import kind_of
 from .port_state import Work, walk
 
 _FUNCTIONS = {"raw_input": "input", "xrange": "range", "unicode": "str"}
 _METHODS = {"iteritems": "items", "itervalues": "values", "iterkeys": "keys"}
+_TABS = "inconsistent use of tabs"
+_VIEWS = frozenset({"keys", "values", "items"})
+_ITERATORS = frozenset({"map", "filter", "zip"})
 _OCTAL = re.compile(r"0[0-7]*[1-7][0-7]*")
 
 
@@ -21,9 +25,14 @@ def port_python_2(work: Work) -> None:
 
     A function or method of the file's own stays, whatever its name.
     """
+    is_old = syntax_error(work.analysis.syntax.text) is not None
     for node in walk(work.analysis.syntax.root):
         if node.type == "integer":
             _port_number(work, node)
+        elif node.type == "binary_operator" and is_old:
+            _port_division(work, node)
+        elif node.type == "subscript":
+            _port_part(work, node)
         elif node.type == "comparison_operator":
             for operator in node.children:
                 if operator.type == "<>":
@@ -36,6 +45,26 @@ def port_python_2(work: Work) -> None:
             _port_function(work, callee)
         elif callee.type == "attribute":
             _port_method(work, call, callee)
+
+
+def without_tabs(text: bytes) -> bytes:
+    """Indent by spaces a file that mixes them with tabs: a tab of Python 2 goes to a column of 8.
+
+    What is inside of a string stays.
+    """
+    problem = syntax_error(text)
+    if problem is None or _TABS not in problem.reason:
+        return text
+    kept: set[int] = set()
+    for node in walk(parse(text).root):
+        if node.type == "string":
+            kept.update(range(node.start_point.row + 1, node.end_point.row + 1))
+    lines = text.split(b"\n")
+    for row, line in enumerate(lines):
+        code = line.lstrip(b" \t")
+        if row not in kept:
+            lines[row] = line[: len(line) - len(code)].expandtabs(8) + code
+    return b"\n".join(lines)
 
 
 def port_statements(work: Work) -> None:
@@ -59,6 +88,8 @@ def port_statements(work: Work) -> None:
                 _port_except(work, statement)
             case "raise_statement":
                 _port_raise(work, statement)
+            case "exec_statement":
+                _port_exec(work, statement)
 
 
 def _prints(statement: Node) -> bool:
@@ -102,6 +133,15 @@ def _port_except(work: Work, clause: Node) -> None:
         work.replace_between(values[0].end_byte, values[1].start_byte, " as ")
 
 
+def _port_exec(work: Work, statement: Node) -> None:
+    """Write `exec code in names` as `exec(code, names)`."""
+    code, *names = statement.named_children
+    work.replace_between(statement.start_byte + len(b"exec"), code.start_byte, "(")
+    if names:
+        work.replace_between(code.end_byte, names[0].start_byte, ", ")
+    work.insert_last(statement.end_byte, ")")
+
+
 def _port_raise(work: Work, statement: Node) -> None:
     """Write `raise X, "text"` as `raise X("text")`; another value may be the exception itself."""
     given = statement.named_children[0] if statement.named_children else None
@@ -127,6 +167,30 @@ def _port_number(work: Work, number: Node) -> None:
         work.replace(number, f"0o{written.lstrip('0')}")
     elif written[-1] in "lL" and not written.startswith("0"):
         work.replace(number, written[:-1])
+
+
+def _port_division(work: Work, operation: Node) -> None:
+    """Write `/` of integers as `//`, which it is in Python 2."""
+    sign = operation.child_by_field_name("operator")
+    kinds = {kind_of(work, each) for each in parts_of(operation)}
+    if sign is not None and work.slice(sign) == "/" and kinds == {"int"}:
+        work.replace(sign, "//")
+
+
+def _port_part(work: Work, node: Node) -> None:
+    """Write `held.keys()[0]` as `list(held.keys())[0]`: views and iterators have no parts."""
+    call = node.child_by_field_name("value")
+    callee = call.child_by_field_name("function") if call is not None else None
+    if call is None or call.type != "call" or callee is None:
+        return
+    part = callee.child_by_field_name("attribute")
+    given = parts_of(call.child_by_field_name("arguments"))
+    is_view = part is not None and work.slice(part) in _VIEWS and not given
+    name = work.slice(callee)
+    is_iterator = name in _ITERATORS and work.scope(callee).lookup(name) is None
+    if is_iterator or (is_view and not work.bindings(callee)):
+        work.insert(call.start_byte, "list(")
+        work.insert(call.end_byte, ")")
 
 
 def _port_function(work: Work, callee: Node) -> None:
