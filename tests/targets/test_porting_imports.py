@@ -54,6 +54,30 @@ def test_a_module_that_the_other_ros_lacks_is_marked(library: str, line: str, wh
     assert [each.message.split("`")[1] for each in found] == ([what] if what else [])
 
 
+def test_a_module_that_the_file_does_not_import_is_marked() -> None:
+    text, _ = ported(
+        "from std_msgs.msg import String\nfrom rospy import Publisher\n"
+        "p = Publisher('a', String, queue_size=1)\nrospy.spin()\n",
+        "rospy",
+    )
+    assert text.endswith(f"\n{MARK}rospy.spin\nrospy.spin()\n")
+
+
+def test_a_module_beside_the_library_in_one_import_is_marked() -> None:
+    text, _ = ported("import tf, rospy\nrospy.init_node('n')\n", "rospy")
+    assert f"{MARK}tf\nimport tf\n" in text
+
+
+def test_an_import_with_continued_lines_gets_names_in_lines_of_their_own() -> None:
+    text, _ = ported(
+        "import rclpy\nfrom mine.srv import A, \\\n    B\nrclpy.init()\n"
+        "node = rclpy.create_node('n')\nx = [B.Response(), A.Response(), A(), B()]\n",
+        "rclpy",
+    )
+    ast.parse(text)
+    assert "import A, \\\n    B, \\\n    AResponse, \\\n    BResponse\n" in text
+
+
 def test_durations_of_rclpy_beside_those_of_messages() -> None:
     text, _ = ported(
         "import rospy\nfrom std_msgs.msg import Duration\nrospy.init_node('n')\n"

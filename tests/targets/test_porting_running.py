@@ -238,8 +238,13 @@ def test_a_callback_that_waits_for_another_one_is_marked(loop: str, is_marked: b
 
 ASKS = [
     ("x = input('a')", ["SIGINT", "SIGTERM"], False),
-    ("rate = rospy.Rate(1)\nx = input('a')", ["SIGINT", "SIGTERM"], True),
-    ("rate = rospy.Rate(1)", ["SIGTERM"], True),
+    ("rate = rospy.Rate(1)\nrate.sleep()\nx = input('a')", ["SIGINT", "SIGTERM"], True),
+    ("rate = rospy.Rate(1)\nrate.sleep()", ["SIGTERM"], True),
+    ("self.rate = rospy.Rate(n())", ["SIGTERM"], True),
+    ("rate = rospy.Rate(1)", [], False),
+    ("self.rate = rospy.Rate(1)", [], False),
+    ("rate = rospy.Rate(1)\nrate = rospy.Rate(2)", [], False),
+    ("rate = rospy.Rate(1)\nuse(rate)", ["SIGTERM"], True),
     ("x = 1", [], False),
 ]
 
@@ -256,6 +261,7 @@ def test_control_c_does_not_end_what_asks_the_user(
         f"{margin}signal.signal(signal.{each}, {handled}" for each in signals
     ]
     assert ("SignalHandlerOptions.NO" in text) == ("SIGINT" in signals)
+    assert ("create_rate" in text) == ("Rate" in lines and in_thread)
 
 
 def test_the_comments_and_blank_lines_of_imports_and_of_the_node_stay() -> None:

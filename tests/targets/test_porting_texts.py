@@ -119,7 +119,7 @@ TO_RCLPY = [
     ),
     ("if rospy.is_shutdown(): pass", "if not rclpy.ok(): pass"),
     ("go = not rospy.is_shutdown()", "go = rclpy.ok()"),
-    ("rate = rospy.Rate(10)", "rate = node.create_rate(10)"),
+    ("use(rospy.Rate(10))", "use(node.create_rate(10))"),
     ("x = rospy.get_param('~x', 1)", "x = get_param('x', 1)"),
     ('x = rospy.get_param("~a/b")', 'x = get_param("a.b")'),
     ("x = rospy.get_param('rate', [1, 2])", "x = get_param('rate', [1, 2])"),

@@ -114,6 +114,15 @@ BACK = [
         f"node.declare_parameter('a.b', 'c')\nx = {GET}('a.b').get_parameter_value().string_value",
         "x = rospy.get_param('~a/b', 'c')",
     ),
+    (
+        f'node.declare_parameter("a", "b")\nx = f"{{{GET}(\'a\').value}}"',
+        "x = f\"{rospy.get_param('~a', 'b')}\"",
+    ),
+    (
+        "x = f\"{node.declare_parameter('a', 1).value}\"",
+        "x = f\"{rospy.get_param('~a', 1)}\"",
+    ),
+    ("rclpy.create_node('m').destroy_node()", f'{MARK}a second node\nrospy.init_node("m")'),
     ("x = node.declare_parameter('a', [1, -2]).value", "x = rospy.get_param('~a', [1, -2])"),
     (
         f"node.declare_parameters('', [('a', 1), ('b', True)])\n"

@@ -112,6 +112,10 @@ def _extend(work: Work, imports: Iterable[str]) -> set[str]:
             continue
         is_below = len(names) > 1 and names[-1].start_point.row > names[-2].start_point.row
         gap = "\n" + " " * names[-1].start_point.column if is_below else " "
+        statement = names[-1].parent
+        if statement is not None and b"\\" in (statement.text or b""):
+            # Without brackets each line says that it goes on.
+            gap = " \\\n" + " " * names[-1].start_point.column
         work.insert(names[-1].end_byte, f",{gap}{name}")
     return left
 

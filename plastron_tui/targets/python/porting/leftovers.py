@@ -36,7 +36,7 @@ def mark_leftovers(
             continue
         if _is_done(node, done) or is_imported(node):
             continue
-        names = [name for name in work.qualified(node) if name.partition(".")[0] in roots]
+        names = [name for name in _names(work, node) if name.partition(".")[0] in roots]
         if names:
             work.mark(node, ".".join(names[0].split(".")[:3]), _remedy(names[0], remedies))
         elif node.type == "attribute":
@@ -75,15 +75,25 @@ def port_ending(work: Work, renamed: Mapping[str, str], remedies: Mapping[str, s
             work.mark(callee, f".{method}", remedies[method])
 
 
+def _names(work: Work, node: Node) -> tuple[str, ...]:
+    """Return what a name stands for; one that the file does not bind may be the module."""
+    first = work.slice(node).partition(".")[0]
+    is_bound = work.scope(node).lookup(first) is not None
+    return work.qualified(node) or (() if is_bound else (work.slice(node),))
+
+
 def _mark_import(work: Work, node: Node, roots: frozenset[str]) -> None:
     """Mark the import of a package that goes with the old ROS, and stays in the file."""
-    if work.is_gone(node) or node.id in work.done:
+    # `import tf, rospy` loses a name alone.
+    is_rest = node.type == "import_statement" and work.is_rewritten(node)
+    if work.is_gone(node) or (node.id in work.done and not is_rest):
         return
     module = node.child_by_field_name("module_name")
     parts = [module] if module is not None else node.children_by_field_name("name")
     for part in parts:
         name = part.child_by_field_name("name") or part
-        if work.slice(name).partition(".")[0] in roots:
+        is_left = work.slice(name).partition(".")[0] in roots
+        if is_left and (not is_rest or work.is_written(name)):
             work.mark(node, work.slice(name))
 
 

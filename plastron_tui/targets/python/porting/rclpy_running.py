@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
+from plastron_tui.sources.python.references import identifiers, statement_of
 from plastron_tui.sources.python.syntax import parts_of
 
 from .main_line import asks_user, is_busy_before_spin
@@ -108,6 +109,7 @@ def port_running(
         destroys: whether the file destroys endpoints meanwhile.
     """
     calls = _calls(work)
+    calls["rospy.Rate"] = _without_idle(work, calls["rospy.Rate"])
     is_made = any(each.call is not None for each in work.analysis.nodes)
     hooks = [each for each in calls["rospy.on_shutdown"] if is_made and _has_one(each)]
     listens = {site.call.id for site in work.analysis.sites if site.endpoint.kind in LISTENS}
@@ -175,6 +177,34 @@ def _calls(work: Work) -> dict[str, list[Node]]:
             if found in calls and (is_free or found in _ANYWHERE):
                 calls[found].append(call)
     return calls
+
+
+def _without_idle(work: Work, rates: list[Node]) -> list[Node]:
+    """Take away the rates that nothing sleeps at, and return the others.
+
+    One that a file keeps in an attribute may be of use to another file, unless it is a program.
+    """
+    targets: dict[str, list[Node]] = {}
+    is_program = any(each.call is not None for each in work.analysis.nodes)
+    for call in rates:
+        left = call.parent.child_by_field_name("left") if call.parent is not None else None
+        inside = call.child_by_field_name("arguments")
+        is_plain = (
+            all(each.type != "call" for each in walk(inside)) if inside is not None else False
+        )
+        if left is not None and is_plain and statement_of(call).named_children == [call.parent]:
+            name = left.child_by_field_name("attribute") if is_program else None
+            name = left if left.type == "identifier" else name
+            if name is not None:
+                targets.setdefault(work.slice(name), []).append(name)
+    idle = set()
+    for text, names in targets.items():
+        if len(list(identifiers(text, work.analysis))) == len(names):
+            idle |= {statement_of(each).id for each in names}
+    for call in rates:
+        if statement_of(call).id in idle:
+            work.delete(statement_of(call))
+    return [each for each in rates if statement_of(each).id not in idle]
 
 
 def _has_one(call: Node) -> bool:

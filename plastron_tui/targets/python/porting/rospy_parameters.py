@@ -78,9 +78,26 @@ def _port_declaration(work: Work, call: Node, declared: _Declared) -> None:
 
 
 def _replace(work: Work, value: Node, declared: _Declared) -> None:
-    name, quote = declared.name.replace(".", "/"), declared.quote
+    name, quote, default = declared.name.replace(".", "/"), declared.quote, declared.default
+    around = _quote_around(work, value)
+    if around == quote:
+        quote = "'" if quote == '"' else '"'
+    if around is not None and around in default:
+        if default[0] != around or quote in default or "\\" in default:
+            return
+        default = quote + default[1:-1] + quote
     work.done.update(each.id for each in walk(value))
-    work.replace(value, f"rospy.get_param({quote}~{name}{quote}, {declared.default})")
+    work.replace(value, f"rospy.get_param({quote}~{name}{quote}, {default})")
+
+
+def _quote_around(work: Work, value: Node) -> str | None:
+    """Return the quote of the text that a value is written into, which Python has not inside."""
+    outer = value.parent
+    while outer is not None and outer.type != "interpolation":
+        outer = outer.parent
+    if outer is None or outer.parent is None:
+        return None
+    return work.slice(outer.parent).lstrip("rRfF")[0]
 
 
 def _is_alone(call: Node) -> bool:

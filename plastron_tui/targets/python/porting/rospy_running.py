@@ -101,7 +101,11 @@ def _port_method(work: Work, call: Node, callee: Node, alone: Node | None) -> No
     part = callee.child_by_field_name("attribute")
     name = work.slice(part) if part is not None else ""
     if name == "destroy_node" and alone is not None and not _is_own(work, callee):
-        work.delete(alone)
+        holder = callee.child_by_field_name("object")
+        if holder is not None and holder.type == "call" and "super" not in work.slice(holder):
+            work.cut(Splice(holder.end_byte, call.end_byte))
+        else:
+            work.delete(alone)
     elif name == "create_rate":
         arguments = call.child_by_field_name("arguments")
         inner = work.text(arguments) if arguments is not None else "()"
