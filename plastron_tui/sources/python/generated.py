@@ -165,6 +165,11 @@ def _fills_message(analysis: Analysis, statement: Node) -> bool:
 _CALLING = frozenset(
     {"expression_statement", "try_statement", "if_statement", "return_statement", "pass_statement"}
 )
+# The first is also what rospy nodes said before.
+_CALLING_SUMMARIES = (
+    "once it is there, and log its answer.",
+    "if it is there within 10 s, and log its answer.",
+)
 
 
 def is_calling_function(analysis: Analysis, function: Scope) -> bool:
@@ -172,7 +177,7 @@ def is_calling_function(analysis: Analysis, function: Scope) -> bool:
     block = function.node.child_by_field_name("body")
     if not is_named_as_own(function) or has_comments(function) or block is None:
         return False
-    if "once it is there, and log its answer." not in analysis.syntax.slice(block)[:200]:
+    if not any(each in analysis.syntax.slice(block)[:200] for each in _CALLING_SUMMARIES):
         return False
     pending = body_of(function)
     while pending:

@@ -184,9 +184,10 @@ def add_calls(added: Addition, client: Client) -> list[str]:
     if _call_in_own_method(added, requests):
         return []
     name = added.free_name(method_naming(added.analysis, "call").name(added.name))
-    summary = f"Call {added.label} once it is there, and log its answer."
     if added.is_rclpy:
+        summary = f"Call {added.label} once it is there, and log its answer."
         return _call_rclpy(added, name, summary, requests)
+    summary = f"Call {added.label} if it is there within 10 s, and log its answer."
     errors = [
         added.rospy(error, in_callback=not added.is_nested)
         for error in ("ROSException", "ServiceException")
