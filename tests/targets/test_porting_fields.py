@@ -96,3 +96,33 @@ def test_fields_that_the_other_ros_calls_otherwise(library: str, before: str, af
     text, _ = ported(file, library)
     assert f"def hear(info):\n    {after}\n" in text
     assert count_marks(text) == after.count(MARK)
+
+
+ELSEWHERE = [
+    ("rospy", "vision_msgs.msg", "Detection2DArray", "x = m.results[0].id", ".id"),
+    ("rospy", "vision_msgs.msg", "Detection2DArray", "x = [r.score for r in m.results]", ".score"),
+    ("rospy", "vision_msgs.msg", "Detection2DArray", "x = m.bbox.center.x", ".center.x"),
+    ("rospy", "vision_msgs.msg", "Detection2DArray", "x = m.bbox.size_x", ""),
+    ("rospy", "vision_msgs.msg", "ObjectHypothesis", "x = 1", "vision_msgs/ObjectHypothesis"),
+    ("rospy", "gazebo_msgs.srv", "SpawnModel", "x = 1", "gazebo_msgs/SpawnModel"),
+    ("rospy", "gazebo_msgs.srv", "GetModelState", "q.model_name = 'a'", ".model_name"),
+    ("rospy", "mine.msg", "Detection2DArray", "x = m.results[0].id", ""),
+    ("rclpy", "vision_msgs.msg", "Detection2DArray", "x = m.results[0].hypothesis", ".hypothesis"),
+    ("rclpy", "vision_msgs.msg", "BoundingBox2D", "x = m.center.position", ".center.position"),
+    ("rclpy", "gazebo_msgs.srv", "SpawnEntity", "x = 1", "gazebo_msgs/SpawnEntity"),
+]
+
+
+@pytest.mark.parametrize(("library", "module", "name", "line", "what"), ELSEWHERE)
+def test_a_field_of_a_package_outside_of_the_catalog(
+    library: str, module: str, name: str, line: str, what: str
+) -> None:
+    made = {"rospy": "rospy.init_node('n')\n", "rclpy": "rclpy.init()\nrclpy.create_node('n')\n"}
+    text, found = ported(
+        f"import {library}\nfrom {module} import {name}\n{made[library]}{line}\n", library
+    )
+    marks = {each.message.split("`")[1] for each in found}
+    assert (what in marks) == bool(what)
+    assert what or not {each for each in marks if each.startswith(".")}
+    assert all(each.help for each in found)
+    assert text.endswith(f"\n{line}\n")

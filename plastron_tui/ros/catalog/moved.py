@@ -1,6 +1,7 @@
 """What became of the interface types that changed between ROS 1 and ROS 2.
 
-Sources: the ROS 2 migration guide, and the packages of both generations in this catalog.
+Sources: the ROS 2 migration guide, the packages of both generations in this catalog, and the
+definitions in `gazebo_ros_pkgs` and `vision_msgs` (noetic; 4.1 of humble).
 """
 
 from __future__ import annotations
@@ -50,12 +51,27 @@ _NOTES: Mapping[int, Mapping[InterfaceName, str]] = {
         _name("std_msgs/ByteMultiArray"): "in ROS 2 a `byte` is 0 to 255, not -128 to 127",
         _name("sensor_msgs/CameraInfo"): "in ROS 2 the matrices are `d`, `k`, `r` and `p`",
         _name("rosgraph_msgs/TopicStatistics"): "ROS 2 has statistics in `statistics_msgs`",
+        _name("gazebo_msgs/SpawnModel"): "ROS 2 has `SpawnEntity`, with `name` and `xml`",
+        _name("gazebo_msgs/DeleteModel"): "ROS 2 has `DeleteEntity`, with `name`",
+        _name("gazebo_msgs/GetModelState"): "ROS 2 has `GetEntityState`, which gives a `state`",
+        _name("gazebo_msgs/SetModelState"): "ROS 2 has `SetEntityState`, with `state`",
+        _name("vision_msgs/Classification2D"): "ROS 2 has `Classification`, without an image",
+        _name("vision_msgs/Classification3D"): "ROS 2 has `Classification`, without a cloud",
+        _name("vision_msgs/ObjectHypothesis"): "in ROS 2 `id` is `class_id`, a text",
+        _name("vision_msgs/ObjectHypothesisWithPose"): "ROS 2 has a `hypothesis` in it",
     },
     1: {
         _name("std_msgs/Header"): "in ROS 1 a header starts with `seq`, before `stamp`",
         _name("std_msgs/Byte"): "in ROS 1 a `byte` is -128 to 127, not 0 to 255",
         _name("std_msgs/ByteMultiArray"): "in ROS 1 a `byte` is -128 to 127, not 0 to 255",
         _name("sensor_msgs/CameraInfo"): "in ROS 1 the matrices are `D`, `K`, `R` and `P`",
+        _name("gazebo_msgs/SpawnEntity"): "ROS 1 has `SpawnModel`, with `model_name`, `model_xml`",
+        _name("gazebo_msgs/DeleteEntity"): "ROS 1 has `DeleteModel`, with `model_name`",
+        _name("gazebo_msgs/GetEntityState"): "ROS 1 has `GetModelState`, which gives no `state`",
+        _name("gazebo_msgs/SetEntityState"): "ROS 1 has `SetModelState`, with `model_state`",
+        _name("vision_msgs/Classification"): "ROS 1 has `Classification2D`, with an image",
+        _name("vision_msgs/ObjectHypothesis"): "in ROS 1 `class_id` is `id`, a number",
+        _name("vision_msgs/ObjectHypothesisWithPose"): "ROS 1 has `id` and `score` in it",
     },
 }
 

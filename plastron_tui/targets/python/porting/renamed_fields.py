@@ -21,6 +21,34 @@ _ELSEWHERE = frozenset(
 )
 """Types whose fields are looked at wherever they stand, whatever is known of what holds them."""
 
+_CENTER = "the center of a `BoundingBox2D`"
+_OF_PACKAGES = {
+    2: {
+        "vision_msgs.msg": {
+            "id": "`hypothesis.class_id` of a result, a text",
+            "score": "`hypothesis.score` of a result",
+            "source_img": "a detection of ROS 2 has no image",
+            "source_cloud": "a detection of ROS 2 has no cloud",
+            "center.x": f"{_CENTER} has `position.x`",
+            "center.y": f"{_CENTER} has `position.y`",
+        },
+        "gazebo_msgs.srv": {
+            "model_name": "`name` of the entity",
+            "model_xml": "`xml` of the entity",
+            "model_state": "`state` of the entity",
+            "relative_entity_name": "`reference_frame`",
+        },
+    },
+    1: {
+        "vision_msgs.msg": {
+            "hypothesis": "a result of ROS 1 has `id` and `score` itself",
+            "class_id": "`id` of a result, a number",
+            "center.position": f"{_CENTER} has `x` and `y` itself",
+        },
+    },
+}
+"""Fields by the modules of packages that the catalog has not; sources as in `moved`."""
+
 
 @dataclass(frozen=True, slots=True)
 class _Field:
@@ -33,14 +61,36 @@ class _Field:
 
 def port_fields(work: Work) -> None:
     """Rename fields where the message is known; mark those that are gone, or may be meant."""
-    fields = _changed_fields(work)
-    for node in walk(work.analysis.syntax.root) if fields else ():
+    fields, known = _changed_fields(work), _of_packages(work)
+    for node in walk(work.analysis.syntax.root) if fields or known else ():
         if work.is_gone(node) or node.id in work.done:
             continue
         if node.type == "attribute":
             _port_attribute(work, node, fields)
+            _mark_known(work, node, known)
         elif node.type == "call":
             _port_keywords(work, node, fields)
+
+
+def _of_packages(work: Work) -> dict[str, str]:
+    """Return the fields of packages outside of the catalog that the file imports from."""
+    return {
+        name: remedy
+        for module, fields in _OF_PACKAGES[work.catalog.ros_version].items()
+        if module.encode() in work.analysis.syntax.text
+        for name, remedy in fields.items()
+    }
+
+
+def _mark_known(work: Work, node: Node, known: dict[str, str]) -> None:
+    holder, part = node.child_by_field_name("object"), node.child_by_field_name("attribute")
+    if holder is None or part is None:
+        return
+    outer = holder.child_by_field_name("attribute")
+    names = (work.slice(part), f"{work.slice(outer or holder)}.{work.slice(part)}")
+    found = next((name for name in names if name in known), None)
+    if found and section_of(work, holder) is None and _may_be_message(work, node, holder):
+        work.mark(node, f".{found}", known[found])
 
 
 def _changed_fields(work: Work) -> dict[str, list[_Field]]:

@@ -203,7 +203,7 @@ def target_type(
     instead = moved(type_, work.catalog.ros_version)
     if isinstance(instead, InterfaceName) and work.catalog.find(instead, kind) is not None:
         return instead, None
-    if work.before.find(type_, kind) is None:
+    if work.before.find(type_, kind) is None and not isinstance(instead, str):
         is_named = work.catalog.ros_version == 1 or _NAME.fullmatch(type_.name) is not None
         return (type_, None) if is_named else (None, _CAPITALS)
     return None, instead if isinstance(
