@@ -38,7 +38,20 @@ NOW = "node.get_clock().now()"
 CLOCK = "clock_type=node.get_clock().clock_type"
 FROM_MESSAGE = "rclpy.time.Time.from_msg(message.header.stamp).nanoseconds"
 
+MARKER = "from visualization_msgs.msg import Marker\nm = Marker()\n"
 TO_RCLPY = [
+    (
+        f"{MARKER}m.lifetime = rospy.Duration(2)\nm.lifetime = rospy.Duration()",
+        f"{MARKER}m.lifetime = Duration(seconds=2).to_msg()\nm.lifetime = Duration().to_msg()",
+    ),
+    (
+        f"{MARKER}a = rospy.Duration.from_sec(2)\nx = Marker(lifetime=a)",
+        f"{MARKER}a = Duration(seconds=2)\nx = Marker(lifetime=a.to_msg())",
+    ),
+    (
+        f"{MARKER}x = Marker(scale=rospy.Duration(2))",
+        f"{MARKER}{MARK}rospy.Duration\nx = Marker(scale=rospy.Duration(2))",
+    ),
     (
         "end = rospy.Time.now() + rospy.Duration(5)\nwhile rospy.Time.now() < end: pass",
         f"end = {NOW} + Duration(seconds=5)\nwhile {NOW} < end: pass",

@@ -326,9 +326,14 @@ BACK = [
     ("node.get_logger().info('a')", "rospy.loginfo('a')"),
     ("node.get_logger().warning(f'a {x}')", "rospy.logwarn(f'a {x}')"),
     ("node.get_logger().error(\n    x\n)", "rospy.logerr(\n    x\n)"),
+    ("node.get_logger().info('a', once=True)", "rospy.loginfo_once('a')"),
     (
-        "node.get_logger().info('a', once=True)",
-        f"{MARK}.get_logger\nnode.get_logger().info('a', once=True)",
+        "node.get_logger().warn(f'{x}', throttle_duration_sec=2.0)",
+        "rospy.logwarn_throttle(2.0, f'{x}')",
+    ),
+    (
+        "node.get_logger().info('a', once=x)",
+        f"{MARK}.get_logger\nnode.get_logger().info('a', once=x)",
     ),
     (
         "node.create_timer(1.0, tick, callback_group=group)",

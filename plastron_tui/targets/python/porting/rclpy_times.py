@@ -9,7 +9,7 @@ from plastron_tui.sources.python.syntax import parts_of
 
 from .port_state import Work, walk
 from .rclpy_node import has_node
-from .times import Kind, Times, of_message
+from .times import Kind, Times, is_lasting, of_message
 
 _NOW = frozenset({"rospy.Time.now", "rospy.get_rostime"})
 _DURATION = frozenset({"rospy.Duration", "rospy.Duration.from_sec"})
@@ -33,7 +33,8 @@ def port_times(work: Work, node: str) -> None:
             work.done.update(each.id for each in walk(call))
         elif names <= _DURATION:
             work.replace(callee, _duration(work))
-            work.insert(given[0].start_byte, "seconds=")
+            if given:
+                work.insert(given[0].start_byte, "seconds=")
             work.done.add(call.id)
         else:
             seconds = f"seconds={work.text(given[0])}, " if given else ""
@@ -116,7 +117,11 @@ class _Times(Times):
             return None
         if (names <= _NOW and not given) or (names <= _TIME and len(given) <= 1):
             return "time" if has_node(self.work, call) else None
-        return "duration" if names <= _DURATION and len(given) == 1 else None
+        return "duration" if names <= _DURATION and len(given) <= 1 else None
+
+    def stamp(self, node: Node) -> Node | None:
+        """Return what goes into the stamp of a message, or into a field for a duration."""
+        return node if is_lasting(self.work, node) else super().stamp(node)
 
     def reader(self, attribute: Node) -> Node | None:
         """Return the call of `to_sec`."""

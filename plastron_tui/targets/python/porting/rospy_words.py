@@ -5,6 +5,7 @@ from __future__ import annotations
 from tree_sitter import Node
 
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+from plastron_tui.sources.python.splices import Splice
 from plastron_tui.sources.python.syntax import parts_of
 
 from .port_state import Work, walk
@@ -40,9 +41,28 @@ def port_rospy_words(work: Work) -> None:
             is_text = len(given) == 1 and given[0].type not in ("keyword_argument", "list_splat")
             if is_text and given[0].type != "dictionary_splat":
                 _replace(work, callee, _LOGS[chain[1]])
+            elif len(given) == 2:
+                _port_rare_log(work, callee, _LOGS[chain[1]], *given)
     for node in walk(work.analysis.syntax.root):
         if node.type == "attribute":
             _port_side(work, node)
+
+
+def _port_rare_log(work: Work, callee: Node, log: str, text: Node, option: Node) -> None:
+    """Rewrite a log with `once=True`, or with the seconds that pass before the next one."""
+    name, value = option.child_by_field_name("name"), option.child_by_field_name("value")
+    if name is None or value is None or text.type.endswith(("keyword_argument", "splat")):
+        return
+    word = work.slice(name)
+    if word == "once" and work.slice(value) == "True":
+        _replace(work, callee, f"{log}_once")
+    elif word == "throttle_duration_sec":
+        _replace(work, callee, f"{log}_throttle")
+        work.insert(text.start_byte, f"{work.text(value)}, ")
+    else:
+        return
+    work.done.add(name.id)
+    work.cut(Splice(text.end_byte, option.end_byte))
 
 
 def _replace(work: Work, node: Node, text: str) -> None:

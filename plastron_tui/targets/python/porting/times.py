@@ -7,7 +7,7 @@ from typing import Literal
 
 from tree_sitter import Node
 
-from plastron_tui.ros.interfaces import FieldType
+from plastron_tui.ros.interfaces import FieldType, Section
 from plastron_tui.sources.python.constants import without_none
 from plastron_tui.sources.python.references import identifiers, is_member
 from plastron_tui.sources.python.syntax import parts_of
@@ -43,6 +43,28 @@ def is_stamp(work: Work, value: Node) -> bool:
     made = parent.parent.parent.child_by_field_name("function")
     is_header = made is not None and "std_msgs.msg.Header" in work.qualified(made)
     return is_header and name is not None and work.slice(name) == "stamp"
+
+
+def is_lasting(work: Work, value: Node) -> bool:
+    """Tell whether a duration goes into a field of a message, as it is."""
+    parent = value.parent
+    type_: object = None
+    if parent is not None and parent.type == "assignment":
+        left = parent.child_by_field_name("left")
+        type_ = typed(work, left) if left is not None and left != value else None
+    elif parent is not None and parent.type == "keyword_argument":
+        call = parent.parent.parent if parent.parent is not None else None
+        section = typed(work, call) if call is not None and call.type == "call" else None
+        name = parent.child_by_field_name("name")
+        for each in section.fields if isinstance(section, Section) else ():
+            if name is not None and each.name == work.slice(name):
+                type_ = each.type
+    return (
+        isinstance(type_, FieldType)
+        and type_.name in ("duration", "Duration")
+        and not type_.is_array
+        and type_.package in (None, "builtin_interfaces")
+    )
 
 
 def of_message(work: Work, node: Node) -> Kind | None:
@@ -151,7 +173,7 @@ class Times(ABC):
         if parent is None:
             return False
         stamp = self.stamp(node)
-        if stamp is not None and self.kind(node) == "time":
+        if stamp is not None and self.kind(node) is not None:
             self.stamps += [stamp] if stamp not in self.stamps else []
             return True
         match parent.type:
