@@ -108,3 +108,22 @@ def test_a_line_of_rospy(before: str, after: str) -> None:
     ast.parse(text)
     assert text.endswith(f"\n{after}\n")
     assert count_marks(text) == after.count(MARK)
+
+
+HELP = [
+    ("rospy", "import tf.transformations", "`tf_transformations`"),
+    ("rospy", "import tf2_ros", "its listener and broadcasters take the node"),
+    ("rospy", "x = rospy.resolve_name('y')", "`node.resolve_topic_name(name)`"),
+    ("rclpy", "import ament_index_python", "`rospkg.RosPack().get_path(package)`"),
+    ("rclpy", "x = rclpy.task.Future()", "rospy has no futures: a client gives the answer itself"),
+]
+
+
+@pytest.mark.parametrize(("library", "line", "remedy"), HELP)
+def test_what_to_write_instead(library: str, line: str, remedy: str) -> None:
+    made = {
+        "rospy": "rospy.init_node('n')\n",
+        "rclpy": "rclpy.init()\nnode = rclpy.create_node('n')\n",
+    }
+    _, found = ported(f"import {library}\n{made[library]}{line}\n", library)
+    assert remedy in [each.help for each in found]

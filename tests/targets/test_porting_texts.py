@@ -119,6 +119,10 @@ TO_RCLPY = [
     ),
     ("if rospy.is_shutdown(): pass", "if not rclpy.ok(): pass"),
     ("go = not rospy.is_shutdown()", "go = rclpy.ok()"),
+    (
+        "p = rospy.Publisher('t', String, None, False, False, None, 5)",
+        "p = node.create_publisher(String, 't', 5)",
+    ),
     ("use(rospy.Rate(10))", "use(node.create_rate(10))"),
     ("x = rospy.get_param('~x', 1)", "x = get_param('x', 1)"),
     ('x = rospy.get_param("~a/b")', 'x = get_param("a.b")'),

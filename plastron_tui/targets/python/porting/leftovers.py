@@ -31,7 +31,7 @@ def mark_leftovers(
     done = set(work.done)
     for node in walk(work.analysis.syntax.root):
         if node.type in IMPORTS:
-            _mark_import(work, node, roots)
+            _mark_import(work, node, roots, remedies)
         if node.type not in ("identifier", "attribute") or is_inner(node) or work.is_gone(node):
             continue
         if _is_done(node, done) or is_imported(node):
@@ -82,7 +82,9 @@ def _names(work: Work, node: Node) -> tuple[str, ...]:
     return work.qualified(node) or (() if is_bound else (work.slice(node),))
 
 
-def _mark_import(work: Work, node: Node, roots: frozenset[str]) -> None:
+def _mark_import(
+    work: Work, node: Node, roots: frozenset[str], remedies: Mapping[str, str]
+) -> None:
     """Mark the import of a package that goes with the old ROS, and stays in the file."""
     # `import tf, rospy` loses a name alone.
     is_rest = node.type == "import_statement" and work.is_rewritten(node)
@@ -94,7 +96,7 @@ def _mark_import(work: Work, node: Node, roots: frozenset[str]) -> None:
         name = part.child_by_field_name("name") or part
         is_left = work.slice(name).partition(".")[0] in roots
         if is_left and (not is_rest or work.is_written(name)):
-            work.mark(node, work.slice(name))
+            work.mark(node, work.slice(name), _remedy(work.slice(name), remedies))
 
 
 def _mark_attribute(work: Work, node: Node, attributes: Mapping[str, str]) -> None:

@@ -145,7 +145,15 @@ def _remedies(node: str) -> dict[str, str]:
         "actionlib.SimpleActionClient": "`rclpy.action.ActionClient(node, type, name)`",
         "actionlib.SimpleActionServer": "`rclpy.action.ActionServer(node, type, name, callback)`",
         "actionlib": "`rclpy.action`",
+        "rospy.Time": "`rclpy.time.Time(seconds=...)`, with the clock's `clock_type`",
+        "rospy.resolve_name": f"`{node}.resolve_topic_name(name)`",
+        "rospy.get_published_topics": f"`{node}.get_topic_names_and_types()`",
+        "rospy.AnyMsg": "a subscription of one type, with `raw=True`",
+        "dynamic_reconfigure": f"`{node}.add_on_set_parameters_callback(...)`",
+        "tf.transformations": "`tf_transformations`",
         "tf": "`tf2_ros`",
+        "tf2_ros": "its listener and broadcasters take the node",
+        "rosbag": "`rosbag2_py`",
     }
 
 
@@ -177,7 +185,7 @@ def _writers(node: str, waits: Waits) -> dict[EndpointKind, Writer]:
 
 def _publisher(node: str, work: Work, site: Site, name: str) -> str | None:
     latch = site.arguments.get(Argument(4, "latch"))
-    depth = _depth(work, site, 7)
+    depth = _depth(work, site, 6)
     if latch is not None and work.slice(latch) == "True":
         # What is latched is the last message alone, however many may wait to be sent.
         depth = "QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)"

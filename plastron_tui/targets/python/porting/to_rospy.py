@@ -101,6 +101,15 @@ _REMEDIES = {
     "rclpy.spin_until_future_complete": "a client of rospy waits by itself",
     "rclpy.executors": "rospy handles what comes in threads of its own",
     "rclpy.logging": "`rospy.loginfo(...)`",
+    "rclpy.callback_groups": _OPTIONS["callback_group"],
+    "rclpy.clock": "`rospy.Time.now()`",
+    "rclpy.lifecycle": "a node of ROS 1 has no life cycle",
+    "rclpy.node.Node": "rospy has no object for the node",
+    "rclpy.parameter": "`rospy.get_param('~name', default)`",
+    "rclpy.Parameter": "`rospy.get_param('~name', default)`",
+    "rclpy.task": "rospy has no futures: a client gives the answer itself",
+    "ament_index_python": "`rospkg.RosPack().get_path(package)`",
+    "launch": "`roslaunch`",
 }
 
 
