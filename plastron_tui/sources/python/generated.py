@@ -168,7 +168,7 @@ _CALLING = frozenset(
 # The first is also what rospy nodes said before.
 _CALLING_SUMMARIES = (
     "once it is there, and log its answer.",
-    "if it is there within 10 s, and log its answer.",
+    "within 10 s, and log its answer.",
 )
 
 

@@ -187,7 +187,7 @@ def add_calls(added: Addition, client: Client) -> list[str]:
     if added.is_rclpy:
         summary = f"Call {added.label} once it is there, and log its answer."
         return _call_rclpy(added, name, summary, requests)
-    summary = f"Call {added.label} if it is there within 10 s, and log its answer."
+    summary = f"Call {added.label} within 10 s, and log its answer."
     errors = [
         added.rospy(error, in_callback=not added.is_nested)
         for error in ("ROSException", "ServiceException")

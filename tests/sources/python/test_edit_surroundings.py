@@ -166,7 +166,7 @@ CASES = {
             "node('n')\n",
             "node('n')\n    call_client = rospy.ServiceProxy('call', Trigger)\n\n"
             "    def call_call(event):\n"
-            "        \"\"\"Call call if it is there within 10 s, and log its answer.\"\"\"\n"
+            "        \"\"\"Call call within 10 s, and log its answer.\"\"\"\n"
             "        try:\n"
             "            call_client.wait_for_service(timeout=10.0)\n"
             "            response = call_client(TriggerRequest())\n"

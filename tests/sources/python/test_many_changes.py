@@ -74,14 +74,14 @@ def test_in_one_go_in_the_nodes_of_others(path, name, monkeypatch):
 def _analyses(monkeypatch, changes: Sequence[Change]) -> int:
     """Return how often a file is analyzed while changes are made in it."""
     count = 0
-    analyze = edits.analyze
+    analyze = edits.analyze_again
 
     def counted(*arguments):
         nonlocal count
         count += 1
         return analyze(*arguments)
 
-    monkeypatch.setattr(edits, "analyze", counted)
+    monkeypatch.setattr(edits, "analyze_again", counted)
     assert edit(NODE, *changes).files is not None
     return count
 
