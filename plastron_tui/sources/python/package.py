@@ -98,8 +98,6 @@ class Package:
 
     def _may_be_own(self, name: str, folder: str) -> bool:
         first = name.partition(".")[0]
-        if not first:
-            return name[1:2] != ""
         if (first, folder) not in self._is_own:
             places = (os.path.join(each, first) for each in self._folders(folder))  # noqa: PTH118
             self._is_own[first, folder] = any(

@@ -23,8 +23,6 @@ PREFIX = '/robot'
 SCAN = PREFIX + '/scan'
 NAMES = {'odom': 'odom_raw'}
 SEEN = SCAN if os.environ else 'x'
-def make(name='arm'):
-    return Config(name)
 class Topics:
     CMD = 'cmd_vel'
 class Config:
@@ -41,8 +39,10 @@ FILES = {
     "src/demo/again.py": "from .topics import *\nfrom . import topics as t\nMINE = t.SCAN + "
     "'/mine'\n",
     "src/demo/types.py": "from std_msgs.msg import *\nfrom geometry_msgs.msg import *\n",
-    "src/demo/round_a.py": "from .round_b import NAME\n",
-    "src/demo/round_b.py": "from .round_a import NAME\n",
+    "src/demo/hands.py": "from .base import Base\n",
+    "src/demo/stars.py": "from .base import *\n",
+    "src/demo/round_a.py": "from .round_b import NAME\nfrom .round_b import *\n",
+    "src/demo/round_b.py": "from .round_a import NAME\nfrom .round_a import *\n",
     "scripts/near.py": "BESIDE = 'beside'\n",
     "scripts/deeper/__init__.py": "from ..far import FAR\n",
 }
@@ -96,6 +96,7 @@ NAMES = {
     "what is not there": ("from demo.topics import NOTHING", "NOTHING", None),
     "a module that is not there": ("from demo.nothing import SCAN", "SCAN", None),
     "a circle": ("from demo.round_a import NAME", "NAME", None),
+    "a circle of modules imported whole": ("from demo.round_a import *", "X", None),
     "above the package": ("from ...topics import SCAN", "SCAN", None),
     "a number": ("from demo.topics import Topics", "Topics", None),
 }  # fmt: skip
@@ -111,6 +112,7 @@ TYPES = {
     "of another name": ("from demo.topics import Type", "Type", "std_msgs/Int32", False),
     "through modules": ("from demo import topics", "topics.Count", "std_msgs/Int32", False),
     "imported whole twice": ("from demo.types import *", "Twist", "geometry_msgs/Twist", False),
+    "imported whole in turn": ("from demo.again import *", "Count", "std_msgs/Int32", False),
     "of no file": ("from demo.types import Nothing", "Nothing", None, False),
 }
 
@@ -164,6 +166,17 @@ BASES = {
         f"{OWN}pass\nclass Last(Node):\n    def listen(self):\n        pass\n",
         ["alive", None, "/robot/scan"],
     ),
+    "of a class that another file hands on": (
+        OWN.replace("demo.base", "demo.hands") + "pass\n", ["low", "alive", None, "/robot/scan"]
+    ),
+    "of a class of a module imported whole": (
+        OWN.replace("import Base", "import *") + "pass\n", ["low", "alive", None, "/robot/scan"]
+    ),
+    "of a class of a module imported whole in turn": (
+        OWN.replace("demo.base import Base", "demo.stars import *") + "pass\n",
+        ["low", "alive", None, "/robot/scan"],
+    ),
+    "of no class": (OWN.replace("Base", "SCAN") + "pass\n", []),
     "of a class that is only used": (
         "import rospy\nfrom demo.base import Base\nrospy.init_node('n')\nBase()\n", []
     ),
