@@ -13,6 +13,7 @@ from plastron_tui.diagnostics import Span
 from plastron_tui.model.source import Remove, Rename
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources.python import package, read_python
+from plastron_tui.targets.python.porting.port import port_python
 from plastron_tui.targets.python.rospy import DIALECT
 
 TOPICS = """\
@@ -294,3 +295,19 @@ def test_a_chain_of_files_ends(demo):
 def test_what_was_read_beside_a_file_is_told(demo):
     result = read(demo, TALKER)
     assert result.beside == (demo / "src/demo/topics.py",)
+
+
+def test_a_port_knows_the_names_that_another_file_says(demo):
+    text = TALKER.replace("demo.topics", "demo.names")
+    (demo / "src/demo/names.py").write_text("SCAN = 'scan'\n")
+    rendered = port_python(read(demo, text).source, Catalog("jazzy"), "rclpy")
+    assert rendered.files is not None
+    assert b"create_publisher(String, SCAN, 1)" in rendered.files.main
+    assert rendered.diagnostics == ()
+
+
+def test_a_port_marks_a_private_name_that_another_file_says(demo):
+    (demo / "src/demo/names.py").write_text("SCAN = '~scan'\n")
+    text = TALKER.replace("demo.topics", "demo.names")
+    rendered = port_python(read(demo, text).source, Catalog("jazzy"), "rclpy")
+    assert any("a private name" in each.message for each in rendered.diagnostics)

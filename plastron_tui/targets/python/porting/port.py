@@ -16,6 +16,7 @@ from plastron_tui.sources.python.calls import LIBRARIES
 from plastron_tui.sources.python.compiling import NotPython, syntax_error
 from plastron_tui.sources.python.editor import not_encodable
 from plastron_tui.sources.python.line_limit import LineLimit, line_limit
+from plastron_tui.sources.python.package import Package
 from plastron_tui.sources.python.sites import analyze
 from plastron_tui.sources.python.syntax import parse
 from plastron_tui.sources.python.wrapping import wrap_new_lines
@@ -55,7 +56,8 @@ def port_python(
         library: the client library that it goes to.
         line_length: how long a line may be, None for what the file, or its ROS, keeps to.
     """
-    before = analyze(source.files.main, LIBRARIES[source.library])
+    known = LIBRARIES[source.library]
+    before = analyze(source.files.main, known, Package(source.path, known).names)
     if before.syntax.errors:
         message = f"`{source.path.name}` does not parse, and cannot be brought to {library}"
         return Rendered(
@@ -94,7 +96,8 @@ def _ported(source: SourceUnit, work: Work, library: str, limit: LineLimit) -> R
         text = without_tabs(text)
     lines = _comment_lines(text.decode(before.syntax.encoding, "replace"))
     found = [_listed(mark, source, library, lines) for mark in _in_order(work.marks)]
-    after = analyze(text, LIBRARIES[library])
+    target = LIBRARIES[library]
+    after = analyze(text, target, Package(source.path, target).names)
     found += _missing(work, before, after, source)
     problem = syntax_error(text)
     was_python_3 = problem is not None and syntax_error(source.files.main) is None
