@@ -16,6 +16,8 @@ _FEW = 2
 # So many calls that would fit on a line tell that a file keeps to less.
 _SEVERAL = 2
 _MOST_ROWS = 12
+# So many lines that end just before a limit, and none behind it, tell that there is one.
+_NEAR, _CROWD = 8, 5
 # A line that a word more makes too long is left as it is where nobody said what is too long.
 _WORD = 12
 
@@ -66,6 +68,7 @@ def line_limit(text: bytes, library: str, said: int | None) -> LineLimit:
     length = next((each for each in (allowed, *_USUAL) if longest <= each >= allowed), _USUAL[-1])
     if longest <= allowed:
         length = _kept_to(code, max(lengths, default=0), allowed)
+        length = min(length, _ends_at(text, allowed))
     # A file whose longest line nearly has that length is kept to it.
     least = 0 if length == ROS_2 else length - _WORD
     is_checked = length == allowed and least < lengths[0] <= length if lengths else False
@@ -87,6 +90,15 @@ def _kept_to(code: list[str], longest: int, allowed: int) -> int:
     joined = [len(each) for each in _rejoined(code)]
     less = [each for each in _USUAL if longest <= each < allowed]
     return next((each for each in less if _lie_between(joined, each, allowed)), allowed)
+
+
+def _ends_at(text: bytes, allowed: int) -> int:
+    """Return the limit that many lines of a file come near to, comments too, and none passes."""
+    lengths = [len(line.rstrip()) for line in text.decode("utf-8", "replace").splitlines()]
+    longest = max(lengths, default=0)
+    least = next((each for each in _USUAL if longest <= each), allowed)
+    is_crowded = sum(least - _NEAR < each for each in lengths) >= _CROWD
+    return least if is_crowded and least < allowed else allowed
 
 
 def _lie_between(lengths: list[int], least: int, most: int) -> bool:

@@ -213,6 +213,15 @@ def test_prose_does_not_tell_what_a_file_keeps_to(line):
     assert line_limit(text.encode(), "rclpy", None).length == 99
 
 
+NEAR = [f"# {'-' * 76}\n"] * 5
+ENDING = [(NEAR, 79), (NEAR[1:], 99), ([*NEAR, f"# {'-' * 78}\n"], 99), ([*NEAR, "#" * 100], 99)]
+
+
+@pytest.mark.parametrize(("lines", "limit"), ENDING)
+def test_lines_that_end_alike_tell_what_a_file_keeps_to(lines, limit):
+    assert line_limit("".join(lines).encode(), "rclpy", None).length == limit
+
+
 def call_of(function: str, length: int) -> str:
     return f"{function}({'a' * (length - 6)}, b)\n"
 

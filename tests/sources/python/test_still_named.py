@@ -24,6 +24,16 @@ TOLD = {
         "def tell(topic):\n    print(topic)\n\n\ntell('/words')"
     ),
 }
+DOCUMENTED = {
+    "# listening on /robot/words": "# listening on /words",
+    "x = 1  # from topic robot/words": "x = 1  # from topic words",
+    "'''About /robot/words.'''": "'''About /words.'''",
+    "'''/robot/words'''": "'''/words'''",
+    "'''\nA transform of x.\nAbout /robot/words.\n'''": (
+        "'''\nA transform of x.\nAbout /words.\n'''"
+    ),
+}
+TOLD |= DOCUMENTED
 SAYING = {
     "print('transform of /robot/words')": True,
     "msg.header.frame_id = '/robot/words'": False,
@@ -43,14 +53,9 @@ SAYING = {
     "rospy.loginfo(f'{x}/robot/words')": False,
     "rospy.loginfo('{}/robot/words'.format(x))": False,
     "rospy.loginfo('x' '/robot/words')": False,
-    "# listening on /robot/words": True,
-    "x = 1  # from topic robot/words": True,
     "# rospy.Publisher('/robot/words', String)": False,
     "# in the transform /robot/words": False,
     "# see my/robot/words, /robot/words.bag, /robot/words/more": False,
-    "'''About /robot/words.'''": True,
-    "'''/robot/words'''": True,
-    "'''\nA transform of x.\nAbout /robot/words.\n'''": True,
     "def f(topic='/robot/words'):\n    pass": False,
     "rospy.Subscriber('/robot/words', Int32)": False,
     "rospy.Publisher('/robot/words', String)": False,
