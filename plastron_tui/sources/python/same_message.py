@@ -30,9 +30,8 @@ def is_message(analysis: Analysis, interfaces: Interfaces, node: Node, value: Me
         node = given.pop("", node)
     callee = node.child_by_field_name("function")
     if callee is None or analysis.resolver.interface(callee, scope) != value.type:
-        return list(value.fields) == names[:1] and _is_value(
-            analysis, interfaces, node, value.fields[names[0]]
-        )
+        is_first = list(value.fields) == names[:1] != []
+        return is_first and _is_value(analysis, interfaces, node, value.fields[names[0]])
     arguments = Arguments.of(node, analysis.syntax)
     if arguments.is_open or len(arguments.positional) > len(names):
         return False

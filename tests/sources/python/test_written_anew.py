@@ -127,6 +127,19 @@ def test_another_time_of_sending_is_told(tmp_path: Path, often: str, told_rate: 
     assert messages == [f"line 7 no longer decides when `b` is sent{told_rate}"]
 
 
+@pytest.mark.parametrize("sent", ["m", "Empty()", ""])
+def test_a_message_without_fields(tmp_path: Path, sent: str) -> None:
+    body = "import rospy\nfrom std_msgs.msg import Empty\np = rospy.Publisher('a', Empty)\n"
+    program = "create_message m of message_type std_msgs/Empty and input none\n"
+    program += "n stop_publishing to 'a'\nn publish m to 'a' of message_type std_msgs/Empty at 5 hz"
+    outcome = Outcome(
+        tmp_path, "rospy", f"{body}def f(m):\n    p.publish({sent})\n\n\nf(0)\n", program
+    )
+    assert "    message = Empty()\n" in outcome.text
+    told = [each.message for each in outcome.found if "works out" in each.message]
+    assert told == (["`a` no longer sends `m`, which the node works out"] if sent == "m" else [])
+
+
 def test_what_a_publisher_sent_that_is_written_anew_is_told(tmp_path: Path) -> None:
     body = "def measure():\n    return 1\n\n\nx = measure()\np = q = rospy.Publisher('a', Int32)\n"
     _, messages = told(tmp_path, body + "p.publish(x)\nrospy.spin()\n", TAKE)
