@@ -27,7 +27,8 @@ _STEM = 5
 _SHORT = {b"msg": b"messa", b"msgs": b"messa"}
 _BLANKS = re.compile(rb"[ \t]*")
 _HEADER = re.compile(rb"(?:\xef\xbb\xbf)?(?:[ \t]*(?:#[^\n]*)?\r?\n)*")
-_CALL_OR_VALUE = rb"\w\(|^[\w.\[\]'\"]+\s*[-+*/]?=|=="
+_TARGET = rb"[\w.\[\]'\"]+"
+_CALL_OR_VALUE = rb"\w\(|^%s(, ?%s)*\s*[-+*/]?=|==" % (_TARGET, _TARGET)
 _CODE = re.compile(rb"%s|^(from|import|if|for|while|return|del|pass)\b" % _CALL_OR_VALUE)
 _SURE_CODE = re.compile(_CALL_OR_VALUE)
 
@@ -141,14 +142,25 @@ def _line_mates(statement: Node, gone: Container[int]) -> list[Node]:
 
 def _close_gaps(text: bytes, splices: Sequence[Splice]) -> list[Splice]:
     """Let deleted lines take the blank lines and the comment with them that only they needed."""
+    gaps = [
+        Splice(_over_comment(text, each), each.end) if _is_lines(text, each) else each
+        for each in _merged(text, splices)
+    ]
+    # Without the comments some have nothing between them any more.
+    gaps = _merged(text, gaps)
+    return [_close_gap(text, each) if _is_lines(text, each) else each for each in gaps]
+
+
+def _merged(text: bytes, splices: Sequence[Splice]) -> list[Splice]:
+    """Join deleted lines that have nothing between them."""
     found: list[Splice] = []
     for splice in sorted(splices):
         last = found[-1] if found else None
         if last is not None and _are_one_gap(text, last, splice):
-            found[-1] = Splice(last.start, splice.end)
+            found[-1] = Splice(last.start, max(last.end, splice.end))
         else:
             found.append(splice)
-    return [_close_gap(text, each) if _is_lines(text, each) else each for each in found]
+    return found
 
 
 def _are_one_gap(text: bytes, first: Splice, second: Splice) -> bool:
@@ -167,7 +179,7 @@ def _is_lines(text: bytes, splice: Splice) -> bool:
 
 def _close_gap(text: bytes, lines: Splice) -> Splice:
     """Keep the larger one of the gaps before and behind deleted lines; none at a block's ends."""
-    start, end = _over_comment(text, lines), lines.end
+    start, end = lines.start, lines.end
     before, after = _blank_before(text, start), _blank_after(text, end)
     first = before[-1] if before else start
     if (after[-1] if after else end) == len(text):
@@ -210,9 +222,7 @@ def _over_comment(text: bytes, lines: Splice) -> int:
         return heading
     indent = _indent(text, lines.start)
     following = text[lines.end : line_end(text, lines.end)]
-    is_followed = bool(following.strip()) and not following.lstrip().startswith(b"#")
-    is_followed = is_followed and len(_indent(text, lines.end)) >= len(indent)
-    speaks = _speaks_of if is_followed else _is_about
+    is_end = not following.strip() or len(_indent(text, lines.end)) < len(indent)
     start = lines.start
     while start > 0:
         previous = line_start(text, start - 1)
@@ -220,15 +230,29 @@ def _over_comment(text: bytes, lines: Splice) -> int:
         if previous >= start or _indent(text, previous) != indent or not line.startswith(b"#"):
             break
         # What stands below a line of code that somebody took out is a comment of its own.
-        if is_commented_code(line):
+        if is_commented_code(line) or _ends_box(text, previous, start):
             break
         if not _is_prose(line):
             return lines.start
         start = previous
-    if not speaks(text[start : lines.start], text, lines):
+    comment = text[start : lines.start]
+    if is_end:
+        speaks = _names_no_other(comment, text, lines)
+    elif following.lstrip().startswith(b"#"):
+        speaks = _is_about(comment, text, lines)
+    else:
+        speaks = _speaks_of(comment, text, lines)
+    if not speaks:
         return lines.start
     header = _HEADER.match(text)
     return lines.start if header is not None and header.end() >= start else start
+
+
+def _ends_box(text: bytes, start: int, end: int) -> bool:
+    """Whether a line is the ruler below a heading between two."""
+    above = text[line_start(text, max(start - 1, 0)) : start].strip()
+    is_ruler = _RULER.search(text[start:end]) is not None
+    return is_ruler and above.startswith(b"#") and _RULER.search(above) is None
 
 
 def _over_heading(text: bytes, lines: Splice) -> int | None:
@@ -269,10 +293,21 @@ def _speaks_of(comment: bytes, text: bytes, lines: Splice) -> bool:
     """Whether a comment names what is deleted, and nothing of what follows it is called so."""
     blank = _BLANK_LINE.search(text, lines.end)
     following = text[lines.end : blank.start() if blank is not None else len(text)].lower()
-    gone, said = text[lines.start : lines.end].lower(), comment.lower()
+    gone, said = text[lines.start : lines.end].lower(), _translated(comment)
+    return any(word in said and word in gone and word not in following for word in _KINDS)
+
+
+def _names_no_other(comment: bytes, text: bytes, lines: Splice) -> bool:
+    """Whether a comment names no kind of endpoint that is not among what is deleted."""
+    gone, said = text[lines.start : lines.end].lower(), _translated(comment)
+    return all(word in gone for word in _KINDS if word in said)
+
+
+def _translated(comment: bytes) -> bytes:
+    said = comment.lower()
     for word, kind in _TRANSLATED.items():
         said = said.replace(word.encode(), kind)
-    return any(word in said and word in gone and word not in following for word in _KINDS)
+    return said
 
 
 def _is_about(comment: bytes, text: bytes, lines: Splice) -> bool:
