@@ -27,7 +27,10 @@ if TYPE_CHECKING:
 
 
 # What an edit leaves behind is told when it is made; who runs the program again knows.
-_ONCE = (codes.UNCALLED_FUNCTION, codes.STILL_READ, codes.IDLE_CODE, codes.STILL_NAMED)
+_ONCE = (
+    *(codes.UNCALLED_FUNCTION, codes.STILL_READ, codes.IDLE_CODE, codes.STILL_NAMED),
+    codes.UNREAD_PARAMETER,
+)
 
 
 class Derived(NamedTuple):

@@ -212,6 +212,13 @@ IDLE_CODE = Code(
     severity=Severity.WARNING,
 )
 
+UNREAD_PARAMETER = Code(
+    "unread-parameter",
+    "A loaded file read a parameter for nothing but what a statement takes away, and does not "
+    "declare or read it any more. What sets it, as a launch file does, has no effect.",
+    severity=Severity.WARNING,
+)
+
 WRITTEN_ANEW = Code(
     "written-anew",
     "A statement takes something out of a loaded file and another one writes it anew, under "

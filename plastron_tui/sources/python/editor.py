@@ -30,6 +30,7 @@ from .splices import apply
 from .still_named import tell_still_named
 from .still_read import tell_still_read
 from .uncalled import tell_uncalled, uncalled_functions
+from .unread_parameters import tell_unread
 from .unresolved import Meanings, lost_names, meanings
 from .wrapping import wrap_new_lines
 
@@ -99,6 +100,7 @@ def edit_python(
         tell_uncalled(before, changes, uncalled),
         tell_still_read(before, analysis, changes, uncalled),
         tell_idle(before, analysis, changes),
+        tell_unread(before, analysis, changes),
         tell_still_named(analysis, changes, uncalled),
     )
     edits.notes += [each for each in told if each is not None]

@@ -111,6 +111,7 @@ def remove_uses(
             site
             for site in analysis.sites
             if site.call.id not in calls
+            and site.endpoint.kind is not EndpointKind.PARAMETER
             and reference.statement.start_byte
             <= site.call.start_byte
             < reference.statement.end_byte
