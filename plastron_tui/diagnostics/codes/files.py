@@ -207,8 +207,9 @@ STILL_READ = Code(
 IDLE_CODE = Code(
     "idle-code",
     "A statement takes away all that a function of a loaded file did, all that a loop did but to "
-    "sleep, or all that a node was made for. It is kept, as something calls it, waits for its end "
-    "or looks for the node; remove it by hand where nothing needs that.",
+    "sleep, all that a node was made for, or all that was done with what a call returns. It is "
+    "kept, as something calls it, waits for its end or looks for the node, or as the call may do "
+    "something besides; remove it by hand where nothing needs that.",
     severity=Severity.WARNING,
 )
 

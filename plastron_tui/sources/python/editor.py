@@ -17,7 +17,7 @@ from .compiling import syntax_error
 from .dialect import Dialect
 from .edits import Edits, Found, endpoints_of
 from .guessed_names import tell_guessed_names
-from .idle_code import tell_idle
+from .idle_code import tell_idle, tell_unused_results
 from .imports import restore_imports
 from .keeps_running import never_called
 from .line_limit import line_limit
@@ -100,6 +100,7 @@ def edit_python(
         tell_uncalled(before, changes, uncalled),
         tell_still_read(before, analysis, changes, uncalled),
         tell_idle(before, analysis, changes),
+        tell_unused_results(before, analysis, changes),
         tell_unread(before, analysis, changes),
         tell_still_named(analysis, changes, uncalled),
     )

@@ -43,6 +43,43 @@ def tell_idle(before: Analysis, after: Analysis, changes: Sequence[Change]) -> D
     return Diagnostic(codes.IDLE_CODE, message, span, help="remove it by hand if nothing needs it")
 
 
+def tell_unused_results(
+    before: Analysis, after: Analysis, changes: Sequence[Change]
+) -> Diagnostic | None:
+    """Return a warning that names the calls which are made for nothing but what else they do.
+
+    Args:
+        before: the file as it was.
+        after: the file as it is.
+        changes: what was asked for.
+    """
+    spans = [change.span for change in changes if isinstance(change, Remove | Update)]
+    had = Counter(_spelled(each) for each in _bare_calls(before))
+    known = {_spelled(each) for each in before.captures.get("call", [])} if spans else set()
+    found = []
+    for call in _bare_calls(after) if spans else ():
+        text, callee = _spelled(call), call.child_by_field_name("function")
+        had[text] -= 1
+        if had[text] < 0 and text in known and callee is not None:
+            found.append(f"`{after.syntax.slice(callee)}` (line {line_of(call)})")
+    if not found:
+        return None
+    message = f"nothing uses what is returned by {listed(found)}"
+    span = spans[0] if len(spans) == 1 else None
+    help_ = "remove the call by hand if it does nothing else"
+    return Diagnostic(codes.IDLE_CODE, message, span, help=help_)
+
+
+def _bare_calls(analysis: Analysis) -> list[Node]:
+    """Return the calls that are statements."""
+    calls = analysis.captures.get("call", [])
+    return [each for each in calls if each.parent and each.parent.type == "expression_statement"]
+
+
+def _spelled(call: Node) -> bytes:
+    return b" ".join((call.text or b"").split())
+
+
 def _idle(analysis: Analysis) -> Iterator[tuple[tuple[str, ...], str]]:
     """Yield where a function does nothing or a loop only sleeps, and what it is called."""
     for scope in analysis.scopes.all:

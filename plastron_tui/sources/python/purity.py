@@ -52,7 +52,7 @@ _PURE_MODULES = (
 )  # fmt: skip
 _DOING = (
     "numpy.copyto", "numpy.fill_diagonal", "numpy.load", "numpy.memmap", "numpy.place", "numpy.put",
-    "numpy.random.", "numpy.save", "numpy.set", "time.sleep", "time.tzset",
+    "numpy.save", "numpy.set", "time.sleep", "time.tzset",
 )  # fmt: skip
 _PURE_TYPES = frozenset(
     {"identifier", "string", "integer", "float", "true", "false", "none", "attribute", "subscript"}
@@ -66,6 +66,8 @@ _PURE_TYPES = frozenset(
     | {"generator_expression", "for_in_clause", "lambda", "lambda_parameters", "pattern_list"}
     | {"tuple_pattern"}
 )
+# Nobody knows which numbers come next, unless somebody seeds them.
+_DRAWING = ("numpy.random.", "random.")
 # A value that some of these have is only worked out at times.
 _AT_TIMES = frozenset(
     {"boolean_operator", "conditional_expression", "lambda", "list_comprehension"}
@@ -148,7 +150,9 @@ def _is_pure_call(analysis: Analysis, call: Node, depth: int = 0) -> bool:
         return depth < _MOST_DEEP and _is_pure_function(analysis, function, depth + 1)
     names = resolver.qualified(callee, scope)
     if names:
-        return all(_is_known(each) or is_interface_module(each) for each in names)
+        return all(
+            _is_known(each) or is_interface_module(each) or _draws(analysis, each) for each in names
+        )
     method = callee.child_by_field_name("attribute")
     name = analysis.syntax.slice(method) if method is not None else ""
     return name in _PURE_METHODS or (name == "get" and _is_of_mapping(call))
@@ -220,6 +224,12 @@ def _local_value(analysis: Analysis, part: Node, own: Mapping[bytes | None, bool
 def _is_known(name: str) -> bool:
     is_pure = name.startswith(_PURE_MODULES) and not name.startswith(_DOING)
     return name in _PURE_FUNCTIONS or is_pure
+
+
+def _draws(analysis: Analysis, name: str) -> bool:
+    """Whether a function only draws a number, in a file that seeds no numbers."""
+    is_drawing = name.startswith(_DRAWING) and not name.endswith(("state", "shuffle"))
+    return is_drawing and b"seed" not in analysis.syntax.text
 
 
 def _is_of_mapping(call: Node) -> bool:

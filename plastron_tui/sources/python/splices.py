@@ -16,6 +16,7 @@ _FOR_TOOLS = re.compile(
     rb"^#!|^#\s*(coding|fmt|flake8|isort|mypy|noqa|pragma|pylint|ruff|type|yapf)\b"
 )
 _BLANK_LINE = re.compile(rb"^[ \t]*\r?$", re.M)
+_CLAUSE = re.compile(rb"[ \t]*(elif|else|except|finally)\b")
 # What calls and comments have in common that are about one kind of endpoint.
 _KINDS = (b"publish", b"subscri", b"servi", b"client")
 # What the comments of many nodes say for them.
@@ -182,7 +183,7 @@ def _close_gap(text: bytes, lines: Splice) -> Splice:
     start, end = lines.start, lines.end
     before, after = _blank_before(text, start), _blank_after(text, end)
     first = before[-1] if before else start
-    if (after[-1] if after else end) == len(text):
+    if (after[-1] if after else end) == len(text) or _CLAUSE.match(text, end):
         return Splice(first, end)
     if line_start(text, first) == line_start(text, 0) or (
         not before and text[:start][-200:].rstrip().endswith(b":")

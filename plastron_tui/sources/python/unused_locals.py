@@ -113,10 +113,18 @@ def _is_local(analysis: Analysis, scope: Scope, name: str) -> bool:
     if scope.parent is None:
         parents = [statement_of(each.node).parent for each in bindings]
         is_top = any(parent is None or parent.type == "module" for parent in parents)
-        values = {each.value.type if each.value is not None else "" for each in bindings}
-        is_constant = values <= _LITERALS and not _is_quoted(analysis, name)
+        is_constant = all(_is_constant(analysis, each.value) for each in bindings)
+        is_constant = is_constant and not _is_quoted(analysis, name)
         is_shared = is_top and not (is_constant and _is_script(analysis))
     return scope.kind in ("function", "module") and is_plain and not is_shared
+
+
+def _is_constant(analysis: Analysis, value: Node | None) -> bool:
+    """Whether a value is a literal, or a message."""
+    if value is None or value.type in _LITERALS:
+        return value is not None
+    callee = value.child_by_field_name("function")
+    return analysis.resolver.interface(callee, analysis.scopes.module) is not None
 
 
 def _is_script(analysis: Analysis) -> bool:

@@ -36,6 +36,15 @@ CASES = {
         f"{PUB}{RATE}while wait():\n    rate.sleep()\npub.publish('x')\n",
         [],
     ),
+    "a call for what it returns": (
+        f"{PUB}\n\ndef kick():\n    m = String()\n    m.data = work(1)\n    pub.publish(m)\n"
+        "    rest()\n\n\ngo(kick)\n",
+        ["nothing uses what is returned by `work` (line 5)"],
+    ),
+    "a call of no use before": (
+        f"{PUB}\n\ndef kick():\n    work(1)\n    pub.publish(work(1))\n\n\ngo(kick)\n",
+        [],
+    ),
     "several": (
         f"{PUB}\n\ndef kick():\n    pub.publish('x')\n\n\ndef kill():\n    pub.publish('y')\n\n\n"
         "go(kick, kill)\n",

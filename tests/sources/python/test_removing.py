@@ -227,6 +227,9 @@ LINES = {
         "if x:\n    {}else:\n    b = 2\n", "if x:\n    pass\nelse:\n    b = 2\n"
     ),
     "an else": ("if x:\n    b = 2\nelse:\n    {}", "if x:\n    b = 2\n"),
+    "the end of the first way": (
+        "if x:\n    b = 2\n\n    {}else:\n    b = 3\n", "if x:\n    b = 2\nelse:\n    b = 3\n"
+    ),
     "both ways of a condition": ("if x:\n    {}elif y:\n    {}else:\n    {}b = 2\n", "b = 2\n"),
     "the last two of three ways": (
         "if x:\n    a = 1\nelif y:\n    {}else:\n    {}b = 2\n", "if x:\n    a = 1\nb = 2\n"
@@ -301,6 +304,12 @@ LINES = {
     "a value in a block of a script": (
         "p = {}if f():\n    z = 1\n    p.publish(z)\n    b = 2\n", "if f():\n    b = 2\n"
     ),
+    "a message of a script": (
+        "z = Int32()\nz.data = 1\np = {}p.publish(z)\nb = 2\n", "b = 2\n"
+    ),
+    "a message of a script that is read": (
+        "z = Int32()\np = {}p.publish(z)\nb = z\n", "z = Int32()\nb = z\n"
+    ),
     "a value of a class": (
         "p = {}class A:\n    z = 1\n    p.publish(z)\n", "class A:\n    z = 1\n"
     ),
@@ -346,7 +355,8 @@ def test_lines_around_what_is_removed(case):
 @pytest.mark.parametrize(
     ("value", "is_kept"),
     [("d.get('k')", False), ("d.get(True)", True), ("d.get()", True), ("rospy.get_name()", False),
-     ("Point(*d)", True), ("numpy.max(d)", False), ("numpy.random.rand()", True),
+     ("Point(*d)", True), ("numpy.max(d)", False), ("numpy.random.rand()", False),
+     ("numpy.random.seed()", True),
      ("String(*d)", False), ("take()", True), ("rospy.get_param('~x', 1)", False),
      ("[2 * each for each in d]", False), ("[a + b for a, b in d]", False),
      ("[a + b for a, (b, c) in d]", False),
