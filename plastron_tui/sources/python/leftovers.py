@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from tree_sitter import Node
 
@@ -44,11 +45,13 @@ def placeholders(analysis: Analysis, variable: Variable, removal: Removal) -> li
 def sending_logs(analysis: Analysis, removal: Removal) -> list[Node]:
     """Return the lines beside what is gone that log nothing but that: `loginfo('published')`.
 
-    Beside what publishes they say so; beside what creates an endpoint they say its name as well.
+    Beside what publishes they say so; beside what creates an endpoint, or a timer of it, they say
+    its name or its type as well.
     """
     found = []
-    names = {site.endpoint.name for site in removal.sites}
-    left = {site.endpoint.name for site in analysis.sites if site not in removal.sites}
+    names = _names_of(removal.sites)
+    left = _names_of([site for site in analysis.sites if site not in removal.sites])
+    gone = {each.id for each in removal.statements}
     for statement in removal.statements:
         text = statement.text or b""
         is_sending = _PUBLISHES in text
@@ -61,12 +64,19 @@ def sending_logs(analysis: Analysis, removal: Removal) -> list[Node]:
             if (
                 each is None
                 or said is None
+                or each.id in gone
                 or (_SENT if is_sending else _MADE).search(said) is None
             ):
                 continue
             if is_sending or (_names(said, names) and not _names(said, left)):
                 found.append(each)
     return list({each.id: each for each in found}.values())
+
+
+def _names_of(sites: Sequence[Site]) -> set[str | None]:
+    """Return the names and the types of endpoints."""
+    names = {site.endpoint.name for site in sites}
+    return names | {site.endpoint.type.name for site in sites if site.endpoint.type is not None}
 
 
 def _beside(statement: Node, side: str) -> Node | None:

@@ -52,7 +52,7 @@ _PURE_MODULES = (
 )  # fmt: skip
 _DOING = (
     "numpy.copyto", "numpy.fill_diagonal", "numpy.load", "numpy.memmap", "numpy.place", "numpy.put",
-    "numpy.save", "numpy.set", "time.sleep", "time.tzset",
+    "numpy.random.", "numpy.save", "numpy.set", "time.sleep", "time.tzset",
 )  # fmt: skip
 _PURE_TYPES = frozenset(
     {"identifier", "string", "integer", "float", "true", "false", "none", "attribute", "subscript"}

@@ -31,6 +31,7 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
     removal.statements += sending_logs(analysis, removal)
     remove_what_served(analysis, removal)
     while remove_idle(analysis, removal):
+        removal.statements += sending_logs(analysis, removal)
         remove_what_served(analysis, removal)
     for variable in variables:
         removal.statements += placeholders(analysis, variable, removal)

@@ -105,6 +105,18 @@ def test_what_a_message_is_made_of_goes_but_for_what_a_caller_gives(given, is_ke
     assert (f"self.count = {given}" in after) == is_kept
 
 
+@pytest.mark.parametrize(
+    ("said", "is_kept"),
+    [("Publishing String", False), ("Publishing topic", False), ("Sending String", True),
+     ("Publishing Int32, String", True)],
+)  # fmt: skip
+def test_a_log_below_a_timer_that_goes(said, is_kept):
+    log = f"        self.get_logger().info('{said}')\n"
+    before = TALKER.replace("        self.count = 0\n", log).replace("self.count += 1", "pass")
+    before = before.replace("{self.count}", "")
+    assert (log in edited(before, Remove(PUB, "topic", AT))) == is_kept
+
+
 # What stands below a subscription of `/scan`, and whether it goes with it.
 BESIDE = {
     "rospy.loginfo('Subscribed to /scan')": True,
