@@ -51,6 +51,42 @@ def dead_values(analysis: Analysis, gone: Sequence[Splice]) -> list[Node]:
     return found
 
 
+def dead_targets(analysis: Analysis, gone: Sequence[Splice]) -> list[Splice]:
+    """Return what leaves out the names of `a = b = 0` that only what is gone used."""
+    ranges = [(splice.start, splice.end) for splice in gone]
+    found: list[Splice] = []
+    for function in _functions(analysis, ranges):
+        start, end = function.node.start_byte, function.node.end_byte
+        for inner in nodes_in(function.node, [(start, end)]):
+            target, value = inner.child_by_field_name("left"), inner.child_by_field_name("right")
+            is_chained = inner.parent is not None and inner.parent.type == "assignment"
+            if inner.type != "assignment" or target is None or value is None or is_chained:
+                continue
+            links = [(target, value)]
+            while value.type == "assignment" and target is not None:
+                target, after = (value.child_by_field_name(each) for each in ("left", "right"))
+                if target is None or after is None:
+                    break
+                links, value = [*links, (target, after)], after
+            dead = [each for each in links if _is_left_alone(analysis, function, each[0], ranges)]
+            if len(dead) < len(links):
+                found += [Splice(each.start_byte, after.start_byte) for each, after in dead]
+    return found
+
+
+def _is_left_alone(
+    analysis: Analysis, function: Scope, target: Node, ranges: Sequence[tuple[int, int]]
+) -> bool:
+    """Whether a name is of one function, and what is gone had all of its other uses."""
+    name = analysis.syntax.slice(target)
+    if target.type != "identifier" or name not in function.bindings:
+        return False
+    uses = [each for each in identifiers(name, analysis) if not is_member(each)]
+    uses = [each for each in uses if analysis.scopes.at(each.start_byte).is_within(function)]
+    left = [each for each in uses if not any(s <= each.start_byte < e for s, e in ranges)]
+    return len(uses) > 1 and left == [target]
+
+
 def _functions(analysis: Analysis, ranges: Sequence[tuple[int, int]]) -> list[Scope]:
     """Return the functions that parts of a file are in."""
     found = {}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from .analysis import Analysis, Site
 from .creation import Removal, parameters_in, remove_creation
-from .dead_values import dead_values
+from .dead_values import dead_targets, dead_values
 from .emptied_blocks import bare_conditions, emptied_blocks
 from .imports import unused_imports
 from .leftovers import placeholders, remove_idle, sending_logs, stub_callbacks
@@ -74,3 +74,5 @@ def remove_what_served(analysis: Analysis, removal: Removal) -> None:
         removal.splices += unused.splices
         gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
         removal.statements += dead_values(analysis, gone)
+    gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
+    removal.splices += dead_targets(analysis, gone)

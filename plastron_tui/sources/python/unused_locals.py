@@ -220,8 +220,10 @@ def fills(analysis: Analysis, statement: Node, variable: Node) -> bool:
         return False
     if inner.type in ("assignment", "augmented_assignment"):
         target, value = inner.child_by_field_name("left"), inner.child_by_field_name("right")
-        if target is None or value is None or value.type == "assignment":
+        if target is None or value is None:
             return False
+        if value.type == "assignment":
+            return _fills_parts(inner, variable)
         if not is_pure(analysis, value):
             part = doing_part(analysis, value)
             is_object = part == value and target.type == "identifier"
@@ -241,6 +243,18 @@ def fills(analysis: Analysis, statement: Node, variable: Node) -> bool:
         is_filling = analysis.syntax.slice(name) in FILLING and variable in holders(callee)
         return is_filling and is_pure(analysis, arguments)
     return False
+
+
+def _fills_parts(chain: Node, variable: Node) -> bool:
+    """Whether `a.b = a.c = 0` only fills one variable, with a literal."""
+    links: Node | None = chain
+    while links is not None and links.type == "assignment":
+        target = links.child_by_field_name("left")
+        held = [each.text for each in holders(target)]
+        if target is None or target.type != "attribute" or variable.text not in held:
+            return False
+        links = links.child_by_field_name("right")
+    return links is not None and links.type in _LITERALS
 
 
 def _makes_object(analysis: Analysis, call: Node) -> bool:
@@ -270,8 +284,10 @@ def is_filling_pure(analysis: Analysis, statement: Node) -> bool:
 def value_of(statement: Node) -> Node | None:
     """Return what a statement assigns."""
     inner = _only_part(statement)
-    is_assignment = inner is not None and inner.type in ("assignment", "augmented_assignment")
-    return inner.child_by_field_name("right") if inner is not None and is_assignment else None
+    value = inner
+    while value is not None and value.type in ("assignment", "augmented_assignment"):
+        value = value.child_by_field_name("right")
+    return value if value is not inner else None
 
 
 def _only_part(statement: Node) -> Node | None:

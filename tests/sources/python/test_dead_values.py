@@ -60,6 +60,31 @@ CASES = {
 }
 
 
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ("x = y = n = 0", "y = 0"),
+        ("y = x = n = 0", "y = 0"),
+        ("n = x = y = 0", "y = 0"),
+        ("y = 0; x = n = 0", "y = 0; x = n = 0"),
+        ("y = 0; x = m.data = n = 0", "y = 0; m.data = 0"),
+    ],
+)
+def test_names_that_get_a_value_with_others(before: str, after: str) -> None:
+    head = f"{HEAD}p = rospy.Publisher('a', Int32)\n{PUBS}"
+    rest = "    x += 2\n    p.publish(x + n)\n"
+    text = edited(f"{head}def f(m):\n    {before}\n{rest}    print(y)\n", Remove(PUB, "a", AT))
+    assert text.endswith(f"def f(m):\n    {after}\n    print(y)\n")
+
+
+@pytest.mark.parametrize("parts", ["m.x = m.y = 0", "m.x = m.z.y = m.y = 0.5"])
+def test_parts_that_get_a_value_together(parts: str) -> None:
+    head = f"{HEAD}p = rospy.Publisher('a', Int32)\n{PUBS}"
+    body = f"    print(x)\n    m = String()\n    {parts}\n    p.publish(m)\n"
+    text = edited(f"{head}def f(x):\n{body}", Remove(PUB, "a", AT))
+    assert text.endswith("def f(x):\n    print(x)\n")
+
+
 @pytest.mark.parametrize("case", CASES)
 def test_values_that_nothing_reads_any_more(case: str) -> None:
     lines = [f"    {each}\n" for each in CASES[case].splitlines()]
