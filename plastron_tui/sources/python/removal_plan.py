@@ -63,10 +63,10 @@ def _keep_conditions(analysis: Analysis, removal: Removal) -> None:
 
 def remove_what_served(analysis: Analysis, removal: Removal) -> None:
     """Remove the blocks, the local variables and the attributes that only served what is gone."""
-    count = -1
-    while count != len(removal.statements):
+    count = (-1, -1)
+    while count != (len(removal.statements), len(set(removal.splices))):
         removal.statements += emptied_blocks(analysis, removal.statements)
-        count = len(removal.statements)
+        count = (len(removal.statements), len(set(removal.splices)))
         gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
         unused = unused_locals(analysis, gone)
         removal.statements += unused.statements

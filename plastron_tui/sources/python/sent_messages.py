@@ -15,7 +15,6 @@ from plastron_tui.ros.interfaces import Interface
 from .addition import Addition
 from .analysis import Analysis, Site
 from .creation import Removal, parameters_in, remove_creation
-from .emptied_blocks import emptied_blocks
 from .generated import is_docstring, is_named_as_own, is_own_call
 from .leftovers import remove_idle
 from .own_loop import is_loop, is_once, is_sleep
@@ -28,7 +27,6 @@ from .same_message import is_message
 from .sent_before import Sent, lost_sending, only_argument, publishing_on, sent_by
 from .splices import delete_statements
 from .syntax import parts_of
-from .unused_locals import unused_locals
 from .writing import key_of
 
 _CALLS = frozenset({"call", "call_async"})
@@ -107,10 +105,11 @@ def _publish(update: Replacement, variable: Variable, publications: Sequence[Pub
             continue
         _stand(added, each.expression)
         update.put(each.expression, added.messages.message(value))
-    unused = unused_locals(analysis, update.splices[before:])
-    blocks = emptied_blocks(analysis, unused.statements)
-    text = analysis.syntax.text
-    update.splices += delete_statements(text, [*unused.statements, *blocks]) + unused.splices
+    replaced = update.splices[before:]
+    served = Removal(splices=list(replaced))
+    remove_what_served(analysis, served)
+    update.splices += delete_statements(analysis.syntax.text, served.statements)
+    update.splices += dict.fromkeys(served.splices[len(replaced) :])
     update.lost += parameters_in(analysis, update.splices[before:])
     added.stand(is_nested=True)
     return True

@@ -94,6 +94,16 @@ SENT = {
         "p.publish(Int32(data=2))\n",
         ["`b` no longer sends `m`, which the node works out"],
     ),
+    "a value of which a call is left": (
+        "t = len(x)\nz = t + work() + t\np.publish(z)\n",
+        "work()\np.publish(Int32(data=2))\n",
+        ["`b` no longer sends `z`, which the node works out"],
+    ),
+    "a last value": (
+        "y = len(x)\nprint(y)\ny += 1\np.publish(y)\n",
+        "y = len(x)\nprint(y)\np.publish(Int32(data=2))\n",
+        ["`b` no longer sends `y`, which the node works out"],
+    ),
     "a computed message": (
         "m = Int32()\nm.data = len(x)\nprint(m)\np.publish(m)\n",
         "m = Int32()\nm.data = len(x)\nprint(m)\np.publish(Int32(data=2))\n",
@@ -105,11 +115,11 @@ SENT = {
 @pytest.mark.parametrize("name", SENT)
 def test_what_was_sent(tmp_path: Path, name: str) -> None:
     before, after, expected = SENT[name]
-    frame = "x, ONE, TWO = [], 1, 2\nprint(ONE, x)\n"
-    frame += "while not rospy.is_shutdown():\n{0}    rospy.sleep(1)\n"
+    frame = "x, ONE, TWO = [], 1, 2\nprint(ONE, x)\n\n\ndef run():\n"
+    frame += "    while not rospy.is_shutdown():\n{0}        rospy.sleep(1)\n\n\nrun()\n"
 
     def indented(text: str) -> str:
-        return "".join(f"    {line}\n" for line in text.splitlines())
+        return "".join(f"        {line}\n" for line in text.splitlines())
 
     body = LOOP.format(frame.format(indented(before)))
     text, messages = told(tmp_path, body, TAKE)
@@ -171,9 +181,7 @@ LOCALS = {
         "m = []\nm.append(next(x))\np.publish(Int32(data=2))"
     ),
     "m = []\nm.sort()\np.publish(m)": "m = []\nm.sort()\np.publish(Int32(data=2))",
-    "m = n = Int32()\np.publish(m)\nprint(n)": (
-        "m = n = Int32()\np.publish(Int32(data=2))\nprint(n)"
-    ),
+    "m = n = Int32()\np.publish(m)\nprint(n)": ("n = Int32()\np.publish(Int32(data=2))\nprint(n)"),
     "m = Int32()\nm[next(x)] = 1\np.publish(m)": (
         "m = Int32()\nm[next(x)] = 1\np.publish(Int32(data=2))"
     ),
