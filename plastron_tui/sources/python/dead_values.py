@@ -205,7 +205,8 @@ class _Flow:
         return live
 
     def _statement(self, statement: Node, live: Names, ends: _Ends) -> Names:
-        if self._is_gone(statement):
+        start, end = statement.start_byte, statement.end_byte
+        if any(first <= start and end <= last for first, last in self._ranges):
             return live
         match statement.type:
             case "expression_statement":
@@ -236,7 +237,8 @@ class _Flow:
         target, value = inner.child_by_field_name("left"), inner.child_by_field_name("right")
         if _is_filling(inner):
             target, value = (inner.child_by_field_name(each) for each in ("function", "arguments"))
-        if target is None or value is None or value.type == "assignment":
+        is_left = target is not None and not self._is_gone(target)
+        if target is None or value is None or value.type == "assignment" or not is_left:
             return live | self._reads(statement)
         held = holders(target)
         root = held[-1] if held else target

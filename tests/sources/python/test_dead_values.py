@@ -56,6 +56,7 @@ CASES = {
     "the only line of a way": (
         "if g():\n    x = 2\nelse:\n    print()\n-p.publish(x)\nx = 3\ng(x)\n"
     ),
+    "a value that a call reads which is left bare": "x = 1\ng(x)  # y = g(x)\n-p.publish(y)\n",
     "what reads all": "x = g()\nprint(x)\nx = 2\n-p.publish(x)\nprint(locals())\n",
 }
 
@@ -92,6 +93,8 @@ def test_values_that_nothing_reads_any_more(case: str) -> None:
         each.replace("    -", "    ") if each[4] == "-" else f"{each[:-1]}  #\n" for each in lines
     ]
     kept = [each for each in lines if each.endswith("#\n")]
+    # What is written behind a line stood there before.
+    lines = [each.replace("g(x)  # y =", "y =") for each in lines]
     before = f"{HEAD}p = rospy.Publisher('a', Int32)\n{PUBS}def f(m):\n{''.join(lines)}"
     after = edited(before, Remove(PUB, "a", AT))
-    assert after.partition("def f(m):\n")[2] == "".join(kept)
+    assert after.partition("def f(m):\n")[2] == "".join(kept).replace("# y = g(x)  #", "#")
