@@ -42,7 +42,7 @@ def find_place(
     """
     callbacks = _callbacks(analysis)
     starting, waits = Starting(analysis), Waits(analysis)
-    last: dict[tuple[bool, bool, bool, When], Place] = {}
+    last: dict[tuple[bool, bool, bool, bool, When], Place] = {}
     has_class = any(node.owner and _behind_node(analysis, node) for node in analysis.nodes)
     for site in reversed(analysis.sites):
         if site.endpoint.kind not in KINDS or not _is_setup(analysis, site, callbacks):
@@ -53,12 +53,15 @@ def find_place(
             is_other = site.endpoint.kind is not kind
             is_nested = needs_function and not place.owner and place.scope.parent is not None
             is_behind = is_other and waits.is_behind(place)
-            rank = (is_nested, is_behind, is_other, starting.when(site))
+            rank = (is_nested, is_behind, _is_tried(place), is_other, starting.when(site))
             last.setdefault(rank, place)
-    ready = [rank for rank in last if rank[3] <= When.SETTING_UP]
+    ready = [rank for rank in last if rank[-1] <= When.SETTING_UP]
     if ready:
-        return once_named(analysis, last[min(ready)])
-    later = sorted(last, key=lambda rank: (rank[3], *rank[:3]))
+        found = once_named(analysis, last[min(ready)])
+        nodes = (_behind_node(analysis, node) for node in analysis.nodes if _is_tried(found))
+        safe = (each for each in nodes if each is not None and each.scope is found.scope)
+        return next((each for each in safe if not _is_tried(each)), found)
+    later = sorted(last, key=lambda rank: (rank[-1], *rank[:-1]))
     for rank in later:
         made = _in_constructor(analysis, last[rank], starting)
         if made is not None:
@@ -67,7 +70,19 @@ def find_place(
         behind = _behind_node(analysis, node)
         if behind is not None:
             return behind
-    return last[later[0]] if later and later[0][3] < When.ON_DEMAND else None
+    return last[later[0]] if later and later[0][-1] < When.ON_DEMAND else None
+
+
+def _is_tried(place: Place) -> bool:
+    """Whether what fails before a place keeps it from being reached, and the node goes on."""
+    block: Node | None = place.statement.parent
+    while block is not None and block.type == "block" and block.parent is not None:
+        around = block.parent
+        is_tried = around.type == "try_statement" and around.child_by_field_name("body") == block
+        if is_tried and any(each.type == "except_clause" for each in parts_of(around)):
+            return True
+        block = around.parent
+    return False
 
 
 def _in_constructor(analysis: Analysis, place: Place, starting: Starting) -> Place | None:

@@ -9,8 +9,7 @@ from plastron_tui.model.source import EndpointKind
 from .analysis import Analysis, Site
 from .conventions import target_name
 from .insertion_point import KINDS
-from .place import Place, beside, climb
-from .references import statement_of
+from .place import Place, beside
 from .waits import Waits
 
 # What has no use unless something holds it.
@@ -107,5 +106,9 @@ def timers_below(analysis: Analysis, place: Place) -> Place | None:
 
 def _is_repeated(site: Site) -> bool:
     """Whether a call site is in a loop, whose names are for one round only."""
-    climbed = climb(statement_of(site.call))
-    return climbed is not None and climbed.type in ("for_statement", "while_statement")
+    around = site.call.parent
+    while around is not None and not around.type.endswith("_definition"):
+        if around.type in ("for_statement", "while_statement"):
+            return True
+        around = around.parent
+    return False

@@ -398,3 +398,40 @@ def test_an_endpoint_stands_before_what_may_go_on_with_another(line, is_before):
     )
     new = "rospy.Subscriber('b', String, on_b)\n"
     assert (f"{new}{line}\n" if is_before else f"{line}\n{new}") in text
+
+
+TRIED = """\
+import rospy
+from std_msgs.msg import Bool, String
+
+
+class Node:
+    def __init__(self):
+        rospy.init_node('n')
+        self.count = 1
+        try:
+            self.pub = rospy.Publisher('may_fail', Bool, queue_size=1)
+        except ValueError:
+            self.pub = None
+{}
+
+Node()
+rospy.spin()
+"""
+LATER = "        self.late = rospy.Publisher('late', Bool, queue_size=1)\n"
+
+
+@pytest.mark.parametrize("later", ["", LATER])
+def test_an_endpoint_is_made_whether_or_not_another_one_fails(later):
+    text = edited(TRIED.format(later), publish("more"))
+    line = next(each for each in text.splitlines() if "'more'" in each)
+    assert line.startswith(" " * 8 + "self.")
+    assert later == "" or text.index("'late'") < text.index("'more'")
+
+
+def test_a_script_that_is_tried_as_a_whole_has_its_endpoints_together():
+    whole = "import rospy\nfrom std_msgs.msg import String\n\n\ndef main():\n    try:\n"
+    whole += "        rospy.init_node('n')\n        a = rospy.Publisher('a', String, queue_size=1)\n"
+    whole += "        a.publish('x')\n        rospy.spin()\n    except rospy.ROSException:\n"
+    text = edited(f"{whole}        pass\n\n\nmain()\n", subscribe("b"))
+    assert text.index("'a'") < text.index("'b'") < text.index("a.publish")
