@@ -54,6 +54,32 @@ def test_a_module_that_the_other_ros_lacks_is_marked(library: str, line: str, wh
     assert [each.message.split("`")[1] for each in found] == ([what] if what else [])
 
 
+PRIVATE = [
+    ("from geometry_msgs.msg._Point import Point", "from geometry_msgs.msg import Point", ""),
+    ("from std_msgs.msg._String import String as S", "from std_msgs.msg import String as S", ""),
+    ("from mine.srv._Do import Do, DoRequest", "from mine.srv import Do", ""),
+    ("import std_msgs.msg._String", None, "std_msgs.msg._String"),
+    ("from std_msgs.msg._String import *", None, "std_msgs.msg._String"),
+]
+
+
+@pytest.mark.parametrize(("line", "written", "what"), PRIVATE)
+def test_the_file_of_one_type_has_another_name(line: str, written: str | None, what: str) -> None:
+    text, found = ported(f"import rospy\n{line}\nrospy.init_node('n')\n", "rospy")
+    mark = f"{MARK}{what}\n" if what else ""
+    assert f"\n{mark}{written or line}\n" in text
+    assert [each.message.split("`")[1] for each in found] == ([what] if what else [])
+
+
+def test_what_the_file_of_one_type_gives_is_known() -> None:
+    text, _ = ported(
+        "import rospy\nfrom std_msgs.msg._Float64 import Float64\nrospy.init_node('n')\n"
+        "x = Float64(1)\n",
+        "rospy",
+    )
+    assert "x = Float64(data=1.0)\n" in text
+
+
 def test_a_module_that_the_file_does_not_import_is_marked() -> None:
     text, _ = ported(
         "from std_msgs.msg import String\nfrom rospy import Publisher\n"

@@ -37,6 +37,9 @@ def _interface(names: Iterable[str]) -> tuple[InterfaceName, InterfaceKind, str]
     for name in names:
         package, _, rest = name.partition(".")
         kind, _, type_name = rest.partition(".")
+        module, _, public = type_name.partition(".")
+        if module[:1] == "_" and public:
+            type_name = public
         if not package or not type_name or type_name[0] == "_" or "." in type_name:
             continue
         if kind == "msg":

@@ -18,6 +18,9 @@ _NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
 _CAPITALS = "the name of a type begins with a capital letter in ROS 2, and has no `_`"
 _SIDES = ("Request", "Response")
 _KINDS = {"msg": InterfaceKind.MESSAGE, "srv": InterfaceKind.SERVICE}
+# Each ROS keeps a type in a file of its own, named its own way: `_PoseStamped`, `_pose_stamped`.
+_PRIVATE = re.compile(r"(\w+\.(?:msg|srv))\._\w+")
+_PUBLIC = "it is in `{}`, by its name"
 
 
 def port_imports(work: Work, roots: frozenset[str]) -> None:
@@ -34,11 +37,18 @@ def port_imports(work: Work, roots: frozenset[str]) -> None:
         name = work.slice(module) if module is not None else ""
         if name.partition(".")[0] in roots:
             work.delete(node)
-        elif name.endswith((".msg", ".srv")) and name.count(".") == 1:
-            if any(each.type == "wildcard_import" for each in node.named_children):
-                _port_star(work, node, name)
-            else:
-                _port_types(work, node, name)
+            continue
+        private = _PRIVATE.fullmatch(name)
+        public = private[1] if private is not None else name
+        if not public.endswith((".msg", ".srv")) or public.count(".") != 1:
+            continue
+        is_whole = any(each.type == "wildcard_import" for each in node.named_children)
+        if is_whole and private is not None:
+            work.mark(node, name, _PUBLIC.format(public))
+        elif is_whole:
+            _port_star(work, node, public)
+        else:
+            _port_types(work, node, public, is_changed=private is not None)
 
 
 def leave_manifests(work: Work) -> None:
@@ -87,6 +97,9 @@ def _port_plain(work: Work, node: Node, roots: frozenset[str]) -> None:
     kept = []
     for each in node.named_children:
         name = each.child_by_field_name("name") if each.type == "aliased_import" else each
+        private = _PRIVATE.fullmatch(work.slice(name)) if name is not None else None
+        if private is not None:
+            work.mark(node, private[0], _PUBLIC.format(private[1]))
         if name is not None and work.slice(name).partition(".")[0] not in roots:
             kept.append(work.slice(each))
     if not kept:
@@ -95,12 +108,11 @@ def _port_plain(work: Work, node: Node, roots: frozenset[str]) -> None:
         work.replace(node, f"import {', '.join(kept)}")
 
 
-def _port_types(work: Work, node: Node, module: str) -> None:
+def _port_types(work: Work, node: Node, module: str, *, is_changed: bool = False) -> None:
     """Rewrite `from package.msg import A, B as C`."""
     package, _, kind = module.partition(".")
     by_module: dict[str, list[str]] = defaultdict(list)
     aliases: list[str] = []
-    is_changed = False
     for each in node.children_by_field_name("name"):
         is_aliased = each.type == "aliased_import"
         name_node = each.child_by_field_name("name") if is_aliased else each
