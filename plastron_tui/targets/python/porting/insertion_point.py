@@ -15,10 +15,6 @@ from plastron_tui.sources.python.splices import line_end, line_start
 
 from .port_state import IMPORTS, Work
 
-_STANDARD = frozenset(
-    f"import {name}"
-    for name in ("atexit", "os", "queue", "signal", "threading", "time", "traceback")
-)
 _MODULE = re.compile(rb"(?:from|import)\s+(\w+)")
 _DEFINITIONS = frozenset({"function_definition", "class_definition", "decorated_definition"})
 
@@ -72,8 +68,8 @@ def add_header(work: Work) -> None:
     }
     needed = _extend(work, work.imports - present)
     wanted = sorted(_joined(needed), key=lambda line: (line.startswith("from "), line))
-    standard = [line for line in wanted if line in _STANDARD]
-    others = [line for line in wanted if line not in _STANDARD]
+    standard = [line for line in wanted if _is_standard(line.encode("ascii"))]
+    others = [line for line in wanted if line not in standard]
     at = _first_import(work)
     replaced = _client_import(work)
     if replaced is not None and others:
@@ -154,8 +150,14 @@ def _client_import(work: Work) -> Node | None:
 
 def _begins_group(work: Work, at: int) -> bool:
     """Tell whether the import at an offset is of no module that comes with Python."""
-    found = _MODULE.match(work.analysis.syntax.text, at)
-    return found is not None and found[1].decode("ascii", "replace") not in stdlib_module_names
+    text = work.analysis.syntax.text
+    return _MODULE.match(text, at) is not None and not _is_standard(text[at : line_end(text, at)])
+
+
+def _is_standard(line: bytes) -> bool:
+    """Tell whether an import is of a module that comes with Python."""
+    found = _MODULE.match(line)
+    return found is not None and found[1].decode("ascii", "replace") in stdlib_module_names
 
 
 def _first_import(work: Work) -> int:

@@ -11,8 +11,8 @@ from plastron_tui.sources.python.syntax import parse, parts_of
 
 from .kinds import kind_of
 from .port_state import Work, walk
+from .python_2_names import mark_python_2, port_lists, port_names
 
-_FUNCTIONS = {"raw_input": "input", "xrange": "range", "unicode": "str"}
 _METHODS = {"iteritems": "items", "itervalues": "values", "iterkeys": "keys"}
 _TABS = "inconsistent use of tabs"
 _VIEWS = frozenset({"keys", "values", "items"})
@@ -41,10 +41,11 @@ def port_python_2(work: Work) -> None:
         callee = call.child_by_field_name("function")
         if callee is None or work.is_gone(call):
             continue
-        if callee.type == "identifier":
-            _port_function(work, callee)
-        elif callee.type == "attribute":
+        if callee.type == "attribute":
             _port_method(work, call, callee)
+    has_names = port_names(work)
+    if mark_python_2(work, has_names=has_names):
+        port_lists(work)
 
 
 def without_tabs(text: bytes) -> bytes:
@@ -191,14 +192,6 @@ def _port_part(work: Work, node: Node) -> None:
     if is_iterator or (is_view and not work.bindings(callee)):
         work.insert(call.start_byte, "list(")
         work.insert(call.end_byte, ")")
-
-
-def _port_function(work: Work, callee: Node) -> None:
-    name = work.slice(callee)
-    new = _FUNCTIONS.get(name)
-    scope = work.scope(callee)
-    if new is not None and scope.lookup(name) is None and scope.lookup(new) is None:
-        work.replace(callee, new)
 
 
 def _port_method(work: Work, call: Node, callee: Node) -> None:
