@@ -27,19 +27,6 @@ def top_level(node: Node) -> Node:
     return current
 
 
-def first_call(work: Work, last: Node) -> Node:
-    """Return the first statement of the module that does something, `last` at the latest."""
-    for statement in work.analysis.syntax.root.named_children:
-        if statement.id == last.id:
-            break
-        if statement.type in IMPORTS or statement.type in _DEFINITIONS:
-            continue
-        calls = (call for call in work.analysis.captures.get("call", []) if not work.is_gone(call))
-        if any(statement.start_byte <= call.start_byte < statement.end_byte for call in calls):
-            return statement
-    return last
-
-
 def header_end(work: Work) -> int:
     """Return the offset behind the imports at the top of the file, 0 where it has none."""
     text = work.analysis.syntax.text

@@ -11,7 +11,8 @@ from plastron_tui.sources.python.references import statement_of
 from plastron_tui.sources.python.splices import line_start
 from plastron_tui.sources.python.syntax import parts_of
 
-from .insertion_point import first_call, top_level
+from .call_graph import functions_that_reach
+from .insertion_point import top_level
 from .port_state import COMMENT, Mark, Work, first_of, walk
 from .rewriting import begins_line, first_statement, put_before
 
@@ -137,21 +138,53 @@ def _anchors(work: Work) -> dict[int, Node]:
 
 
 def _anchor(work: Work, init: NodeSite) -> Node:
-    """Return the statement before which the node is made: no endpoint is made before it."""
+    """Return the statement before which the node is made.
+
+    It is that with `init_node`, unless what stands before that needs the node.
+    """
     assert init.call is not None
     early = _module_sites(work, init)
-    function = init.scope.enclosing("function")
     if early:
         return top_level(early[0])
-    if function is not None:
-        body = function.node.child_by_field_name("body")
-        assert body is not None
-        return first_statement(body)
-    top = top_level(init.call)
-    body = top.child_by_field_name("consequence") or top.child_by_field_name("body")
-    if body is not None and body.named_child_count:
-        return first_statement(body)
-    return first_call(work, top)
+    statement = statement_of(init.call)
+    needing = _first_need(work, init, statement)
+    if needing is None:
+        return statement
+    while (outer := needing.parent) is not None and not (
+        outer.start_byte <= statement.start_byte and statement.end_byte <= outer.end_byte
+    ):
+        needing = outer
+    return needing
+
+
+_NEEDLESS = frozenset({"rospy.myargv", "rospy.Duration", "rospy.Duration.from_sec"})
+
+
+def _first_need(work: Work, init: NodeSite, statement: Node) -> Node | None:
+    """Return the first call before a statement, in its function, that may need the node."""
+    calls = work.analysis.captures.get("call", [])
+    callees = [(call, call.child_by_field_name("function")) for call in calls]
+    of_ros = [
+        call
+        for call, callee in callees
+        if callee is not None
+        and any(name.startswith("rospy.") for name in set(work.qualified(callee)) - _NEEDLESS)
+    ]
+    of_ros += [site.call for site in work.analysis.sites]
+    inits = [each.call for each in work.analysis.nodes if each.call is not None]
+    of_ros = [call for call in of_ros if all(call.id != each.id for each in inits)]
+    functions = functions_that_reach(work, of_ros)
+    ids = {call.id for call in of_ros}
+    function = init.scope.enclosing("function")
+    found = [
+        call
+        for call, callee in callees
+        if callee is not None
+        and call.start_byte < statement.start_byte
+        and work.scope(call).enclosing("function") is function
+        and (call.id in ids or work.slice(callee).rpartition(".")[2] in functions)
+    ]
+    return first_of(found)
 
 
 def has_node(work: Work, place: Node) -> bool:

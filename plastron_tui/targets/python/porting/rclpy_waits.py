@@ -16,14 +16,15 @@ from plastron_tui.sources.python.analysis import Site
 from plastron_tui.sources.python.arguments import Arguments
 from plastron_tui.sources.python.calls import Argument
 from plastron_tui.sources.python.constants import Known
-from plastron_tui.sources.python.scopes import BindingKind, Scope
+from plastron_tui.sources.python.scopes import BindingKind
 from plastron_tui.sources.python.splices import Splice
 
+from .call_graph import functions_that_reach, reaches
 from .endpoints import site_of, visible_type
 from .fields import Given, fields_of, write_fields
 from .kinds import is_plain, kind_of
 from .plain import given_to, is_side, put
-from .port_state import Work, walk
+from .port_state import Work
 from .rclpy_node import has_node
 from .rclpy_running import INTERRUPT_IMPORTS, INTERRUPTS, LISTENS, caught, port_caught
 from .rclpy_words import is_number
@@ -323,14 +324,14 @@ def _port_service(work: Work, call: Node, client: Node | None, name: str) -> Non
 
 def _port_caught(work: Work, waiting: list[Node], answer: str, time_is_up: str) -> set[str]:
     """Rewrite what is caught around what waits, and return it; what others raise is rospy's own."""
-    functions = _waiting_functions(work, waiting)
+    functions = functions_that_reach(work, waiting)
     used = set()
     for node in caught(work, _ANSWER | _TIME_IS_UP):
         clause: Node | None = node
         while clause is not None and clause.type != "try_statement":
             clause = clause.parent
         body = clause.child_by_field_name("body") if clause is not None else None
-        if body is not None and _waits_in(work, body, waiting, functions):
+        if body is not None and reaches(work, body, waiting, functions):
             is_answer = bool(set(work.qualified(node)) & _ANSWER)
             used.add(answer if is_answer else time_is_up)
             port_caught(work, node, answer if is_answer else f"{time_is_up}, {INTERRUPTS}")
@@ -350,27 +351,3 @@ def _port_raised(work: Work, name: str) -> set[str]:
     for callee in raised:
         work.replace(callee, name)
     return {name} if raised else set()
-
-
-def _waiting_functions(work: Work, waiting: list[Node]) -> set[str]:
-    """Return the names of the functions that wait, or call such a function."""
-    scopes: list[Scope] = [each for each in work.analysis.scopes.all if each.kind == "function"]
-    names: set[str] = set()
-    count = -1
-    while count != len(names):
-        count = len(names)
-        found = [each for each in scopes if _waits_in(work, each.node, waiting, names)]
-        names |= {each.name for each in found}
-        # What an `__init__` waits for, the call of its class waits for.
-        names |= {each.parent.name for each in found if each.parent and each.name == "__init__"}
-    return names
-
-
-def _waits_in(work: Work, place: Node, waiting: list[Node], functions: set[str]) -> bool:
-    """Tell whether something waits in a place, or in a function that it calls."""
-    if any(place.start_byte <= each.start_byte < place.end_byte for each in waiting):
-        return True
-    callees = (node.child_by_field_name("function") for node in walk(place) if node.type == "call")
-    return any(
-        work.slice(each).rpartition(".")[2] in functions for each in callees if each is not None
-    )
