@@ -12,7 +12,8 @@ from plastron_tui.sources.python.syntax import parts_of
 
 from .main_line import asks_user, is_busy_before_spin
 from .port_state import Work, walk
-from .rewriting import replace_by_opposite
+from .repetition import is_called_often, is_in_loop
+from .rewriting import replace_by_opposite, time_module
 
 INTERRUPTS = "KeyboardInterrupt, ExternalShutdownException, ROSInterruptException"
 """What ROS that ends raises in a node of rclpy, where rospy raises a `ROSInterruptException`."""
@@ -77,7 +78,7 @@ def {wait}():
     \"\"\"Wait until ROS ends, while a thread handles what comes.\"\"\"
     try:
         while rclpy.ok():
-            time.sleep(0.1)
+            {time}.sleep(0.1)
     except KeyboardInterrupt:
         pass
 """
@@ -157,8 +158,7 @@ def port_running(
     if handlers and starts:
         work.imports.add("import signal")
     if in_thread and calls["rospy.spin"]:
-        work.helpers.append(_WAIT.format(wait=wait))
-        work.imports.add("import time")
+        work.helpers.append(_WAIT.format(wait=wait, time=time_module(work)))
     _port_interrupts(work)
     return Running(starts, own_signals)
 
@@ -228,23 +228,14 @@ def _port_rates(work: Work, node: str, calls: list[Node]) -> None:
         given = parts_of(call.child_by_field_name("arguments"))
         if callee is not None:
             work.replace(callee, f"{node}.create_rate")
-        if _is_repeated(call):
+        if is_in_loop(call):
             remedy = "make it once, before the loop: each call makes one more timer of the node"
             work.mark(call, "create_rate in a loop", remedy)
+        elif is_called_often(work, call):
+            remedy = "make it once, where the function finds it: each makes one more timer"
+            work.mark(call, "create_rate on each call", remedy)
         for each in given[1:] + [each for each in given[:1] if each.type == "keyword_argument"]:
             work.mark(call, work.slice(each).partition("=")[0], "`create_rate` takes a frequency")
-
-
-def _is_repeated(call: Node) -> bool:
-    """Tell whether a call is in a loop of its function."""
-    current: Node | None = call
-    while current is not None and current.type not in ("function_definition", "lambda"):
-        inner, current = current, current.parent
-        if current is not None and current.type in ("while_statement", "for_statement"):
-            ahead = current.child_by_field_name("right")
-            if ahead is None or ahead.id != inner.id:
-                return True
-    return False
 
 
 def _port_hooks(work: Work, calls: list[Node]) -> str:

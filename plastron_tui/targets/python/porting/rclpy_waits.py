@@ -28,6 +28,7 @@ from .port_state import Work
 from .rclpy_node import has_node
 from .rclpy_running import INTERRUPT_IMPORTS, INTERRUPTS, LISTENS, caught, port_caught
 from .rclpy_words import is_number
+from .rewriting import time_module
 
 _CLIENT_NAMES = ("client", "proxy", "service", "srv")
 _GROUP = "callback_group=ReentrantCallbackGroup()"
@@ -51,13 +52,13 @@ _SERVICE = """\
 def {service}(service, timeout=None):
     \"\"\"Wait until a service is there, no longer than some seconds.\"\"\"
     name = {node}.resolve_service_name(service)
-    end = time.time() + timeout if timeout else None
+    end = {time}.time() + timeout if timeout else None
     while rclpy.ok():
         if {node}.count_services(name):
             return
-        if end is not None and time.time() >= end:
+        if end is not None and {time}.time() >= end:
             raise {error}(f"timeout exceeded while waiting for service {{name}}")
-        time.sleep(0.1)
+        {time}.sleep(0.1)
     raise ROSInterruptException
 """
 _MESSAGE = """\
@@ -65,13 +66,13 @@ def {message}(subscription, timeout=None):
     \"\"\"Return the first message that comes, in some seconds.\"\"\"
     came = queue.Queue()
     subscription.callback = came.put
-    end = time.time() + timeout if timeout is not None else None
+    end = {time}.time() + timeout if timeout is not None else None
     try:
         while rclpy.ok():
             try:
                 return came.get(timeout=0.1)
             except queue.Empty:
-                if end is not None and time.time() >= end:
+                if end is not None and {time}.time() >= end:
                     raise {error}(f"no message on topic {{subscription.topic_name}}")
     finally:
         {node}.destroy_subscription(subscription)
@@ -279,13 +280,13 @@ def port_waits(work: Work, waits: Waits, node: str) -> None:
         work.helpers.append(_CALL.format(**names, error=answer))
         work.imports.add("import threading")
     if waits.services:
-        work.helpers.append(_SERVICE.format(**names, node=node, error=time_is_up))
+        time = time_module(work)
+        work.helpers.append(_SERVICE.format(**names, node=node, error=time_is_up, time=time))
     if waits.messages:
-        helper = _MESSAGE.format(**names, node=node, error=time_is_up)
+        time = time_module(work)
+        helper = _MESSAGE.format(**names, node=node, error=time_is_up, time=time)
         work.helpers.append(helper)
         work.imports.add("import queue")
-    if waiting:
-        work.imports.add("import time")
     if answers or waiting:
         work.imports.add(INTERRUPT_IMPORTS[1])
     if waits.in_callbacks:

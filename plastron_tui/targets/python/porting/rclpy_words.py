@@ -13,6 +13,7 @@ from plastron_tui.sources.python.syntax import parts_of
 from .kinds import kind_of
 from .port_state import Work
 from .rclpy_node import has_node
+from .rewriting import time_module
 from .times import is_stamp
 
 LOGS: Mapping[str, str] = {
@@ -107,8 +108,7 @@ def _port_sleep(work: Work, call: Node) -> None:
         work.cut(Splice(inner[0].end_byte, given[0].end_byte))
     elif not is_number(work, given[0]):
         return
-    work.replace(call.children[0], "time.sleep")
-    work.imports.add("import time")
+    work.replace(call.children[0], f"{time_module(work)}.sleep")
 
 
 def is_number(work: Work, node: Node) -> bool:

@@ -173,3 +173,16 @@ def put_before(work: Work, statement: Node, lines: list[str]) -> None:
     start = line_start(text, statement.start_byte)
     indent = text[start : statement.start_byte].decode("ascii", "replace")
     work.insert(start, "".join(f"{indent}{line}\n" for line in lines))
+
+
+def time_module(work: Work) -> str:
+    """Import the module `time`, and return its name, which the file has for nothing else."""
+    bindings = [
+        each for scope in work.analysis.scopes.all for each in scope.bindings.get("time", [])
+    ]
+    if all(each.kind is BindingKind.IMPORT and each.target == "time" for each in bindings):
+        work.imports.add("import time")
+        return "time"
+    name = work.free_name("time_module")
+    work.imports.add(f"import time as {name}")
+    return name

@@ -34,6 +34,7 @@ from .rclpy_times import PARTS, port_times
 from .rclpy_waits import Waits, find_waits, port_waits
 from .rclpy_words import port_words
 from .renamed_fields import port_fields
+from .repetition import mark_repeated_endpoints
 from .rewriting import (
     Writer,
     append_parameter,
@@ -104,6 +105,7 @@ def port_to_rclpy(work: Work) -> None:
     port_sites(work, _writers(node, waits), _private_name)
     make_node(work, node, running.starts, own_signals=running.own_signals)
     port_ending(work, {"shutdown": "cancel"}, _ENDING)
+    mark_repeated_endpoints(work)
     mark_endpoint_attributes(work, {*_ATTRIBUTES, *_ENDING})
     mark_waiting_loops(work)
     mark_actions(work)
