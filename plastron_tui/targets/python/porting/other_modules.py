@@ -5,10 +5,17 @@ Sources: the packages of both generations in rosdistro.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from itertools import islice
+from pathlib import Path
 
 from tree_sitter import Node
 
+from plastron_tui.sources.python.package import MOST_MODULES, Package
+
+from .call_graph import functions_that_reach
+from .insertion_point import top_level
 from .port_state import Work
 
 _ROS_1_ONLY = "it is of ROS 1"
@@ -64,3 +71,82 @@ def _paths(work: Work, statement: Node) -> Iterator[str]:
     prefix = f"{work.slice(module)}." if module is not None else ""
     for each in statement.children_by_field_name("name"):
         yield prefix + work.slice(each.child_by_field_name("name") or each)
+
+
+def mark_own_modules(work: Work, path: Path) -> None:
+    """Mark the import of a module of the file's own package that uses the old ROS itself."""
+    package = Package(path, work.analysis.library)
+    library = work.analysis.library.module
+    for tag in ("import", "import_from"):
+        for statement in work.analysis.captures.get(tag, []):
+            for name in _modules(work, statement) if not work.is_gone(statement) else ():
+                found = package.find(name, package.main)
+                text = package.text(found.path) if found is not None else None
+                if text is not None and _imports(text, library):
+                    work.mark(statement, name, f"it uses {library}, and has to be ported too")
+                    break
+
+
+def mark_importers(work: Work, path: Path) -> None:
+    """Mark a node that only the program makes, where another file takes what uses it."""
+    functions = [each for each in work.analysis.scopes.all if each.kind == "function"]
+    for init in work.analysis.nodes:
+        top = top_level(init.call) if init.call is not None else None
+        if init.call is None or top is None or init.scope.enclosing("function") is not None:
+            continue
+        is_program = top.type == "if_statement" and "__name__" in work.slice(top)
+        uses = functions_that_reach(work, _calls_of_ros(work))
+        other = _importer(work, path) if is_program and uses & {x.name for x in functions} else None
+        if other is not None:
+            remedy = f"`{other}` imports the file, and has to set its `node` first"
+            work.mark(init.call, "the node", remedy)
+
+
+def _calls_of_ros(work: Work) -> list[Node]:
+    root = f"{work.analysis.library.module}."
+    callees = (
+        (call, call.child_by_field_name("function"))
+        for call in work.analysis.captures.get("call", [])
+    )
+    return [
+        call
+        for call, callee in callees
+        if callee is not None and any(name.startswith(root) for name in work.qualified(callee))
+    ]
+
+
+def _importer(work: Work, path: Path) -> str | None:
+    """Return the name of a file beside one that imports it, None where there is none."""
+    package = Package(path, work.analysis.library)
+    others = (each for each in _beside(path) if str(each) != package.main)
+    for other in islice(others, MOST_MODULES):
+        text = package.text(str(other))
+        if text is not None and _imports(text, path.stem):
+            return other.name
+    return None
+
+
+def _beside(path: Path) -> list[Path]:
+    try:
+        return sorted(each for each in path.resolve().parent.glob("*.py") if each.is_file())
+    except OSError:
+        return []
+
+
+def _imports(text: bytes, module: str) -> bool:
+    """Tell whether a line imports a module, or something from it."""
+    pattern = rb"^[ \t]*(?:from|import)[ \t]+(?:[\w.]*\.)?%s\b" % re.escape(module.encode())
+    return re.search(pattern, text, re.MULTILINE) is not None
+
+
+def _modules(work: Work, statement: Node) -> Iterator[str]:
+    """Yield what a statement imports, as names that lead to modules."""
+    module = statement.child_by_field_name("module_name")
+    if module is None:
+        yield from _paths(work, statement)
+        return
+    yield work.slice(module)
+    for each in statement.children_by_field_name("name"):
+        name = work.slice(each.child_by_field_name("name") or each)
+        whole = work.slice(module)
+        yield f"{whole}{name}" if whole.endswith(".") else f"{whole}.{name}"

@@ -22,6 +22,7 @@ from plastron_tui.sources.python.syntax import parse
 from plastron_tui.sources.python.wrapping import wrap_new_lines
 
 from .contexts import without_contexts
+from .other_modules import mark_importers, mark_own_modules
 from .port_state import COMMENT, SEPARATOR, Mark, Work
 from .python_2 import without_tabs
 from .to_rclpy import port_to_rclpy
@@ -79,6 +80,9 @@ def _ported(source: SourceUnit, work: Work, library: str, limit: LineLimit) -> R
     """
     before = work.analysis
     _PORTS[library](work)
+    mark_own_modules(work, source.path)
+    if library == "rclpy":
+        mark_importers(work, source.path)
     for site in before.first_sites():
         endpoint = site.endpoint
         given = site.arguments.get(site.shape.name)
