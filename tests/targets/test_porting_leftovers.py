@@ -82,8 +82,12 @@ LINES = [
         "p = node.create_publisher(String, f'/{a}', 1)",
     ),
     (
+        "p = rospy.Publisher('~' + a, String, queue_size=1)",
+        f"{MARK}the name '~' + a\np = node.create_publisher(String, '~' + a, 1)",
+    ),
+    (
         "p = rospy.Publisher('x/' + a, String, queue_size=1)",
-        f"{MARK}the name 'x/' + a\np = node.create_publisher(String, 'x/' + a, 1)",
+        "p = node.create_publisher(String, 'x/' + a, 1)",
     ),
     (
         "def f(m): print(m._connection_header)",
@@ -95,8 +99,8 @@ LINES = [
         f"p = node.create_publisher(String, '/x', 10)\n{MARK}.name\nprint(p.name)",
     ),
     (
-        f"p = rospy.Publisher(a + {LONG}, String, queue_size=1)",
-        f"{MARK}the name that is made here\n"
+        f"x = '~'\np = rospy.Publisher(a + {LONG}, String, queue_size=1)",
+        f"x = '~'\n{MARK}the name that is made here\n"
         f"p = node.create_publisher(\n    String, a + {LONG}, 1\n)",
     ),
 ]

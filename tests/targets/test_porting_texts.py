@@ -71,8 +71,13 @@ TO_RCLPY = [
         "node.create_subscription(String, 't', print, 10)",
     ),
     (
+        "rospy.ServiceProxy('s', Empty, True)",
+        f"{MARK}the option True\nnode.create_client(Empty, 's')",
+    ),
+    ("rospy.ServiceProxy('s', Empty, False)", "node.create_client(Empty, 's')"),
+    (
         "rospy.Timer(rospy.Duration(1), lambda e: print(e), True)",
-        f"{MARK}options; the event e\nnode.create_timer(1, lambda: (lambda e: print(e))(None))",
+        f"{MARK}oneshot; the event e\nnode.create_timer(1, lambda: (lambda e: print(e))(None))",
     ),
     (
         "def f(event):\n    use(event)\n\n\nrospy.Timer(rospy.Duration(1), f)",
@@ -247,9 +252,26 @@ def test_what_stays_of_python_2_is_refused_with_its_line(line: str, reason: str)
 
 
 def test_a_name_that_the_file_decides_is_listed() -> None:
-    text, found = ported(HEAD_1 + "rospy.Publisher(rospy.resolve_name('x'), String)\n", "rospy")
+    own = "x = ['~a']\nrospy.Publisher(rospy.resolve_name('x'), String)\n"
+    text, found = ported(HEAD_1 + own, "rospy")
     assert "the name rospy.resolve_name('x')" in text
     assert any("the name rospy.resolve_name('x')" in each.message for each in found)
+
+
+NAMES = ["a", "'x/' + a", "rospy.get_param('~topic')", "a.b", "'x/{}'.format(a)"]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_name_that_is_the_same_in_both_is_not_listed(name: str) -> None:
+    _, found = ported(f"{HEAD_1}p = rospy.Publisher({name}, String)\n", "rospy")
+    assert [each.message for each in found] == []
+
+
+def test_what_a_class_of_the_file_publishes_is_its_own_affair() -> None:
+    own = "class A:\n    def publish(self, x): pass\n\n\na = A()\na.publish([1])\n"
+    text, found = ported(f"{HEAD_1}p = rospy.Publisher('t', String)\n{own}", "rospy")
+    assert text.endswith(own)
+    assert [each.message for each in found] == []
 
 
 def test_a_type_that_the_other_ros_lacks_is_marked() -> None:

@@ -174,6 +174,8 @@ def _port_publish(work: Work, call: Node, callee: Node, arguments: Node) -> None
     given = given_to(work, arguments)
     holder = callee.child_by_field_name("object")
     site = site_of(work, holder, EndpointKind.PUBLISHER) if holder is not None else None
+    if site is None and holder is not None and _is_foreign(work, holder):
+        return
     if given is not None and len(given) == 1 and given[0][0] is None:
         value = given[0][1]
         kind = kind_of(work, value)
@@ -183,7 +185,7 @@ def _port_publish(work: Work, call: Node, callee: Node, arguments: Node) -> None
             return
     class_ = visible_type(work, site, call) if site is not None else None
     if given is None or site is None or class_ is None or site.endpoint.type is None:
-        if holder is not None and not _is_foreign(work, holder):
+        if holder is not None:
             _mark_publish(work, call)
         return
     if not given:
@@ -233,8 +235,10 @@ def _mark_publish(work: Work, call: Node) -> None:
 
 
 def _is_foreign(work: Work, holder: Node) -> bool:
-    """Tell whether what publishes is of another library for sure."""
+    """Tell whether what publishes is of the file's own, or of another library, for sure."""
     found = work.analysis.resolver.instance(holder, work.scope(holder))
+    if found is not None and found.scope is not None:
+        return "publish" in found.scope.bindings
     return found is not None and bool(found.qualified) and "rospy." not in found.qualified
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 
 from tree_sitter import Node
@@ -23,7 +24,7 @@ from plastron_tui.sources.python.wrapping import wrap_new_lines
 
 from .contexts import without_contexts
 from .other_modules import mark_importers, mark_own_modules
-from .port_state import COMMENT, SEPARATOR, Mark, Work
+from .port_state import COMMENT, SEPARATOR, Mark, Work, walk
 from .python_2 import without_tabs
 from .to_rclpy import port_to_rclpy
 from .to_rospy import port_to_rospy
@@ -87,7 +88,7 @@ def _ported(source: SourceUnit, work: Work, library: str, limit: LineLimit) -> R
         endpoint = site.endpoint
         given = site.arguments.get(site.shape.name)
         is_open = endpoint.name is None and endpoint.kind in _KINDS and endpoint.expression
-        if is_open and not _is_absolute(work, given):
+        if is_open and _may_be_private(work, given):
             work.mark(site.call, _name_of(endpoint.expression), _CHECK)
         _mark_type(work, site)
     made = without_contexts(work.result(limit.length))
@@ -146,12 +147,15 @@ def _name_of(expression: str) -> str:
     return f"the name {text}" if len(text) <= _LONGEST else "the name that is made here"
 
 
-def _is_absolute(work: Work, name: Node | None) -> bool:
-    """Tell whether a name begins with a slash whatever it is made of; it means the same then."""
+def _may_be_private(work: Work, name: Node | None) -> bool:
+    """Tell whether a name may begin with `~`, which each ROS reads its own way.
+
+    All others are the same in both. A file without such names is taken to get none either.
+    """
     while name is not None:
         if name.type == "string":
             content = work.slice(name).lstrip("rRbBuUfF").lstrip("\"'")
-            return content.startswith("/")
+            return content.startswith("~")
         callee = name.child_by_field_name("function")
         holder = callee.child_by_field_name("object") if callee is not None else None
         if name.type == "parenthesized_expression":
@@ -160,7 +164,18 @@ def _is_absolute(work: Work, name: Node | None) -> bool:
             name = holder
         else:
             name = name.child_by_field_name("left") if name.type == "binary_operator" else None
-    return False
+    return any(
+        re.match(r"\w*['\"]+~", work.slice(each)) and not _is_parameter(each)
+        for each in walk(work.analysis.syntax.root)
+        if each.type == "string"
+    )
+
+
+def _is_parameter(name: Node) -> bool:
+    """Tell whether a string is the name of a parameter that a call asks for."""
+    call = name.parent.parent if name.parent is not None else None
+    callee = call.child_by_field_name("function") if call is not None else None
+    return callee is not None and b"param" in (callee.text or b"")
 
 
 def _in_order(marks: list[Mark]) -> list[Mark]:

@@ -66,8 +66,9 @@ def mark_options(
     for name, value in site.arguments.keywords.items():
         if name not in known and work.slice(value) not in ("None", "False"):
             work.mark(site.call, name, remedies.get(name))
-    if positions is not None and len(site.arguments.positional) > positions:
-        work.mark(site.call, "options")
+    for value in site.arguments.positional[positions:] if positions is not None else ():
+        if work.slice(value) not in ("None", "False"):
+            work.mark(site.call, f"the option {work.slice(value)}")
 
 
 def given_type(work: Work, site: Site) -> str:

@@ -252,7 +252,10 @@ def _timer(node: str, work: Work, site: Site, name: str) -> str | None:
     callback = site.arguments.get(Argument(1, "callback"))
     if period is None or callback is None:
         return None
-    mark_options(work, site, _OPTIONS, ("callback",), 2)
+    oneshot = site.arguments.get(Argument(2, "oneshot"))
+    if oneshot is not None and work.slice(oneshot) != "False":
+        work.mark(site.call, "oneshot", _OPTIONS["oneshot"])
+    mark_options(work, site, _OPTIONS, ("callback", "oneshot"), 3)
     called = work.text(callback)
     function = work.callback_of(site)
     if function is None:
