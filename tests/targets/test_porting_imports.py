@@ -161,3 +161,29 @@ def test_imports_of_a_ported_file(library: str, before: str, after: list[str]) -
         ast.unparse(x) for x in tree.body if isinstance(x, ast.Import | ast.ImportFrom)
     ] == after
     assert "TriggerRequest =" not in text
+
+
+HOOK = "rospy.init_node('n')\nrospy.on_shutdown(print)\nrospy.spin()\n"
+GROUPS = [
+    (
+        "import os\nimport sys\n\nimport rospy\n",
+        "import atexit\nimport os\nimport signal\nimport sys\nimport threading\nimport time\n"
+        "import traceback\n\nimport rclpy\n",
+    ),
+    (
+        "import rospy\nimport sys  # args\nimport math\nimport numpy\n",
+        "import sys  # args\nimport math\nimport atexit\nimport signal\nimport threading\n"
+        "import time\nimport traceback\nimport numpy\n",
+    ),
+    (
+        "import rospy\nimport numpy\n",
+        "import atexit\nimport signal\nimport threading\nimport time\nimport traceback\n\n"
+        "import rclpy\n",
+    ),
+]
+
+
+@pytest.mark.parametrize(("before", "after"), GROUPS)
+def test_modules_of_python_go_among_those_of_the_file(before: str, after: str) -> None:
+    text, _ = ported(f"{before}{HOOK}", "rospy")
+    assert after in text

@@ -56,3 +56,21 @@ def test_the_node_is_made_where_init_node_stood_unless_it_is_needed_before(
     ast.parse(text)
     assert after in text
     assert text.count("rclpy.create_node(") == 1
+
+
+NAMES = [
+    ("NAME = 'n'\nrospy.init_node(NAME)\n", "\nnode = rclpy.create_node(NAME)\n"),
+    ("NAME = 'n'\nrospy.init_node(NAME, anonymous=True)\n", '(f"{NAME}_{os.getpid()}")\n'),
+    ("p = rospy.Publisher('a', String)\nNAME = 'n'\nrospy.init_node(NAME)\n", "_node('n')\n"),
+    ("rospy.init_node('n')  # why\n", "rclpy.init()\nnode = rclpy.create_node('n')  # why\n"),
+    (
+        "rospy.init_node('n')  # why\nr = rospy.Rate(1)\nr.sleep()\n",
+        "\nnode = rclpy.create_node('n')  # why\nspin_in_thread()\nr = ",
+    ),
+]
+
+
+@pytest.mark.parametrize(("before", "after"), NAMES)
+def test_a_constant_and_a_comment_stay_with_what_makes_the_node(before: str, after: str) -> None:
+    text, _ = ported(HEAD + before, "rospy")
+    assert after in text

@@ -48,7 +48,7 @@ def test_what_python_3_lacks(before: str, after: str) -> None:
 
 def test_a_function_that_moved_is_imported_among_the_modules_of_python() -> None:
     text, _ = ported(f"import os\nimport rospy\n{NODE}x = reduce(f, y)\n", "rospy")
-    assert text.startswith("from functools import reduce\nimport os\nimport rclpy\n")
+    assert text.startswith("import os\nfrom functools import reduce\nimport rclpy\n")
 
 
 OLD = [

@@ -58,6 +58,9 @@ def add_header(work: Work) -> None:
     standard = [line for line in wanted if _is_standard(line.encode("ascii"))]
     others = [line for line in wanted if line not in standard]
     at = _first_import(work)
+    end = header_end(work)
+    places = _places(work, standard, end)
+    standard = standard if not places else []
     replaced = _client_import(work)
     if replaced is not None and others:
         work.keep(replaced)
@@ -65,12 +68,13 @@ def add_header(work: Work) -> None:
         groups = [standard, [""]] if standard and _begins_group(work, at) else [standard]
     else:
         groups = [standard, [""], others] if standard and others else [standard, others]
+    for place, line in places:
+        work.insert(place, f"{line}\n")
     imports = "".join(f"{line}\n" for line in chain.from_iterable(groups))
     constants = "".join(f"{line}\n" for line in work.constants)
     helpers = [f"\n{constants}"] if constants else []
     indent = conventions_of(work.analysis).indent
     helpers += [f"\n\n{helper.replace('    ', indent)}" for helper in work.helpers]
-    end = header_end(work)
     if end <= at:
         helpers = [*helpers, "\n\n"] if helpers else []
         work.insert(at, imports + "".join(helpers))
@@ -82,6 +86,36 @@ def add_header(work: Work) -> None:
         wanted_lines = 2 if work.helpers else 1
         missing = wanted_lines - lines if following.strip() else 0
         work.insert_first(end, "".join(helpers) + "\n" * max(missing, 0))
+
+
+def _places(work: Work, wanted: list[str], end: int) -> list[tuple[int, str]]:
+    """Return where imports of Python's own modules go among those of the file, by name.
+
+    Where the file does not sort its own, they go behind the last of them.
+    """
+    text = work.analysis.syntax.text
+    own = [
+        each
+        for each in work.analysis.syntax.root.named_children
+        if each.type in ("import_statement", "import_from_statement")
+        and each.end_byte <= end
+        and not work.is_gone(each)
+        and _is_standard(text[each.start_byte : each.end_byte])
+        and line_start(text, each.start_byte) == each.start_byte
+    ]
+    keys = [_order(work.slice(each)) for each in own]
+    places = []
+    for line in wanted if own else ():
+        behind = [each for each, key in zip(own, keys, strict=True) if key > _order(line)]
+        is_between = behind and keys == sorted(keys)
+        places.append(
+            (behind[0].start_byte if is_between else line_end(text, own[-1].end_byte - 1), line)
+        )
+    return places
+
+
+def _order(line: str) -> tuple[bool, str]:
+    return line.startswith("from "), line.lower()
 
 
 def _extend(work: Work, imports: Iterable[str]) -> set[str]:

@@ -8,7 +8,7 @@ from tree_sitter import Node
 
 from plastron_tui.sources.python.analysis import NodeSite
 from plastron_tui.sources.python.references import statement_of
-from plastron_tui.sources.python.splices import line_start
+from plastron_tui.sources.python.splices import Splice, line_end, line_start
 from plastron_tui.sources.python.syntax import parts_of
 
 from .call_graph import functions_that_reach
@@ -53,9 +53,13 @@ def _place(work: Work, init: NodeSite, node: str, lines: list[str], starts: Sequ
     """Write the lines that make and start the node, behind those that are given."""
     assert init.call is not None
     statement = statement_of(init.call)
-    written = init.expression if init.name is None else work.string(init.name)
+    anchor = _anchors(work)[init.call.id]
+    # A constant may not be there yet where the node is made earlier.
+    is_constant = anchor.id == statement.id and init.expression.replace(".", "").isidentifier()
+    name = None if is_constant else init.name
+    written = init.expression if name is None else work.string(name)
     lines.append(f"{node} = rclpy.create_node({written or work.string('node')})")
-    options = _options(work, init, node, lines)
+    options = _options(work, init, name, node, lines)
     lines += starts
     for option in options:
         remedy = _OPTIONS.get(option)
@@ -63,7 +67,6 @@ def _place(work: Work, init: NodeSite, node: str, lines: list[str], starts: Sequ
         lines.insert(1, f"{COMMENT}{option}")
     work.done.add(init.call.id)
     function = init.scope.enclosing("function")
-    anchor = _anchors(work)[init.call.id]
     if function is not None and anchor.start_byte >= function.start:
         body = function.node.child_by_field_name("body")
         assert body is not None
@@ -83,6 +86,12 @@ def _replace(work: Work, statement: Node, lines: list[str]) -> None:
         return
     work.done.update(each.id for each in walk(statement))
     text = work.analysis.syntax.text
+    rest = text[statement.end_byte : line_end(text, statement.end_byte)].rstrip()
+    if rest.lstrip().startswith(b"#"):
+        # What is said of `init_node` goes with what makes the node.
+        made = next(at for at, line in enumerate(lines) if "rclpy.create_node(" in line)
+        lines[made] += rest.decode(work.analysis.syntax.encoding, "replace")
+        work.cut(Splice(statement.end_byte, statement.end_byte + len(rest)))
     margin = text[line_start(text, statement.start_byte) : statement.start_byte]
     work.replace(statement, f"\n{margin.decode('ascii')}".join(lines))
 
@@ -90,7 +99,9 @@ def _replace(work: Work, statement: Node, lines: list[str]) -> None:
 _OPTIONS = {"anonymous": "ROS 2 makes no name unique: start the node under a name of its own"}
 
 
-def _options(work: Work, init: NodeSite, node: str, lines: list[str]) -> list[str]:
+def _options(
+    work: Work, init: NodeSite, known: str | None, node: str, lines: list[str]
+) -> list[str]:
     """Return the options of `init_node` that have to be ported by hand.
 
     The name of an anonymous node ends in the number of its process, as it does in rospy.
@@ -102,10 +113,9 @@ def _options(work: Work, init: NodeSite, node: str, lines: list[str]) -> list[st
         option = work.slice(name) if name is not None else "options of the node"
         given = work.slice(value) if value is not None else ""
         if (option, given) == ("anonymous", "True") and init.expression:
-            named = f'f"{init.name}_{{os.getpid()}}"'
-            if init.name is None:
-                named = f'f"{{{init.expression}}}_{{os.getpid()}}"'
-            if init.name is not None or init.expression.isidentifier():
+            inside = known if known is not None else f"{{{init.expression}}}"
+            named = f'f"{inside}_{{os.getpid()}}"'
+            if known is not None or init.expression.replace(".", "").isidentifier():
                 lines[1] = f"{node} = rclpy.create_node({named})"
                 work.imports.add("import os")
                 continue
