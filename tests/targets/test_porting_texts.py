@@ -282,3 +282,25 @@ def test_a_type_that_the_other_ros_lacks_is_marked() -> None:
     )
     assert f"{MARK}rosgraph_msgs/TopicStatistics\nfrom rosgraph_msgs" in text
     assert found[0].help == "ROS 2 has statistics in `statistics_msgs`"
+
+
+KEPT = "QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)"
+LATCHED = [
+    ("'map', OccupancyGrid", True),
+    ("'/map', OccupancyGrid", True),
+    ("'/robot_description', String", True),
+    ("'map', String", False),
+    ("'mapped', OccupancyGrid", False),
+]
+
+
+@pytest.mark.parametrize(("given", "is_kept"), LATCHED)
+def test_what_is_latched_by_custom_is_heard_by_those_that_come_later(
+    given: str, is_kept: bool
+) -> None:
+    head = f"{HEAD_1}from nav_msgs.msg import OccupancyGrid\n"
+    text, _ = ported(f"{head}rospy.Subscriber({given}, print)\n", "rospy")
+    assert (KEPT in text) == is_kept
+    own = f"rospy.Publisher({given}, queue_size=1)\n"
+    text, _ = ported(f"{head}{own}rospy.Subscriber({given}, print)\n", "rospy")
+    assert KEPT not in text

@@ -81,7 +81,36 @@ TO_RCLPY = [
         f"{MARK}rospy.Time.now\na = rospy.Time.now()\nuse(a)\n"
         f"{MARK}rospy.Duration\nb = a - rospy.Duration(1)",
     ),
-    ("a = rospy.Time(1, 2)", f"{MARK}rospy.Time\na = rospy.Time(1, 2)"),
+    (
+        "a = rospy.Time(1, 2)",
+        "a = rclpy.time.Time(seconds=1, nanoseconds=2, clock_type=node.get_clock().clock_type)",
+    ),
+    (
+        "a = rospy.Time.from_sec(2)",
+        "a = rclpy.time.Time(seconds=2, clock_type=node.get_clock().clock_type)",
+    ),
+    (
+        "late = rospy.Time.now() - m.header.stamp > rospy.Duration(1, 2)",
+        "late = node.get_clock().now() - rclpy.time.Time.from_msg(m.header.stamp) > Duration(\n"
+        "    seconds=1, nanoseconds=2\n)",
+    ),
+    (
+        "age = (rospy.Time.now() - m.header.stamp).to_sec()",
+        "age = (node.get_clock().now() - rclpy.time.Time.from_msg(m.header.stamp))"
+        ".nanoseconds / 1e9",
+    ),
+    (
+        "if m.header.stamp < rospy.Time.now(): pass",
+        "if rclpy.time.Time.from_msg(m.header.stamp) < node.get_clock().now(): pass",
+    ),
+    (
+        "a = m.header.stamp\nb = rospy.Time.now() - a",
+        f"a = m.header.stamp\n{MARK}rospy.Time.now\nb = rospy.Time.now() - a",
+    ),
+    (
+        "b = use(rospy.Time.now() - m.header.stamp)",
+        f"{MARK}rospy.Time.now\nb = use(rospy.Time.now() - m.header.stamp)",
+    ),
     (
         "a = rospy.Time.now()\na = 5\nb = rospy.Time.now() - a",
         f"{MARK}rospy.Time.now\na = rospy.Time.now()\na = 5\n"

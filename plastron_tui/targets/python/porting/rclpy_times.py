@@ -13,7 +13,8 @@ from .times import Kind, Times, is_lasting, of_message
 
 _NOW = frozenset({"rospy.Time.now", "rospy.get_rostime"})
 _DURATION = frozenset({"rospy.Duration", "rospy.Duration.from_sec"})
-_TIME = frozenset({"rospy.Time"})
+_TIME = frozenset({"rospy.Time", "rospy.Time.from_sec"})
+_PAIRS = frozenset({"rospy.Time", "rospy.Duration"})
 PARTS = {"secs": "sec", "nsecs": "nanosec"}
 _CLASSES = {"time": "rclpy.time.Time", "duration": "rclpy.duration.Duration"}
 
@@ -35,9 +36,12 @@ def port_times(work: Work, node: str) -> None:
             work.replace(callee, _duration(work))
             if given:
                 work.insert(given[0].start_byte, "seconds=")
+            if given[1:]:
+                work.insert(given[1].start_byte, "nanoseconds=")
             work.done.add(call.id)
         else:
-            seconds = f"seconds={work.text(given[0])}, " if given else ""
+            words = zip(("seconds", "nanoseconds"), given, strict=False)
+            seconds = "".join(f"{word}={work.text(each)}, " for word, each in words)
             clock = f"clock_type={node}.get_clock().clock_type"
             work.replace(call, f"rclpy.time.Time({seconds}{clock})")
             work.done.update(each.id for each in walk(call))
@@ -53,6 +57,10 @@ def port_times(work: Work, node: str) -> None:
             is_operation = each.type == "binary_operator"
             work.insert_first(each.start_byte, "(" if is_operation else "")
             work.insert_last(each.end_byte, ").to_msg()" if is_operation else ".to_msg()")
+    for each in times.fields:
+        work.insert(each.start_byte, "rclpy.time.Time.from_msg(")
+        work.insert_last(each.end_byte, ")")
+        work.imports.add("import rclpy.time")
     _port_messages(work)
 
 
@@ -115,9 +123,16 @@ class _Times(Times):
         )
         if not names or not is_plain:
             return None
-        if (names <= _NOW and not given) or (names <= _TIME and len(given) <= 1):
+        is_made = len(given) <= 1 + (names <= _PAIRS)
+        if (names <= _NOW and not given) or (names <= _TIME and is_made):
             return "time" if has_node(self.work, call) else None
-        return "duration" if names <= _DURATION and len(given) <= 1 else None
+        return "duration" if names <= _DURATION and is_made else None
+
+    def field_kind(self, node: Node) -> Kind | None:
+        """Return whether a field of a message is a time, which rclpy makes one of its own of."""
+        return (
+            "time" if node.type == "attribute" and of_message(self.work, node) == "time" else None
+        )
 
     def stamp(self, node: Node) -> Node | None:
         """Return what goes into the stamp of a message, or into a field for a duration."""

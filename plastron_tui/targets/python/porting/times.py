@@ -100,6 +100,8 @@ class Times(ABC):
         """What reads the seconds or nanoseconds of them."""
         self.stamps: list[Node] = []
         """Those that go into the header of a message."""
+        self.fields: list[Node] = []
+        """Those of messages that others are compared with, or taken from."""
 
     @abstractmethod
     def kind_of_call(self, call: Node) -> Kind | None:
@@ -112,6 +114,13 @@ class Times(ABC):
     def stamp(self, node: Node) -> Node | None:
         """Return what goes into the stamp of a message, None where nothing does."""
         return node if is_stamp(self.work, node) else None
+
+    def field_kind(self, node: Node) -> Kind | None:
+        """Return what a field of a message is that may stand beside a time; none may."""
+        return None
+
+    def _side_kind(self, node: Node) -> Kind | None:
+        return self.field_kind(node) or self.kind(node)
 
     def settle(self) -> list[Node]:
         """Find out which variables are known: one that is not may be what another depends on.
@@ -128,6 +137,7 @@ class Times(ABC):
             self._variables = {key: False for key, is_so in self._variables.items() if not is_so}
             self.read.clear()
             self.stamps.clear()
+            self.fields.clear()
             known = [call for call in made if self.is_known(call)]
         return known
 
@@ -139,7 +149,7 @@ class Times(ABC):
             return self.kind_of_call(node)
         if node.type == "binary_operator":
             sign = node.child_by_field_name("operator")
-            left, right = (self.kind(each) for each in parts_of(node))
+            left, right = (self._side_kind(each) for each in parts_of(node))
             return _RESULTS.get((self.work.slice(sign) if sign is not None else "", left, right))
         if node.type in ("identifier", "attribute"):
             return self._kind_of_variable(node)
@@ -180,10 +190,12 @@ class Times(ABC):
             case "parenthesized_expression":
                 return self.is_known(parent)
             case "binary_operator":
-                return self._has_known_sides(parent) and self.is_known(parent)
+                return (
+                    self._has_known_sides(parent) and self.is_known(parent) and self._note(parent)
+                )
             case "comparison_operator":
-                kinds = {self.kind(each) for each in parts_of(parent) if each.type != "none"}
-                return len(kinds) == 1 and self._has_known_sides(parent)
+                kinds = {self._side_kind(each) for each in parts_of(parent) if each.type != "none"}
+                return len(kinds) == 1 and self._has_known_sides(parent) and self._note(parent)
             case "attribute":
                 read = self.reader(parent)
                 if read is not None and read not in self.read:
@@ -194,6 +206,12 @@ class Times(ABC):
                 return left is not None and left.id != node.id and self._is_variable(left)
         return False
 
+    def _note(self, operation: Node) -> bool:
+        """Note the fields of messages in an operation that is known."""
+        found = [each for each in parts_of(operation) if self.field_kind(each) is not None]
+        self.fields += [each for each in found if each not in self.fields]
+        return True
+
     def _has_known_sides(self, operation: Node) -> bool:
         """Tell whether an operation is of times and durations that are rewritten, or of None."""
         for each in parts_of(operation):
@@ -201,6 +219,8 @@ class Times(ABC):
             while side.type == "parenthesized_expression":
                 side = side.named_children[0]
             is_operation = side.type == "binary_operator" and self._has_known_sides(side)
+            if self.field_kind(each) is not None:
+                continue
             if side.type != "none" and (
                 self.kind(side) is None
                 or not (is_operation or side.type == "call" or self._is_variable(side))

@@ -190,8 +190,7 @@ def _publisher(node: str, work: Work, site: Site, name: str) -> str | None:
     depth = _depth(work, site, 6)
     if latch is not None and work.slice(latch) == "True":
         # What is latched is the last message alone, however many may wait to be sent.
-        depth = "QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)"
-        work.imports.add("from rclpy.qos import DurabilityPolicy, QoSProfile")
+        depth = _kept(work)
     elif latch is not None and work.slice(latch) != "False":
         work.mark(site.call, "latch", "`DurabilityPolicy.TRANSIENT_LOCAL` in a `QoSProfile`")
     mark_options(work, site, _OPTIONS, ("latch", "queue_size", *_OF_TCP))
@@ -203,7 +202,9 @@ def _subscription(waits: Waits, node: str, work: Work, site: Site, name: str) ->
     if waits.is_message(site):
         timeout = site.arguments.get(Argument(2, "timeout"))
         limit = f", {work.text(timeout)}" if timeout is not None else ""
-        made = f"{node}.create_subscription({type_}, {name}, lambda message: None, 1{waits.group})"
+        depth = _latched(work, site) or 1
+        taken = f"{type_}, {name}, lambda message: None, {depth}{waits.group}"
+        made = f"{node}.create_subscription({taken})"
         return f"{waits.names['message']}({made}{limit})"
     if site.shape.gives_message:
         timeout = site.arguments.get(Argument(2, "timeout"))
@@ -219,12 +220,39 @@ def _subscription(waits: Waits, node: str, work: Work, site: Site, name: str) ->
     callback = site.arguments.get(Argument(2, "callback"))
     extra = site.arguments.get(Argument(3, "callback_args"))
     mark_options(work, site, _OPTIONS, ("callback", "callback_args", "queue_size", *_OF_TCP))
+    depth = _latched(work, site) or _depth(work, site, 4)
     called = work.text(callback) if callback is not None else "lambda message: None"
     if extra is not None and callback is not None:
         first, handler = bound_early(work, callback, "callback")
         second, given = bound_early(work, extra, "args")
         called = f"lambda message{first}{second}: {callable_text(handler)}(message, {given})"
-    return f"{node}.create_subscription({type_}, {name}, {called}, {_depth(work, site, 4)})"
+    return f"{node}.create_subscription({type_}, {name}, {called}, {depth})"
+
+
+# What ROS 1 latches by custom, and ROS 2 keeps for those that subscribe later.
+_LATCHED = frozenset(
+    {
+        ("map", "nav_msgs/OccupancyGrid"),
+        ("robot_description", "std_msgs/String"),
+        ("tf_static", "tf2_msgs/TFMessage"),
+    }
+)
+
+
+def _latched(work: Work, site: Site) -> str | None:
+    """Return how to subscribe to what was published before, None for any other topic."""
+    name = (site.endpoint.name or "").rpartition("/")[2]
+    is_own = any(
+        each.endpoint.kind is EndpointKind.PUBLISHER and each.endpoint.name == site.endpoint.name
+        for each in work.analysis.sites
+    )
+    is_latched = (name, str(site.endpoint.type)) in _LATCHED and not is_own
+    return _kept(work) if is_latched else None
+
+
+def _kept(work: Work) -> str:
+    work.imports.add("from rclpy.qos import DurabilityPolicy, QoSProfile")
+    return "QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)"
 
 
 def _service(node: str, work: Work, site: Site, name: str) -> str | None:
