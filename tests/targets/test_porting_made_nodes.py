@@ -59,6 +59,11 @@ def test_the_node_is_made_where_init_node_stood_unless_it_is_needed_before(
 
 
 NAMES = [
+    (
+        "NAME = 'n'\ndef f():\n    p = rospy.Publisher('a', String)\n    rospy.init_node(NAME)\n",
+        "    node = rclpy.create_node(NAME)\n    p = ",
+    ),
+    ('x = "a", "b"\nrospy.init_node(\'n\')\n', "rclpy.create_node('n')\n"),
     ("NAME = 'n'\nrospy.init_node(NAME)\n", "\nnode = rclpy.create_node(NAME)\n"),
     ("NAME = 'n'\nrospy.init_node(NAME, anonymous=True)\n", '(f"{NAME}_{os.getpid()}")\n'),
     ("p = rospy.Publisher('a', String)\nNAME = 'n'\nrospy.init_node(NAME)\n", "_node('n')\n"),

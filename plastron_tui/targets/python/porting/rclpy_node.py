@@ -54,10 +54,16 @@ def _place(work: Work, init: NodeSite, node: str, lines: list[str], starts: Sequ
     assert init.call is not None
     statement = statement_of(init.call)
     anchor = _anchors(work)[init.call.id]
-    # A constant may not be there yet where the node is made earlier.
-    is_constant = anchor.id == statement.id and init.expression.replace(".", "").isidentifier()
+    function = init.scope.enclosing("function")
+    # A constant may not be there yet where the node is made earlier; one of the module is.
+    found = init.scope.lookup(init.expression)
+    is_inside = function is not None and anchor.start_byte >= function.start
+    is_known = is_inside and found is not None and found[0] is work.analysis.scopes.module
+    is_constant = is_known or anchor.id == statement.id
+    is_constant = is_constant and init.expression.replace(".", "").isidentifier()
     name = None if is_constant else init.name
-    written = init.expression if name is None else work.string(name)
+    is_literal = name is not None and init.expression in (f"'{name}'", f'"{name}"')
+    written = init.expression if name is None or is_literal else work.string(name)
     lines.append(f"{node} = rclpy.create_node({written or work.string('node')})")
     options = _options(work, init, name, node, lines)
     lines += starts
@@ -66,8 +72,7 @@ def _place(work: Work, init: NodeSite, node: str, lines: list[str], starts: Sequ
         work.marks.append(Mark(init.call, option, remedy, has_comment=True))
         lines.insert(1, f"{COMMENT}{option}")
     work.done.add(init.call.id)
-    function = init.scope.enclosing("function")
-    if function is not None and anchor.start_byte >= function.start:
+    if function is not None and is_inside:
         body = function.node.child_by_field_name("body")
         assert body is not None
         put_before(work, first_statement(body), [f"global {node}"])
