@@ -17,6 +17,7 @@ from .analysis import Analysis, Site
 from .constants import Known
 from .conventions import conventions_of
 from .name_uses import NameUses
+from .references import identifiers, is_member
 from .removal import waits
 from .runs import EVERYWHERE
 from .scopes import BindingKind, Scope
@@ -96,7 +97,7 @@ def plan_names(analysis: Analysis, wanted: Mapping[Site, str]) -> Renaming:
         is_literal = each in own
         if not is_literal and not each.is_own:
             raise NotNamedError(each.site)
-        for node in each.literals if is_literal else (each.node,):
+        for node in each.literals if is_literal else (_source(analysis, each.node),):
             texts[node.start_byte, node.end_byte] = _written(analysis, node, each.new, is_literal)
     splices = [Splice(start, end, text) for (start, end), text in texts.items()]
     names = [_found_as(analysis, site, new, splices) for site, new in wanted.items()]
@@ -186,6 +187,21 @@ def _serves_only(uses: NameUses, said: _Said) -> bool:
         and all(uses.is_given_alone(call) for call in said.calls)
         and all(uses.is_held_alone(literal) for literal in said.literals)
     )
+
+
+def _source(analysis: Analysis, node: Node) -> Node:
+    """Return the expression that gives a name, behind a variable that nothing else reads."""
+    while node.type == "identifier":
+        name = analysis.syntax.slice(node)
+        found = analysis.scopes.at(node.start_byte).lookup(name)
+        uses = [each for each in identifiers(name, analysis) if not is_member(each)]
+        if found is None or len(found[1]) != 1 or len(uses) != 2:
+            break
+        left = found[1][0].node.child_by_field_name("left")
+        if left is None or left.type != "identifier" or found[1][0].value is None:
+            break
+        node = found[1][0].value
+    return node
 
 
 def _content(analysis: Analysis, string: Node) -> str | None:

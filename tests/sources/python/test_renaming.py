@@ -60,6 +60,16 @@ ROSPY = {
         "n renames topic 'n/a' to 'b'",
         {"'n/' + 'a'": "'b'"},
     ),
+    "what is put together in a variable": (
+        "def main():\n    t = 'n' + '/a'\n    rospy.Subscriber(t, String, f)\n",
+        "n renames topic 'n/a' to 'b'",
+        {"'n' + '/a'": "'b'"},
+    ),
+    "what is put together in a variable of others too": (
+        "def main():\n    t = 'n' + '/a'\n    work(t)\n    rospy.Subscriber(t, String, f)\n",
+        "n renames topic 'n/a' to 'b'",
+        {"Subscriber(t": "Subscriber('b'"},
+    ),
     "a topic, and not the service of its name": (
         "rospy.wait_for_service('a')\nrospy.Subscriber('a', String, f)\n",
         TOPIC,
