@@ -13,6 +13,7 @@ from plastron_tui.sources.python.scopes import BindingKind, Scope
 from plastron_tui.sources.python.splices import line_start
 from plastron_tui.sources.python.syntax import parts_of
 
+from .layout import laid_out
 from .port_state import Work
 
 Writer = Callable[[Work, Site, str], str | None]
@@ -43,7 +44,7 @@ def port_sites(
         written = private_name(work, site, name) if is_private else work.text(name)
         wanted = writers[site.endpoint.kind](work, site, written)
         if wanted is not None:
-            work.replace(site.call, wanted)
+            work.replace(site.call, laid_out(work, site.call, wanted))
 
 
 def mark_options(
