@@ -104,7 +104,7 @@ def check_marks(read: SourceUnit, text: bytes, diagnostics: tuple[Diagnostic, ..
 # What is rewritten in a callback as well, where it is sure what becomes of it.
 REWRITTEN = re.compile(
     r"Publisher\(|Subscriber\(|Service\(|ServiceProxy\(|Timer\(|create_|wait_for_m|import"
-    r"|(_throttle|_once|_param|sleep|get_caller_id|unregister|wait_for_service)\(|\.publish\(|log(debug|info|warn|err|fatal)\(|\.get_logger\(|\.get_clock\(|Time\.now\("
+    r"|timer\.(cancel|shutdown)\(|(_throttle|_once|_param|sleep|get_caller_id|unregister|wait_for_service)\(|\.publish\(|log(debug|info|warn|err|fatal)\(|\.get_logger\(|\.get_clock\(|Time\.now\("
     r"|^\w+(\.\w+)+ = |is_shutdown\(|\.ok\(|get_name\(|get_time\(|^return |\b[A-Z]\w+\(."
 )
 

@@ -103,13 +103,18 @@ def test_ending_an_endpoint(library: str, before: str, after: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("library", "line"), [("rospy", "timer.shutdown()"), ("rclpy", "beat.cancel()")]
+    ("library", "line", "after"),
+    [
+        ("rospy", "timer.shutdown()", "timer.cancel()"),
+        ("rclpy", "beat.cancel()", "beat.shutdown()"),
+        ("rospy", "a_timer.shutdown()", f"{MARK}.shutdown\n    a_timer.shutdown()"),
+        ("rclpy", "a_timer.cancel()", f"{MARK}.cancel\n    a_timer.cancel()"),
+    ],
 )
-def test_a_callback_that_ends_its_timer_is_marked(library: str, line: str) -> None:
+def test_a_callback_ends_a_timer_of_the_file(library: str, line: str, after: str) -> None:
     head, other = {"rospy": (HEAD_1, "rclpy"), "rclpy": (HEAD_2, "rospy")}[library]
     text = ported(head.format(inside=line), library, other)
-    method = line.partition(".")[2][:-2]
-    assert f"    {MARK}.{method}\n    {line}\n" in text
+    assert f":\n    {after}\n" in text
 
 
 CONTEXTS = [

@@ -46,7 +46,7 @@ def mark_leftovers(
 def port_ending(work: Work, renamed: Mapping[str, str], remedies: Mapping[str, str]) -> None:
     """Rewrite or mark what ends an endpoint: `cancel` of a timer, `shutdown` of a service.
 
-    A callback is carried over as it is, so that what is in it is marked.
+    What a callback ends is marked, where the file does not show that it is a timer.
 
     Args:
         work: the file.
@@ -69,7 +69,8 @@ def port_ending(work: Work, renamed: Mapping[str, str], remedies: Mapping[str, s
         method, name = work.slice(part), work.slice(holder).rpartition(".")[2]
         kind = held.get(name, EndpointKind.TIMER if "timer" in name.lower() else None)
         is_timer = kind is EndpointKind.TIMER
-        if is_timer and method in renamed and not work.is_in_callback(call):
+        is_own = name in held or not work.is_in_callback(call)
+        if is_timer and method in renamed and is_own:
             work.replace(part, renamed[method])
         elif kind is not None and (is_timer or method not in _OF_TIMERS) and method in remedies:
             work.mark(callee, f".{method}", remedies[method])

@@ -21,6 +21,7 @@ _LOGS = {
     "error": "rospy.logerr",
     "fatal": "rospy.logfatal",
 }
+_CLOCKS = {"rclpy.clock.Clock", "rclpy.clock.ROSClock"}
 
 
 def port_rospy_words(work: Work) -> None:
@@ -72,13 +73,18 @@ def _replace(work: Work, node: Node, text: str) -> None:
 
 
 def methods_of(work: Work, call: Node) -> list[str]:
-    """Return the methods of `node.get_logger().info(…)`; all but the last take nothing."""
+    """Return the methods of `node.get_logger().info(…)`; all but the last take nothing.
+
+    A clock that is made there is the node's.
+    """
     methods: list[str] = []
     current: Node | None = call
     while current is not None and current.type == "call":
         callee = current.child_by_field_name("function")
         arguments = current.child_by_field_name("arguments")
         part = callee.child_by_field_name("attribute") if callee is not None else None
+        if callee is not None and set(work.qualified(callee)) & _CLOCKS and not parts_of(arguments):
+            return ["get_clock", *methods]
         if callee is None or part is None or arguments is None:
             return []
         if current is not call and parts_of(arguments):

@@ -7,6 +7,7 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.sources.python.analysis import NodeSite, Site
+from plastron_tui.sources.python.arguments import Arguments
 from plastron_tui.sources.python.calls import Argument
 from plastron_tui.sources.python.constants import Known
 from plastron_tui.sources.python.scopes import Scope
@@ -15,6 +16,7 @@ from plastron_tui.sources.python.syntax import parts_of
 
 from .action_uses import mark_action_uses
 from .actions import mark_actions
+from .annotations import leave_annotations
 from .contexts import port_executors
 from .endpoints import mark_endpoint_attributes
 from .insertion_point import add_header
@@ -88,6 +90,7 @@ _ENDING = {
     "destroy": "`shutdown` of a timer or service, `unregister` of the others",
 }
 
+_PROFILE = "rclpy.qos.QoSProfile"
 _OPTIONS = {"callback_group": "rospy calls callbacks in threads of their own"}
 
 _REMEDIES = {
@@ -116,6 +119,7 @@ _REMEDIES = {
 def port_to_rospy(work: Work) -> None:
     """Rewrite what makes rclpy nodes and their endpoints, and mark the rest of rclpy."""
     port_imports(work, _GONE)
+    leave_annotations(work)
     port_executors(work)
     port_rospy_parameters(work)
     port_rospy_running(work)
@@ -167,8 +171,11 @@ def _subscription(work: Work, site: Site, name: str) -> str | None:
         limit = site.arguments.get(Argument(-1, "time_to_wait"))
         timeout = f", timeout={work.text(limit)}" if limit is not None else ""
         return f"(True, rospy.wait_for_message({name}, {type_}{timeout}))"
-    if site.shape.node is not None:
-        return f"message_filters.Subscriber({name}, {type_})"
+    callee = site.call.child_by_field_name("function")
+    if site.shape.node is not None and callee is not None:
+        depth = _depth(work, site, Argument(-1, "qos_profile"))
+        queue = f", queue_size={depth}" if depth is not None else ""
+        return f"{work.text(callee)}({name}, {type_}{queue})"
     mark_options(work, site, _OPTIONS, ("callback", "qos_profile"))
     callback = site.arguments.get(Argument(2, "callback"))
     depth = _depth(work, site, Argument(3, "qos_profile"))
@@ -224,6 +231,14 @@ def _depth(work: Work, site: Site, argument: Argument) -> str | None:
     folded = work.analysis.resolver.fold(given, site.scope)
     if isinstance(folded, Known) and isinstance(folded.value, int):
         return work.text(given)
+    if work.qualified(given.child_by_field_name("function") or given) == (_PROFILE,):
+        arguments = Arguments.of(given, work.analysis.syntax)
+        depth = arguments.keywords.get("depth")
+        work.done.update(each.id for each in walk(given) if each != depth)
+        if depth is not None and set(arguments.keywords) == {"depth"}:
+            return work.text(depth)
+    # The line has no quality of service any more, so that one mark says it.
+    work.done.update(each.id for each in walk(given))
     work.mark(site.call, "quality of service", _REMEDIES["rclpy.qos"])
     return None
 

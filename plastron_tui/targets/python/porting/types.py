@@ -72,6 +72,7 @@ def keep_used_imports(work: Work, roots: frozenset[str]) -> None:
         if mark.node.id not in work.done  # else what is left in it has a mark of its own
         for node in walk(mark.node)
         if node.type == "identifier" and node.id not in work.done and work.is_written(node)
+        if not is_imported(node)
         for name in work.qualified(node)
         if name.partition(".")[0] in roots
     }

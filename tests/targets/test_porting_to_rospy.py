@@ -1,0 +1,110 @@
+"""What a file of rclpy writes by hand becomes what rospy has for it: before → after."""
+
+from __future__ import annotations
+
+import pytest
+from ported_nodes import MARK, ported
+
+NODE = (
+    "import rclpy\nfrom message_filters import Subscriber\n"
+    "from rclpy.clock import Clock, ROSClock\n"
+    "from rclpy.node import Node\nfrom rclpy.qos import QoSProfile, qos_profile_sensor_data\n"
+    "from std_msgs.msg import Header, String\n\n\n"
+    "class A(Node):\n    def __init__(self):\n        super().__init__('a')\n{}\n\n"
+    "    def hear(self, msg):\n        pass\n"
+)
+
+LINES = [
+    (
+        "sub = Subscriber(self, String, 's')",
+        "from message_filters import Subscriber",
+        "sub = Subscriber('s', String)",
+    ),
+    (
+        "sub = Subscriber(self, String, 's', qos_profile=5)",
+        "",
+        "sub = Subscriber('s', String, queue_size=5)",
+    ),
+    (
+        "self.create_subscription(String, 's', self.hear, QoSProfile(depth=7))",
+        "",
+        "rospy.Subscriber('s', String, self.hear, queue_size=7)",
+    ),
+    (
+        "header = Header(stamp=ROSClock().now().to_msg())",
+        "",
+        "header = Header(stamp=rospy.Time.now())",
+    ),
+    ("start = Clock().now()", "", "start = rospy.Time.now()"),
+]
+
+
+@pytest.mark.parametrize(("before", "kept", "after"), LINES)
+def test_a_line_of_a_node(before: str, kept: str, after: str) -> None:
+    text, found = ported(NODE.format(f"        {before}"), "rclpy")
+    assert f"        rospy.init_node('a')\n        {after}\n" in text
+    assert kept in text
+    assert "rclpy" not in text
+    assert not found
+
+
+def test_a_quality_of_service_has_one_mark() -> None:
+    line = "self.create_publisher(String, 's', qos_profile_sensor_data)"
+    text, found = ported(NODE.format(f"        {line}"), "rclpy")
+    assert f"        {MARK}quality of service\n        rospy.Publisher('s', " in text
+    assert len(found) == 1
+    assert "rclpy" not in text
+
+
+LAYOUTS = [
+    (
+        "p = self.create_publisher(\n    String,\n    's',\n    1\n)",
+        "p = rospy.Publisher(\n    's',\n    String,\n    queue_size=1\n)",
+    ),
+    (
+        "p = self.create_publisher(\n    String,\n    's',\n    1,\n)",
+        "p = rospy.Publisher(\n    's',\n    String,\n    queue_size=1,\n)",
+    ),
+    (
+        "p = self.create_publisher(String,\n" + " " * 26 + "'s',\n" + " " * 26 + "1)",
+        "p = rospy.Publisher('s',\n                    String,\n                    queue_size=1)",
+    ),
+    (
+        "p = self.create_publisher(\n    String, 's',\n    1)",
+        "p = rospy.Publisher('s', String, queue_size=1)",
+    ),
+]
+
+
+@pytest.mark.parametrize(("before", "after"), LAYOUTS)
+def test_an_argument_a_line_stays_so(before: str, after: str) -> None:
+    inside = (f"        {each}".replace("\n", "\n        ") for each in (before, after))
+    given, wanted = inside
+    assert f"\n{wanted}\n" in ported(NODE.format(given), "rclpy")[0]
+
+
+ANNOTATIONS = [
+    ("def f(self, node: Node): pass", "def f(self, node): pass"),
+    ("def f(self, node: Node = None): pass", "def f(self, node=None): pass"),
+    ("def f(self, node: 'Node' = None): pass", "def f(self, node=None): pass"),
+    ("def f(self, node: rclpy.node.Node): pass", "def f(self, node): pass"),
+    ("def f(self) -> Node: pass", "def f(self): pass"),
+    ("def f(self, node: 'Node | None'): pass", "def f(self, node): pass"),
+    ("def f(self, node: Mode): pass", "def f(self, node: Mode): pass"),
+    ("node: Node = None", "node = None"),
+]
+
+
+@pytest.mark.parametrize("guard", ["", "if TYPE_CHECKING:\n    "])
+@pytest.mark.parametrize(("before", "after"), ANNOTATIONS)
+def test_an_annotation_of_the_node_goes(before: str, after: str, guard: str) -> None:
+    head = "from typing import TYPE_CHECKING\nimport rclpy\nfrom std_msgs.msg import String\n"
+    text, found = ported(
+        f"{head}{guard}from rclpy.node import Node\nMode = int\n\n\nclass Helper:\n    {before}\n\n"
+        "    def g(self, node):\n        node.create_publisher(String, 's', 1)\n",
+        "rclpy",
+    )
+    assert f"class Helper:\n    {after}\n" in text
+    assert "rclpy" not in text
+    assert ("TYPE_CHECKING" in text) == (guard == "")
+    assert not found
