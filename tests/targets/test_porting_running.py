@@ -117,6 +117,39 @@ def test_a_callback_ends_a_timer_of_the_file(library: str, line: str, after: str
     assert f":\n    {after}\n" in text
 
 
+SHUTDOWN = "rospy.signal_shutdown('the node is done')"
+SHUTDOWNS = [
+    ("rclpy.spin(node)\nrclpy.shutdown()", "rospy.spin()"),
+    ("rclpy.spin(node)\nif rclpy.ok():\n    rclpy.shutdown()", "rospy.spin()"),
+    ("rclpy.spin(node)\nif here:\n    rclpy.shutdown()", "rospy.spin()\nif here:\n    pass"),
+    ("if here:\n    rclpy.spin(node)\nrclpy.shutdown()", f"if here:\n    rospy.spin()\n{SHUTDOWN}"),
+    (
+        "while rclpy.ok():\n    work()\nrclpy.shutdown()",
+        "while not rospy.is_shutdown():\n    work()",
+    ),
+    (
+        "while rclpy.ok():\n    break\nrclpy.shutdown()",
+        f"while not rospy.is_shutdown():\n    break\n{SHUTDOWN}",
+    ),
+    ("node.work()\nrclpy.shutdown()", f"node.work()\n{SHUTDOWN}"),
+    (
+        "try:\n    rclpy.spin(node)\nexcept KeyboardInterrupt:\n    pass\n"
+        "finally:\n    node.destroy_node()\n    rclpy.shutdown()",
+        "try:\n    rospy.spin()\nexcept KeyboardInterrupt:\n    pass",
+    ),
+    (
+        "t = Thread(f)\ntry:\n    rclpy.spin(node)\nexcept E:\n    pass\nrclpy.shutdown()",
+        f"t = Thread(f)\ntry:\n    rospy.spin()\nexcept E:\n    pass\n{SHUTDOWN}",
+    ),
+]
+
+
+@pytest.mark.parametrize(("before", "after"), SHUTDOWNS)
+def test_a_shutdown_behind_spin_goes(before: str, after: str) -> None:
+    text = ported(f"{CLASS}rclpy.init()\nnode = A()\n{before}\n", "rclpy", "rospy")
+    assert text.endswith(f"\nnode = A()\n{after}\n")
+
+
 CONTEXTS = [
     ("with rclpy.init(args=None):\n    rclpy.spin(A())", "A()\nrospy.spin()"),
     ("with rclpy.init(): rclpy.spin(A())", "A(); rospy.spin()"),
@@ -139,8 +172,7 @@ CONTEXTS = [
         "node = A()\nexecutor = MultiThreadedExecutor()\nexecutor.add_node(node)\n"
         "try:\n    executor.spin()\nfinally:\n    executor.shutdown()\n"
         "    rclpy.try_shutdown()",
-        "node = A()\ntry:\n    rospy.spin()\nfinally:\n"
-        "    rospy.signal_shutdown('the node is done')",
+        "node = A()\nrospy.spin()",
     ),
 ]
 

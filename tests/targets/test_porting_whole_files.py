@@ -150,8 +150,6 @@ def main(args=None):
         rospy.spin()
     except (KeyboardInterrupt, rospy.ROSInterruptException):
         pass
-    finally:
-        rospy.signal_shutdown("the node is done")
 '''
 WHOLE = {
     "rospy listener": ("rospy", LISTENER_1, LISTENER_2),

@@ -16,6 +16,8 @@ _EXECUTORS = frozenset(
 _CONTEXT = "rclpy_context_of_the_port()"
 """Stands in a `with` until all else is rewritten."""
 
+_WITH = f"with {_CONTEXT}".encode("ascii")
+
 
 def port_context(work: Work, call: Node) -> None:
     """Note that `with rclpy.init():` goes, if it is one."""
@@ -23,6 +25,11 @@ def port_context(work: Work, call: Node) -> None:
     if item is not None and item.type == "with_item":
         work.done.add(call.id)
         work.replace(call, _CONTEXT)
+
+
+def leave_try(work: Work, statement: Node) -> None:
+    """Note that a `try` goes, which has nothing beside its body any more."""
+    work.cut(Splice(statement.start_byte, statement.start_byte + len("try"), _WITH))
 
 
 def without_contexts(text: bytes) -> bytes:

@@ -12,6 +12,7 @@ from plastron_tui.sources.python.syntax import parts_of
 
 from .contexts import port_context
 from .port_state import Work, walk
+from .rospy_endings import leave_empty_clauses, port_shutdown
 
 _INTERRUPTS = (
     "rclpy.executors.ExternalShutdownException",
@@ -37,7 +38,7 @@ def port_rospy_running(work: Work) -> None:
         elif names & {"rclpy.spin"}:
             _port_spin(work, call, statement if is_alone else None)
         elif names & {"rclpy.shutdown", "rclpy.try_shutdown"}:
-            work.replace(call, f"rospy.signal_shutdown({work.string('the node is done')})")
+            port_shutdown(work, call, is_alone=is_alone)
         elif callee.type == "attribute":
             _port_method(work, call, callee, statement if is_alone else None)
     for node in walk(work.analysis.syntax.root):
@@ -47,6 +48,7 @@ def port_rospy_running(work: Work) -> None:
         is_caught = parent.type in ("except_clause", "as_pattern", "tuple")
         if is_caught and set(work.qualified(node)) & set(_INTERRUPTS):
             work.replace(node, "rospy.ROSInterruptException")
+    leave_empty_clauses(work)
 
 
 def _port_spin_once(work: Work, call: Node) -> None:
