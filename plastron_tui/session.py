@@ -69,6 +69,7 @@ class Session:
         self._earlier: Lowered | None = None
         self._fitters: Mapping[int, Fitter] = {}
         self._interpretation: Interpretation | None = None
+        self._type_problems: tuple[Diagnostic, ...] = ()
 
     @cached_property
     def _configuration(self) -> Configuration:
@@ -116,8 +117,10 @@ class Session:
 
     @property
     def type_problems(self) -> tuple[Diagnostic, ...]:
-        """What is wrong with the definitions that were read so far."""
-        return self._configuration.type_problems
+        """What is wrong with the definitions that the program asks for, or asked for so far."""
+        # A file that is made asks for more: a port for the types of the other ROS.
+        is_known = self._interpretation is not None
+        return self._type_problems if is_known else self._configuration.type_problems
 
     def snapshot(self) -> Session:
         """Return a session of the program as it is now, for another thread.
@@ -169,7 +172,9 @@ class Session:
 
             loader = self._new_loader()
             setting = self._new_setting(loader)
+            self._configuration.leave_type_problems()
             self._interpretation = interpret(self.program, setting, self._fitters, pulse)
+            self._type_problems = self._configuration.type_problems
             self._fitters = {}
             loader.forget_others()
         return self._interpretation

@@ -53,6 +53,39 @@ def test_files_that_were_written_are_loaded_when_that_is_told(tmp_path: Path) ->
     assert list(made.workspace.nodes["talker"].of(Publisher)) == ["chatter"]
 
 
+def wrong_types(folder: Path) -> None:
+    """Write definitions of ROS 1: one names the header shortly, and others hold that."""
+    (folder / "mine" / "msg").mkdir(parents=True)
+    (folder / "mine" / "package.xml").write_text("<package><name>mine</name></package>")
+    for name, text in {"Old": "Header header", "Box": "Old old", "Case": "Box box"}.items():
+        (folder / "mine" / "msg" / f"{name}.msg").write_text(f"{text}\n")
+
+
+def test_the_problems_of_a_program_are_those_of_its_own_types(tmp_path: Path) -> None:
+    wrong_types(tmp_path)
+    made = session(tmp_path, target="rclpy")
+    for name in ("Old", "Box", "Case"):
+        text = f"create_message a of message_type mine/{name} and input x=1\n"
+        other = session(tmp_path, text, target="rclpy")
+        made.edit(0, len(made.document.text), text.encode())
+        assert "bad-definition" in codes(made)
+        assert codes(made) == codes(other)
+        made.edit(0, len(made.document.text), TALKER.encode())
+        assert codes(made) == []
+        assert made.plan()[1] == ()
+
+
+def test_a_port_asks_for_types_of_the_other_ros_without_a_word(tmp_path: Path) -> None:
+    wrong_types(tmp_path)
+    node = "import rospy\nfrom mine.msg import Old\nrospy.init_node('n')\n"
+    (tmp_path / "node.py").write_text(f"{node}rospy.Publisher('old', Old, queue_size=1)\n")
+    made = session(tmp_path, "load 'node.py' as n\ngenerate_node n using rclpy\n")
+    assert codes(made) == []
+    plan, _ = made.plan()
+    assert b"import rclpy" in plan.files[0].text
+    assert made.diagnostics == made.type_problems == ()
+
+
 def test_a_node_is_read_again_where_a_file_that_it_imports_from_changed(tmp_path: Path) -> None:
     node = "import rospy\nfrom topics import T\nfrom std_msgs.msg import String\n"
     (tmp_path / "node.py").write_text(f"{node}rospy.Publisher(T, String, queue_size=1)\n")

@@ -152,10 +152,15 @@ class Configuration:
 
     @property
     def type_problems(self) -> tuple[Diagnostic, ...]:
-        """What is wrong with the definitions that were read so far."""
+        """What is wrong with the definitions that were asked for, so far or since they were left."""
         problems = (found for catalog in self._catalogs.values() for found in catalog.problems)
         # The catalogs of both generations of ROS may have asked for one definition.
         return tuple(dict.fromkeys(problems))
+
+    def leave_type_problems(self) -> None:
+        """Tell of a definition's mistakes again only when it is asked for again."""
+        for catalog in self._catalogs.values():
+            catalog.problems.clear()
 
     def library(self, name: str) -> Library | None:
         """Return what writes nodes for a client library, None where nothing here does."""

@@ -53,8 +53,8 @@ class Catalog:
     Attributes:
         distribution: the name of the distribution.
         ros_version: 1 or 2.
-        problems: what is wrong in the definitions that were read so far; a type whose
-            definition has a mistake is not found.
+        problems: what is wrong in the definitions that were asked for, so far or since the list
+            was cleared; a type whose definition has a mistake is not found.
     """
 
     def __init__(
@@ -87,6 +87,7 @@ class Catalog:
         self._refusal = refusal
         self._open: list[_Key] = []
         self._found: dict[_Key, Interface | None] = {}
+        self._wrong: dict[_Key, list[Diagnostic]] = {}
         self._candidates: dict[tuple[InterfaceKind, str], tuple[InterfaceName, ...]] = {}
 
     def find(self, name: InterfaceName, kind: InterfaceKind) -> Interface | None:
@@ -96,10 +97,9 @@ class Catalog:
         are not to be found, adds to `problems` and is not found.
         """
         key = (kind, name)
-        try:
+        if key in self._found:
+            self._note(*self._wrong.get(key, ()))
             return self._found[key]
-        except KeyError:
-            pass
         interface = self._read(key)
         # A name that nothing has is not kept: a day of typing makes many.
         if interface is not None or self._file(name, kind) is not None:
@@ -168,7 +168,11 @@ class Catalog:
         if not is_own or name.package in index.partial:
             file = self._file(name, kind)
             if file is not None:
-                return self._read_file(key, file)
+                self._open.append(key)
+                try:
+                    return self._read_file(key, file)
+                finally:
+                    self._open.pop()
         if not is_own:
             return None
         text = data.definitions(self.distribution, name.package)[kind.value][name.name]
@@ -180,7 +184,7 @@ class Catalog:
         kind, name = key
         refusal = self._refusal(file) if file == self._own.file(name, kind) else None
         if refusal is not None:
-            self.problems.append(refusal)
+            self._note(refusal)
             return None
         try:
             source = read_regular(file, MAX_DEFINITION_BYTES)
@@ -188,13 +192,9 @@ class Catalog:
             self._report(f"the definition of `{name}` cannot be read: {reason(error)}", file)
             return None
         definition = parse_definition(source, name, kind, self.ros_version, file)
-        self.problems += definition.diagnostics
+        self._note(*definition.diagnostics)
         interface = definition.interface
-        if interface is None:
-            return None
-        self._open.append(key)
-        is_sound = self._has_sound_messages(interface, file)
-        self._open.pop()
+        is_sound = interface is not None and self._has_sound_messages(interface, file)
         return interface if is_sound else None
 
     def _has_sound_messages(self, interface: Interface, file: Path) -> bool:
@@ -224,4 +224,10 @@ class Catalog:
         return did_you_mean(message.name, PRIMITIVES[self.ros_version])
 
     def _report(self, message: str, file: Path, remedy: str | None = None) -> None:
-        self.problems.append(Diagnostic(codes.BAD_DEFINITION, message, file=file, help=remedy))
+        self._note(Diagnostic(codes.BAD_DEFINITION, message, file=file, help=remedy))
+
+    def _note(self, *problems: Diagnostic) -> None:
+        """Add to the problems, and to those of each definition that is being read."""
+        lists = (self.problems, *(self._wrong.setdefault(key, []) for key in self._open))
+        for noted in lists:
+            noted += [each for each in problems if each not in noted]
