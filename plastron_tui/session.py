@@ -117,7 +117,7 @@ class Session:
 
     @property
     def type_problems(self) -> tuple[Diagnostic, ...]:
-        """What is wrong with the definitions that the program asks for, or asked for so far."""
+        """What is wrong with the definitions that the program asks for, or has asked for."""
         # A file that is made asks for more: a port for the types of the other ROS.
         is_known = self._interpretation is not None
         return self._type_problems if is_known else self._configuration.type_problems

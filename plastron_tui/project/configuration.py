@@ -152,7 +152,7 @@ class Configuration:
 
     @property
     def type_problems(self) -> tuple[Diagnostic, ...]:
-        """What is wrong with the definitions that were asked for, so far or since they were left."""
+        """What is wrong with definitions that were asked for, at all or since they were left."""
         problems = (found for catalog in self._catalogs.values() for found in catalog.problems)
         # The catalogs of both generations of ROS may have asked for one definition.
         return tuple(dict.fromkeys(problems))

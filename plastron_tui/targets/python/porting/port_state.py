@@ -54,6 +54,27 @@ class Mark:
     has_comment: bool = False
 
 
+@dataclass(frozen=True, slots=True)
+class _Move:
+    """Lines that go behind others; the lines from `end` to `gone` are left out."""
+
+    start: int
+    end: int
+    gone: int
+    to: int
+    before: bytes
+
+    def apply(self, text: bytes, splices: list[Splice]) -> list[Splice]:
+        """Return splices that move the lines as well, with what is rewritten in them."""
+        inside = [each for each in splices if self.start <= each.start and each.start < self.end]
+        within = [
+            Splice(each.start - self.start, each.end - self.start, each.text) for each in inside
+        ]
+        moved = self.before + apply(text[self.start : self.end], within)
+        others = [each for each in splices if each not in inside]
+        return [Splice(self.to, self.to, moved), *others, Splice(self.start, self.gone)]
+
+
 @dataclass(slots=True)
 class Work:
     """A file on its way.
@@ -93,6 +114,7 @@ class Work:
     _splices: list[Splice] = field(default_factory=list)
     _last: list[Splice] = field(default_factory=list)
     _deleted: list[Node] = field(default_factory=list)
+    _moves: list[_Move] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self.before = Catalog(self.analysis.library.distribution)
@@ -161,6 +183,10 @@ class Work:
     def cut(self, splice: Splice) -> None:
         """Take text away."""
         self._splices.append(splice)
+
+    def move(self, start: int, end: int, gone: int, to: int, before: str) -> None:
+        """Move the lines between two offsets to another, behind `before`; `gone` ends the gap."""
+        self._moves.append(_Move(start, end, gone, to, self.analysis.syntax.encode(before)))
 
     def delete(self, statement: Node) -> None:
         """Take a statement away, with all that is in it."""
@@ -249,6 +275,8 @@ class Work:
             comments = _comments(words, limit - len(indent))
             text = b"".join(indent + syntax.encode(each) + b"\n" for each in comments)
             splices.append(Splice(at, at, text))
+        for move in reversed(self._moves):
+            splices = move.apply(syntax.text, splices)
         fitted = [
             Splice(each.start, each.end, each.text.replace(b"\r\n", b"\n").replace(b"\n", newline))
             for each in splices

@@ -18,6 +18,7 @@ from .action_uses import mark_action_uses
 from .actions import mark_actions
 from .annotations import leave_annotations
 from .contexts import port_executors
+from .early_callbacks import move_early_callbacks
 from .endpoints import mark_endpoint_attributes
 from .insertion_point import add_header
 from .leftovers import mark_leftovers, port_ending
@@ -139,6 +140,7 @@ def port_to_rospy(work: Work) -> None:
     mark_leftovers(work, _LEFT, {k: v or "" for k, v in _ATTRIBUTES.items()}, _REMEDIES)
     mark_helpers(work)
     port_node_uses(work)
+    move_early_callbacks(work)
     keep_used_imports(work, _GONE)
     work.imports.add("import rospy")
     add_header(work)
