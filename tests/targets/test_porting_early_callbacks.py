@@ -24,6 +24,7 @@ MOVED = [
     ("{sub}\nself.shown = None\nself.last = 1", "self.shown = None\n{sub}\nself.last = 1"),
     ("{sub}\nif here:\n    {count}\nself.last = 1", "if here:\n    {count}\n{sub}\nself.last = 1"),
     ("{count}\n{sub}", "{count}\n{sub}"),
+    ("if here:\n    {sub}\n{count}", "{count}\nif here:\n    {sub}"),
     ("{sub}\nself.known = 2", "{sub}\nself.known = 2"),
     ("{sub}  # hears\n{count}  # how many", "{count}  # how many\n{sub}  # hears"),
     ("\n# Hear\n{sub}\n\n# State\n{count}\n\nself.last = 1",
@@ -46,7 +47,8 @@ STAYING = [
     "{sub}\nwhile self.last is None:\n    pass\n{count}",
     "name = 's'\n{sub}\nself.hear = 1\n{count}",
     "{sub}; x = 1\n{count}",
-    "if here:\n    {sub}\n{count}",
+    "with here:\n    {sub}\n{count}",
+    "{sub}\nif here:\n    return\n{count}",
 ]
 
 

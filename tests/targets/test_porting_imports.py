@@ -42,6 +42,11 @@ OTHERS = [
     ("rospy", "from mine.msg import robot_state", "mine/robot_state"),
     ("rospy", "from mine.msg import RobotState", ""),
     ("rclpy", "from sensor_msgs_py import point_cloud2", "sensor_msgs_py"),
+    (
+        "rclpy",
+        "from interactive_markers import InteractiveMarkerServer",
+        "interactive_markers.InteractiveMarkerServer",
+    ),
 ]
 
 

@@ -11,7 +11,8 @@ NODE = (
     "from rclpy.node import Node\nfrom rclpy.qos import QoSProfile, qos_profile_sensor_data\n"
     "from std_msgs.msg import Header, String\n\n\n"
     "class A(Node):\n    def __init__(self):\n        super().__init__('a')\n{}\n\n"
-    "    def hear(self, msg):\n        pass\n"
+    "    def hear(self, msg):\n        pass\n\n"
+    "    def other(self):\n        qos = 1\n        return qos\n"
 )
 
 LINES = [
@@ -108,3 +109,44 @@ def test_an_annotation_of_the_node_goes(before: str, after: str, guard: str) -> 
     assert "rclpy" not in text
     assert ("TYPE_CHECKING" in text) == (guard == "")
     assert not found
+
+
+OPTIONS = [
+    (
+        "qos = QoSProfile(depth=1)\nself.create_publisher(String, 's', qos)",
+        "rospy.Publisher('s', String, queue_size=1)",
+    ),
+    (
+        "qos = QoSProfile(depth=1, history=2)\nself.create_publisher(String, 's', qos)",
+        f"{MARK}quality of service\nrospy.Publisher('s', String, queue_size=10)",
+    ),
+    (
+        "qos = QoSProfile(depth=1)\nqos.history = 1\nself.create_publisher(String, 's', qos)",
+        f"{MARK}quality of service\nrospy.Publisher('s', String, queue_size=10)",
+    ),
+    (
+        "self.qos = qos_profile_sensor_data\n"
+        "self.create_subscription(String, 's', self.hear, self.qos)",
+        f"{MARK}quality of service\nrospy.Subscriber('s', String, self.hear)",
+    ),
+    (
+        "qos = QoSProfile(depth=1)\nprint(qos)",
+        f"{MARK}rclpy.qos.QoSProfile\nqos = QoSProfile(depth=1)\nprint(qos)",
+    ),
+]
+
+
+@pytest.mark.parametrize(("before", "after"), OPTIONS)
+def test_a_variable_of_an_option_goes_with_its_last_use(before: str, after: str) -> None:
+    inside = (f"        {each}".replace("\n", "\n        ") for each in (before, after))
+    given, wanted = inside
+    text, _ = ported(NODE.format(given), "rclpy")
+    assert f"rospy.init_node('a')\n{wanted}\n" in text
+    assert ("rclpy" in text) == ("rclpy" in after)
+
+
+def test_an_import_goes_with_its_last_use() -> None:
+    text, _ = ported(
+        "import sys\nimport rclpy\nrclpy.init(args=sys.argv)\nx = rclpy.ok()\n", "rclpy"
+    )
+    assert text == "import rospy\nx = not rospy.is_shutdown()\n"

@@ -107,7 +107,8 @@ class _Constructor:
         """Tell whether a step may as well stand behind a later one."""
         step, text = self._steps[index], self._work.analysis.syntax.text
         node = step.node
-        if node.type != "expression_statement" or not begins_line(self._work, node):
+        is_plain = node.type in ("expression_statement", "if_statement")
+        if not is_plain or not begins_line(self._work, node):
             return False
         if text[node.end_byte : line_end(text, node.end_byte)].strip()[:1] not in (b"", b"#"):
             return False

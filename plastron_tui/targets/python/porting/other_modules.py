@@ -20,6 +20,8 @@ from .port_state import Work
 
 _ROS_1_ONLY = "it is of ROS 1"
 _TAKES_NODE = "its classes take the node in ROS 2"
+_TAKES_NO_NODE = "its classes take no node in ROS 1"
+_SERVER = "interactive_markers.interactive_marker_server.InteractiveMarkerServer"
 
 _OF_ROS_1 = {
     "sensor_msgs.point_cloud2": "`sensor_msgs_py.point_cloud2`, whose `read_points` gives an array",
@@ -43,7 +45,9 @@ _OF_ROS_1 = {
 }
 _OF_ROS_2 = {
     "sensor_msgs_py": "`sensor_msgs.point_cloud2`, whose `read_points` gives tuples",
-    "diagnostic_updater": "its classes take no node in ROS 1",
+    "diagnostic_updater": _TAKES_NO_NODE,
+    "interactive_markers.InteractiveMarkerServer": f"`{_SERVER}`, which takes no node",
+    "interactive_markers.interactive_marker_server": _TAKES_NO_NODE,
     "tf_transformations": "`tf.transformations`",
     "moveit": "`moveit_commander`",
     "ros2_numpy": "`ros_numpy`",

@@ -7,7 +7,6 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.sources.python.analysis import NodeSite, Site
-from plastron_tui.sources.python.arguments import Arguments
 from plastron_tui.sources.python.calls import Argument
 from plastron_tui.sources.python.constants import Known
 from plastron_tui.sources.python.scopes import Scope
@@ -21,6 +20,7 @@ from .contexts import port_executors
 from .early_callbacks import move_early_callbacks
 from .endpoints import mark_endpoint_attributes
 from .insertion_point import add_header
+from .left_out import depth_alone, free_names, leave_options
 from .leftovers import mark_leftovers, port_ending
 from .node_uses import mark_helpers, mark_waits, port_node_uses
 from .other_modules import mark_other_modules
@@ -91,7 +91,6 @@ _ENDING = {
     "destroy": "`shutdown` of a timer or service, `unregister` of the others",
 }
 
-_PROFILE = "rclpy.qos.QoSProfile"
 _OPTIONS = {"callback_group": "rospy calls callbacks in threads of their own"}
 
 _REMEDIES = {
@@ -133,6 +132,7 @@ def port_to_rospy(work: Work) -> None:
     port_sites(work, _WRITERS, _private_name)
     _port_nodes(work)
     port_ending(work, {"cancel": "shutdown"}, _ENDING)
+    leave_options(work)
     mark_endpoint_attributes(work, {*_ATTRIBUTES, *_ENDING})
     mark_actions(work)
     mark_action_uses(work)
@@ -142,6 +142,8 @@ def port_to_rospy(work: Work) -> None:
     port_node_uses(work)
     move_early_callbacks(work)
     keep_used_imports(work, _GONE)
+    free_names(work)
+    work.freed.add("rospy")
     work.imports.add("import rospy")
     add_header(work)
 
@@ -233,14 +235,12 @@ def _depth(work: Work, site: Site, argument: Argument) -> str | None:
     folded = work.analysis.resolver.fold(given, site.scope)
     if isinstance(folded, Known) and isinstance(folded.value, int):
         return work.text(given)
-    if work.qualified(given.child_by_field_name("function") or given) == (_PROFILE,):
-        arguments = Arguments.of(given, work.analysis.syntax)
-        depth = arguments.keywords.get("depth")
-        work.done.update(each.id for each in walk(given) if each != depth)
-        if depth is not None and set(arguments.keywords) == {"depth"}:
-            return work.text(depth)
-    # The line has no quality of service any more, so that one mark says it.
-    work.done.update(each.id for each in walk(given))
+    depth = depth_alone(work, given)
+    # The line has no quality of service any more, so that at most one mark says it.
+    work.done.update(each.id for each in walk(given) if each != depth)
+    work.freed.update(work.slice(each) for each in walk(given) if each.type == "identifier")
+    if depth is not None:
+        return work.text(depth)
     work.mark(site.call, "quality of service", _REMEDIES["rclpy.qos"])
     return None
 
