@@ -24,6 +24,11 @@ MOVED = [
     ("{sub}\nself.shown = None\nself.last = 1", "self.shown = None\n{sub}\nself.last = 1"),
     ("{sub}\nif here:\n    {count}\nself.last = 1", "if here:\n    {count}\n{sub}\nself.last = 1"),
     ("{count}\n{sub}", "{count}\n{sub}"),
+    (
+        "{count}\n{sub}\nfor x in here:\n    self.count.append(x)",
+        "{count}\nfor x in here:\n    self.count.append(x)\n{sub}",
+    ),
+    ("{count}\n{sub}\nself.count[0] = 1", "{count}\nself.count[0] = 1\n{sub}"),
     ("if here:\n    {sub}\n{count}", "{count}\nif here:\n    {sub}"),
     ("{sub}\nself.known = 2", "{sub}\nself.known = 2"),
     ("{sub}  # hears\n{count}  # how many", "{count}  # how many\n{sub}  # hears"),

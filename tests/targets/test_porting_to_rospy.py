@@ -36,6 +36,11 @@ LINES = [
         "",
         "header = Header(stamp=rospy.Time.now())",
     ),
+    (
+        "self.create_timer(1, lambda: self.hear(None))",
+        "",
+        "rospy.Timer(rospy.Duration(1), lambda event: self.hear(None))",
+    ),
     ("start = Clock().now()", "", "start = rospy.Time.now()"),
 ]
 
@@ -47,6 +52,27 @@ def test_a_line_of_a_node(before: str, kept: str, after: str) -> None:
     assert kept in text
     assert "rclpy" not in text
     assert not found
+
+
+MARKS = [
+    ("if self.has_parameter('p'):\n            pass", ".has_parameter"),
+    ("x = 1; self.get_parameters(['p'])", ".get_parameters"),
+]
+
+
+@pytest.mark.parametrize(("line", "what"), MARKS)
+def test_a_method_of_the_node_is_marked(line: str, what: str) -> None:
+    text, _ = ported(NODE.format(f"        {line}"), "rclpy")
+    assert f"        rospy.init_node('a')\n        {MARK}{what}\n        {line}\n" in text
+
+
+def test_a_node_keeps_the_name_that_it_is_given() -> None:
+    text, _ = ported(
+        "from rclpy.node import Node\n\n\nclass A(Node):\n    def __init__(self, name):\n"
+        "        super().__init__(node_name=name)\n\n\nA('n')\n",
+        "rclpy",
+    )
+    assert "\n        rospy.init_node(name)\n" in text
 
 
 def test_a_quality_of_service_has_one_mark() -> None:
@@ -114,6 +140,11 @@ def test_an_annotation_of_the_node_goes(before: str, after: str, guard: str) -> 
 OPTIONS = [
     (
         "qos = QoSProfile(depth=1)\nself.create_publisher(String, 's', qos)",
+        "rospy.Publisher('s', String, queue_size=1)",
+    ),
+    (
+        "qos = QoSProfile(depth=1, reliability=ReliabilityPolicy.RELIABLE)\n"
+        "self.create_publisher(String, 's', qos)",
         "rospy.Publisher('s', String, queue_size=1)",
     ),
     (

@@ -19,6 +19,7 @@ from .rewriting import begins_line
 
 _AT_ONCE = "rospy calls back at once, in a thread of its own: set it before this line"
 _STAYS = frozenset({"while_statement", "return_statement", "raise_statement"})
+_FILLING = frozenset({"add", "append", "extend", "insert", "setdefault", "update"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +31,7 @@ class _Step:
         calls_back: whether callbacks may run from here on.
         names: all names in it.
         sets: the names and attributes that it sets, those of the methods that it calls included.
+        fills: the attributes that it adds something to.
         uses: the attributes that it names, those of the methods that it names included.
     """
 
@@ -37,6 +39,7 @@ class _Step:
     calls_back: bool
     names: frozenset[str]
     sets: frozenset[str]
+    fills: frozenset[str]
     uses: frozenset[str]
 
 
@@ -97,7 +100,7 @@ class _Constructor:
         later = [
             (at, name.partition(".")[2])
             for at in range(index + 1, len(steps))
-            for name in sorted(steps[at].sets & missing)
+            for name in sorted((steps[at].sets & missing) | (steps[at].fills & steps[index].uses))
         ]
         if not later:
             return None
@@ -116,7 +119,7 @@ class _Constructor:
         own = {name for name in step.names if "." in name or not name.startswith("self")}
         return not any(
             any(each.type in _STAYS for each in walk(other.node))
-            or other.sets & own
+            or (other.sets | other.fills) & own
             or step.sets & (other.names | other.uses)
             for other in between
         )
@@ -144,11 +147,13 @@ class _Constructor:
             if each.type in ("identifier", "attribute")
         }
         sets = {name for each in parts for name in _set(self._work, each, is_local=each is node)}
+        fills = {name for each in parts for name in _filled(self._work, each)}
         uses = {
             name for each in (node, *(it.node for it in named)) for name in _named(self._work, each)
         }
         calls_back = any(self._calls_back(each) for each in walk(node))
-        return _Step(node, calls_back, frozenset(names), frozenset(sets), frozenset(uses))
+        found = (frozenset(each) for each in (names, sets, fills, uses))
+        return _Step(node, calls_back, *found)
 
     def _calls_back(self, node: Node) -> bool:
         callee = node.child_by_field_name("function") if node.type == "call" else None
@@ -186,6 +191,19 @@ def _set(work: Work, place: Node, *, is_local: bool) -> Iterator[str]:
             is_name = is_local and target.type == "identifier" and not is_part
             if is_name or (target.type == "attribute" and not is_part):
                 yield work.slice(target)
+
+
+def _filled(work: Work, place: Node) -> Iterator[str]:
+    """Yield what a node adds to: `self.names.append(…)`, `self.table[key] = …`."""
+    for each in walk(place):
+        target = each.child_by_field_name("left") if each.type == "assignment" else None
+        holder = target.child_by_field_name("value") if target is not None else None
+        callee = each.child_by_field_name("function") if each.type == "call" else None
+        part = callee.child_by_field_name("attribute") if callee is not None else None
+        if callee is not None and part is not None and work.slice(part) in _FILLING:
+            holder = callee.child_by_field_name("object")
+        if holder is not None and holder.type == "attribute":
+            yield work.slice(holder)
 
 
 def _named(work: Work, place: Node) -> Iterator[str]:

@@ -11,6 +11,8 @@ from plastron_tui.sources.python.scopes import Scope
 from .port_state import Work, is_imported, walk
 
 _OPTIONS = ("rclpy.qos.", "rclpy.callback_groups.", "rclpy.executors.")
+_USUAL = (".RELIABLE", ".VOLATILE", ".KEEP_LAST")
+"""What ROS 1 has anyway."""
 
 
 def leave_options(work: Work) -> None:
@@ -31,7 +33,7 @@ def leave_options(work: Work) -> None:
 
 
 def depth_alone(work: Work, given: Node) -> Node | None:
-    """Return the depth of a quality of service that says nothing else; None where it does."""
+    """Return the depth of a quality of service that has nothing else that ROS 1 lacks."""
     value = given
     if given.type in ("identifier", "attribute"):
         bindings = work.bindings(given)
@@ -43,7 +45,9 @@ def depth_alone(work: Work, given: Node) -> Node | None:
         return None
     arguments = Arguments.of(value, work.analysis.syntax)
     depth = arguments.keywords.get("depth")
-    is_alone = set(arguments.keywords) == {"depth"} and not arguments.positional
+    others = [each for name, each in arguments.keywords.items() if name != "depth"]
+    is_usual = all(work.slice(each).endswith(_USUAL) for each in others)
+    is_alone = is_usual and not arguments.positional
     is_own = value is given or (depth is not None and depth.type == "integer")
     return depth if is_alone and is_own else None
 

@@ -303,11 +303,15 @@ def _comments(words: list[str], room: int) -> list[str]:
 def comment_place(node: Node, text: bytes) -> Node:
     """Return the statement or clause around a node that begins its line."""
     current = node
-    while current.parent is not None and current.parent.type != "module":
-        is_own = current.parent.type in STATEMENT_PARENTS or current.type in _CLAUSES
+    while (parent := current.parent) is not None and parent.type != "module":
+        mate = current.prev_named_sibling if parent.type in STATEMENT_PARENTS else None
+        if mate is not None and mate.end_point.row == current.start_point.row:
+            current = mate  # `x = 1; y = 2` has one comment
+            continue
+        is_own = parent.type in STATEMENT_PARENTS or current.type in _CLAUSES
         if is_own and not text[line_start(text, current.start_byte) : current.start_byte].strip():
             return current
-        current = current.parent
+        current = parent
     return current
 
 

@@ -7,9 +7,10 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.sources.python.analysis import NodeSite, Site
+from plastron_tui.sources.python.arguments import Arguments
 from plastron_tui.sources.python.calls import Argument
 from plastron_tui.sources.python.constants import Known
-from plastron_tui.sources.python.scopes import Scope
+from plastron_tui.sources.python.scopes import BindingKind, Scope
 from plastron_tui.sources.python.splices import delete_item
 from plastron_tui.sources.python.syntax import parts_of
 
@@ -61,7 +62,18 @@ _ATTRIBUTES = {
     "declare_parameters": "`rospy.get_param('~name', default)`",
     "get_parameter": "`rospy.get_param('~name')`",
     "get_parameter_or": "`rospy.get_param('~name', default)`",
+    "get_parameters": "`rospy.get_param('~name')`",
+    "get_parameters_by_prefix": "`rospy.get_param('~prefix')` gives a dictionary",
+    "has_parameter": "`rospy.has_param('~name')`",
+    "undeclare_parameter": "`rospy.delete_param('~name')`",
     "set_parameters": "`rospy.set_param('~name', value)`",
+    "get_fully_qualified_name": "`rospy.get_name()`",
+    "get_topic_names_and_types": "`rospy.get_published_topics()`",
+    "count_publishers": "`get_num_connections` of the subscriber",
+    "count_subscribers": "`get_num_connections` of the publisher",
+    "destroy_client": "`close` of the client",
+    "destroy_service": "`shutdown` of the service",
+    "destroy_rate": None,
     "add_on_set_parameters_callback": "`dynamic_reconfigure`",
     "get_name": "`rospy.get_name()`",
     "get_namespace": "`rospy.get_namespace()`",
@@ -213,7 +225,10 @@ def _timer(work: Work, site: Site, name: str) -> str | None:
     mark_options(work, site, _OPTIONS, ("callback",))
     called = work.text(callback)
     function = work.callback_of(site)
-    if function is None or not _take_event(work, function):
+    body = callback.child_by_field_name("body")
+    if callback.type == "lambda" and body and not callback.child_by_field_name("parameters"):
+        called = f"lambda event: {work.text(body)}"
+    elif function is None or not _take_event(work, function):
         called = f"lambda event: {callable_text(called)}()"
     return f"rospy.Timer(rospy.Duration({name}), {called})"
 
@@ -335,7 +350,13 @@ def _leave_base(work: Work, owner: Scope, base: Node) -> None:
 
 def _init(work: Work, maker: NodeSite) -> None:
     assert maker.call is not None
+    given = Arguments.of(maker.call, work.analysis.syntax).get(Argument(0, "node_name"))
+    is_handed = given is not None and any(
+        each.kind is BindingKind.PARAMETER for each in work.bindings(given)
+    )
     written = maker.expression if maker.name is None else work.string(maker.name)
+    if given is not None and is_handed:
+        written = work.text(given)
     if not written:
         written = work.string("node")
         work.mark(maker.call, "the node's name")
