@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from plastron_tui.diagnostics import Diagnostic, Label, codes, guess
 from plastron_tui.language import statements as st
 from plastron_tui.ros.names import spelled
@@ -23,18 +25,27 @@ def rename(run: Run, statement: st.Rename) -> None:
     node = run.checks.node(statement)
     kinds, version = kinds_of(statement), run.checks.version_of(node)
     new = run.name(statement, "new", version, kinds[0].facts.check_name)
-    old = spelled(statement.old)
+    old = _old_name(statement, node, kinds)
     having = kinds_having(run, statement, node, kinds)
     _check_free(run, statement, node, having)
-    _move(run, statement, node, having)
+    _move(run, statement, node, having, old)
     for kind in having:
         node.rename(kind, old, new, statement.span)
 
 
-def _move(run: Run, statement: st.Rename, node: Node, kinds: list[EndpointKind]) -> None:
+def _old_name(statement: st.Rename, node: Node, kinds: Iterable[EndpointKind]) -> str:
+    """Return the name that something of a node has.
+
+    A parameter of rclpy has no sign for what is private: `~rate` is its whole name.
+    """
+    is_whole = any(statement.old in node.names(kind) for kind in kinds)
+    return statement.old if is_whole else spelled(statement.old)
+
+
+def _move(run: Run, statement: st.Rename, node: Node, kinds: list[EndpointKind], old: str) -> None:
     """Let a node use the new name instead of the old one, if that is of the same type to all."""
     version, agreements = run.checks.version_of(node), run.agreements
-    old, new = spelled(statement.old), spelled(statement.new)
+    new = spelled(statement.new)
     found = (node.by_kind.get(kind, {}).get(old) for kind in kinds)
     typed = [each for each in found if each is not None and each.type is not None]
     for each in typed:
@@ -71,7 +82,7 @@ def kinds_having(
     run: Run, statement: st.Rename, node: Node, kinds: tuple[EndpointKind, ...]
 ) -> list[EndpointKind]:
     """Return the kinds of which a node has something of the old name."""
-    old = spelled(statement.old)
+    old = _old_name(statement, node, kinds)
     having = [kind for kind in kinds if old in node.names(kind)]
     if having:
         return having

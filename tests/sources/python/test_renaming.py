@@ -318,6 +318,11 @@ RCLPY = {
         "n renames parameter 'a' to 'b.c'",
         {"'a'": "'b.c'"},
     ),
+    "a parameter whose name has the sign of ROS 1": (
+        "self.declare_parameter('~a', 1)\n        self.get_parameter('~a').value",
+        "n renames parameter '~a' to 'b'",
+        {"'~a'": "'b'"},
+    ),
 }
 
 
