@@ -431,7 +431,8 @@ def test_an_endpoint_is_made_whether_or_not_another_one_fails(later):
 
 def test_a_script_that_is_tried_as_a_whole_has_its_endpoints_together():
     whole = "import rospy\nfrom std_msgs.msg import String\n\n\ndef main():\n    try:\n"
-    whole += "        rospy.init_node('n')\n        a = rospy.Publisher('a', String, queue_size=1)\n"
+    whole += "        rospy.init_node('n')\n"
+    whole += "        a = rospy.Publisher('a', String, queue_size=1)\n"
     whole += "        a.publish('x')\n        rospy.spin()\n    except rospy.ROSException:\n"
     text = edited(f"{whole}        pass\n\n\nmain()\n", subscribe("b"))
     assert text.index("'a'") < text.index("'b'") < text.index("a.publish")
