@@ -57,6 +57,7 @@ def test_a_line_of_a_node(before: str, kept: str, after: str) -> None:
 MARKS = [
     ("if self.has_parameter('p'):\n            pass", ".has_parameter"),
     ("x = 1; self.get_parameters(['p'])", ".get_parameters"),
+    ("x = len(answer.goals_canceling)", ".goals_canceling"),
 ]
 
 

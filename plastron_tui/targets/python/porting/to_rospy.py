@@ -77,6 +77,7 @@ _ATTRIBUTES = {
     "add_on_set_parameters_callback": "`dynamic_reconfigure`",
     "get_name": "`rospy.get_name()`",
     "get_namespace": "`rospy.get_namespace()`",
+    "goals_canceling": "`cancel_goal()` of the client gives no answer",
     "call_async": "call the client itself; it waits for the answer",
     "service_is_ready": "`wait_for_service` of the client",
     "srv_name": "`resolved_name` of the client",
