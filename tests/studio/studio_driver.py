@@ -72,6 +72,11 @@ class Driver:
             await self.pilot.press(key)
         await self.settle()
 
+    async def show(self, panel: str) -> None:
+        """Show a panel, and wait until it has its entries: a key would find none before."""
+        self.main.action_show(panel)
+        await self.settle()
+
     async def type(self, text: str) -> None:
         for character in text:
             await self.pilot.press({"\n": "enter", " ": "space"}.get(character, character))

@@ -82,7 +82,7 @@ async def test_a_broken_configuration_is_said_and_defaults_count(program: Path, 
 async def test_the_theme_and_the_layout_are_remembered(program: Path) -> None:
     async with studio(program) as driver:
         driver.app.theme = "gruvbox"
-        driver.main.action_show("topics")
+        await driver.show("topics")
         await driver.press("alt+plus")
         await driver.pilot.press("ctrl+q")
         await driver.until(lambda: driver.app._exit)
@@ -127,7 +127,7 @@ async def test_panels_are_hidden_enlarged_and_left(program: Path) -> None:
         assert not any(dock.display for dock in main.dock_layout.docks)
         await driver.press("f9")
         assert main.dock_layout.outline.display
-        driver.main.action_show("graph")
+        await driver.show("graph")
         await driver.press("ctrl+t")
         assert main.dock_layout.result.size.width == 120
         assert not main.editor.display
@@ -157,7 +157,7 @@ async def test_help_is_about_what_has_the_focus(program: Path) -> None:
         assert "create_node 'NODE_NAME' as VARIABLE" in dialog.query_one("TextView").text
         await driver.pilot.press("escape")
         await driver.back()
-        driver.main.action_show("nodes")
+        await driver.show("nodes")
         await driver.press("f1")
         dialog = await driver.dialog("Help")
         assert "Delete writes" in str(dialog.query_one("#dialog-text", Label).content)

@@ -58,7 +58,7 @@ async def test_an_entry_leads_to_its_statement_and_the_entry_follows_the_cursor(
     program: Path, size: tuple[int, int]
 ) -> None:
     async with studio(program, size) as driver:
-        driver.main.action_show("nodes")
+        await driver.show("nodes")
         await driver.press("end", "enter")
         assert driver.main.editor.cursor_offset == PROGRAM.index("subscribe")
         assert driver.main.editor.view.has_focus
@@ -78,7 +78,7 @@ async def test_what_is_done_to_an_entry_is_a_statement(
     program: Path, key: str, row: int, line: str
 ) -> None:
     async with studio(program) as driver:
-        driver.main.action_show("nodes")
+        await driver.show("nodes")
         await driver.press(*["down"] * row, key)
         assert line in driver.text
         await driver.press("ctrl+z")
@@ -99,7 +99,7 @@ async def test_an_entry_is_renamed_everywhere(
     program: Path, panel: str, row: int, new: str, count: int
 ) -> None:
     async with studio(program) as driver:
-        driver.main.action_show(panel)
+        await driver.show(panel)
         await driver.press("home", *["down"] * row)
         await driver.pilot.press("f2")
         await driver.dialog("Prompt")
@@ -132,7 +132,7 @@ async def test_a_topic_that_only_one_side_uses_is_marked(program: Path) -> None:
 
 async def test_branches_fold(program: Path) -> None:
     async with studio(program) as driver:
-        driver.main.action_show("nodes")
+        await driver.show("nodes")
         await driver.press("home", "space")
         assert len(driver.shown("nodes")) == 3
         await driver.press("space")

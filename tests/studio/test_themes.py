@@ -92,7 +92,7 @@ async def test_keys_of_the_editor_and_of_panels_are_remapped(
                            .replace("generate_node listener\n", ""))  # fmt: skip
     async with studio(program) as driver:
         if focus:
-            driver.main.action_show(focus)
+            await driver.show(focus)
             await driver.press("home", "down")
         await driver.press(key)
         assert check(driver.text)  # type: ignore[operator]
