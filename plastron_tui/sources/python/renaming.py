@@ -16,13 +16,15 @@ from plastron_tui.ros.names import name_as_written
 from .analysis import Analysis, Site
 from .constants import Known
 from .conventions import conventions_of
+from .imports import unused_imports
 from .name_uses import NameUses
 from .references import identifiers, is_member
 from .removal import waits
 from .runs import EVERYWHERE
 from .scopes import BindingKind, Scope
-from .splices import Splice, apply
+from .splices import Splice, apply, delete_statements
 from .told_names import retell
+from .unused_locals import unused_locals
 
 # What stands in a string as it is, whatever its quotes and its prefix.
 _PLAIN = re.compile(r"[A-Za-z0-9_/~.\-]+")
@@ -100,10 +102,27 @@ def plan_names(analysis: Analysis, wanted: Mapping[Site, str]) -> Renaming:
         for node in each.literals if is_literal else (_source(analysis, each.node),):
             texts[node.start_byte, node.end_byte] = _written(analysis, node, each.new, is_literal)
     splices = [Splice(start, end, text) for (start, end), text in texts.items()]
+    unused = _unused(analysis, [each for each in splices if not _is_string(analysis, each)])
     names = [_found_as(analysis, site, new, splices) for site, new in wanted.items()]
     literals = {literal.id for each in said for literal in (*each.literals, each.node)}
-    splices += retell(analysis, wanted, literals)
-    return Renaming(splices, list(wanted), names)
+    told = retell(analysis, wanted, literals)
+    ends = [(each.start, each.end) for each in unused]
+    splices += [each for each in told if not any(start <= each.start < end for start, end in ends)]
+    return Renaming([*splices, *unused], list(wanted), names)
+
+
+def _is_string(analysis: Analysis, splice: Splice) -> bool:
+    node = analysis.syntax.root.descendant_for_byte_range(splice.start, splice.end)
+    return node is not None and node.type == "string"
+
+
+def _unused(analysis: Analysis, replaced: Sequence[Splice]) -> list[Splice]:
+    """Return what takes out the variables and the imports that only gave the old names."""
+    unused = unused_locals(analysis, replaced)
+    gone = delete_statements(analysis.syntax.text, unused.statements) + unused.splices
+    imports, names = unused_imports(analysis, [*replaced, *gone])
+    statements = [*unused.statements, *imports]
+    return delete_statements(analysis.syntax.text, statements) + unused.splices + names
 
 
 def _said(analysis: Analysis, site: Site, new: str, waiting: Sequence[Node]) -> Iterable[_Said]:

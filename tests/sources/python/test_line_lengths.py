@@ -9,7 +9,7 @@ from edits import AT, CATALOGS, DIALECTS, SUB, edited, subscribe
 from file_sets import one
 
 from plastron_tui.model.kinds import Subscription
-from plastron_tui.model.source import Update
+from plastron_tui.model.source import Rename, Update
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.sources.python import edit_python, read_python
 from plastron_tui.sources.python.line_length import find_line_length, said_line_length
@@ -107,6 +107,16 @@ def test_a_replaced_argument_goes_on_a_line_of_its_own():
     text = edit_within(79, NODE.format(calls), Update(SUB, "t", endpoint))
     margin = " " * 42
     assert f"(String,\n{margin}'{'t' * 30}',\n{margin}self.on_text, 10)\n" in text
+
+
+OF_ROS_2 = NODE.format("        self.create_subscription(String, 't', self.on_text, 10)\n")
+OF_ROS_1 = "import rospy\nfrom std_msgs.msg import String\nrospy.Subscriber('t', String, print)\n"
+
+
+@pytest.mark.parametrize(("text", "is_broken"), [(OF_ROS_2, True), (OF_ROS_1, False)])
+def test_a_longer_name_breaks_a_line_where_a_linter_is_known_to_ask(text, is_broken):
+    found = edited(text, Rename(SUB, "t", "t" * 60, AT))
+    assert ("(\n" in found) == is_broken
 
 
 def test_a_line_that_was_too_long_stays_one():

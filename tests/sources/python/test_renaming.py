@@ -70,6 +70,12 @@ ROSPY = {
         "n renames topic 'n/a' to 'b'",
         {"Subscriber(t": "Subscriber('b'"},
     ),
+    "what only gave the old name goes": (
+        "def main():\n    h = 'n/'\n    t = 'a'\n    work(h)\n"
+        "    rospy.Subscriber(h + t, String, f)\n",
+        "n renames topic 'n/a' to 'b'",
+        {"    t = 'a'\n": "", "h + t": "'b'"},
+    ),
     "a topic, and not the service of its name": (
         "rospy.wait_for_service('a')\nrospy.Subscriber('a', String, f)\n",
         TOPIC,
