@@ -6,6 +6,7 @@ import re
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 from .line_length import ROS_1, ROS_2
 
@@ -16,8 +17,6 @@ _FEW = 2
 # So many calls that would fit on a line tell that a file keeps to less.
 _SEVERAL = 2
 _MOST_ROWS = 12
-# So many lines that end just before a limit, and none behind it, tell that there is one.
-_NEAR, _CROWD = 8, 5
 # A line that a word more makes too long is left as it is where nobody said what is too long.
 _WORD = 12
 
@@ -61,44 +60,58 @@ def line_limit(text: bytes, library: str, said: int | None) -> LineLimit:
     """
     if said is not None:
         return LineLimit(said)
-    code = list(_code(text.decode("utf-8", "replace")))
+    lines = text.decode("utf-8", "replace").splitlines()
+    code, prose = list(_code(lines)), list(_prose(lines))
     allowed = ROS_2 if library == "rclpy" else ROS_1
     lengths = sorted(map(len, code), reverse=True)
     longest = next(iter(lengths[_FEW:]), 0)
     length = next((each for each in (allowed, *_USUAL) if longest <= each >= allowed), _USUAL[-1])
     if longest <= allowed:
-        length = _kept_to(code, max(lengths, default=0), allowed)
-        length = min(length, _ends_at(text, allowed))
+        length = _kept_to(code, prose, allowed)
     # A file whose longest line nearly has that length is kept to it.
     least = 0 if length == ROS_2 else length - _WORD
     is_checked = length == allowed and least < lengths[0] <= length if lengths else False
     return LineLimit(length, 0 if is_checked else _WORD, _longest(code, length))
 
 
-def _code(text: str) -> Iterator[str]:
+def _code(lines: list[str]) -> Iterator[str]:
     """Yield the lines of a text that a comment, a docstring or a long string is not all of."""
     is_prose = False
-    for line in text.splitlines():
+    for line in lines:
         is_begun = len(_TRIPLE.findall(line)) % 2 == 1
         if not (is_prose or is_begun or line.lstrip().startswith("#") or _PROSE.search(line)):
             yield line.rstrip()
         is_prose = is_prose != is_begun
 
 
-def _kept_to(code: list[str], longest: int, allowed: int) -> int:
+def _prose(lines: list[str]) -> Iterator[str]:
+    """Yield the lines below the first import that comments, or texts of several lines, are."""
+    is_text = is_below = False
+    for line in lines:
+        is_below = is_below or line.startswith(("import ", "from "))
+        is_end = len(_TRIPLE.findall(line)) % 2 == 1
+        if is_below and (is_text or line.lstrip().startswith("#")):
+            yield line.rstrip()
+        is_text = is_text != is_end
+
+
+def _kept_to(code: list[str], prose: list[str], allowed: int) -> int:
     """Return the limit below the allowed one for which a file breaks what would fit, if any."""
-    joined = [len(each) for each in _rejoined(code)]
-    less = [each for each in _USUAL if longest <= each < allowed]
-    return next((each for each in less if _lie_between(joined, each, allowed)), allowed)
+    longest = max(map(len, (*code, *prose)), default=0)
+    calls = [len(each) for each in _rejoined(code)]
+    # What is filled ends where the next word would not fit.
+    words = [len(above) + 1 + len(_first(below)) for above, below in pairwise(prose)]
+    for each in _USUAL:
+        if longest <= each < allowed and any(
+            _lie_between(joined, each, allowed) for joined in (calls, words)
+        ):
+            return each
+    return allowed
 
 
-def _ends_at(text: bytes, allowed: int) -> int:
-    """Return the limit that many lines of a file come near to, comments too, and none passes."""
-    lengths = [len(line.rstrip()) for line in text.decode("utf-8", "replace").splitlines()]
-    longest = max(lengths, default=0)
-    least = next((each for each in _USUAL if longest <= each), allowed)
-    is_crowded = sum(least - _NEAR < each for each in lengths) >= _CROWD
-    return least if is_crowded and least < allowed else allowed
+def _first(line: str) -> str:
+    """Return the first word of a line of prose."""
+    return next(iter(line.strip("# \t").split()), "")
 
 
 def _lie_between(lengths: list[int], least: int, most: int) -> bool:

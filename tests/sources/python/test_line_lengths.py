@@ -223,15 +223,6 @@ def test_prose_does_not_tell_what_a_file_keeps_to(line):
     assert line_limit(text.encode(), "rclpy", None).length == 99
 
 
-NEAR = [f"# {'-' * 76}\n"] * 5
-ENDING = [(NEAR, 79), (NEAR[1:], 99), ([*NEAR, f"# {'-' * 78}\n"], 99), ([*NEAR, "#" * 100], 99)]
-
-
-@pytest.mark.parametrize(("lines", "limit"), ENDING)
-def test_lines_that_end_alike_tell_what_a_file_keeps_to(lines, limit):
-    assert line_limit("".join(lines).encode(), "rclpy", None).length == limit
-
-
 def call_of(function: str, length: int) -> str:
     return f"{function}({'a' * (length - 6)}, b)\n"
 
@@ -303,3 +294,19 @@ def test_a_long_name_is_no_prose():
     assert line_limit((call * 3).encode(), "rospy", None).length == 120
     said = call.replace("a" * 60, "a " * 30)
     assert line_limit((said * 3).encode(), "rospy", None).length == 79
+
+
+FILLED = {
+    "a docstring": ('def f():\n    """Do this.\n\n    {}\n    {}\n    {}\n    """\n', 79),
+    "comments": ("# {}\n# {}\n# {}\n", 79),
+    "longer ones": ("# {}\n# {}\n# {}\nx = " + "1" * 90 + "\n", 99),
+}
+
+
+@pytest.mark.parametrize("name", FILLED)
+def test_filled_prose_tells_what_a_file_keeps_to(name):
+    text, limit = FILLED[name]
+    words = text.format(*["afterwards " * 6 + "and"] * 2, "afterwards")
+    assert line_limit(f"import rclpy\n{words}".encode(), "rclpy", None).length == limit
+    # A licence, which stands above, is filled as its author did.
+    assert line_limit(f"{words}import rclpy\n".encode(), "rclpy", None).length == 99
