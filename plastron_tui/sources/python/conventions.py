@@ -145,7 +145,8 @@ def _blank_lines(analysis: Analysis) -> int:
     below = (text[end : end + _NEAR] for end in ends)
     found = [_blank_before(each.splitlines()[::-1]) for each in above]
     found += [_blank_before(each.splitlines()) for each in below]
-    return next((blank for blank in found if blank in (1, 2)), 2)
+    parted = Counter(blank for blank in found if blank in (1, 2))
+    return max(parted, key=lambda blank: (parted[blank], blank), default=2)
 
 
 def _blank_before(lines: list[bytes]) -> int:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -121,13 +121,16 @@ def function_place(
         if scope.parent is module and scope.node.type == "function_definition"
     ]
     alike = [node for node in alike if node.end_byte <= top.start_byte]
+    if not alike and place.scope is module and top.type != "if_statement":
+        # A script may have its functions among what runs.
+        alike = [each for each in _definitions(top) if each.type != "class_definition"][:1]
     if not alike and place.scope is module:
         # In a script, functions stand before everything that runs.
         running = [site.call for site in analysis.sites if site.scope is module]
         running += [node.call for node in analysis.nodes if node.scope is module and node.call]
         running += _running(analysis.syntax.root)
         top = min([top, *map(_top_level, running)], key=lambda node: node.start_byte)
-    behind = alike[-1] if alike else _last_definition(top)
+    behind = alike[-1] if alike else next(_definitions(top), None)
     if behind is None:
         at = before_comments(text, line_start(text, top.start_byte))
         is_first = not text[:at].strip()
@@ -159,12 +162,13 @@ def _top_level(node: Node) -> Node:
     return node
 
 
-def _last_definition(top: Node) -> Node | None:
-    """Return the last definition at the top of the file before a statement."""
+def _definitions(top: Node) -> Iterator[Node]:
+    """Yield the definitions at the top of the file before a statement, the last one first."""
     node = top.prev_named_sibling
-    while node is not None and not node.type.endswith("_definition"):
+    while node is not None:
+        if node.type.endswith("_definition"):
+            yield node
         node = node.prev_named_sibling
-    return node
 
 
 def _missing_before(text: bytes, at: int, gap: int) -> int:

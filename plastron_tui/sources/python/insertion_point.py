@@ -10,7 +10,7 @@ from plastron_tui.model.source import EndpointKind
 
 from .analysis import Analysis, NodeSite, Site
 from .conventions import target_name
-from .place import LAST, Place, beside, climb, place_at, stays
+from .place import LAST, Place, beside, climb, is_guarded, place_at, stays
 from .references import statement_of
 from .removal import callback_scope
 from .run_order import Starting, When
@@ -53,14 +53,16 @@ def find_place(
             is_other = site.endpoint.kind is not kind
             is_nested = needs_function and not place.owner and place.scope.parent is not None
             is_behind = is_other and waits.is_behind(place)
-            rank = (is_nested, is_behind, _is_tried(place), is_other, starting.when(site))
+            is_tried = is_guarded(place.statement)
+            rank = (is_nested, is_tried, is_behind, is_other, starting.when(site))
             last.setdefault(rank, place)
     ready = [rank for rank in last if rank[-1] <= When.SETTING_UP]
     if ready:
         found = once_named(analysis, last[min(ready)])
-        nodes = (_behind_node(analysis, node) for node in analysis.nodes if _is_tried(found))
+        is_tried = is_guarded(found.statement)
+        nodes = (_behind_node(analysis, node) for node in analysis.nodes if is_tried)
         safe = (each for each in nodes if each is not None and each.scope is found.scope)
-        return next((each for each in safe if not _is_tried(each)), found)
+        return next((each for each in safe if not is_guarded(each.statement)), found)
     later = sorted(last, key=lambda rank: (rank[-1], *rank[:-1]))
     for rank in later:
         made = _in_constructor(analysis, last[rank], starting)
@@ -71,18 +73,6 @@ def find_place(
         if behind is not None:
             return behind
     return last[later[0]] if later and later[0][-1] < When.ON_DEMAND else None
-
-
-def _is_tried(place: Place) -> bool:
-    """Whether what fails before a place keeps it from being reached, and the node goes on."""
-    block: Node | None = place.statement.parent
-    while block is not None and block.type == "block" and block.parent is not None:
-        around = block.parent
-        is_tried = around.type == "try_statement" and around.child_by_field_name("body") == block
-        if is_tried and any(each.type == "except_clause" for each in parts_of(around)):
-            return True
-        block = around.parent
-    return False
 
 
 def _in_constructor(analysis: Analysis, place: Place, starting: Starting) -> Place | None:

@@ -165,6 +165,28 @@ def climb(statement: Node) -> Node | None:
     return found if found.parent is not None and found.parent.type in STATEMENT_PARENTS else None
 
 
+def is_guarded(statement: Node) -> bool:
+    """Whether a statement is tried, and what is behind the `try` runs also where it failed."""
+    current: Node | None = statement
+    while current is not None and not current.type.endswith("_definition"):
+        parent = current.parent
+        if parent is not None and parent.type == "try_statement":
+            handlers = [each for each in parent.named_children if each.type == "except_clause"]
+            is_body = current.id == parent.named_children[0].id
+            goes_on = parent.next_named_sibling is not None
+            if is_body and goes_on and any(map(_is_passed, handlers)):
+                return True
+        current = parent
+    return False
+
+
+def _is_passed(handler: Node) -> bool:
+    """Whether a handler lets the function go on."""
+    body = parts_of(handler)[-1]
+    last = next(iter(parts_of(body)[-1:]), body)
+    return last.type not in LAST and b"exit(" not in (last.text or b"")
+
+
 def place_before(analysis: Analysis, place: Place, statement: Node) -> Place:
     """Return a place before a statement of the same function, and before its comments."""
     text = analysis.syntax.text

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from itertools import takewhile
 
 from plastron_tui.model.source import EndpointKind
 
@@ -15,6 +16,16 @@ from .waits import Waits
 # What has no use unless something holds it.
 _HELD = (EndpointKind.PUBLISHER, EndpointKind.CLIENT)
 _HEADING = re.compile(rb"publish|subscri|service|client|server|timer", re.IGNORECASE)
+# What the heading of a section says of its endpoints.
+_SECTIONS = {
+    EndpointKind.PUBLISHER: b"publish",
+    EndpointKind.SUBSCRIPTION: b"subscri",
+    EndpointKind.SERVICE: b"service",
+    EndpointKind.CLIENT: b"client",
+    EndpointKind.TIMER: b"timer",
+}
+# How a line begins that says something of those below.
+_SAYING = (b"#", b'"""', b"'''")
 # The lines of a section that are looked at.
 _MOST_OF_SECTION = 20
 
@@ -22,12 +33,13 @@ _MOST_OF_SECTION = 20
 def is_attribute_style(analysis: Analysis, place: Place, kind: EndpointKind) -> bool:
     """Whether an endpoint at a place is an attribute of the object, rather than a plain name.
 
-    That is as the method holds others of its kind, or what else it has to hold to use it.
+    That is as the method holds others of its kind, or what else it has to hold to use it: a client
+    that a constructor asks for itself says nothing of what stays.
     """
     if not place.self_name:
         return False
     names = [
-        name
+        (site.endpoint.kind, name)
         for site in analysis.sites
         if site.endpoint.kind in (kind, *_HELD)
         and site.scope.enclosing("function") is place.scope
@@ -35,7 +47,8 @@ def is_attribute_style(analysis: Analysis, place: Place, kind: EndpointKind) -> 
         and not _is_repeated(site)
         and (name := target_name(analysis, site)) is not None
     ]
-    return not names or any("." in name for name in names)
+    own = [name for found, name in names if found is kind or place.scope.name != "__init__"]
+    return not own or any("." in name for name in own)
 
 
 def holds_handles(analysis: Analysis, place: Place, kind: EndpointKind) -> bool:
@@ -68,9 +81,11 @@ def starts_section(analysis: Analysis, place: Place, kind: EndpointKind) -> bool
         if own.startswith((b"#!", b"def ", b"class ", b"import ", b"from ")):
             return False
         depth = len(line) - len(own)
-        if not own or depth < len(indent) or not line.startswith(indent):
+        if not own:
+            return number > 0 and _is_headed(above[: -number - 1], place, kind)
+        if depth < len(indent) or not line.startswith(indent):
             return False
-        if own.startswith(b"#") and depth == len(indent):
+        if own.startswith(_SAYING) and depth == len(indent):
             row = analysis.syntax.text.count(b"\n", 0, place.offset) - 1 - number
             is_of_last = row == place.statement.start_point.row - 1
             is_ended = analysis.syntax.text[place.offset :].startswith(indent + b"#")
@@ -78,6 +93,17 @@ def starts_section(analysis: Analysis, place: Place, kind: EndpointKind) -> bool
         if number == 0 and depth > len(indent) and place.statement.type != "expression_statement":
             return True
     return False
+
+
+def _is_headed(above: list[bytes], place: Place, kind: EndpointKind) -> bool:
+    """Whether the last heading above a paragraph speaks of its endpoints, and of no other kind."""
+    indent = place.indent.encode()
+    block = takewhile(lambda line: not line.strip() or line.startswith(indent), reversed(above))
+    starts = tuple(indent + each for each in _SAYING)
+    heading = next((line for line in block if line.startswith(starts)), b"").lower()
+    beside = place.beside.endpoint.kind if place.beside is not None else kind
+    word, other = _SECTIONS.get(beside), _SECTIONS.get(kind)
+    return word is not None and other is not None and word in heading and other not in heading
 
 
 def is_followed(analysis: Analysis, place: Place) -> bool:
