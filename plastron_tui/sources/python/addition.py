@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
+from itertools import chain
 
 from tree_sitter import Node
 
@@ -90,11 +91,11 @@ class Addition:
         """The endpoint's name, as prose."""
         return naming.label(name_as_written(self.name, self.dialect.ros_version), "its topic")
 
-    def free_name(self, wanted: str) -> str:
-        """Return a name that the file does not use yet."""
+    def free_name(self, wanted: str, *others: str) -> str:
+        """Return a name that the file does not use yet: one of those wanted, or one numbered."""
         free = next(
             name
-            for name in numbered(wanted)
+            for name in chain([wanted, *others], numbered(wanted))
             if name not in self.dialect.method_names
             and literals.is_name(name)
             and not any(True for _ in identifiers(name, self.analysis))

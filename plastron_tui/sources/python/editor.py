@@ -80,12 +80,10 @@ def edit_python(
         analysis = analyze_again(before, apply(analysis.syntax.text, entries))
     standard = _Standard(before)
     problem = standard.problem(analysis, edits.expected)
-    # Of a call that gets another name one string changes, unless a linter asks for more, as that
-    # of ROS 2 does.
+    # Of a call that gets another name one string changes, unless all lines are kept to a length.
     is_renamed = all(isinstance(change, Rename) for change in changes)
-    is_unchecked = line_length is None and source.library == "rospy"
-    if problem is None and not (is_renamed and is_unchecked):
-        limit = line_limit(before.syntax.text, source.library, line_length)
+    limit = line_limit(before.syntax.text, source.library, line_length)
+    if problem is None and not (is_renamed and limit.slack):
         wrapped = wrap_new_lines(before.syntax.text, analysis.syntax, limit)
         if wrapped != analysis.syntax.text:
             again = analyze_again(before, wrapped)

@@ -100,7 +100,9 @@ def _sending(added: Addition, publication: Publication, variable: str, is_named:
 
 def _timer(added: Addition, rate: float, publications: list[Publication]) -> list[str]:
     """Publish in a timer of its own; return the lines that follow the creation."""
-    method = added.free_name(method_naming(added.analysis, "publish").name(added.name))
+    # A function of the file that published may be left, and do something else now.
+    names = (method_naming(added.analysis, each).name(added.name) for each in ("publish", "send"))
+    method = added.free_name(*names)
     is_silent = signatures_of(added.analysis, EndpointKind.TIMER).is_silent
     summary = "" if is_silent else f"Publish to {added.label}."
     body: list[str] = []

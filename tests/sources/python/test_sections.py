@@ -97,3 +97,11 @@ def test_a_client_that_a_constructor_asks_itself_does_not_make_a_local_of_what_s
     )
     after = edited(text, publish("out", data="x", rate=2.0))
     assert "    def publish_out(self, event):\n" in after
+
+
+@pytest.mark.parametrize(("others", "name"), [("", "publish_out"), ("publish_out", "send_out")])
+def test_what_publishes_beside_a_function_that_did_has_a_name_of_its_own(others, name):
+    defined = f"def {others}():\n    pass\n\n\n" if others else ""
+    text = f"{ROSPY}{defined}rospy.init_node('n')\nrospy.spin()\n"
+    after = edited(text, publish("out", data="x", rate=2.0))
+    assert f"def {name}(event):\n" in after
