@@ -97,14 +97,13 @@ def _prose(lines: list[str]) -> Iterator[str]:
 
 def _kept_to(code: list[str], prose: list[str], allowed: int) -> int:
     """Return the limit below the allowed one for which a file breaks what would fit, if any."""
-    longest = max(map(len, (*code, *prose)), default=0)
+    longest, widest = (max(map(len, each), default=0) for each in (code, prose))
     calls = [len(each) for each in _rejoined(code)]
     # What is filled ends where the next word would not fit.
     words = [len(above) + 1 + len(_first(below)) for above, below in pairwise(prose)]
     for each in _USUAL:
-        if longest <= each < allowed and any(
-            _lie_between(joined, each, allowed) for joined in (calls, words)
-        ):
+        is_filled = widest <= each and _lie_between(words, each, allowed)
+        if longest <= each < allowed and (is_filled or _lie_between(calls, each, allowed)):
             return each
     return allowed
 

@@ -24,8 +24,7 @@ _SECTIONS = {
     EndpointKind.CLIENT: b"client",
     EndpointKind.TIMER: b"timer",
 }
-# How a line begins that says something of those below.
-_SAYING = (b"#", b'"""', b"'''")
+_QUOTES = (b'"""', b"'''")
 # The lines of a section that are looked at.
 _MOST_OF_SECTION = 20
 
@@ -81,12 +80,12 @@ def starts_section(analysis: Analysis, place: Place, kind: EndpointKind) -> bool
         if own.startswith((b"#!", b"def ", b"class ", b"import ", b"from ")):
             return False
         depth = len(line) - len(own)
+        row = analysis.syntax.text.count(b"\n", 0, place.offset) - 1 - number
         if not own:
-            return number > 0 and _is_headed(above[: -number - 1], place, kind)
+            return number > 0 and _is_headed(analysis, above[: -number - 1], row, place, kind)
         if depth < len(indent) or not line.startswith(indent):
             return False
-        if own.startswith(_SAYING) and depth == len(indent):
-            row = analysis.syntax.text.count(b"\n", 0, place.offset) - 1 - number
+        if depth == len(indent) and _is_heading(analysis, own, row, depth):
             is_of_last = row == place.statement.start_point.row - 1
             is_ended = analysis.syntax.text[place.offset :].startswith(indent + b"#")
             return number > 0 and (is_of_last or is_ended or _HEADING.search(own) is not None)
@@ -95,15 +94,29 @@ def starts_section(analysis: Analysis, place: Place, kind: EndpointKind) -> bool
     return False
 
 
-def _is_headed(above: list[bytes], place: Place, kind: EndpointKind) -> bool:
-    """Whether the last heading above a paragraph speaks of its endpoints, and of no other kind."""
+def _is_headed(
+    analysis: Analysis, above: list[bytes], row: int, place: Place, kind: EndpointKind
+) -> bool:
+    """Whether the last heading above a blank line speaks of a place's endpoints, of no others."""
     indent = place.indent.encode()
     block = takewhile(lambda line: not line.strip() or line.startswith(indent), reversed(above))
-    starts = tuple(indent + each for each in _SAYING)
-    heading = next((line for line in block if line.startswith(starts)), b"").lower()
+    heading = b""
+    for number, line in enumerate(block, 1):
+        if _is_heading(analysis, line[len(indent) :], row - number, len(indent)):
+            heading = line.lower()
+            break
     beside = place.beside.endpoint.kind if place.beside is not None else kind
     word, other = _SECTIONS.get(beside), _SECTIONS.get(kind)
     return word is not None and other is not None and word in heading and other not in heading
+
+
+def _is_heading(analysis: Analysis, line: bytes, row: int, column: int) -> bool:
+    """Whether a line is a comment, or a string that is no docstring."""
+    if line.startswith(b"#") or not line.startswith(_QUOTES):
+        return line.startswith(b"#")
+    node = analysis.syntax.root.descendant_for_point_range((row, column), (row, column + 1))
+    statement = statement_of(node) if node is not None else None
+    return statement is not None and statement.prev_named_sibling is not None
 
 
 def is_followed(analysis: Analysis, place: Place) -> bool:

@@ -251,6 +251,8 @@ def test_what_is_broken_tells_what_a_file_keeps_to():
     assert 88 < len(call.replace("\n", "")) < 99
     assert line_limit((call * 2).encode(), "rclpy", None).length == 79
     assert line_limit((call * 2 + "#\nx = " + "1" * 80).encode(), "rclpy", None).length == 88
+    long = "# " + "word " * 17 + "\n"
+    assert line_limit((long + call * 2).encode(), "rclpy", None).length == 79
     assert line_limit(call.encode(), "rclpy", None).length == 99
 
 

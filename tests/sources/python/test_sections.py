@@ -44,7 +44,8 @@ def test_a_try_that_is_all_the_rest_is_a_frame_and_no_guard():
     assert "        out_pub = rospy.Publisher('out', String, queue_size=1)\n        work(" in after
 
 
-NODE = f"{RCLPY}class Arm(Node):\n    def __init__(self):\n        super().__init__('arm')\n"
+NODE = f"{RCLPY}class Arm(Node):\n    def __init__(self):\n"
+MADE = "        super().__init__('arm')\n"
 TWO = (
     "        self.at_pub = self.create_publisher(String, 'at', 10)\n{0}"
     "        self.to_pub = self.create_publisher(String, 'to', 10)\n{1}"
@@ -54,6 +55,7 @@ SERVICE = "        self.stop_srv = self.create_service(Trigger, 'stop', self.han
 HEADINGS = {
     "a comment": ("# Publishers\n", "", True),
     "a comment above a paragraph before": ("# Publishers\n", "\n", True),
+    "a docstring": ('"""Publishers."""\n', "", False),
     "a string": ('"""PUBLISHERS"""\n', "", True),
     "a comment that speaks of both": ("# Publishers and services\n", "\n", False),
     "a comment on something else": ("# The arm\n", "\n", False),
@@ -65,7 +67,8 @@ HEADINGS = {
 def test_another_kind_is_parted_from_what_is_under_a_heading(name):
     heading, between, is_parted = HEADINGS[name]
     indented = f"        {heading}" if heading else ""
-    after = edited(f"{NODE}{indented}{TWO.format(between, chr(10))}", provide("stop"))
+    above = f"{indented}{MADE}" if "docstring" in name else f"{MADE}{indented}"
+    after = edited(f"{NODE}{above}{TWO.format(between, chr(10))}", provide("stop"))
     assert f"'to', 10)\n{chr(10) * is_parted}{SERVICE}" in after
 
 
