@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from itertools import permutations
 
 import pytest
 from ported_nodes import MARK, ported
@@ -192,3 +193,21 @@ GROUPS = [
 def test_modules_of_python_go_among_those_of_the_file(before: str, after: str) -> None:
     text, _ = ported(f"{before}{HOOK}", "rospy")
     assert after in text
+
+
+BODY = """\
+rospy.init_node('n')
+rospy.on_shutdown(print)
+rospy.Subscriber('t', String, print)
+rospy.sleep(1.0)
+rospy.spin()
+"""
+LINES = ("import rospy", "from std_msgs.msg import String", "import os", "import zlib")
+
+
+@pytest.mark.parametrize("lines", list(permutations(LINES)), ids=lambda lines: lines[0])
+def test_what_a_port_needs_is_imported_before_its_helpers_use_it(lines):
+    text, _ = ported("\n".join((*lines, BODY)), "rospy")
+    module = ast.parse(text)
+    kinds = [isinstance(each, ast.Import | ast.ImportFrom) for each in module.body]
+    assert kinds == sorted(kinds, reverse=True)

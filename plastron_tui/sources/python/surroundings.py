@@ -11,6 +11,7 @@ from .analysis import Analysis, Site
 from .conventions import target_name
 from .insertion_point import KINDS
 from .place import Place, beside
+from .references import statement_of
 from .waits import Waits
 
 # What has no use unless something holds it.

@@ -68,8 +68,11 @@ def add_header(work: Work) -> None:
         groups = [standard, [""]] if standard and _begins_group(work, at) else [standard]
     else:
         groups = [standard, [""], others] if standard and others else [standard, others]
+    # What stands behind the last import stands before the helpers, which need it.
+    last = "".join(f"{line}\n" for place, line in places if place >= end)
     for place, line in places:
-        work.insert(place, f"{line}\n")
+        if place < end:
+            work.insert(place, f"{line}\n")
     imports = "".join(f"{line}\n" for line in chain.from_iterable(groups))
     constants = "".join(f"{line}\n" for line in work.constants)
     helpers = [f"\n{constants}"] if constants else []
@@ -80,12 +83,14 @@ def add_header(work: Work) -> None:
         work.insert(at, imports + "".join(helpers))
         return
     work.insert(at, imports)
+    if not helpers:
+        work.insert(end, last)
     if helpers:
         following = syntax.text[end:]
         lines = following[: len(following) - len(following.lstrip())].count(b"\n")
         wanted_lines = 2 if work.helpers else 1
         missing = wanted_lines - lines if following.strip() else 0
-        work.insert_first(end, "".join(helpers) + "\n" * max(missing, 0))
+        work.insert_first(end, last + "".join(helpers) + "\n" * max(missing, 0))
 
 
 def _places(work: Work, wanted: list[str], end: int) -> list[tuple[int, str]]:
