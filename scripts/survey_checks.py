@@ -165,12 +165,16 @@ def _check_removal(before: Text, after: Text, change: Remove) -> Iterator[str]:
             yield from () if _is_gone_local(old, after) else (f"takes {old!r}",)
 
 
-def _is_gone_local(line: bytes, after: Text) -> bool:
-    """Whether a line only gave a value to, or filled, a variable that is nowhere any more."""
-    assigned = re.match(rb"\s+(\w+)[\w.]*\s*[=(]", line)
-    return assigned is not None and not re.search(
-        rb"(?<![.\w])%s\b" % assigned[1], after.source.files.main
-    )
+def _is_gone_local(lines: bytes, after: Text) -> bool:
+    """Whether lines only gave values to, or filled, what is nowhere any more."""
+    text = after.source.files.main
+    for line in filter(bytes.strip, lines.splitlines()):
+        own = re.match(rb"\s+self\.(\w+)\s*=", line)
+        assigned = own or re.match(rb"\s+(\w+)[\w.]*\s*[=(]", line)
+        before = rb"\b" if own else rb"(?<![.\w])"
+        if assigned is None or re.search(rb"%s%s\b" % (before, assigned[1]), text):
+            return False
+    return True
 
 
 def _is_gone_timer(key: Key, after: Text) -> bool:

@@ -238,7 +238,8 @@ def _over_comment(text: bytes, lines: Splice) -> int:
         start = previous
     comment = text[start : lines.start]
     if is_end:
-        speaks = _names_no_other(comment, text, lines)
+        said = _translated(comment)
+        speaks = _is_about(said, text, lines) and _names_no_other(said, text, lines)
     elif following.lstrip().startswith(b"#"):
         speaks = _is_about(comment, text, lines)
     else:
@@ -300,7 +301,7 @@ def _speaks_of(comment: bytes, text: bytes, lines: Splice) -> bool:
 
 def _names_no_other(comment: bytes, text: bytes, lines: Splice) -> bool:
     """Whether a comment names no kind of endpoint that is not among what is deleted."""
-    gone, said = text[lines.start : lines.end].lower(), _translated(comment)
+    gone, said = text[lines.start : lines.end].lower(), comment.lower()
     return all(word in gone for word in _KINDS if word in said)
 
 

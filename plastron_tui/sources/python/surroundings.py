@@ -115,7 +115,8 @@ def _is_heading(analysis: Analysis, line: bytes, row: int, column: int) -> bool:
     """Whether a line is a comment, or a string that is no docstring."""
     if line.startswith(b"#") or not line.startswith(_QUOTES):
         return line.startswith(b"#")
-    node = analysis.syntax.root.descendant_for_point_range((row, column), (row, column + 1))
+    start = sum(map(len, analysis.syntax.text.splitlines(keepends=True)[:row])) + column
+    node = analysis.syntax.root.descendant_for_byte_range(start, start + 1)
     statement = statement_of(node) if node is not None else None
     return statement is not None and statement.prev_named_sibling is not None
 

@@ -312,16 +312,3 @@ def test_filled_prose_tells_what_a_file_keeps_to(name):
     assert line_limit(f"import rclpy\n{words}".encode(), "rclpy", None).length == limit
     # A licence, which stands above, is filled as its author did.
     assert line_limit(f"{words}import rclpy\n".encode(), "rclpy", None).length == 99
-
-
-KEPT = f"number = {'1' * 70}\n"
-
-
-@pytest.mark.parametrize(
-    ("head", "is_broken"), [("", False), (KEPT, True), (f"long_{KEPT}", False)]
-)
-def test_a_longer_name_breaks_a_call_where_all_lines_are_kept_to_a_length(head, is_broken):
-    call = "sub = rospy.Subscriber('in', String, on_what, queue_size=10)\n"
-    text = f"import rospy\nfrom std_msgs.msg import String\n{head}rospy.init_node('n')\n{call}"
-    after = edited(text, Rename(SUB, "in", "what_was_heard_in_here", AT))
-    assert ("'what_was_heard_in_here', String, on_what, queue_size=10)\n" in after) != is_broken
