@@ -22,11 +22,13 @@ class Index(NamedTuple):
         names: the interfaces of each kind, sorted.
         by_bare: of each kind, the full names by bare name.
         partial: the packages that the catalog holds only a few types of.
+        packages: the packages that have interfaces of a kind, each with the kind.
     """
 
     names: Mapping[InterfaceKind, frozenset[InterfaceName]]
     by_bare: Mapping[InterfaceKind, Mapping[str, tuple[InterfaceName, ...]]]
     partial: frozenset[str]
+    packages: frozenset[tuple[str, InterfaceKind]]
 
 
 @cache
@@ -42,7 +44,8 @@ def index(distribution: str) -> Index:
                 table[name] = (*table.get(name, ()), InterfaceName(package, name))
         by_bare[kind] = table
         names[kind] = frozenset(name for found in table.values() for name in found)
-    return Index(names, by_bare, frozenset((data["partial"] or "").split()))
+    packages = frozenset((package, kind) for kind in InterfaceKind for package in data[kind.value])
+    return Index(names, by_bare, frozenset((data["partial"] or "").split()), packages)
 
 
 @cache

@@ -5,8 +5,8 @@ from __future__ import annotations
 from tree_sitter import Node
 
 from .scopes import Binding, BindingKind, Scope
+from .syntax import REPEATING
 
-_LOOPS = frozenset({"for_statement", "while_statement"})
 _BLOCKS = frozenset({"block", "module"})
 # What may bind a name without the lines behind it seeing that for sure.
 _UNSURE = frozenset({"except_clause", "named_expression", "case_pattern", "match_statement"})
@@ -49,7 +49,7 @@ def straight_line(bindings: list[Binding], owner: Scope) -> list[Node]:
     blocks = {node.parent.parent for node in nodes if node.parent is not None}
     around = blocks.pop()
     while around is not None and around.id != owner.node.id:
-        if blocks or around.type in _LOOPS:
+        if blocks or around.type in REPEATING:
             return []
         around = around.parent
     return sorted(nodes, key=lambda node: node.start_byte)
@@ -97,7 +97,7 @@ def _comes_round(last: Binding, bindings: list[Binding], node: Node, owner: Scop
     """Whether a loop may bring the value of a later line to the use."""
     current = node.parent
     while current is not None and current.id != owner.node.id:
-        if current.type in _LOOPS:
+        if current.type in REPEATING:
             if current.start_byte <= last.node.start_byte:
                 return False
             if any(_is_inside(binding.node, current) for binding in bindings):

@@ -51,7 +51,6 @@ def is_star_guess(bare: str, modules: list[str], distribution: str) -> bool:
     such a type.
     """
     known = index(distribution)
-    listed = {(name.package, kind) for kind in _KINDS for name in known.names[kind]}
     packages: list[tuple[str, InterfaceKind]] = []
     others = 0
     is_known = is_last = False
@@ -64,7 +63,7 @@ def is_star_guess(bare: str, modules: list[str], distribution: str) -> bool:
         packages.append(place)
         if InterfaceName(package, bare) in known.names[place[1]]:
             is_known = is_last = True
-        elif place not in listed or package in known.partial:
+        elif place not in known.packages or package in known.partial:
             is_last = False
     if is_known:
         return not is_last

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from tree_sitter import Node
 
 from plastron_tui.ros.catalog.data import index
+from plastron_tui.ros.interfaces import InterfaceKind
 
 from .analysis import Analysis
 from .imports import is_interface_module
@@ -163,8 +164,8 @@ def _likeness(analysis: Analysis, modules: list[str], module: str) -> tuple[bool
 
 def _is_known(analysis: Analysis, module: str) -> bool:
     """Whether a package comes with ROS, and is not one of the project."""
-    every = index(analysis.library.distribution).names.values()
-    return any(_package(module) == name.package for names in every for name in names)
+    listed = index(analysis.library.distribution).packages
+    return any((_package(module), kind) in listed for kind in InterfaceKind)
 
 
 def _anchor(analysis: Analysis, group: Group, module: str, line: str) -> Node | None:

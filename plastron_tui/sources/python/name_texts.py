@@ -9,6 +9,7 @@ from typing import NamedTuple
 from tree_sitter import Node
 
 from .analysis import Analysis
+from .references import identifiers
 from .splices import is_commented_code, line_end, line_start
 
 # Frames of tf and attributes often have the names of topics.
@@ -53,16 +54,20 @@ def texts_saying(analysis: Analysis, name: str) -> Iterator[NameText]:
         yield NameText(node, found.start(), found.end(), found[0].decode(), is_whole, is_sure)
 
 
-def docs_saying(analysis: Analysis, name: str) -> Iterator[NameText]:
-    """Yield the comments and docstrings that say a name, but for code in comments."""
+def docs_naming(analysis: Analysis, name: str) -> Iterator[NameText]:
+    """Yield the comments and docstrings that say a name for sure, but for code in comments."""
     bare, text = name.lstrip("~/"), analysis.syntax.text
+    is_word = bare.isidentifier() and any(identifiers(bare, analysis))
     for found, node in _mentions(analysis, bare):
         is_docstring = node.type == "string" and is_documentation(node)
         if not is_docstring and (node.type != "comment" or is_commented_code(node.text or b"")):
             continue
         line = text[line_start(text, found.start()) : line_end(text, found.start())]
-        is_sure = _is_sure(found, bare, line)
-        yield NameText(node, found.start(), found.end(), found[0].decode(), False, is_sure)
+        written = found[0].decode()
+        is_sure = _is_sure(found, bare, line) and not (is_word and written == bare)
+        said = NameText(node, found.start(), found.end(), written, False, is_sure)
+        if is_sure and not is_other_name(analysis, said):
+            yield said
 
 
 def _mentions(analysis: Analysis, bare: str) -> Iterator[tuple[re.Match[bytes], Node]]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
@@ -167,6 +168,34 @@ class Package:
         return module.sites
 
 
+class _Led(NamedTuple):
+    """The file that a name leads to.
+
+    Attributes:
+        module: the file.
+        names: the names in it that lead on: the first is one of the module's own.
+        outer: what the names of the file itself stand for.
+    """
+
+    module: Analysis
+    names: tuple[str, ...]
+    outer: PackageNames
+
+    @property
+    def bindings(self) -> list[Binding] | None:
+        """What binds the first name in the file, None where the file does not."""
+        return self.module.scopes.module.bindings.get(self.names[0])
+
+    def starred(self) -> Iterator[str]:
+        """Yield what the names may stand for of each module that the file imports whole."""
+        for star in self.module.scopes.module.star_imports:
+            yield ".".join((joined(star, self.names[0]), *self.names[1:]))
+
+    def behind(self, target: str) -> str:
+        """Return what the names stand for where the first one stands for another name."""
+        return ".".join((target, *self.names[1:]))
+
+
 class PackageNames:
     """What the names stand for that one file of a package imports from the others."""
 
@@ -203,26 +232,29 @@ class PackageNames:
 
     @bounded(())
     def _targets(self, name: str, depth: int) -> tuple[str, ...]:
-        found = self._package.find(name, self._path) if depth <= MOST_DEEP else None
+        found = self._package.find(name, self._path)
         if found is None or not found.names or self._package.defines(found.path, found.names[0]):
             return (name,)
-        module = self._package.module(found.path)
-        if module is None:
+        led = self._lead(name, depth)
+        if led is None:
             return (name,)
-        outer = PackageNames(self._package, found.path)
-        first, *rest = found.names
-        led: dict[str, None] = {}
-        for binding in module.scopes.module.bindings.get(first, [])[:MOST_BINDINGS]:
-            for target in module.resolver.targets(binding, first, depth + 1):
-                whole = ".".join((target, *rest))
-                led.update(dict.fromkeys(outer.targets(whole, depth + 1)))
-        if first not in module.scopes.module.bindings:
-            for star in module.scopes.module.star_imports:
-                whole = ".".join((joined(star, first), *rest))
-                led.update(dict.fromkeys(outer.targets(whole, depth + 1)))
+        names = list(led.starred()) if led.bindings is None else []
+        for binding in (led.bindings or [])[:MOST_BINDINGS]:
+            targets = led.module.resolver.targets(binding, led.names[0], depth + 1)
+            names += map(led.behind, targets)
+        found_as = dict.fromkeys(
+            out for each in names for out in led.outer.targets(each, depth + 1)
+        )
         # What stays in the package is told apart by the name that leads there.
-        left = tuple(each for each in led if outer.leads_out(each))
-        return left or (name,)
+        return tuple(each for each in found_as if led.outer.leads_out(each)) or (name,)
+
+    def _lead(self, name: str, depth: int) -> _Led | None:
+        """Return the file that a name of one of its own leads to, None for any other name."""
+        found = self._package.find(name, self._path) if depth <= MOST_DEEP else None
+        module = self._package.module(found.path) if found is not None and found.names else None
+        if found is None or module is None or module.package is None:
+            return None
+        return _Led(module, found.names, module.package)
 
     def star_modules(self, modules: list[str]) -> list[str]:
         """Return modules that are imported whole, with those that they import whole in turn."""
@@ -257,22 +289,18 @@ class PackageNames:
 
     @bounded(None)
     def _constant(self, name: str, depth: int) -> Folded:
-        found = self._package.find(name, self._path) if depth <= MOST_DEEP else None
-        module = self._package.module(found.path) if found is not None else None
-        if found is None or module is None or not found.names:
+        led = self._lead(name, depth)
+        if led is None:
             return None
-        first, *rest = found.names
-        outer = PackageNames(self._package, found.path)
-        bindings = module.scopes.module.bindings.get(first)
+        bindings = led.bindings
         if bindings is None:
-            stars = (joined(star, first) for star in module.scopes.module.star_imports)
-            values = {outer.constant(".".join((each, *rest)), depth + 1) for each in stars} - {None}
+            values = {led.outer.constant(each, depth + 1) for each in led.starred()} - {None}
             return values.pop() if len(values) == 1 else None
         if len(bindings) == 1 and bindings[0].kind is BindingKind.IMPORT:
-            return outer.constant(".".join((bindings[0].target, *rest)), depth + 1)
-        for part in rest:
-            bindings = _members(module, bindings, part)
-        return _folded(module, bindings, found.names[-1], depth + 1)
+            return led.outer.constant(led.behind(bindings[0].target), depth + 1)
+        for part in led.names[1:]:
+            bindings = _members(led.module, bindings, part)
+        return _folded(led.module, bindings, led.names[-1], depth + 1)
 
     def bases(self, name: str) -> list[str]:
         """Return the qualified names of the classes that a class of the package derives from."""
@@ -282,23 +310,19 @@ class PackageNames:
     @bounded(None)
     def class_(self, name: str, depth: int = 0) -> tuple[Analysis, Scope] | None:
         """Return the class of the package that a name stands for, and the file that has it."""
-        found = self._package.find(name, self._path) if depth <= MOST_DEEP else None
-        module = self._package.module(found.path) if found is not None else None
-        if found is None or module is None or len(found.names) != 1:
+        led = self._lead(name, depth)
+        if led is None or len(led.names) != 1:
             return None
-        outer = PackageNames(self._package, found.path)
-        bindings = module.scopes.module.bindings.get(found.names[0])
-        if bindings is None:
-            stars = (joined(s, found.names[0]) for s in module.scopes.module.star_imports)
-            held = (outer.class_(star, depth + 1) for star in stars)
+        if led.bindings is None:
+            held = (led.outer.class_(star, depth + 1) for star in led.starred())
             return next((each for each in held if each is not None), None)
-        if len(bindings) != 1:
+        if len(led.bindings) != 1:
             return None
-        if bindings[0].kind is BindingKind.IMPORT:
-            return outer.class_(bindings[0].target, depth + 1)
-        owner = bindings[0].owner
-        is_class = bindings[0].kind is BindingKind.CLASS and owner is not None
-        return (module, owner) if is_class and owner is not None else None
+        (binding,) = led.bindings
+        if binding.kind is BindingKind.IMPORT:
+            return led.outer.class_(binding.target, depth + 1)
+        is_class = binding.kind is BindingKind.CLASS
+        return (led.module, binding.owner) if is_class and binding.owner is not None else None
 
 
 def _members(module: Analysis, bindings: list[Binding], name: str) -> list[Binding]:

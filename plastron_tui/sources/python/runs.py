@@ -11,7 +11,7 @@ from .classes import Classes
 from .constants import MOST_BINDINGS
 from .containers import Item
 from .scopes import BindingKind, Scope, ScopeTree
-from .syntax import Syntax, parts_of
+from .syntax import Syntax, is_inside, parts_of
 from .work_limits import Effort
 
 LOOPS = frozenset({"for_statement", "for_in_clause"})
@@ -65,7 +65,7 @@ def is_made_in(world: World, call: Node, syntax: Syntax, effort: Effort) -> bool
     for each in chosen:
         region = each.function.node if isinstance(each, Frame) else each.loop
         around = region.parent if region.type == "for_in_clause" else region
-        inside = [point for point in points if around is not None and _is_in(point, around)]
+        inside = [point for point in points if around is not None and is_inside(point, around)]
         is_constructor = isinstance(each, Frame) and each.function.name == "__init__"
         if not inside and not is_constructor:
             return False
@@ -122,12 +122,8 @@ def _varying(chosen: Frame | Turn) -> set[str]:
     return {
         name
         for name, bindings in chosen.scope.bindings.items()
-        if any(_is_in(each.node, chosen.loop) for each in bindings[:MOST_BINDINGS])
+        if any(is_inside(each.node, chosen.loop) for each in bindings[:MOST_BINDINGS])
     }
-
-
-def _is_in(node: Node, outer: Node) -> bool:
-    return outer.start_byte <= node.start_byte and node.end_byte <= outer.end_byte
 
 
 def result_of(function: Scope) -> Node | None:

@@ -29,12 +29,7 @@ def star_interface(bare: str, modules: list[str], distribution: str) -> Interfac
         if InterfaceName(package, bare) in known.names[kind]
     }
     if not having:
-        listed = {(name.package, kind) for kind in InterfaceKind for name in known.names[kind]}
-        having = {
-            InterfaceName(package, bare)
-            for package, kind in packages
-            if (package, kind) not in listed
-        }
+        having = {InterfaceName(package, bare) for package, _ in packages.keys() - known.packages}
     return having.pop() if len(having) == 1 else None
 
 

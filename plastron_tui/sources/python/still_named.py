@@ -12,8 +12,7 @@ from plastron_tui.model.source import Change, Remove, Rename, Update
 from .analysis import Analysis
 from .creation import line_of
 from .log_uses import is_only_told
-from .name_texts import docs_saying, is_other_name, texts_saying
-from .references import identifiers
+from .name_texts import docs_naming, is_other_name, texts_saying
 from .scopes import Scope
 
 # Shorter names are words as well.
@@ -78,12 +77,9 @@ def _texts(analysis: Analysis, name: str) -> Iterator[Node]:
 def _documented(analysis: Analysis, name: str, uncalled: Sequence[Scope]) -> Iterator[int]:
     """Yield the lines of comments and docstrings that say a name for sure."""
     text = analysis.syntax.text
-    bare = name.lstrip("~/")
-    is_word = bare.isidentifier() and any(identifiers(bare, analysis))
-    for said in docs_saying(analysis, name):
-        is_name = said.is_sure and not (is_word and said.written == bare)
+    for said in docs_naming(analysis, name):
         is_kept = any(each.node.start_byte <= said.start < each.node.end_byte for each in uncalled)
-        if is_name and not is_kept and not is_other_name(analysis, said):
+        if not is_kept:
             yield text.count(b"\n", 0, said.start) + 1
 
 

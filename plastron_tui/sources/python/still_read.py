@@ -27,7 +27,7 @@ from .references import (
 from .removal import find_sites, function_uses
 from .runs import LOOPS
 from .scopes import Scope
-from .syntax import nodes_in, parts_of
+from .syntax import is_inside, nodes_in, parts_of
 from .uncalled import path_of, span_of
 from .unused_locals import value_of
 
@@ -109,17 +109,13 @@ def _never_run(analysis: Analysis, uncalled: Sequence[Scope]) -> list[Scope]:
             called = function_of(callee, analysis) if callee is not None else None
             if called is not None and called not in gone:
                 uses = function_uses(analysis, called)
-                if all(any(_holds(each.node, use) for each in gone) for use in uses):
+                if all(any(is_inside(use, each.node) for each in gone) for use in uses):
                     gone.append(called)
     return gone
 
 
 def _calls_in(analysis: Analysis, function: Scope) -> list[Node]:
-    return [each for each in analysis.captures.get("call", []) if _holds(function.node, each)]
-
-
-def _holds(outer: Node, inner: Node) -> bool:
-    return bool(outer.start_byte <= inner.start_byte < outer.end_byte)
+    return [each for each in analysis.captures.get("call", []) if is_inside(each, function.node)]
 
 
 def _callbacks(before: Analysis, changes: Sequence[Change]) -> list[Node]:
@@ -235,7 +231,7 @@ class _Uses:
         yield from told.values()
 
     def _may_run(self, node: Node) -> bool:
-        return not any(_holds(each.node, node) for each in self._gone)
+        return not any(is_inside(node, each.node) for each in self._gone)
 
     def _set_elsewhere(self) -> Iterator[tuple[Node, Path]]:
         """Yield what sets an attribute of the name of an object that the file does not tell."""

@@ -7,11 +7,12 @@ from itertools import takewhile
 
 from plastron_tui.model.source import EndpointKind
 
-from .analysis import Analysis, Site
+from .analysis import Analysis
 from .conventions import target_name
 from .insertion_point import KINDS
 from .place import Place, beside
 from .references import statement_of
+from .syntax import is_in_loop
 from .waits import Waits
 
 # What has no use unless something holds it.
@@ -44,7 +45,7 @@ def is_attribute_style(analysis: Analysis, place: Place, kind: EndpointKind) -> 
         if site.endpoint.kind in (kind, *_HELD)
         and site.scope.enclosing("function") is place.scope
         and b"message_filters" not in (site.call.text or b"")
-        and not _is_repeated(site)
+        and not is_in_loop(site.call)
         and (name := target_name(analysis, site)) is not None
     ]
     own = [name for found, name in names if found is kind or place.scope.name != "__init__"]
@@ -143,13 +144,3 @@ def timers_below(analysis: Analysis, place: Place) -> Place | None:
     is_same_block = found.statement.parent is not None and found.statement.parent.id == block.id
     between = analysis.syntax.text[place.offset : found.offset].splitlines()
     return found if is_same_block and not all(map(bytes.strip, between)) else None
-
-
-def _is_repeated(site: Site) -> bool:
-    """Whether a call site is in a loop, whose names are for one round only."""
-    around = site.call.parent
-    while around is not None and not around.type.endswith("_definition"):
-        if around.type in ("for_statement", "while_statement"):
-            return True
-        around = around.parent
-    return False

@@ -31,6 +31,12 @@ _AS_LETTERS = bytes(byte if byte < 0x80 else ord("x") for byte in range(256))
 # Python ends a line there; for tree-sitter the line goes on, and takes the square of its length.
 _OLD_LINE_END = re.compile(rb"\r(?!\n)")
 
+FUNCTIONS = frozenset({"function_definition", "lambda"})
+"""What has statements of its own, which run when it is called."""
+
+REPEATING = frozenset({"for_statement", "while_statement"})
+"""The statements that repeat what they hold."""
+
 # A node within more others was made to break readers: a query takes the square of the depth.
 _DEEPEST = 1_000
 
@@ -187,6 +193,23 @@ def is_main_guard(statement: Node) -> bool:
     """Whether a statement holds what runs when the file is started."""
     condition = statement.child_by_field_name("condition")
     return condition is not None and b"__name__" in (condition.text or b"")
+
+
+def is_in_loop(node: Node, loops: frozenset[str] = REPEATING) -> bool:
+    """Whether a node is in a loop of its function, and not in what the loop goes over."""
+    current: Node | None = node
+    while current is not None and current.type not in FUNCTIONS:
+        inner, current = current, current.parent
+        if current is not None and current.type in loops:
+            ahead = current.child_by_field_name("right")
+            if ahead is None or ahead.id != inner.id:
+                return True
+    return False
+
+
+def is_inside(node: Node, outer: Node) -> bool:
+    """Whether a node is another one, or in it."""
+    return bool(outer.start_byte <= node.start_byte and node.end_byte <= outer.end_byte)
 
 
 def nodes_in(root: Node, ranges: Iterable[tuple[int, int]]) -> Iterator[Node]:

@@ -7,9 +7,8 @@ from collections.abc import Collection, Iterator, Mapping
 from plastron_tui.ros.names import name_as_written
 
 from .analysis import Analysis, Site
-from .name_texts import NameText, docs_saying, is_other_name, texts_saying
+from .name_texts import NameText, docs_naming, is_other_name, texts_saying
 from .name_uses import NameUses
-from .references import identifiers
 from .splices import Splice
 
 
@@ -47,12 +46,8 @@ def retell(
 
 def _redocumented(analysis: Analysis, old: str, new: str) -> Iterator[Splice]:
     """Yield what lets comments and docstrings say a new name, which say the old one for sure."""
-    bare = old.lstrip("~/")
-    is_word = bare.isidentifier() and any(identifiers(bare, analysis))
-    for said in docs_saying(analysis, old):
+    for said in docs_naming(analysis, old):
         prefix = _prefix(said.written)
-        if not said.is_sure or is_other_name(analysis, said) or (is_word and not prefix):
-            continue
         written = new if prefix == _prefix(old) else prefix + new.lstrip("~/")
         yield Splice(said.start, said.end, analysis.syntax.encode(written))
 

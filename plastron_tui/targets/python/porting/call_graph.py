@@ -5,6 +5,7 @@ from __future__ import annotations
 from tree_sitter import Node
 
 from plastron_tui.sources.python.scopes import Scope
+from plastron_tui.sources.python.syntax import is_inside
 
 from .port_state import Work, walk
 
@@ -25,7 +26,7 @@ def functions_that_reach(work: Work, calls: list[Node]) -> set[str]:
 
 def reaches(work: Work, place: Node, calls: list[Node], functions: set[str]) -> bool:
     """Tell whether one of some calls is in a place, or in a function that it calls."""
-    if any(place.start_byte <= each.start_byte < place.end_byte for each in calls):
+    if any(is_inside(each, place) for each in calls):
         return True
     callees = (node.child_by_field_name("function") for node in walk(place) if node.type == "call")
     return any(

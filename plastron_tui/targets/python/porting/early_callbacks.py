@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from tree_sitter import Node
 
+from plastron_tui.sources.python.place import LAST
 from plastron_tui.sources.python.scopes import Scope
 from plastron_tui.sources.python.splices import before_comments, line_end, line_start
 from plastron_tui.sources.python.syntax import parts_of
@@ -18,7 +19,6 @@ from .port_state import Work, walk
 from .rewriting import begins_line
 
 _AT_ONCE = "rospy calls back at once, in a thread of its own: set it before this line"
-_STAYS = frozenset({"while_statement", "return_statement", "raise_statement"})
 _FILLING = frozenset({"add", "append", "extend", "insert", "setdefault", "update"})
 
 
@@ -118,7 +118,7 @@ class _Constructor:
         between = [self._steps[k] for k in range(index + 1, at + 1) if moved.get(k) != at]
         own = {name for name in step.names if "." in name or not name.startswith("self")}
         return not any(
-            any(each.type in _STAYS for each in walk(other.node))
+            any(each.type in LAST for each in walk(other.node))
             or (other.sets | other.fills) & own
             or step.sets & (other.names | other.uses)
             for other in between

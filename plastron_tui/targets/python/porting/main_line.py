@@ -10,6 +10,8 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from plastron_tui.sources.python.syntax import FUNCTIONS
+
 from .port_state import Work, walk
 
 _QUESTIONS = frozenset({"input", "raw_input"})
@@ -79,7 +81,7 @@ def _main_line(work: Work) -> Iterator[Node]:
     pending = [(work.analysis.syntax.root, False)]
     while pending:
         node, is_run = pending.pop()
-        if not is_run and node.type not in ("function_definition", "lambda"):
+        if not is_run and node.type not in FUNCTIONS:
             pending.append((node, True))
             pending += [(each, False) for each in reversed(node.named_children)]
         elif is_run:

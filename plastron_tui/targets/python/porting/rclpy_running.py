@@ -8,11 +8,11 @@ from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.sources.python.references import identifiers, statement_of
-from plastron_tui.sources.python.syntax import parts_of
+from plastron_tui.sources.python.syntax import is_in_loop, parts_of
 
 from .main_line import asks_user, is_busy_before_spin
 from .port_state import Work, walk
-from .repetition import is_called_often, is_in_loop
+from .repetition import is_called_often
 from .rewriting import replace_by_opposite, time_module
 
 INTERRUPTS = "KeyboardInterrupt, ExternalShutdownException, ROSInterruptException"

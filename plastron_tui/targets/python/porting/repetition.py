@@ -11,29 +11,16 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.sources.python.references import function_of
 from plastron_tui.sources.python.scopes import Scope
+from plastron_tui.sources.python.syntax import FUNCTIONS, REPEATING, is_in_loop
 
 from .endpoints import destroys_endpoints
 from .port_state import Work
 
-_LOOPS = frozenset({"while_statement", "for_statement"})
 _ENDLESS = frozenset({"while_statement"})
-_FUNCTIONS = frozenset({"function_definition", "lambda"})
 _ENDPOINTS = frozenset({EndpointKind.PUBLISHER, EndpointKind.CLIENT})
 
 
-def is_in_loop(call: Node, loops: frozenset[str] = _LOOPS) -> bool:
-    """Tell whether a call is in a loop of its function."""
-    current: Node | None = call
-    while current is not None and current.type not in _FUNCTIONS:
-        inner, current = current, current.parent
-        if current is not None and current.type in loops:
-            ahead = current.child_by_field_name("right")
-            if ahead is None or ahead.id != inner.id:
-                return True
-    return False
-
-
-def is_called_often(work: Work, call: Node, loops: frozenset[str] = _LOOPS) -> bool:
+def is_called_often(work: Work, call: Node, loops: frozenset[str] = REPEATING) -> bool:
     """Tell whether the function of a call is called from a loop or a callback, or is one."""
     callers: dict[int, list[Node]] = {}
     for each in work.analysis.captures.get("call", []):
@@ -75,7 +62,7 @@ def mark_repeated_endpoints(work: Work) -> None:
 def _is_conditional(call: Node) -> bool:
     """Tell whether a call is in an `if` of its function, which may see whether it is the first."""
     current: Node | None = call
-    while current is not None and current.type not in _FUNCTIONS:
+    while current is not None and current.type not in FUNCTIONS:
         if current.type == "if_statement":
             return True
         current = current.parent
