@@ -10,8 +10,6 @@ from plastron_tui.model.source import SourceEndpoint
 from .analysis import Analysis, Site
 from .scopes import Scope
 
-_MOST_DEEP = 8
-
 
 def inherited(analysis: Analysis, owner: Scope | None) -> list[SourceEndpoint]:
     """Return what the base classes of other files create for a node.
@@ -27,7 +25,7 @@ def inherited(analysis: Analysis, owner: Scope | None) -> list[SourceEndpoint]:
     leaves = [each for each in classes if owner is not None or not derived(each)]
     found: dict[tuple[str, int], SourceEndpoint] = {}
     for leaf in leaves:
-        for module, site in _sites(analysis, leaf, 0):
+        for module, site in _sites(analysis, leaf, set()):
             if module.package is not None:
                 file = analysis.package.relative(module.package)
                 # What a parameter may decide, the class of this file may decide otherwise.
@@ -37,25 +35,25 @@ def inherited(analysis: Analysis, owner: Scope | None) -> list[SourceEndpoint]:
     return list(found.values())
 
 
-def _sites(analysis: Analysis, owner: Scope, depth: int) -> Iterator[tuple[Analysis, Site]]:
-    """Yield the call sites that a class inherits, each with its file."""
-    if analysis.package is None or depth > _MOST_DEEP:
+def _sites(analysis: Analysis, owner: Scope, seen: set[Scope]) -> Iterator[tuple[Analysis, Site]]:
+    """Yield the call sites that a class inherits from classes not yet seen, each with its file."""
+    package = analysis.package
+    if package is None:
         return
     own = [owner, *analysis.resolver.classes.bases(owner)]
     for name in analysis.resolver.foreign_bases(owner):
-        held = analysis.package.class_(name)
-        if held is None:
+        held = package.class_(name)
+        if held is None or held[1] in seen:
             continue
         module, base = held
+        seen.add(base)
         family = [base, *module.resolver.classes.bases(base)]
-        for site in analysis.package.sites(module):
-            method = _method(site, family)
+        of_module = ((module, each) for each in package.sites(module))
+        for file, site in (*of_module, *_sites(module, base, seen)):
+            classes = family if file is module else file.scopes.classes()
+            method = _method(site, classes)
             if method is not None and not _is_replaced(method, own, analysis):
-                yield module, site
-        for further, site in _sites(module, base, depth + 1):
-            method = _method(site, further.scopes.classes())
-            if method is not None and not _is_replaced(method, own, analysis):
-                yield further, site
+                yield file, site
 
 
 def _method(site: Site, classes: list[Scope]) -> str | None:

@@ -24,7 +24,7 @@ class ImportedNames(Protocol):
         """Return the constant that a name is, None where the package does not say it."""
 
     def bases(self, name: str) -> list[str]:
-        """Return the qualified names of the classes that a class of the package derives from."""
+        """Return the qualified names outside of the package that a class of it derives from."""
 
 
 def joined(module: str, name: str) -> str:

@@ -136,7 +136,7 @@ class Resolver(Passes):
         item = self.item(binding, name)
         if isinstance(item, Given):
             value, scope = item
-        elif binding.kind is BindingKind.PARAMETER and not self.keeps_default(binding, name):
+        elif binding.kind is BindingKind.PARAMETER and not self.keeps_default(binding, name, depth):
             return ()
         if value is None or value.type not in ("identifier", "attribute"):
             return ()

@@ -303,9 +303,12 @@ class PackageNames:
         return _folded(led.module, bindings, led.names[-1], depth + 1)
 
     def bases(self, name: str) -> list[str]:
-        """Return the qualified names of the classes that a class of the package derives from."""
+        """Return the qualified names outside of the package that a class of it derives from."""
         held = self.class_(name)
-        return [] if held is None else held[0].resolver.foreign_bases(held[1])
+        names = held[0].package if held is not None else None
+        if held is None or names is None:
+            return []
+        return [each for each in held[0].resolver.foreign_bases(held[1]) if names.leads_out(each)]
 
     @bounded(None)
     def class_(self, name: str, depth: int = 0) -> tuple[Analysis, Scope] | None:

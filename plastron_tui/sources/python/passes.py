@@ -238,9 +238,9 @@ class Passes:
                 callers.append(call)
         return callers
 
-    def keeps_default(self, binding: Binding, name: str) -> bool:
+    def keeps_default(self, binding: Binding, name: str, depth: int = 0) -> bool:
         """Whether no caller in the file gives a parameter another value than its default."""
-        callers = self._callers(binding)
+        callers = self._callers(binding, depth)
         return callers is not None and callers.keep_default(binding, name)
 
     def parameter(self, binding: Binding, name: str, depth: int) -> Folded:

@@ -51,6 +51,11 @@ def test_a_line_sees_the_value_that_a_name_has_there(body, expected):
     assert names(body) == expected
 
 
+def test_functions_that_hand_parts_of_what_they_get_to_each_other_end():
+    one = f"def f(t=None):\n    {USE.replace('(t,', '(t.name,')}    g(t.a)\n"
+    assert names(f"{one}def g(t=None):\n    f(t.b)\n") == [None]
+
+
 MAKE = "def make(t):\n    return rospy.Publisher('/' + t, String)\n"
 ROBOT = "class Robot:\n    def __init__(self, t):\n        self.t = t\n"
 OPENS = "    def open(self):\n        rospy.Publisher(self.t, String)\n"

@@ -192,6 +192,28 @@ def test_a_node_has_what_its_base_class_in_another_file_creates(demo, text, expe
     assert {each.file for each in found} <= {"../src/demo/base.py"}
 
 
+def test_a_base_class_may_have_one_in_another_folder(demo):
+    (demo / "src/demo/low").mkdir()
+    (demo / "src/demo/low/__init__.py").write_text("")
+    (demo / "src/demo/low/root.py").write_text(BASE.replace(".topics", "..topics"))
+    middle = "from .root import Base as Low\nclass Base(Low):\n    pass\n"
+    (demo / "src/demo/low/middle.py").write_text(middle)
+    found = read(demo, OWN.replace("demo.base", "demo.low.middle") + "pass\n").source.endpoints
+    assert [each.name for each in found] == ["low", "alive", None, "/robot/scan"]
+
+
+def test_classes_that_all_derive_from_each_other_are_asked_once(demo):
+    for number in range(30):
+        others = [each for each in range(30) if each != number]
+        imports = "".join(f"from m{each} import K as K{each}\n" for each in others)
+        bases = ", ".join(f"K{each}" for each in others)
+        method = f"    def f{number}(self):\n        rospy.Publisher('p{number}', Bool)\n"
+        text = f"import rospy\nfrom std_msgs.msg import Bool\n{imports}class K({bases}):\n{method}"
+        (demo / f"scripts/m{number}.py").write_text(text)
+    found = read(demo, OWN.replace("demo.base import Base", "m0 import K as Base") + "pass\n")
+    assert {each.name for each in found.source.endpoints} == {f"p{each}" for each in range(30)}
+
+
 def test_a_class_that_another_file_derives_from_a_node_is_a_node(demo):
     base = "from rclpy.node import Node\nclass Base(Node):\n    pass\n"
     (demo / "demo").mkdir()
