@@ -240,7 +240,7 @@ class Constants:
         if callee is None:
             return None
         arguments = Arguments.of(node, self._syntax)
-        for name in self._names.qualified(callee, scope):
+        for name in self._names.qualified(callee, scope, depth):
             if name in _PARAMETER_READERS:
                 return as_default(self.fold(arguments.get(_PARAMETER_READERS[name]), scope, depth))
         if callee.type == "identifier" and self._syntax.slice(callee) == "str":

@@ -13,6 +13,9 @@ from typing import Any, Protocol, TypeVar, cast
 MOST_STEPS = 10_000
 """The most steps for one question; what people write takes some ten."""
 
+MOST_NESTED = 40
+"""The most questions that one leads to, each asked by the one before; people write up to 26."""
+
 FREE_STEPS = 32
 """How many of them count for no file: there are as many questions as the file is large."""
 
@@ -45,11 +48,11 @@ class Effort:
         return self._left > 0
 
     def spend(self) -> bool:
-        """Take a step; tell whether there was one left."""
+        """Take a step; tell whether there was one left, and no question too many asked another."""
         self._left -= 1
         self._taken += 1
         self._in_all -= self._taken > FREE_STEPS
-        return self._left > 0
+        return self._left > 0 and self._depth <= MOST_NESTED
 
 
 class _HasEffort(Protocol):
