@@ -23,6 +23,8 @@ const KEYWORDS = [
   'create_node', 'load', 'create_message', 'subscribe', 'unsubscribe', 'publish',
   'stop_publishing', 'client_requests', 'stop_request', 'provides_service',
   'stop_service', 'generate_node',
+  'has_parameter', 'no_longer_has_parameter', 'stop_repeating', 'provides_action', 'stop_action',
+  'sends_goal', 'stop_goal', 'parameter_type', 'action_type', 'for_each', 'described_as',
   'as', 'using', 'of', 'message_type', 'service_type', 'and', 'with', 'input', 'none',
   'to', 'from', 'calling', 'at', 'hz', 'True', 'False',
 ];
@@ -61,14 +63,18 @@ function broken([first, ...rest]) {
   return null;
 }
 
+/** @param {RuleOrLiteral[]} list */
+const oneOf = list => list.length > 1 ? choice(...list) : list[0];
+
 /**
- * A statement of these parts, and after them of those in `tail`, all or none of them.
+ * A statement of these parts, and after them any of these clauses, in any order. That none is there
+ * twice is for lowering to say.
  * @param {GrammarSymbols<string>} $
  */
-function statement($, parts, tail = []) {
-  const cut = tail.length ? broken(tail) : null;
-  const all = seq(...whole(parts), ...(tail.length ? [optional(seq(...whole(tail)))] : []));
-  const beyond = cut ? seq(all, optional(cut)) : all;
+function statement($, parts, ...clauses) {
+  const cut = clauses.map(clause => broken([clause])).filter(Boolean);
+  const all = seq(...whole(parts), ...(clauses.length ? [repeat(oneOf(whole(clauses)))] : []));
+  const beyond = cut.length ? seq(all, optional(oneOf(cut))) : all;
   const before = broken(parts);
   return choice(all, seq(before ? choice(before, beyond) : beyond, $._stop));
 }
@@ -77,29 +83,48 @@ function statement($, parts, tail = []) {
  * A statement that begins with a node. Of the node alone nobody can say which statement it begins.
  * @param {GrammarSymbols<string>} $
  */
-function nodeStatement($, parts, tail = []) {
-  const node = variable($, 'node');
-  const [keyword, ...rest] = parts;
-  return statement($, [seq(node, keyword), ...rest], tail);
-}
+const nodeStatement = ($, [keyword, ...rest], ...clauses) =>
+  statement($, [seq(variable($, 'node'), keyword), ...rest], ...clauses);
 
 const variable = ($, name) => field(name, alias($.identifier, $.variable));
-const type = $ => part(field('type', $.type), field('type', alias($._unfinished_type, $.type)));
-// input = "none" | argument { "," argument }
-const input = $ => part(
-  field('input', choice($.none, $.arguments)),
-  field('input', alias($._unfinished_arguments, $.arguments)),
+const quoted = ($, name) => field(name, $.ros_name);
+const word = ($, name, as) => field(name, alias($.identifier, as));
+/** A word that is there or not, and says all that its clause says. */
+const flag = ($, name) => field(name, alias(name, $.flag));
+/** A field whose rule has a form for what breaks off: `_unfinished_RULE`. */
+const open = ($, name, rule, ...others) => part(
+  field(name, choice(...others, $[rule])),
+  field(name, alias($[`_unfinished_${rule}`], $[rule])),
 );
+// input = "none" | argument { "," argument }
+const input = $ => open($, 'input', 'arguments', $.none);
 
 // Parts that several statements have. Each is a rule, so that a word too many after one is the
 // mistake, and not the word that the part ends with.
 const PHRASES = {
   as_variable: $ => ['as', variable($, 'variable')],
-  using: $ => ['using', field('library', alias($.identifier, $.client_library))],
-  calling: $ => ['calling', field('function', alias($.identifier, $.function))],
-  of_message_type: $ => ['of', 'message_type', type($)],
-  of_service_type: $ => ['of', 'service_type', type($)],
-  at_rate: $ => ['at', field('rate', $.number), 'hz'],
+  using: $ => ['using', word($, 'library', $.client_library)],
+  calling: $ => ['calling', word($, 'function', $.function)],
+  of_message_type: $ => ['of', 'message_type', open($, 'type', 'type')],
+  of_service_type: $ => ['of', 'service_type', open($, 'type', 'type')],
+  of_action_type: $ => ['of', 'action_type', open($, 'type', 'type')],
+  of_parameter_type: $ => ['of', 'parameter_type', word($, 'type', $.parameter_type)],
+  with_input: $ => ['with', 'input', input($)],
+  with_default: $ => ['with', 'default', part(field('default', $._value), field('default', $._broken_value))],
+  with_qos: $ => ['with', 'qos', open($, 'qos', 'qos')],
+  // rate = number | "parameter" name
+  at_rate: $ => ['at', open($, 'rate', 'parameter', $.number), 'hz'],
+  // "for_each" name [ "when" condition ]
+  for_each: $ => ['for_each', part(
+    seq(quoted($, 'trigger'), optional(seq('when', field('condition', $.condition)))),
+    seq(quoted($, 'trigger'), 'when', optional(field('condition', alias($._unfinished_condition, $.condition)))),
+  )],
+  answering: $ => ['answering', open($, 'answer', 'arguments', $.none)],
+  between: $ => ['between', field('minimum', $.number), 'and', field('maximum', $.number)],
+  described_as: $ => ['described_as', part(
+    field('description', $.string),
+    field('description', alias($._unfinished_string, $.string)),
+  )],
 };
 
 /** The rules of the phrases: `_NAME`, and `_broken_NAME` for one that ends early. */
@@ -145,6 +170,10 @@ module.exports = grammar({
     // The one for an early end is visible: it makes an error dearer than to add something MISSING.
     $._skipping,
     'skipping',
+    // `+`, `-`, `*`, `/` after what is calculated with: a `-` elsewhere is the sign of a number.
+    $.operator,
+    // `<`, `>`
+    $.comparison,
   ],
 
   supertypes: $ => [$._statement, $._value],
@@ -182,15 +211,23 @@ module.exports = grammar({
       $.stop_request_statement,
       $.provides_service_statement,
       $.stop_service_statement,
+      $.has_parameter_statement,
+      $.no_longer_has_parameter_statement,
+      $.repeats_statement,
+      $.stop_repeating_statement,
+      $.provides_action_statement,
+      $.stop_action_statement,
+      $.sends_goal_statement,
+      $.stop_goal_statement,
       $.rename_statement,
       $.generate_node_statement,
     ),
 
-    // "create_node" name "as" variable [ "using" client_library ]
+    // "create_node" name "as" variable [ "managed" ] [ "using" client_library ]
     create_node_statement: $ => statement(
       $,
-      ['create_node', field('name', $.ros_name), phrase($, 'as_variable')],
-      [phrase($, 'using')],
+      ['create_node', quoted($, 'name'), phrase($, 'as_variable')],
+      flag($, 'managed'), phrase($, 'using'),
     ),
 
     // "load" ( module | path ) [ "node" name ] "as" variable
@@ -198,10 +235,10 @@ module.exports = grammar({
       'load',
       field('source', choice(alias($.identifier, $.module), alias($.ros_name, $.path))),
       part(
-        seq(optional(seq('node', field('name', $.ros_name))), $._as_variable),
+        seq(optional(seq('node', quoted($, 'name'))), $._as_variable),
         choice(
-          seq('node', optional(field('name', $.ros_name))),
-          seq(optional(seq('node', field('name', $.ros_name))), $._broken_as_variable),
+          seq('node', optional(quoted($, 'name'))),
+          seq(optional(seq('node', quoted($, 'name'))), $._broken_as_variable),
         ),
       ),
     ]),
@@ -211,70 +248,101 @@ module.exports = grammar({
       'create_message', variable($, 'variable'), phrase($, 'of_message_type'), 'and', 'input', input($),
     ]),
 
-    // "subscribe" variable "to" name "of" "message_type" type [ "calling" function ]
+    // "subscribe" variable "to" name "of" "message_type" type [ "with" "qos" qos ] [ "calling" function ]
     subscribe_statement: $ => statement(
       $,
-      ['subscribe', variable($, 'node'), 'to', field('topic', $.ros_name), phrase($, 'of_message_type')],
-      [phrase($, 'calling')],
+      ['subscribe', variable($, 'node'), 'to', quoted($, 'topic'), phrase($, 'of_message_type')],
+      phrase($, 'with_qos'), phrase($, 'calling'),
     ),
 
     // "unsubscribe" variable "from" name
     unsubscribe_statement: $ => statement($, [
-      'unsubscribe', variable($, 'node'), 'from', field('topic', $.ros_name),
+      'unsubscribe', variable($, 'node'), 'from', quoted($, 'topic'),
     ]),
 
-    // variable "publish" variable "to" name "of" "message_type" type [ "at" number "hz" ]
+    // variable "publish" variable "to" name "of" "message_type" type
+    //   [ "at" rate "hz" | "once" | "for_each" name [ "when" condition ] ] [ "with" "qos" qos ]
     publish_statement: $ => nodeStatement(
       $,
-      [
-        'publish', variable($, 'message'),
-        'to', field('topic', $.ros_name), phrase($, 'of_message_type'),
-      ],
-      [phrase($, 'at_rate')],
+      ['publish', variable($, 'message'), 'to', quoted($, 'topic'), phrase($, 'of_message_type')],
+      phrase($, 'at_rate'), flag($, 'once'), phrase($, 'for_each'), phrase($, 'with_qos'),
     ),
 
     // variable "stop_publishing" "to" name
-    stop_publishing_statement: $ => nodeStatement($, [
-      'stop_publishing', 'to', field('topic', $.ros_name),
-    ]),
+    stop_publishing_statement: $ => nodeStatement($, ['stop_publishing', 'to', quoted($, 'topic')]),
 
-    // variable "client_requests" name "of" "service_type" type "with" "input" input
-    client_requests_statement: $ => nodeStatement($, [
-      'client_requests', field('service', $.ros_name),
-      phrase($, 'of_service_type'), 'with', 'input', input($),
-    ]),
+    // variable "client_requests" name "of" "service_type" type "with" "input" input [ "at" rate "hz" ]
+    client_requests_statement: $ => nodeStatement(
+      $,
+      ['client_requests', quoted($, 'service'), phrase($, 'of_service_type'), phrase($, 'with_input')],
+      phrase($, 'at_rate'),
+    ),
 
     // variable "stop_request" name
-    stop_request_statement: $ => nodeStatement($, [
-      'stop_request', field('service', $.ros_name),
-    ]),
+    stop_request_statement: $ => nodeStatement($, ['stop_request', quoted($, 'service')]),
 
-    // variable "provides_service" name "of" "service_type" type [ "calling" function ]
+    // variable "provides_service" name "of" "service_type" type
+    //   [ "answering" input ] [ "calling" function ]
     provides_service_statement: $ => nodeStatement(
       $,
-      [
-        'provides_service', field('service', $.ros_name),
-        phrase($, 'of_service_type'),
-      ],
-      [phrase($, 'calling')],
+      ['provides_service', quoted($, 'service'), phrase($, 'of_service_type')],
+      phrase($, 'answering'), phrase($, 'calling'),
     ),
 
     // variable "stop_service" name
-    stop_service_statement: $ => nodeStatement($, [
-      'stop_service', field('service', $.ros_name),
+    stop_service_statement: $ => nodeStatement($, ['stop_service', quoted($, 'service')]),
+
+    // variable "has_parameter" name "of" "parameter_type" parameter_type "with" "default" value
+    //   [ "between" number "and" number ] [ "described_as" string ]
+    has_parameter_statement: $ => nodeStatement(
+      $,
+      ['has_parameter', quoted($, 'parameter'), phrase($, 'of_parameter_type'), phrase($, 'with_default')],
+      phrase($, 'between'), phrase($, 'described_as'),
+    ),
+
+    // variable "no_longer_has_parameter" name
+    no_longer_has_parameter_statement: $ => nodeStatement($, [
+      'no_longer_has_parameter', quoted($, 'parameter'),
     ]),
+
+    // variable "repeats" function "at" rate "hz"
+    repeats_statement: $ => nodeStatement($, [
+      'repeats', word($, 'function', $.function), phrase($, 'at_rate'),
+    ]),
+
+    // variable "stop_repeating" function
+    stop_repeating_statement: $ => nodeStatement($, [
+      'stop_repeating', word($, 'function', $.function),
+    ]),
+
+    // variable "provides_action" name "of" "action_type" type [ "calling" function ]
+    provides_action_statement: $ => nodeStatement(
+      $,
+      ['provides_action', quoted($, 'action'), phrase($, 'of_action_type')],
+      phrase($, 'calling'),
+    ),
+
+    // variable "stop_action" name
+    stop_action_statement: $ => nodeStatement($, ['stop_action', quoted($, 'action')]),
+
+    // variable "sends_goal" "to" name "of" "action_type" type "with" "input" input
+    sends_goal_statement: $ => nodeStatement($, [
+      'sends_goal', 'to', quoted($, 'action'), phrase($, 'of_action_type'), phrase($, 'with_input'),
+    ]),
+
+    // variable "stop_goal" "to" name
+    stop_goal_statement: $ => nodeStatement($, ['stop_goal', 'to', quoted($, 'action')]),
 
     // variable "renames" kind name "to" name
     rename_statement: $ => nodeStatement($, [
-      'renames', field('what', alias($.identifier, $.name_kind)),
-      field('old', $.ros_name), 'to', field('new', $.ros_name),
+      'renames', word($, 'what', $.name_kind), quoted($, 'old'), 'to', quoted($, 'new'),
     ]),
 
     // "generate_node" variable [ "using" client_library ]
     generate_node_statement: $ => statement(
       $,
       ['generate_node', variable($, 'node')],
-      [phrase($, 'using')],
+      phrase($, 'using'),
     ),
 
     ...phraseRules(),
@@ -294,6 +362,38 @@ module.exports = grammar({
       seq(field('keyword', $.identifier), optional($.skipped), choice($.incomplete, $._cut)),
     )),
 
+    // qos = policy [ number ] { "," policy [ number ] }
+    qos: $ => commaSep1($.qos_policy),
+    _unfinished_qos: $ => seq($.qos_policy, repeat(seq(',', $.qos_policy)), ','),
+    qos_policy: $ => seq(field('policy', $.identifier), optional(field('value', $.number))),
+
+    // condition = [ "any" | "all" ] received ( "<" | ">" | "=" ) value
+    condition: $ => seq(
+      $._condition_start,
+      field('operator', choice($.comparison, '=')),
+      field('value', choice($.number, $.string, $.boolean)),
+    ),
+    _unfinished_condition: $ => choice(
+      field('quantifier', choice('any', 'all')),
+      seq(
+        optional(field('quantifier', choice('any', 'all'))),
+        field('received', choice(
+          alias($._unfinished_reference, $.reference),
+          alias($._unfinished_element, $.element),
+        )),
+      ),
+      seq(
+        $._condition_start,
+        optional(seq(
+          field('operator', choice($.comparison, '=')),
+          optional(field('value', alias($._unfinished_string, $.string))),
+        )),
+      ),
+    ),
+    _condition_start: $ => seq(
+      optional(field('quantifier', choice('any', 'all'))), field('received', $._received),
+    ),
+
     none: _ => prec(1, 'none'),
     arguments: $ => commaSep1(choice($._value, $.named_argument)),
     _unfinished_arguments: $ => unfinishedCommaSep1(
@@ -302,33 +402,55 @@ module.exports = grammar({
     ),
 
     // named_argument = field { "." field } "=" value
-    named_argument: $ => seq(field('field', $.field_path), '=', field('value', $._value)),
+    named_argument: $ => seq(
+      field('field', choice($.field_path, alias($.reference, $.field_path))),
+      '=',
+      field('value', $._value),
+    ),
     _unfinished_named_argument: $ => choice(
       field('field', alias($._unfinished_path, $.field_path)),
       seq(
         field('field', $.field_path),
-        optional(seq('=', optional(field('value', $._unfinished_value)))),
+        optional(seq('=', optional(field('value', $._broken_value)))),
       ),
+      seq(field('field', alias($.reference, $.field_path)), '=', optional(field('value', $._broken_value))),
     ),
-    field_path: $ => seq($._field_name, repeat(seq('.', $._field_name))),
-    _unfinished_path: $ => seq($._field_name, repeat(seq('.', $._field_name)), '.'),
-    _field_name: $ => choice(
+    field_path: $ => choice(seq($._first_name, repeat(seq('.', $._field_name))), $._source),
+    _unfinished_path: $ => choice(
+      seq($._first_name, repeat(seq('.', $._field_name)), '.'),
+      $._reference_up_to_dot,
+    ),
+    _first_name: $ => choice(
       alias(reserved('field_name', $.identifier), $.field_name),
       // Where these words begin a value or an input, they are words of the language first.
+      alias(choice('none', 'True', 'False', 'parameter'), $.field_name),
+    ),
+    _field_name: $ => choice(
+      alias(reserved('field_name', $.identifier), $.field_name),
       alias(choice('none', 'True', 'False'), $.field_name),
     ),
 
-    _value: $ => choice($.number, $.string, $.boolean, $.list, $.nested),
+    _value: $ => choice(
+      $.number, $.string, $.boolean, $.list, $.nested, $.parameter, $._received, $.calculation,
+    ),
     _unfinished_value: $ => choice(
       alias($._unfinished_string, $.string),
       alias($._unfinished_list, $.list),
       alias($._unfinished_nested, $.nested),
+      alias($._unfinished_element, $.element),
+      alias($._unfinished_calculation, $.calculation),
+    ),
+    // Where no field may be named.
+    _broken_value: $ => choice(
+      $._unfinished_value,
+      alias($._unfinished_parameter, $.parameter),
+      alias($._unfinished_reference, $.reference),
     ),
 
     list: $ => seq('[', optional(commaSep1($._value)), ']'),
     _unfinished_list: $ => seq('[', optional(choice(
       commaSep1($._value),
-      unfinishedCommaSep1($._value, $._unfinished_value),
+      unfinishedCommaSep1($._value, $._broken_value),
     ))),
 
     // The values of a nested message, in the order of its fields or by name.
@@ -338,7 +460,27 @@ module.exports = grammar({
       alias($._unfinished_arguments, $.arguments),
     ))),
 
-    // type = [ package "/" [ "msg" | "srv" "/" ] ] name, with no space within
+    // parameter = "parameter" name
+    parameter: $ => seq('parameter', field('name', $.ros_name)),
+    _unfinished_parameter: _ => 'parameter',
+
+    // received = reference [ "[" number "]" ]
+    _received: $ => choice($.reference, $.element),
+    // A field of what was received, reference = "received" "." field { "." field }; before a `=` it
+    // is the way to a field that is named like that.
+    reference: $ => seq($._source, repeat1(seq('.', $._field_name))),
+    element: $ => seq(field('list', $.reference), '[', field('index', $.number), ']'),
+    _source: $ => alias('received', $.field_name),
+    _reference_up_to_dot: $ => seq($._source, repeat(seq('.', $._field_name)), '.'),
+    _unfinished_reference: $ => choice($._source, $._reference_up_to_dot),
+    _unfinished_element: $ => seq(field('list', $.reference), '[', optional(field('index', $.number))),
+
+    // calculation = ( parameter | received ) operator number { operator number }
+    calculation: $ => seq($._calculated, repeat1(seq($.operator, $.number))),
+    _unfinished_calculation: $ => seq($._calculated, repeat(seq($.operator, $.number)), $.operator),
+    _calculated: $ => choice($.parameter, $._received),
+
+    // type = [ package "/" [ "msg" | "srv" | "action" "/" ] ] name, with no space within
     type: $ => choice(
       field('name', $.identifier),
       seq(

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
-STATEMENTS: dict[str, list[str]] = {
+import re
+
+# A statement is whole where it ends, and may end at each `·`.
+_MARKED: dict[str, list[str]] = {
     "create_node_statement": [
         "create_node 'talker' as n1",
-        "create_node 'talker' as n1 using rospy",
+        "create_node 'talker' as n1 · using rospy",
+        "create_node 'talker' as n1 · managed",
+        "create_node 'talker' as n1 · using rclpy · managed",
     ],
     "load_statement": [
         "load talker_pub as n1",
@@ -15,35 +20,111 @@ STATEMENTS: dict[str, list[str]] = {
     "create_message_statement": [
         "create_message m1 of message_type Empty and input none",
         'create_message m1 of message_type String and input "a b"',
-        "create_message m1 of message_type geometry_msgs/Point and input 5 , -6.5 , 1e-3",
-        "create_message m1 of message_type geometry_msgs/msg/Twist and input"
-        " linear . x = 1.0 , angular = ( 0 , 0 , z = .5 )",
-        "create_message m1 of message_type Scan and input ranges = [ 1.0 , 2.0 ] , to = True",
-        'create_message m1 of message_type T and input [ ( 1 , "x" ) , ( ) ] , False',
+        "create_message m1 of message_type geometry_msgs/Point and input 5 · , -6.5 · , 1e-3",
+        "create_message m1 of message_type geometry_msgs/msg/Twist and input linear . x"
+        " = 1.0 · , angular = ( 0 , 0 , z = .5 )",
+        "create_message m1 of message_type Scan and input ranges = [ 1.0 , 2.0 ] · , to = True",
+        'create_message m1 of message_type T and input [ ( 1 , "x" ) , ( ) ] · , False',
+        "create_message m1 of message_type T and input parameter 'speed' · , x ="
+        " parameter 'a' · * 2",
+        "create_message m1 of message_type T and input received . a · , b = received . a"
+        " · . b · [ 1 ]",
+        "create_message m1 of message_type T and input a = received . x · - 1 · / 2 · ,"
+        " received . y · + -3",
+        "create_message m1 of message_type T and input parameter = 5 · , received = received . to",
+        "create_message m1 of message_type T and input received . x · = ( received . x [ 0 ] * 5 )",
     ],
     "subscribe_statement": [
         "subscribe n1 to 'chatter' of message_type String",
-        "subscribe n1 to 'chatter' of message_type std_msgs/String calling on_chatter",
+        "subscribe n1 to 'chatter' of message_type std_msgs/String · calling on_chatter",
+        "subscribe n1 to 'chatter' of message_type String · with qos best_effort",
+        "subscribe n1 to 'chatter' of message_type String · calling qos · with qos depth"
+        " · 5 · , reliable",
     ],
-    "unsubscribe_statement": ["unsubscribe n1 from 'chatter'"],
+    "unsubscribe_statement": [
+        "unsubscribe n1 from 'chatter'",
+    ],
     "publish_statement": [
         "n1 publish m1 to 'chatter' of message_type String",
-        "n1 publish m1 to 'chatter' of message_type std_msgs/msg/String at 2.5 hz",
+        "n1 publish m1 to 'chatter' of message_type std_msgs/msg/String · at 2.5 hz",
+        "n1 publish m1 to 'chatter' of message_type String · at parameter 'rate' hz",
+        "n1 publish once to 'chatter' of message_type String · once",
+        "n1 publish m1 to 'chatter' of message_type String · with qos latched · once",
+        "n1 publish m1 to 'chatter' of message_type String · for_each 'scan' · with qos"
+        " sensor_data",
+        "n1 publish m1 to 'chatter' of message_type String · for_each 'a' · when received . x > 5",
+        "n1 publish m1 to 'a' of message_type T · for_each 'b' · when any received . x < 0.5",
+        "n1 publish m1 to 'a' of message_type T · for_each 'b' · when received . any [ 1 ] = True",
+        "n1 publish m1 to 'a' of message_type T · for_each 'b' · when all received . s = \"x\"",
     ],
-    "stop_publishing_statement": ["n1 stop_publishing to 'chatter'"],
+    "stop_publishing_statement": [
+        "n1 stop_publishing to 'chatter'",
+    ],
     "client_requests_statement": [
-        "n1 client_requests 'add' of service_type AddTwoInts with input a = 1 , b = 2",
+        "n1 client_requests 'add' of service_type AddTwoInts with input a = 1 · , b = 2",
         "n1 client_requests 'reset' of service_type std_srvs/srv/Empty with input none",
+        "n1 client_requests 'reset' of service_type std_srvs/srv/Empty with input none · at 1 hz",
+        "n1 client_requests 'add' of service_type AddTwoInts with input at = 1 · , 2 · at .5 hz",
     ],
-    "stop_request_statement": ["n1 stop_request 'add'"],
+    "stop_request_statement": [
+        "n1 stop_request 'add'",
+    ],
     "provides_service_statement": [
         "n1 provides_service 'add' of service_type AddTwoInts",
-        "n1 provides_service 'add' of service_type AddTwoInts calling _handle_add",
+        "n1 provides_service 'add' of service_type AddTwoInts · calling _handle_add",
+        "n1 provides_service 'add' of service_type AddTwoInts · answering none",
+        "n1 provides_service 'add' of service_type T · answering sum = received . a · +"
+        " 1 · calling f",
     ],
-    "stop_service_statement": ["n1 stop_service 'add'"],
+    "stop_service_statement": [
+        "n1 stop_service 'add'",
+    ],
+    "has_parameter_statement": [
+        "n1 has_parameter 'speed' of parameter_type float with default 0.5",
+        "n1 has_parameter 'speed' of parameter_type float with default 0.5 · between 0 and 1",
+        'n1 has_parameter \'names\' of parameter_type string_list with default [ "a" , "b" ]',
+        "n1 has_parameter 'on' of parameter_type bool with default True · described_as \"a b\"",
+    ],
+    "no_longer_has_parameter_statement": [
+        "n1 no_longer_has_parameter 'speed'",
+    ],
+    "repeats_statement": [
+        "n1 repeats blink at 2 hz",
+        "repeats repeats repeats at parameter 'rate' hz",
+    ],
+    "stop_repeating_statement": [
+        "n1 stop_repeating blink",
+    ],
+    "provides_action_statement": [
+        "n1 provides_action 'count' of action_type Fibonacci",
+        "n1 provides_action 'count' of action_type a/action/Fibonacci · calling execute",
+    ],
+    "stop_action_statement": [
+        "n1 stop_action 'count'",
+    ],
+    "sends_goal_statement": [
+        "n1 sends_goal to 'count' of action_type Fibonacci with input order = 5",
+        "n1 sends_goal to 'count' of action_type Fibonacci with input none",
+    ],
+    "stop_goal_statement": [
+        "n1 stop_goal to 'count'",
+    ],
     "rename_statement": [
         "n1 renames topic 'scan' to 'front/scan'",
         "n1 renames parameter '~rate' to 'rate'",
     ],
-    "generate_node_statement": ["generate_node n1", "generate_node n1 using rclpy"],
+    "generate_node_statement": [
+        "generate_node n1",
+        "generate_node n1 · using rclpy",
+    ],
 }
+
+STATEMENTS = {kind: [text.replace(" ·", "") for text in texts] for kind, texts in _MARKED.items()}
+
+ENDINGS = {
+    (text.replace(" ·", ""), text[: mark.start()].replace(" ·", ""))
+    for texts in _MARKED.values()
+    for text in texts
+    for mark in re.finditer(" ·", text)
+}
+"""Each statement with what is left of it that is whole too."""

@@ -19,6 +19,8 @@ enum TokenType {
     CUT,
     SKIPPING,
     SKIPPING_END,
+    OPERATOR,
+    COMPARISON,
 };
 
 typedef struct {
@@ -125,11 +127,13 @@ static bool scan_block_comment(Scanner *scanner, TSLexer *lexer) {
     return true;
 }
 
-static bool scan_slash(Scanner *scanner, TSLexer *lexer, bool after_space) {
+static bool scan_slash(Scanner *scanner, TSLexer *lexer, bool after_space, bool is_operator) {
     lexer->advance(lexer, false);
     if (lexer->lookahead == '*') return scan_block_comment(scanner, lexer);
-    // The slash of a type has no space before it; two are a comment.
-    return after_space && lexer->lookahead != '/' && finish(lexer, UNEXPECTED);
+    if (lexer->lookahead == '/') return false;
+    if (is_operator) return finish(lexer, OPERATOR);
+    // The slash of a type has no space before it.
+    return after_space && finish(lexer, UNEXPECTED);
 }
 
 // The name of something in ROS is for the grammar, unless it is not closed, or has a NUL in it,
@@ -206,6 +210,13 @@ static bool scan_unexpected(TSLexer *lexer) {
     return finish(lexer, UNEXPECTED);
 }
 
+// A mark of one character where the grammar asks for it; elsewhere it may begin a number, or nothing.
+static bool scan_mark(TSLexer *lexer, enum TokenType type, const bool *valid) {
+    if (!valid[type] || valid[SKIPPING]) return scan_unexpected(lexer);
+    lexer->advance(lexer, false);
+    return finish(lexer, type);
+}
+
 bool tree_sitter_plastron_external_scanner_scan(void *payload, TSLexer *lexer, const bool *valid) {
     Scanner *scanner = payload;
     const bool recovering = valid[SKIPPING];
@@ -226,8 +237,12 @@ bool tree_sitter_plastron_external_scanner_scan(void *payload, TSLexer *lexer, c
     for (; is_space(lexer->lookahead); after_space = true) lexer->advance(lexer, true);
     if (lexer->lookahead == '\n' || lexer->eof(lexer)) return scan_line_end(scanner, lexer, valid);
     switch (lexer->lookahead) {
+        case '+': case '-': case '*':
+            return scan_mark(lexer, OPERATOR, valid);
+        case '<': case '>':
+            return scan_mark(lexer, COMPARISON, valid);
         case '/':
-            return scan_slash(scanner, lexer, after_space);
+            return scan_slash(scanner, lexer, after_space, valid[OPERATOR] && !recovering);
         case '\'':
             return scan_single_quote(lexer);
         case '"':
