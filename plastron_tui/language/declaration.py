@@ -8,9 +8,11 @@ the declaration.
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import Enum, auto
+from itertools import count, groupby
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from tree_sitter import Node
@@ -35,7 +37,18 @@ class Form(Enum):
     TYPE = auto()
     FILE = auto()
     NUMBER = auto()
+    RATE = auto()
+    TEXT = auto()
+    FLAG = auto()
+    VALUE = auto()
     VALUES = auto()
+    QOS = auto()
+    CONDITION = auto()
+
+    @property
+    def is_open(self) -> bool:
+        """Whether it goes on until another clause begins, or the line ends."""
+        return self in (Form.VALUE, Form.VALUES, Form.QOS, Form.CONDITION)
 
 
 class SlotKind(Enum):
@@ -55,14 +68,28 @@ class SlotKind(Enum):
     MESSAGE = "MESSAGE", "the variable of a message", Form.VARIABLE
     TOPIC = "'TOPIC_NAME'", "a topic name in single quotes", Form.QUOTED
     SERVICE = "'SERVICE_NAME'", "a service name in single quotes", Form.QUOTED
+    ACTION = "'ACTION_NAME'", "an action name in single quotes", Form.QUOTED
+    PARAMETER = "'PARAMETER_NAME'", "a parameter name in single quotes", Form.QUOTED
     MESSAGE_TYPE = "MESSAGE_TYPE", "a message type", Form.TYPE
     SERVICE_TYPE = "SERVICE_TYPE", "a service type", Form.TYPE
+    ACTION_TYPE = "ACTION_TYPE", "an action type", Form.TYPE
+    PARAMETER_TYPE = "PARAMETER_TYPE", "a parameter type, such as `float`", Form.WORD
     NAMED = "topic | service | action | parameter", "what is renamed, such as `topic`", Form.WORD
     OLD_NAME = "'OLD_NAME'", "a name in single quotes", Form.QUOTED
     NEW_NAME = "'NEW_NAME'", "a name in single quotes", Form.QUOTED
     INPUT = "VALUES | none", "values, or `none`", Form.VALUES
-    RATE = "NUMBER", "a number", Form.NUMBER
+    ANSWER = "VALUES | none", "values of the answer, or `none`", Form.VALUES
+    DEFAULT = "VALUE", "a value", Form.VALUE
+    BOUND = "NUMBER", "a number", Form.NUMBER
+    RATE = "RATE", "a number, or `parameter` and a name", Form.RATE
+    ONCE = "once", "`once`", Form.FLAG
+    MANAGED = "managed", "`managed`", Form.FLAG
+    TRIGGER = "'TOPIC_NAME'", "the name of a topic in single quotes", Form.QUOTED
+    CONDITION = "CONDITION", "a condition, such as `received.data > 5`", Form.CONDITION
+    QOS = "QOS", "words of quality of service, such as `sensor_data`", Form.QOS
+    TEXT = '"TEXT"', "a text in double quotes", Form.TEXT
     FUNCTION = "FUNCTION", "the name of a function", Form.WORD
+    TIMER = "FUNCTION", "the name of a function that is repeated", Form.WORD
     LIBRARY = "CLIENT_LIBRARY", "a client library", Form.WORD
     FILE = "FILE_NAME | 'RELATIVE/PATH.py'", "a file name, or a path in single quotes", Form.FILE
 
@@ -99,12 +126,30 @@ class Slot:
 
 @dataclass(frozen=True, slots=True)
 class Clause:
-    """A part of a sentence that may be left out."""
+    """A part of a sentence that may be left out; clauses beside each other stand in any order.
 
-    elements: tuple[str | Slot, ...]
+    Attributes:
+        elements: what it is made of. The last of them may be a clause again.
+        bracket: which brackets it is in: of the clauses in the same ones there is one at most.
+    """
+
+    elements: tuple[Element, ...]
+    bracket: int = 0
+
+    @property
+    def keyword(self) -> str:
+        """The word that it begins with."""
+        first = self.elements[0]
+        assert not isinstance(first, Clause)
+        return first if isinstance(first, str) else first.kind.placeholder
+
+    @property
+    def slots(self) -> Iterator[Slot]:
+        """The slots in it, those of clauses within it left out."""
+        return (part for part in self.elements if isinstance(part, Slot))
 
 
-Element = str | Slot | Clause
+Element: TypeAlias = "str | Slot | Clause"
 StatementType: TypeAlias = "type[Statement]"
 
 
@@ -144,27 +189,57 @@ class Declaration:
     @property
     def slots(self) -> tuple[Slot, ...]:
         """The slots, in the order of the sentence."""
-        return tuple(
-            part
-            for element in self.elements
-            for part in (element.elements if isinstance(element, Clause) else (element,))
-            if isinstance(part, Slot)
-        )
+        return tuple(_slots_of(self.elements))
+
+    @property
+    def clauses(self) -> tuple[Clause, ...]:
+        """The clauses, those within others too."""
+        return tuple(_clauses_of(self.elements))
 
     @property
     def usage(self) -> str:
         """The sentence with its slots in capitals, and optional clauses in brackets."""
-        return " ".join(map(_usage, self.elements))
+        return written(self.elements, lambda element, text: text)
 
 
-def _usage(element: Element) -> str:
-    match element:
-        case Slot(kind=kind):
-            return kind.placeholder
-        case Clause(elements=parts):
-            return "[" + " ".join(map(_usage, parts)) + "]"
-        case word:
-            return word
+def written(elements: Sequence[Element], show: Callable[[Element, str], str]) -> str:
+    """Return parts of a sentence as a reader is shown them, clauses in brackets.
+
+    `show` is handed each part and its text, and says how it looks.
+    """
+
+    def text_of(element: Element) -> str:
+        match element:
+            case Slot(kind=kind):
+                return show(element, kind.placeholder)
+            case Clause(elements=parts):
+                return show(element, written(parts, show))
+            case word:
+                return show(element, word)
+
+    def is_clause(element: Element) -> int:
+        return element.bracket if isinstance(element, Clause) else 0
+
+    shown = []
+    for bracket, group in groupby(elements, key=is_clause):
+        texts = map(text_of, group)
+        shown.append(f"[{' | '.join(texts)}]" if bracket else " ".join(texts))
+    return " ".join(shown)
+
+
+def _slots_of(elements: Iterable[Element]) -> Iterator[Slot]:
+    for element in elements:
+        if isinstance(element, Slot):
+            yield element
+        elif isinstance(element, Clause):
+            yield from _slots_of(element.elements)
+
+
+def _clauses_of(elements: Iterable[Element]) -> Iterator[Clause]:
+    for element in elements:
+        if isinstance(element, Clause):
+            yield element
+            yield from _clauses_of(element.elements)
 
 
 # Not frozen: a program has one of these a line, and a frozen dataclass is five times as slow
@@ -220,8 +295,9 @@ def statement(
 ) -> Callable[[type[S]], type[S]]:
     """Declare a statement.
 
-    `sentence` has words, `{slots}`, and optional clauses in brackets; `kind` is the grammar's
-    node. Without a `purpose` the summary says what it is for.
+    `sentence` has words, `{slots}`, and optional clauses in brackets, a `|` between those that
+    exclude each other; `kind` is the grammar's node. Without a `purpose` the summary says what it
+    is for.
     """
 
     def declare(cls: type[S]) -> type[S]:
@@ -249,15 +325,23 @@ def statement(
 
 
 def _parse_sentence(sentence: str, slots: dict[str, Slot]) -> tuple[Element, ...]:
-    elements: list[Element] = []
-    clause: list[str | Slot] | None = None
-    for word in sentence.replace("[", "[ ").replace("]", " ]").split():
-        if word == "[":
-            clause = []
-        elif word == "]":
-            elements.append(Clause(tuple(clause or ())))
-            clause = None
-        else:
-            part = slots[word[1:-1]] if word.startswith("{") else word
-            (elements if clause is None else clause).append(part)
-    return tuple(elements)
+    words = iter(re.findall(r"[\[\]|]|[^\s\[\]|]+", sentence))
+    brackets = count(1)
+
+    def parts() -> list[list[Element]]:
+        """Return what stands before the next bracket that closes, parted at each `|`."""
+        found: list[list[Element]] = [[]]
+        for word in words:
+            match word:
+                case "[":
+                    bracket = next(brackets)
+                    found[-1] += [Clause(tuple(each), bracket) for each in parts()]
+                case "]":
+                    break
+                case "|":
+                    found.append([])
+                case _:
+                    found[-1].append(slots[word[1:-1]] if word.startswith("{") else word)
+        return found
+
+    return tuple(parts()[0])

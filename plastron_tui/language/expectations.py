@@ -22,6 +22,8 @@ from .tokens import COMMENT_KINDS, UNCLOSED_STRING, UNKNOWN, Token, tokens_of
 
 _COMMENTS = COMMENT_KINDS | {"unclosed_comment"}
 _JOINTS = frozenset({"/", "."})
+_GOING_ON = frozenset({",", ".", "=", "<", ">"})
+"""What does not end a condition, or words of quality of service."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -163,15 +165,18 @@ def _expected(
     """Return what may stand at a place after tokens of its line, None after a mistake."""
     match = _NO_MATCH if declaration is None else match_sentence(declaration, before)
     slot = match.wanted if isinstance(match.wanted, Slot) else None
-    keywords = tuple(str(clause.elements[0]) for clause in match.optional)
+    keywords = tuple(clause.keyword for clause in match.optional)
     values = None
     if not before:
         slot, keywords = NODE_OF_STATEMENT, FIRST_WORDS
     elif len(before) == 1 and before[0].text not in BY_KEYWORD:
         keywords = VERBS
-    elif slot is not None and slot.kind.form is Form.VALUES:
-        values = _place_in_values(before[match.end :], word)
-        keywords = ("none",) if len(before) == match.end and not values.is_text else ()
+    elif slot is not None and slot.kind.form in (Form.VALUE, Form.VALUES):
+        values, is_over = _place_in_values(before[match.end :], word)
+        is_first = len(before) == match.end and slot.kind.form is Form.VALUES
+        keywords = keywords if is_over else ("none",) if is_first and not values.is_text else ()
+    elif slot is not None and slot.kind.form.is_open and len(before) > match.end:
+        keywords = () if before[-1].text in _GOING_ON else keywords
     elif len(before) > match.end:
         return None
     elif isinstance(match.wanted, str):
@@ -193,12 +198,13 @@ def _expected(
     )
 
 
-def _place_in_values(tokens: Sequence[Token], word: Token | None) -> ValuePlace:
+def _place_in_values(tokens: Sequence[Token], word: Token | None) -> tuple[ValuePlace, bool]:
+    """Return where among values a place is, and whether they may be over there."""
     values = OpenValues()
     for token in tokens:
         values.take(token)
     *_, level = values.levels
-    return ValuePlace(
+    place = ValuePlace(
         tuple(level.key for level in values.levels if level.key is not None),
         level.index,
         level.name,
@@ -206,3 +212,4 @@ def _place_in_values(tokens: Sequence[Token], word: Token | None) -> ValuePlace:
         level.is_list,
         is_text=word is not None and word.text.startswith('"'),
     )
+    return place, len(values.levels) == 1 and not values.wants_value and not place.is_text

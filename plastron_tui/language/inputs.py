@@ -16,7 +16,11 @@ BOOLEAN = kind_id("boolean")
 LIST = kind_id("list")
 ARGUMENTS = kind_id("arguments")
 NAMED_ARGUMENT = kind_id("named_argument")
+PARAMETER = kind_id("parameter")
+ELEMENT = kind_id("element")
+CALCULATION = kind_id("calculation")
 STRING_CONTENT = kind_id("string_content")
+_COMPUTED = frozenset({PARAMETER, ELEMENT, CALCULATION, kind_id("reference")})
 COMMENTS = frozenset({kind_id("line_comment"), kind_id("block_comment")})
 
 
@@ -49,7 +53,67 @@ class NamedArgument(NamedTuple):
     syntax: Node
 
 
-InputValue: TypeAlias = "Literal | ListValue | NestedValue"
+class ParameterValue(NamedTuple):
+    """The value that a parameter of the node has."""
+
+    name: str
+    syntax: Node
+
+
+class Received(NamedTuple):
+    """A field of what was received, or an element of a list in it, from 0."""
+
+    path: tuple[str, ...]
+    position: int | float | None
+    syntax: Node
+
+
+class Step(NamedTuple):
+    """What is done to a value: `*` and a number, say."""
+
+    operator: str
+    number: int | float
+
+
+class Calculation(NamedTuple):
+    """A value, and what is done to it, with the precedence of arithmetic."""
+
+    first: ParameterValue | Received
+    steps: tuple[Step, ...]
+    syntax: Node
+
+
+class Condition(NamedTuple):
+    """What must hold of what was received.
+
+    Attributes:
+        quantifier: `any` or `all` of a list, None for what is no list.
+        received: what is compared.
+        operator: `<`, `>` or `=`.
+        value: with what.
+        syntax: where it stands.
+    """
+
+    quantifier: str | None
+    received: Received
+    operator: str
+    value: Literal
+    syntax: Node
+
+
+class QosWord(NamedTuple):
+    """A word of quality of service, and its number where it has one."""
+
+    word: str
+    number: int | float | None
+    syntax: Node
+
+
+QosWords: TypeAlias = tuple[QosWord, ...]
+Rate: TypeAlias = int | float | ParameterValue
+InputValue: TypeAlias = (
+    "Literal | ListValue | NestedValue | ParameterValue | Received | Calculation"
+)
 Argument: TypeAlias = "InputValue | NamedArgument"
 Input: TypeAlias = tuple[Argument, ...]
 """The arguments of an input; `none` has none."""
@@ -108,10 +172,103 @@ def _value(node: Node, source: bytes, depth: int) -> InputValue:
         return Literal(source[node.start_byte : node.end_byte] == b"True", node)
     if depth == DEEPEST_NESTING:
         raise TooDeep(node)
+    if kind in _COMPUTED:
+        return _computed(node, source)
     children = [child for child in node.named_children if child.kind_id not in COMMENTS]
     if kind == LIST:
         return ListValue(tuple([_value(child, source, depth + 1) for child in children]), node)
     return NestedValue(_arguments(children[0], source, depth + 1) if children else (), node)
+
+
+def lower_value(node: Node, source: bytes) -> InputValue:
+    """Lower a single value.
+
+    Raises:
+        TooDeep: it is nested deeper than `DEEPEST_NESTING`.
+    """
+    return _value(node, source, 0)
+
+
+def lower_rate(node: Node, source: bytes) -> Rate:
+    """Lower what stands between `at` and `hz`."""
+    return _parameter(node, source) if node.kind_id == PARAMETER else _number(node, source)
+
+
+def lower_condition(node: Node, source: bytes) -> Condition:
+    """Lower what stands after `when`."""
+    quantifier = node.child_by_field_name("quantifier")
+    value = _value(_child(node, "value"), source, 0)
+    assert isinstance(value, Literal)
+    return Condition(
+        None if quantifier is None else _text(quantifier, source),
+        _received(_child(node, "received"), source),
+        _text(_child(node, "operator"), source),
+        value,
+        node,
+    )
+
+
+def lower_qos(node: Node, source: bytes) -> QosWords:
+    """Lower what stands after `with qos`."""
+    words = []
+    for child in node.named_children:
+        if child.kind_id not in COMMENTS:
+            number = child.child_by_field_name("value")
+            words.append(
+                QosWord(
+                    _text(_child(child, "policy"), source),
+                    None if number is None else _number(number, source),
+                    child,
+                )
+            )
+    return tuple(words)
+
+
+def lower_text(node: Node, source: bytes) -> str:
+    """Lower a text in double quotes."""
+    return _string(node, source)
+
+
+def _computed(node: Node, source: bytes) -> ParameterValue | Received | Calculation:
+    """Lower a parameter, a part of what was received, or a calculation with one of them."""
+    if node.kind_id == PARAMETER:
+        return _parameter(node, source)
+    if node.kind_id != CALCULATION:
+        return _received(node, source)
+    first, *rest = (child for child in node.named_children if child.kind_id not in COMMENTS)
+    start = _computed(first, source)
+    assert not isinstance(start, Calculation)
+    operators = (_text(child, source) for child in rest[::2])
+    numbers = (_number(child, source) for child in rest[1::2])
+    return Calculation(start, tuple(map(Step, operators, numbers)), node)
+
+
+def _parameter(node: Node, source: bytes) -> ParameterValue:
+    return ParameterValue(_text(_child(node, "name"), source)[1:-1], node)
+
+
+def _received(node: Node, source: bytes) -> Received:
+    whole = node
+    index = None
+    if node.kind_id == ELEMENT:
+        index = _number(_child(node, "index"), source)
+        node = _child(node, "list")
+    names = [_text(part, source) for part in node.named_children if part.kind_id not in COMMENTS]
+    return Received(tuple(names[1:]), index, whole)
+
+
+def _child(node: Node, name: str) -> Node:
+    child = node.child_by_field_name(name)
+    assert child is not None  # a node without errors has it
+    return child
+
+
+def _text(node: Node, source: bytes) -> str:
+    return source[node.start_byte : node.end_byte].decode()
+
+
+def _number(node: Node, source: bytes) -> int | float:
+    return lower_number(source[node.start_byte : node.end_byte])
 
 
 def lower_number(text: bytes) -> int | float:

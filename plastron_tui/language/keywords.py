@@ -5,20 +5,23 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from . import statements as _statements  # noqa: F401 - declares the statements
-from .declaration import DECLARATIONS, Clause, Declaration, Element
+from .declaration import DECLARATIONS, Clause, Declaration, Element, Form, Slot
 
 _VALUE_WORDS = ("none", "True", "False")
+_PLAIN_VALUE_WORDS = ("parameter", "received")
 
 
 def _words_of(elements: Iterable[Element]) -> Iterable[str]:
     for element in elements:
         if isinstance(element, str):
             yield element
+        elif isinstance(element, Slot) and element.kind.form is Form.FLAG:
+            yield element.kind.placeholder
         elif isinstance(element, Clause):
             yield from _words_of(element.elements)
 
 
-WORDS: frozenset[str] = frozenset(_VALUE_WORDS).union(
+WORDS: frozenset[str] = frozenset((*_VALUE_WORDS, *_PLAIN_VALUE_WORDS)).union(
     *(_words_of(declaration.elements) for declaration in DECLARATIONS.values())
 )
 """Every word of the language, as it is highlighted where it stands in its place."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from enum import Enum, auto
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -14,10 +13,21 @@ from plastron_tui.diagnostics import Diagnostic, Span, codes
 
 from . import statements as _statements  # noqa: F401 - declares the statements
 from .broken_lines import Broken
-from .declaration import DECLARATIONS, Declaration, Form, Statement
+from .declaration import DECLARATIONS, Clause, Declaration, Form, Statement
 from .document import Document
 from .grammar import field_id, kind_id
-from .inputs import COMMENTS, DEEPEST_NESTING, TooDeep, lower_input, lower_number
+from .inputs import (
+    COMMENTS,
+    DEEPEST_NESTING,
+    TooDeep,
+    lower_condition,
+    lower_input,
+    lower_number,
+    lower_qos,
+    lower_rate,
+    lower_text,
+    lower_value,
+)
 
 
 class Program(NamedTuple):
@@ -31,36 +41,77 @@ class Program(NamedTuple):
     broken: Broken = Broken()
 
 
-class _Lowered(Enum):
-    """How the text of a slot becomes its value."""
-
-    TEXT = auto()
-    QUOTED = auto()
-    FILE = auto()
-    NUMBER = auto()
-    INPUT = auto()
+_Lower = Callable[[Node, bytes], Any]
 
 
-# Looking a member up in its class costs as much as lowering a word.
-_TEXT, _QUOTED, _INPUT = _Lowered.TEXT, _Lowered.QUOTED, _Lowered.INPUT
+def _word(node: Node, source: bytes) -> str:
+    return source[node.start_byte : node.end_byte].decode()
 
-_BY_FORM = {
-    Form.QUOTED: _Lowered.QUOTED,
-    Form.NUMBER: _Lowered.NUMBER,
-    Form.VALUES: _Lowered.INPUT,
-    Form.FILE: _Lowered.FILE,
+
+def _quoted(node: Node, source: bytes) -> str:
+    return source[node.start_byte + 1 : node.end_byte - 1].decode()
+
+
+def _file(node: Node, source: bytes) -> str:
+    return _quoted(node, source) if node.type == "path" else _word(node, source)
+
+
+_BY_FORM: dict[Form, _Lower] = {
+    Form.QUOTED: _quoted,
+    Form.NUMBER: lambda node, source: lower_number(source[node.start_byte : node.end_byte]),
+    Form.VALUES: lower_input,
+    Form.VALUE: lower_value,
+    Form.FILE: _file,
+    Form.RATE: lower_rate,
+    Form.TEXT: lower_text,
+    Form.FLAG: lambda node, source: True,
+    Form.QOS: lower_qos,
+    Form.CONDITION: lower_condition,
 }
+"""How what is in a slot becomes its value; of the other forms it is the text."""
 
 _NO_LINE_END = re.compile(rb"(?:[^\S\n]|\xef\xbb\xbf|/\*(?:[^*]|\*(?!/))*\*/)*")
 """Space and comments that leave what follows on the line of what they follow."""
 
-_Plan = tuple[Callable[..., Statement], tuple[tuple[int, _Lowered], ...]]
+
+class _Plan(NamedTuple):
+    """How a statement is lowered.
+
+    Attributes:
+        make: makes it of its place, its syntax and the values of its slots.
+        slots: the grammar's field of each slot, how it is lowered, and what stands for none.
+        words: how many words and slots it has without its clauses.
+        clauses: the position of the first slot of each clause, how many words and slots the
+            clause has, and its bracket.
+    """
+
+    make: Callable[..., Statement]
+    slots: tuple[tuple[int, _Lower, Any], ...]
+    words: int
+    clauses: tuple[tuple[int, int, int], ...]
 
 
 def _plan(declaration: Declaration) -> _Plan:
-    return declaration.type, tuple(
-        (field_id(slot.name), _BY_FORM.get(slot.kind.form, _Lowered.TEXT))
-        for slot in declaration.slots
+    slots = declaration.slots
+    return _Plan(
+        declaration.type,
+        tuple(
+            (
+                field_id(slot.name),
+                _BY_FORM.get(slot.kind.form, _word),
+                False if slot.kind.form is Form.FLAG else None,
+            )
+            for slot in slots
+        ),
+        sum(not isinstance(element, Clause) for element in declaration.elements),
+        tuple(
+            (
+                2 + slots.index(next(clause.slots)),
+                sum(not isinstance(part, Clause) for part in clause.elements),
+                clause.bracket,
+            )
+            for clause in declaration.clauses
+        ),
     )
 
 
@@ -84,7 +135,11 @@ def lower(document: Document) -> Program:
         plan = _PLANS.get(node.kind_id)
         if plan is not None and not node.has_error:
             try:
-                found.append(_lower_statement(node, plan, source))
+                statement = _lower_statement(node, plan, source)
+                if statement is None:
+                    broken.append(node)
+                else:
+                    found.append(statement)
             except TooDeep as problem:
                 too_deep.append(_too_deep(problem.syntax))
                 unread.update(_variables(node, source))
@@ -160,22 +215,26 @@ def _flattened(root: Node) -> Iterator[Node]:
             yield node
 
 
-def _lower_statement(node: Node, plan: _Plan, source: bytes) -> Statement:
-    make, slots = plan
+def _lower_statement(node: Node, plan: _Plan, source: bytes) -> Statement | None:
+    """Return a statement, None where a clause stands twice, or beside one that excludes it."""
     values: list[Any] = [Span(node.start_byte, node.end_byte), node]
-    for field, how in slots:
+    for field, lower_, none in plan.slots:
         child = node.child_by_field_id(field)
-        if child is None:
-            values.append(None)
-        elif how is _TEXT:
-            values.append(source[child.start_byte : child.end_byte].decode())
-        elif how is _QUOTED:
-            values.append(source[child.start_byte + 1 : child.end_byte - 1].decode())
-        elif how is _INPUT:
-            values.append(lower_input(child, source))
-        elif how is _Lowered.NUMBER:
-            values.append(lower_number(source[child.start_byte : child.end_byte]))
-        else:
-            written = source[child.start_byte : child.end_byte].decode()
-            values.append(written[1:-1] if child.type == "path" else written)
-    return make(*values)
+        values.append(none if child is None else lower_(child, source))
+    if plan.clauses and not _is_once(node, plan, values):
+        return None
+    return plan.make(*values)
+
+
+def _is_once(node: Node, plan: _Plan, values: list[Any]) -> bool:
+    """Tell whether each clause stands once, and none beside one that excludes it."""
+    there = [each for each in plan.clauses if values[each[0]] is not plan.slots[each[0] - 2][2]]
+    if len({bracket for _, _, bracket in there}) < len(there):
+        return False
+    count = node.child_count
+    if count == plan.words + sum(length for _, length, _ in there):
+        return True
+    # There is more: a clause, or comments.
+    return count - plan.words - sum(length for _, length, _ in there) == sum(
+        child.kind_id in COMMENTS for child in node.children
+    )

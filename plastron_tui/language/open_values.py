@@ -2,14 +2,32 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from .tokens import Token
+from .tokens import WORD_KINDS, Token, text_at
 
 NAME_MARKS = frozenset({".", "="})
 """What follows a word among values that names a field, or a part of it."""
 
 _BEFORE_VALUE = frozenset({"(", "[", ",", "="})
+
+
+def is_received(tokens: Sequence[Token], at: int) -> bool:
+    """Tell whether a field of what was received begins at a token, and not a field's name."""
+    if text_at(tokens, at) != "received" or text_at(tokens, at - 1) == ".":
+        return False
+    return text_at(tokens, end_of_received(tokens, at)) != "="
+
+
+def end_of_received(tokens: Sequence[Token], at: int) -> int:
+    """Return where `received.FIELD` or `received.FIELD[INDEX]` ends, or breaks off."""
+    at += 1
+    while text_at(tokens, at) == "." and at + 1 < len(tokens) and tokens[at + 1].kind in WORD_KINDS:
+        at += 2
+    if text_at(tokens, at) == "[" and text_at(tokens, at + 1).isdigit():
+        at += 3 * (text_at(tokens, at + 2) == "]")
+    return at
 
 
 @dataclass(slots=True)

@@ -19,9 +19,8 @@ def sentence(declaration: Declaration, texts: Mapping[str, str]) -> str:
         match element:
             case Slot(name=name, kind=kind):
                 words.append(_quoted(kind, texts.get(name, "")))
-            case Clause(elements=parts):
-                slots = [part.name for part in parts if isinstance(part, Slot)]
-                if all(texts.get(name) for name in slots):
+            case Clause(elements=parts, slots=slots):
+                if all(texts.get(slot.name) for slot in slots):
                     for part in parts:
                         put(part)
             case word:

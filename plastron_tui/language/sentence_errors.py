@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes, escapes, write
@@ -10,9 +10,9 @@ from plastron_tui.diagnostics.suggest import nearest
 
 from .declaration import Declaration, Form, Slot, SlotKind
 from .keywords import KEYWORDS
-from .open_values import NAME_MARKS, OpenValues
+from .open_values import NAME_MARKS, OpenValues, end_of_received, is_received
 from .sentence_match import SentenceMatch, SlotMatch
-from .tokens import QUOTED_KINDS, UNCLOSED_STRING, UNKNOWN, WORD_KINDS, Token, text_at
+from .tokens import QUOTED_KINDS, UNCLOSED_STRING, UNKNOWN, WORD_KINDS, Token, text_at, token_at
 
 _CLOSED_BY = {"(": ")", "[": "]"}
 _VALUE_KINDS = frozenset({"number", "string", "(", "["})
@@ -20,10 +20,19 @@ _KINDS = {
     Form.QUOTED: QUOTED_KINDS,
     Form.FILE: QUOTED_KINDS | WORD_KINDS,
     Form.NUMBER: frozenset({"number"}),
+    Form.RATE: frozenset({"number", "parameter"}),
+    Form.TEXT: frozenset({"string"}),
 }
 """The tokens that begin what is written in a form that is no word."""
 
 _MOST_TYPE_PARTS = 3
+_OPERATORS = frozenset({"+", "-", "*", "/"})
+_TRUTHS = frozenset({"True", "False"})
+_AFTER_IN_QOS = {
+    "word": frozenset({"number", ","}),
+    "number": frozenset({","}),
+    ",": frozenset({"word"}),
+}
 _BOOLEANS = {
     **dict.fromkeys(("true", "on", "yes"), "True"),
     **dict.fromkeys(("false", "off", "no"), "False"),
@@ -73,8 +82,8 @@ class SentenceErrors:
         match match.wanted:
             case Slot(kind=kind) if token is None:
                 return self._expected(kind.words)
-            case Slot():
-                mistake = self._in_values(self._tokens[match.end :])
+            case Slot(kind=kind):
+                mistake = self._in_open(kind, self._tokens[match.end :])
                 if mistake is not None:
                     return mistake
                 token = None
@@ -88,6 +97,11 @@ class SentenceErrors:
             )
         if token.kind in (UNKNOWN, UNCLOSED_STRING):
             return unexpected(token)
+        clause = nearest(token.text, [clause.keyword for clause in match.optional])
+        if clause is not None and token.kind in WORD_KINDS:
+            return self._not_the_word(clause, token)
+        if token.text in match.passed:
+            return self._error(f"`{token.text}` cannot stand here any more", token.span)
         return self._error(f"unexpected `{_shown(token.text)}`", token.span)
 
     def _not_the_word(self, word: str, token: Token | None) -> Diagnostic:
@@ -104,7 +118,11 @@ class SentenceErrors:
             return self._error(f"expected {kind.words} before `{token.text}`", token.span)
         if not _fits(token, kind.form):
             return self._wrong_form(token, kind)
+        if kind.form.is_open and token.text != "none":
+            return self._in_open(kind, self._tokens[filled.first : filled.end])
         match kind.form:
+            case Form.RATE if token.text == "parameter":
+                return self._in_parameter(self._tokens[filled.first : filled.end])
             case Form.TYPE:
                 return self._in_type(filled)
             case Form.FILE if filled.end > filled.first + 1:
@@ -140,9 +158,74 @@ class SentenceErrors:
             return self._error("a type has no space in it", self._tokens[filled.end].span)
         return None
 
+    def _in_open(self, kind: SlotKind, tokens: Sequence[Token]) -> Diagnostic | None:
+        """Look at what goes on to another clause, or to the end of the line."""
+        match kind.form:
+            case Form.QOS:
+                return self._in_qos(tokens)
+            case Form.CONDITION:
+                return self._in_condition(tokens)
+        mistake = self._in_values(tokens)
+        if mistake is None and kind.form is Form.VALUE:
+            second = next((token for token in _outermost(tokens) if token.text == ","), None)
+            return None if second is None else self._error("this takes one value", second.span)
+        return mistake
+
+    def _in_qos(self, tokens: Sequence[Token]) -> Diagnostic | None:
+        """Look at words of quality of service: each may have a number, commas part them."""
+        wanted = frozenset({"word"})
+        for token in tokens:
+            is_word = token.kind in WORD_KINDS
+            found = "word" if is_word else "number" if token.kind == "number" else token.text
+            if found not in wanted:
+                what = SlotKind.QOS.words if "word" in wanted else "a comma"
+                return self._expected(what, token)
+            wanted = _AFTER_IN_QOS[found]
+        return self._expected(SlotKind.QOS.words) if "word" in wanted else None
+
+    def _in_condition(self, tokens: Sequence[Token]) -> Diagnostic | None:
+        """Look at a condition: `[any | all] received.FIELD < VALUE`."""
+        first = 1 if tokens[0].text in ("any", "all") else 0
+        if text_at(tokens, first) != "received":
+            return self._expected("`received` and a field", token_at(tokens, first))
+        end = end_of_received(tokens, first)
+        mistake = self._in_received(tokens, first, end)
+        if mistake is not None:
+            return mistake
+        if text_at(tokens, end) not in ("<", ">", "="):
+            return self._expected("`<`, `>` or `=`", token_at(tokens, end))
+        value = token_at(tokens, end + 1)
+        if value is None or not (value.kind in ("number", "string") or value.text in _TRUTHS):
+            return self._expected("a number, a text, `True` or `False`", value)
+        beyond = token_at(tokens, end + 2)
+        return None if beyond is None else self._error("a condition compares once", beyond.span)
+
+    def _in_received(self, tokens: Sequence[Token], first: int, end: int) -> Diagnostic | None:
+        """Look at `received.FIELD` and `received.FIELD[INDEX]`, which ends where it breaks off."""
+        follows = text_at(tokens, end)
+        if follows == "." or end == first + 1:
+            return self._expected(
+                "a field of what is received", token_at(tokens, end + (follows == "."))
+            )
+        if follows == "[":
+            is_number = text_at(tokens, end + 1).isdigit()
+            what = "`]`" if is_number else "the number of an element, from 0"
+            return self._expected(what, token_at(tokens, end + 1 + is_number))
+        return None
+
+    def _in_parameter(self, tokens: Sequence[Token]) -> Diagnostic | None:
+        """Look at `parameter 'NAME'`."""
+        name = tokens[1] if len(tokens) > 1 else None
+        if name is not None and name.kind in QUOTED_KINDS:
+            return None
+        return self._expected(SlotKind.PARAMETER.words, name)
+
     def _in_values(self, tokens: Sequence[Token]) -> Diagnostic | None:
-        """Look at values, which go on to the end of the line."""
+        """Look at values."""
         values = OpenValues()
+        mistake, tokens = self._calculated(tokens)
+        if mistake is not None:
+            return mistake
         for token, following in pairwise((*tokens, None)):
             assert token is not None
             mistake = self._in_value(values, token, following)
@@ -155,6 +238,36 @@ class SentenceErrors:
         if opening is not None:
             return self._error(f"`{opening.kind}` is not closed", opening.span)
         return None
+
+    def _calculated(self, tokens: Sequence[Token]) -> tuple[Diagnostic | None, Sequence[Token]]:
+        """Look at parameters, at what is received, and at what is calculated with them.
+
+        Each is one value in the tokens that are returned.
+        """
+        made: list[Token] = []
+        at = 0
+        while at < len(tokens):
+            first, token = at, tokens[at]
+            at += 1
+            if is_received(tokens, first):
+                at = end_of_received(tokens, first)
+                mistake = self._in_received(tokens, first, at)
+            elif token.text == "parameter" and text_at(tokens, at) not in NAME_MARKS:
+                mistake = self._in_parameter(tokens[first:])
+                at += 1
+            else:
+                made.append(token)
+                continue
+            while mistake is None and text_at(tokens, at) in _OPERATORS:
+                number = token_at(tokens, at + 1)
+                if number is None or number.kind != "number":
+                    mistake = self._expected("a number", number)
+                at += 2
+            if mistake is not None:
+                return mistake, tokens
+            end = tokens[min(at, len(tokens)) - 1].end
+            made.append(token._replace(kind="number", end=end))
+        return None, made
 
     def _in_value(
         self, values: OpenValues, token: Token, following: Token | None
@@ -220,9 +333,19 @@ class SentenceErrors:
         return Diagnostic(codes.SYNTAX_ERROR, message, span, help=f"the sentence is: {usage}")
 
 
+def _outermost(tokens: Sequence[Token]) -> Iterator[Token]:
+    """Yield the tokens that stand in no brackets."""
+    depth = 0
+    for token in tokens:
+        depth -= token.text in _CLOSED_BY.values()
+        if depth == 0:
+            yield token
+        depth += token.text in _CLOSED_BY
+
+
 def _fits(token: Token, form: Form) -> bool:
     """Tell whether a token is, or begins, what is written in such a form."""
-    if form is Form.VALUES:
+    if form.is_open:
         return True
     return token.kind in _KINDS.get(form, WORD_KINDS) and token.text not in KEYWORDS
 

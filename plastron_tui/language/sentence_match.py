@@ -6,6 +6,7 @@ What is wrong with a line, and what may stand at a place of it, both follow from
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import takewhile
 from typing import NamedTuple
 
 from .declaration import Clause, Declaration, Element, Form, Slot
@@ -15,6 +16,8 @@ from .tokens import QUOTED_KINDS, WORD_KINDS, Token, is_glued, text_at
 
 # Looking a member up in its class costs as much as to match a word.
 _VARIABLE, _TYPE, _FILE, _VALUES = Form.VARIABLE, Form.TYPE, Form.FILE, Form.VALUES
+_RATE = Form.RATE
+_OPENING, _CLOSING = ("(", "["), (")", "]")
 
 
 class SlotMatch(NamedTuple):
@@ -34,15 +37,17 @@ class SentenceMatch(NamedTuple):
     Attributes:
         slots: the slots that are passed.
         end: how many tokens are matched.
-        wanted: the part of the sentence that is to come next, None after the last one. Where it
-            is the slot of an input, all tokens from `end` on are its values.
-        optional: the clauses that may come before it.
+        wanted: the part of the sentence that is to come next, None after the last one. Where its
+            form is open, all tokens from `end` on are in its place.
+        optional: the clauses that may come before it, or after what is open.
+        passed: the words of clauses that cannot come any more.
     """
 
     slots: tuple[SlotMatch, ...]
     end: int
     wanted: str | Slot | None
     optional: tuple[Clause, ...]
+    passed: frozenset[str] = frozenset()
 
 
 def intended(tokens: Sequence[Token]) -> Declaration | None:
@@ -54,54 +59,119 @@ def intended(tokens: Sequence[Token]) -> Declaration | None:
 
 
 def match_sentence(declaration: Declaration, tokens: Sequence[Token]) -> SentenceMatch:
-    """Match tokens up to a word that is not the sentence's, to values, or to their end.
+    """Match tokens up to a word that is not the sentence's, to what is open, or to their end.
 
     A slot takes what stands in its place, also what does not fit: the rest may be right.
     """
-    slots: list[SlotMatch] = []
-    optional: list[Clause] = []
-    at = 0
-    rest = [*reversed(declaration.elements)]
-    while rest:
-        element = rest.pop()
-        text = tokens[at].text if at < len(tokens) else None
+    matcher = _Matcher(tokens)
+    matcher.sequence(declaration.elements, ())
+    return matcher.result()
+
+
+class _Matcher:
+    def __init__(self, tokens: Sequence[Token]) -> None:
+        self._tokens = tokens
+        self._at = 0
+        self._slots: list[SlotMatch] = []
+        self._wanted: str | Slot | None = None
+        self._optional: dict[str, Clause] = {}
+        self._passed: set[str] = set()
+
+    def result(self) -> SentenceMatch:
+        optional = tuple(self._optional.values())
+        passed = frozenset(self._passed.difference(self._optional))
+        return SentenceMatch(tuple(self._slots), self._at, self._wanted, optional, passed)
+
+    def sequence(self, elements: Sequence[Element], outer: Sequence[Clause]) -> bool:
+        """Match elements, which clauses may follow; tell whether to go on behind them."""
+        at = 0
+        while at < len(elements):
+            element = elements[at]
+            at += not isinstance(element, Clause)
+            clauses = [*takewhile(lambda each: isinstance(each, Clause), elements[at:])]
+            after = elements[at + len(clauses) :][:1]
+            left = [each for each in clauses if isinstance(each, Clause)]
+            left += () if after else outer
+            if isinstance(element, Clause):
+                at += len(clauses)
+                if not self._clauses(left, len(clauses)):
+                    return False
+            elif not self._part(element, left, elements[at] if at < len(elements) else None):
+                return False
+        return True
+
+    def _clauses(self, left: list[Clause], own: int) -> bool:
+        """Match the first ones of some clauses, in any order; the others are for who called."""
+        mine = left[:own]
+        outer = left[own:]
+        while True:
+            self._optional.update((each.keyword, each) for each in (*mine, *outer))
+            text = text_at(self._tokens, self._at)
+            clause = next((each for each in mine if each.keyword == text), None)
+            if clause is None:
+                return True
+            self._passed.update(each.keyword for each in mine if each.bracket == clause.bracket)
+            mine = [each for each in mine if each.bracket != clause.bracket]
+            if not self.sequence(clause.elements, (*mine, *outer)):
+                return False
+
+    def _part(self, part: str | Slot, left: Sequence[Clause], after: Element | None) -> bool:
+        """Match a word, or what is in a slot; tell whether it was there, and is over."""
+        text = text_at(self._tokens, self._at)
         end: int | None = None
-        if isinstance(element, str):
-            end = at + 1 if text == element else None
-        elif isinstance(element, Clause):
-            if text == element.elements[0]:
-                rest.extend(reversed(element.elements))
-            else:
-                optional.append(element)
-            continue
-        elif text is not None:
-            end = _end_of_slot(element, rest[-1] if rest else None, tokens, at)
-            if end is not None:
-                slots.append(SlotMatch(element, at, end))
+        if isinstance(part, str):
+            end = self._at + 1 if text == part else None
+        elif text and part.kind.form.is_open:
+            end = self._end_of_open(part, {each.keyword for each in left})
+        elif text:
+            end = self._end_of_slot(part, after)
         if end is None:
-            return SentenceMatch(tuple(slots), at, element, tuple(optional))
-        if end > at:
-            optional.clear()
-        at = end
-    return SentenceMatch(tuple(slots), at, None, tuple(optional))
+            self._wanted = part
+            if isinstance(part, Slot) and part.kind.form.is_open and text:
+                self._optional.update((each.keyword, each) for each in left)
+            return False
+        if isinstance(part, Slot):
+            self._slots.append(SlotMatch(part, self._at, end))
+        if end > self._at:
+            self._optional.clear()
+        self._at = end
+        return True
+
+    def _end_of_open(self, slot: Slot, words: set[str]) -> int | None:
+        """Return where one of the words that may follow stands, None where none does."""
+        tokens, first = self._tokens, self._at
+        if slot.kind.form is _VALUES and _is_none(tokens, first):
+            return first + 1
+        depth = 0
+        for at in range(first, len(tokens)):
+            text = tokens[at].text
+            is_name = text_at(tokens, at + 1) in NAME_MARKS or text_at(tokens, at - 1) == "."
+            if depth == 0 and text in words and not is_name:
+                return at
+            depth += (text in _OPENING) - (text in _CLOSING)
+        return None
+
+    def _end_of_slot(self, slot: Slot, after: Element | None) -> int:
+        """Return where what is in the place of a slot ends."""
+        tokens, at, form = self._tokens, self._at, slot.kind.form
+        text = tokens[at].text
+        end = at + 1
+        # In `of of` the first one is a keyword that somebody wants for a variable.
+        if form is _VARIABLE and text == after != text_at(tokens, end):
+            return at
+        if form is _TYPE:
+            while text_at(tokens, end) == "/" and is_glued(tokens, end):
+                end += 1
+                if not is_glued(tokens, end) or tokens[end].kind not in WORD_KINDS:
+                    break
+                end += 1
+        elif form is _FILE and tokens[at].kind not in QUOTED_KINDS:
+            while is_glued(tokens, end):
+                end += 1
+        elif form is _RATE and text == "parameter" and text_at(tokens, end) != "hz":
+            end += end < len(tokens)
+        return end
 
 
-def _end_of_slot(slot: Slot, after: Element | None, tokens: Sequence[Token], at: int) -> int | None:
-    """Return where the word ends that is in the place of a slot, None for values."""
-    text, form = tokens[at].text, slot.kind.form
-    end = at + 1
-    if form is _VALUES:
-        return end if text == "none" and text_at(tokens, end) not in NAME_MARKS else None
-    # In `of of` the first one is a keyword that somebody wants for a variable.
-    if form is _VARIABLE and text == after != text_at(tokens, end):
-        return at
-    if form is _TYPE:
-        while text_at(tokens, end) == "/" and is_glued(tokens, end):
-            end += 1
-            if not is_glued(tokens, end) or tokens[end].kind not in WORD_KINDS:
-                break
-            end += 1
-    elif form is _FILE and tokens[at].kind not in QUOTED_KINDS:
-        while is_glued(tokens, end):
-            end += 1
-    return end
+def _is_none(tokens: Sequence[Token], at: int) -> bool:
+    return tokens[at].text == "none" and text_at(tokens, at + 1) not in NAME_MARKS

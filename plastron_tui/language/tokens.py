@@ -9,7 +9,7 @@ from tree_sitter import Node
 
 from plastron_tui.diagnostics import Span
 
-from .keywords import KEYWORDS
+from .keywords import WORDS
 
 COMMENT_KINDS = frozenset({"line_comment", "block_comment"})
 
@@ -24,8 +24,8 @@ MOST_WORDS = 10_000
 
 WORD_KINDS = frozenset(
     {"identifier", "variable", "module", "function", "client_library", "name_kind", "field_name"}
-    | {"boolean", "none"}
-    | KEYWORDS
+    | {"boolean", "none", "parameter_type", "flag", "any", "all"}
+    | WORDS
 )
 QUOTED_KINDS = frozenset({"ros_name", "path"})
 
@@ -64,6 +64,11 @@ class Token(NamedTuple):
 def text_at(tokens: Sequence[Token], index: int) -> str:
     """Return the text of a token, or nothing beyond their end."""
     return tokens[index].text if 0 <= index < len(tokens) else ""
+
+
+def token_at(tokens: Sequence[Token], index: int) -> Token | None:
+    """Return a token, None beyond their end."""
+    return tokens[index] if 0 <= index < len(tokens) else None
 
 
 def is_glued(tokens: Sequence[Token], index: int) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Label, Span, codes, write
+from plastron_tui.language.inputs import ParameterValue
 from plastron_tui.language.statements import Publish
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.names import spelled
@@ -100,6 +101,7 @@ def check_sent(statement: Publish, message: Message, type_: InterfaceName) -> No
 def rate_of(statement: Publish) -> float:
     """Return how often a message is to be sent, in hertz."""
     rate = DEFAULT_RATE if statement.rate is None else statement.rate
+    assert not isinstance(rate, ParameterValue)  # TODO
     if LOWEST_RATE <= rate <= HIGHEST_RATE:
         return float(rate)
     where = statement.span_of("rate")

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from plastron_tui.language import Clause, Slot
-from plastron_tui.language.declaration import Element
+from plastron_tui.language import Slot
+from plastron_tui.language.declaration import Element, written
 from plastron_tui.language.expectations import Expectation
 
 START = "a statement starts with create_node, load, subscribe, …, or with a node"
@@ -17,17 +17,10 @@ def help_of(expected: Expectation) -> str:
     declaration = expected.declaration
     if declaration is None:
         return START if expected.starts_line else ""
-    sentence = " ".join(_shown(element, expected.element) for element in declaration.elements)
+
+    def marked(element: Element, text: str) -> str:
+        return f"‹{text}›" if element is expected.element else text
+
+    sentence = written(declaration.elements, marked)
     slot = expected.element if isinstance(expected.element, Slot) else None
     return f"{sentence}   {slot.help if slot else declaration.summary}"
-
-
-def _shown(element: Element, current: Element | None) -> str:
-    match element:
-        case Slot(kind=kind):
-            shown = kind.placeholder
-        case Clause(elements=parts):
-            shown = "[" + " ".join(_shown(part, current) for part in parts) + "]"
-        case word:
-            shown = word
-    return f"‹{shown}›" if element is current else shown

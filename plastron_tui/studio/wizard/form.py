@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from plastron_tui.language import Clause, Declaration, Document, Slot, SlotKind, format_document
+from plastron_tui.language import Declaration, Document, Slot, SlotKind, format_document
 from plastron_tui.language.sentence import sentence
 
 from .values import Path
@@ -45,13 +45,7 @@ class Form:
     @property
     def optional(self) -> frozenset[str]:
         """The slots that may be left out."""
-        return frozenset(
-            part.name
-            for element in self.declaration.elements
-            if isinstance(element, Clause)
-            for part in element.elements
-            if isinstance(part, Slot)
-        )
+        return frozenset(slot.name for clause in self.declaration.clauses for slot in clause.slots)
 
     def trial(self, slot: str, text: str, cells: Cells) -> Form:
         """Return a form in which something else was entered; this one stays as it is.
