@@ -30,6 +30,7 @@ from plastron_tui.model.kinds import (
     Message,
     Publication,
     Publisher,
+    Request,
     Service,
     Subscription,
 )
@@ -101,7 +102,9 @@ def additions(existing: str | None) -> dict[str, Change]:
         "add publisher": Add(Publisher("plastron_out", _STRING, (sent,), _AT)),
         "add subscription": Add(Subscription("plastron_in", _TWIST, None, _AT)),
         "add service": Add(Service("plastron_set", _SET_BOOL, None, _AT)),
-        "add client": Add(Client("plastron_call", _TRIGGER, (MessageValue(_TRIGGER, {}),), _AT)),
+        "add client": Add(
+            Client("plastron_call", _TRIGGER, (Request(MessageValue(_TRIGGER, {})),), _AT)
+        ),
     }
     if existing is not None:
         changes["add calling"] = Add(Subscription("plastron_in", _STRING, existing, _AT))

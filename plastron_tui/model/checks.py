@@ -2,24 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import Any
 
 from plastron_tui.diagnostics import Code, Diagnostic, Edit, Fix, Label, Span, codes, guess, write
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.ros.catalog import DISTRIBUTIONS
+from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.names import (
     NameProblem,
     check_node_name,
     check_service_name,
     check_topic_name,
+    parameter_name,
     spelled,
 )
 
 from .consequences import Consequences
 from .context import Setting
-from .kinds import EndpointKind, Service, Subscription
+from .kinds import EndpointKind, callback_of
+from .kinds.needs import users_of
 from .libraries import default_library
 from .mistake import Mistake
 from .workspace import Node, Workspace
@@ -35,6 +38,8 @@ _CHECKS: dict[str, NameCheck] = {
     "name": check_node_name,
     "topic": check_topic_name,
     "service": check_service_name,
+    "action": check_service_name,
+    "trigger": check_topic_name,
 }
 
 
@@ -147,21 +152,27 @@ class Checks:
             raise Mistake(_wrong_name(statement, slot, name, problem))
 
     def function(
-        self,
-        statement: st.Subscribe | st.ProvidesService,
-        node: Node,
-        others: Iterable[Subscription | Service],
+        self, statement: Any, node: Node, kind: EndpointKind, type_: InterfaceName | None = None
     ) -> None:
         """Check the function that a statement calls: its name, and what else the node calls it for.
 
-        A callback takes a message, a handler a request: no function can be both.
+        A callback takes a message, a handler a request: no function can be both, nor give
+        answers of two types.
+
+        Args:
+            statement: the statement.
+            node: the node.
+            kind: the kind of endpoint that calls it.
+            type_: the type of what it answers to, None where that says nothing.
         """
         function = statement.function
         if function is None:
             return
         self.function_name(statement, node)
-        for other in others:
-            if other.callback == function:
+        for (other_kind, _), other in node.endpoints.items():
+            if callback_of(other) != function:
+                continue
+            if other_kind is not kind or type_ not in (None, other.type):
                 labels = () if other.span is None else (Label(other.span, "called here"),)
                 raise Mistake(
                     Diagnostic(
@@ -173,9 +184,7 @@ class Checks:
                     )
                 )
 
-    def function_name(
-        self, statement: st.Subscribe | st.ProvidesService, node: Node | None
-    ) -> None:
+    def function_name(self, statement: Any, node: Node | None) -> None:
         """Check that a function may have its name in a node, None for one that is not there."""
         function = statement.function
         name = self._setting.library if node is None else node.library or self._setting.library
@@ -193,11 +202,36 @@ class Checks:
             )
         )
 
+    def unused(self, statement: Statement, node: Node, kind: EndpointKind) -> None:
+        """Check that nothing else of a node needs an endpoint that a statement takes away."""
+        slot = kind.editing.name_slot
+        name = self.endpoint_name(statement, node, kind)
+        if not name or name not in node.by_kind[kind]:
+            return
+        users = users_of(node, kind, name)
+        if users:
+            raise Mistake(
+                Diagnostic(
+                    codes.STILL_NEEDED,
+                    f"`{node.variable}` needs `{getattr(statement, slot)}` for something else",
+                    statement.span_of(slot),
+                    help="take away first what needs it",
+                    labels=tuple(Label(span, "needed here") for span in users),
+                )
+            )
+
+    def endpoint_name(self, statement: Statement, node: Node, kind: EndpointKind) -> str:
+        """Return the name of the endpoint that a statement is about, as nodes have it."""
+        written: str = getattr(statement, kind.editing.name_slot)
+        if kind is EndpointKind.PARAMETER:
+            return parameter_name(written, self.version_of(node))
+        return spelled(written)
+
     def take(self, statement: Statement, node: Node, kind: EndpointKind) -> str:
         """Take an endpoint away from a node, and return its name, or say that there is none."""
         editing = kind.editing
         slot = editing.name_slot
-        name = spelled(getattr(statement, slot))
+        name = self.endpoint_name(statement, node, kind)
         if not node.take(kind, name):
             if self._consequences.explains(node, name):
                 raise Mistake

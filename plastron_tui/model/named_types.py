@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 from plastron_tui.diagnostics import Diagnostic, Fix, write
-from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
+from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface, InterfaceKind
 
 from .context import Setting
@@ -98,11 +99,20 @@ class NamedTypes:
             self.fitters[version] = Fitter(catalog, self._earlier_fitters.get(version))
         return resolver
 
+    def catalog(self, version: int) -> Catalog:
+        """Return the interface types of a generation of ROS."""
+        return self._resolver(version).catalog
+
     def fit(
-        self, statement: st.CreateMessage | st.ClientRequests, type_: Interface, version: int
+        self, statement: Any, type_: Interface, version: int, slot: str = "input"
     ) -> MessageValue:
-        """Return the values of a statement as a message of a type."""
-        value = self.fitters[version].fit(type_, statement)
+        """Return the values in a slot of a statement as a message of a type.
+
+        An answer's are those of the response, or of the result; others those of the message, the
+        request or the goal.
+        """
+        fields = type_.response.fields if slot == "answer" else type_.fields
+        value = self.fitters[version].fit(type_, fields, statement, slot)
         if isinstance(value, tuple):
             raise Mistake(*value)
         return value

@@ -14,7 +14,7 @@ from plastron_tui.ros.names import check_parameter_name, spelled
 from .checks import Checks, NameCheck
 from .consequences import Consequences
 from .context import Setting
-from .kinds import Endpoint, EndpointKind
+from .kinds import Endpoint, EndpointKind, kind_of
 from .messages import Messages
 from .mistake import Mistake
 from .named_types import NamedTypes
@@ -113,8 +113,9 @@ class Run:
 
     def add(self, statement: Statement, node: Node, endpoint: Endpoint) -> None:
         """Give a node an endpoint, if its type agrees with that of all who use the name."""
-        self.check_agreement(statement, node, endpoint)
-        self.agreements.join(node, self.checks.version_of(node), endpoint, statement)
+        if kind_of(type(endpoint)).facts.interface is not None:
+            self.check_agreement(statement, node, endpoint)
+            self.agreements.join(node, self.checks.version_of(node), endpoint, statement)
         node.put(endpoint)
 
     def check_agreement(self, statement: Statement, node: Node, endpoint: Endpoint) -> None:
@@ -128,6 +129,7 @@ class Run:
     def take(self, statement: Statement, kind: EndpointKind) -> None:
         """Take an endpoint away from the node of a statement."""
         node = self.checks.node(statement)
+        self.checks.unused(statement, node, kind)
         name = self.checks.take(statement, node, kind)
         self.agreements.leave(node, self.checks.version_of(node), kind, name)
 

@@ -15,12 +15,17 @@ from plastron_tui.diagnostics import Diagnostic, Span
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import DECLARATIONS, Statement
 from plastron_tui.ros.interfaces import Interface
-from plastron_tui.ros.names import spelled
+from plastron_tui.ros.names import check_parameter_name, spelled
 
 from .kinds import EDITABLE, INTERFACES, EndpointKind, Message
-from .kinds.publisher import check_sent, check_unsent, rate_of
+from .kinds.action_server import check_executor, check_unserved
+from .kinds.parameter import check_new, default_of, range_of, type_of
+from .kinds.publisher import check_sent, check_unsent
+from .kinds.rate import check_rate
+from .kinds.reaction import reaction_of
 from .kinds.service import check_handler, check_unprovided
 from .kinds.subscription import check_callback, check_unheard
+from .kinds.timer import check_repeated, check_unrepeated
 from .mistake import Mistake
 from .node_statements import check_node_name, check_work
 from .rename import RENAMED, kinds_having, kinds_of
@@ -124,7 +129,7 @@ def _type(run: Run, statement: Statement) -> None:
     _any_passes(partial(_named_type, run, statement, version) for version in versions)
 
 
-def _request(run: Run, statement: st.ClientRequests) -> None:
+def _request(run: Run, statement: st.ClientRequests | st.SendsGoal) -> None:
     def check(version: int) -> None:
         run.types.fit(statement, _named_type(run, statement, version), version)
 
@@ -161,11 +166,64 @@ def _unsent(run: Run, statement: st.Publish) -> None:
     check_unsent(run, statement, node, message)
 
 
-def _rate(_: Run, statement: st.Publish) -> None:
-    rate_of(statement)
+def _rate(_: Run, statement: st.Publish | st.Repeats | st.ClientRequests) -> None:
+    if isinstance(statement.rate, (int, float)):
+        check_rate(statement, statement.rate)
 
 
-def _function(run: Run, statement: st.Subscribe | st.ProvidesService) -> None:
+def _trigger(run: Run, statement: st.Publish) -> None:
+    reaction_of(run, statement, run.checks.node(statement))
+
+
+def _parameter(run: Run, statement: st.HasParameter) -> None:
+    check_new(run, statement, run.checks.node(statement))
+
+
+def _parameter_name(run: Run, statement: st.HasParameter) -> None:
+    name, check = statement.parameter, check_parameter_name
+    _any_passes(
+        partial(run.checks.name, statement, "parameter", name, version, check)
+        for version in _versions(run, statement)
+    )
+
+
+def _parameter_type(_: Run, statement: st.HasParameter) -> None:
+    type_of(statement)
+
+
+def _default(_: Run, statement: st.HasParameter) -> None:
+    type_ = type_of(statement)
+    range_of(statement, type_, default_of(statement, type_))
+
+
+def _unrepeated(run: Run, statement: st.Repeats) -> None:
+    check_unrepeated(run, statement, run.checks.node(statement))
+
+
+def _repeated(run: Run, statement: st.Repeats) -> None:
+    check_repeated(run, statement, run.checks.node(statement))
+
+
+def _unserved(run: Run, statement: st.ProvidesAction) -> None:
+    check_unserved(run, statement, run.checks.node(statement))
+
+
+def _executor(run: Run, statement: st.ProvidesAction) -> None:
+    node = run.checks.node(statement)
+    check_executor(run, statement, node, None)
+    type_ = _named_type(run, statement, run.checks.version_of(node))
+    check_executor(run, statement, node, type_.name)
+
+
+def _answer(run: Run, statement: st.ProvidesService) -> None:
+    def check(version: int) -> None:
+        run.types.fit(statement, _named_type(run, statement, version), version, "answer")
+
+    if statement.answer is not None:
+        _any_passes(partial(check, version) for version in _versions(run, statement))
+
+
+def _function(run: Run, statement: Any) -> None:
     run.checks.function_name(statement, run.workspace.nodes.get(statement.node))
 
 
@@ -211,10 +269,16 @@ _CHECKS: dict[type[Statement], tuple[_Check, ...]] = {
     st.CreateNode: (_node_name, _variable, _library),
     st.Load: (_variable,),
     st.CreateMessage: (_variable, _created),
-    st.Publish: (_node, _message, _name, _unsent, _type, _sent, _agreement, _rate),
+    st.Publish: (_node, _message, _name, _unsent, _type, _sent, _agreement, _rate, _trigger),
     st.Subscribe: (_node, _name, _unheard, _type, _agreement, _function, _callback),
-    st.ProvidesService: (_node, _name, _unprovided, _type, _agreement, _function, _handler),
-    st.ClientRequests: (_node, _name, _type, _agreement, _request),
+    st.ProvidesService: (
+        *(_node, _name, _unprovided, _type, _agreement, _answer, _function, _handler),
+    ),
+    st.ClientRequests: (_node, _name, _type, _agreement, _request, _rate),
+    st.ProvidesAction: (_node, _name, _unserved, _type, _agreement, _function, _executor),
+    st.SendsGoal: (_node, _name, _type, _agreement, _request),
+    st.Repeats: (_node, _unrepeated, _function, _repeated, _rate),
+    st.HasParameter: (_node, _parameter_name, _parameter, _parameter_type, _default),
     st.Rename: (_node, _renamed, _old, _new),
     st.GenerateNode: (_node, _work, _library),
 }

@@ -16,6 +16,7 @@ from .workspace import Node
 CONFLICTS = {
     InterfaceKind.MESSAGE: codes.TOPIC_TYPE_CONFLICT,
     InterfaceKind.SERVICE: codes.SERVICE_TYPE_CONFLICT,
+    InterfaceKind.ACTION: codes.ACTION_TYPE_CONFLICT,
 }
 
 _User = tuple[str, EndpointKind]
@@ -73,7 +74,7 @@ class Agreements:
     def adopt(self, node: Node, version: int, statement: Statement) -> None:
         """Note what a file holds; whether files agree is seen at the end (`meetings.py`)."""
         for endpoint in node.endpoints.values():
-            if endpoint.type is not None:
+            if isinstance(endpoint.type, InterfaceName):
                 self._add(node, version, endpoint, statement)
 
     def other(
@@ -102,7 +103,7 @@ class Agreements:
 
     def _add(self, node: Node, version: int, endpoint: Endpoint, where: Statement) -> None:
         """Add a user, unless others mean another type."""
-        assert endpoint.type is not None
+        assert isinstance(endpoint.type, InterfaceName)
         kind = kind_of(type(endpoint))
         place = _place(node, version, kind, endpoint.name)
         use = self._uses.setdefault(place, _Use(endpoint.type))

@@ -9,20 +9,24 @@ from math import isinf
 from tree_sitter import Node as SyntaxNode
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes, listed, write
+from plastron_tui.language.declaration import Statement
 from plastron_tui.language.inputs import (
     Argument,
+    Calculation,
     Input,
     InputValue,
     ListValue,
     Literal,
     NamedArgument,
     NestedValue,
+    ParameterValue,
+    Received,
 )
-from plastron_tui.language.statements import ClientRequests, CreateMessage
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Field, FieldType, Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.primitives import check_scalar, primitive
 
+from .computed_values import computed
 from .times import BUILTIN_TIMES, builtin_time, split_seconds, time_parts
 from .value_diagnostics import (
     Misfit,
@@ -44,6 +48,9 @@ Leaves = tuple[tuple[str, ...], ...]
 
 # The largest messages of ROS have a hundred; messages in messages can have millions.
 _MOST_LEAVES = 1_000
+
+_SCALARS = (Literal, ParameterValue, Received, Calculation)
+"""What may stand for a scalar among values in order."""
 
 _AtPath = tuple[tuple[str, ...], InputValue, SyntaxNode]
 """A value with the names that lead to its field, and what its mistakes are said of."""
@@ -68,15 +75,22 @@ class Fitter:
             self._earlier = earlier._fitted
 
     def fit(
-        self, type_: Interface, statement: CreateMessage | ClientRequests
+        self, type_: Interface, fields: Sequence[Field], statement: Statement, slot: str
     ) -> MessageValue | tuple[Diagnostic, ...]:
-        """Return the checked value of a statement's input, or all that does not fit."""
-        values = statement.input
+        """Return the checked value of a statement's input, or all that does not fit.
+
+        Args:
+            type_: the type whose values they are.
+            fields: the fields of the part of it that is meant.
+            statement: the statement.
+            slot: the slot that has the values.
+        """
+        values: Input = getattr(statement, slot)
         if not values:
             return MessageValue(type_.name, {})
         known = self._earlier.get(id(values))
         if known is None or known[0] is not values or known[1] is not type_:
-            found = self._fit(type_, statement)
+            found = self._fit(type_.name, fields, statement, slot)
             if self._misfits:
                 # Values know where they stood when they were parsed.
                 return tuple([each.moved(statement.shift) for each in self._misfits])
@@ -84,21 +98,23 @@ class Fitter:
         self._fitted[id(values)] = known
         return known[2]
 
-    def _fit(self, type_: Interface, statement: CreateMessage | ClientRequests) -> MessageValue:
+    def _fit(
+        self, name: InterfaceName, fields: Sequence[Field], statement: Statement, slot: str
+    ) -> MessageValue:
         """Return the value of a statement's input, without what is noted as a misfit."""
 
         def where() -> Span:
-            return span(statement.syntax.child_by_field_name("input") or statement.syntax)
+            return span(statement.syntax.child_by_field_name(slot) or statement.syntax)
 
         self._misfits = []
         try:
-            return self._message(type_.name, type_.fields, statement.input, where)
+            return self._message(name, fields, getattr(statement, slot), where)
         except Misfit as misfit:
             found = misfit.diagnostic
-            if not type_.fields and found.code == codes.WRONG_NUMBER_OF_VALUES:
+            if not fields and found.code == codes.WRONG_NUMBER_OF_VALUES:
                 found = found._replace(fix=write("none", where()))
             self._misfits.append(found)
-            return MessageValue(type_.name, {})
+            return MessageValue(name, {})
 
     def _message(
         self, name: InterfaceName, fields: Sequence[Field], values: Sequence[Argument], where: Where
@@ -112,7 +128,7 @@ class Fitter:
         if (
             leaves is not None
             and len(leaves) == len(positional)
-            and all(isinstance(value, Literal) for value in positional)
+            and all(isinstance(value, _SCALARS) for value in positional)
         ):
             pairs = [
                 (path, value, value.syntax) for path, value in zip(leaves, positional, strict=True)
@@ -139,7 +155,7 @@ class Fitter:
             field.type.package is not None
             and not field.type.is_array
             and field.type.message not in BUILTIN_TIMES
-            and isinstance(value, Literal)
+            and isinstance(value, _SCALARS)
             for field, value in zip(fields, values, strict=True)
         )
 
@@ -223,6 +239,8 @@ class Fitter:
     def _value(self, type_: FieldType, value: InputValue, field: str) -> Value:
         """Return the value of a field; what does not fit is noted, and any value stands for it."""
         try:
+            if isinstance(value, (ParameterValue, Received, Calculation)):
+                return computed(type_, value)
             if type_.is_array:
                 return self._array(type_, value, field)
             if type_.package is not None:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.ros.interfaces import FieldType, InterfaceName
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,4 +22,52 @@ class MessageValue:
     fields: dict[str, Value]
 
 
-Value: TypeAlias = "bool | int | float | str | MessageValue | tuple[Value, ...]"
+@dataclass(frozen=True, slots=True)
+class OfParameter:
+    """The value that a parameter of the node has when the message is sent."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class OfReceived:
+    """What a field of the received message holds, or the element at a position of a list."""
+
+    path: tuple[str, ...]
+    position: int | None = None
+
+    def __str__(self) -> str:
+        at = "" if self.position is None else f"[{self.position}]"
+        return f"received.{'.'.join(self.path)}{at}"
+
+
+@dataclass(frozen=True, slots=True)
+class Computed:
+    """A value that is known when it is sent.
+
+    Attributes:
+        source: where it comes from.
+        steps: what is done to it in turn, as an operator and a number each, with the precedence
+            of arithmetic.
+        type: the type of the field that it is for.
+    """
+
+    source: OfParameter | OfReceived
+    steps: tuple[tuple[str, int | float], ...]
+    type: FieldType
+
+
+def computed_in(value: Value) -> Iterator[Computed]:
+    """Yield what is computed in a value when it is sent."""
+    match value:
+        case Computed():
+            yield value
+        case MessageValue(fields=fields):
+            for each in fields.values():
+                yield from computed_in(each)
+        case tuple():
+            for each in value:
+                yield from computed_in(each)
+
+
+Value: TypeAlias = "bool | int | float | str | MessageValue | Computed | tuple[Value, ...]"

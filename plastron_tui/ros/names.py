@@ -111,6 +111,16 @@ def name_as_written(name: str, ros_version: int) -> str:
     return name
 
 
+def parameter_name(name: str, ros_version: int) -> str:
+    """Return the name of a node's own parameter, as programs spell it.
+
+    Each node of ROS 2 has its own; in ROS 1 a node's own ones are the private ones.
+    """
+    if ros_version == 1 and not name.startswith(("~", "/")):
+        return f"~/{name}"
+    return spelled(name) if ros_version == 1 else name
+
+
 def resolved_name(node: str, name: str) -> str:
     """Return the full name of a topic or service, as a node without a namespace resolves it.
 

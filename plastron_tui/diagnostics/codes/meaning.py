@@ -5,7 +5,17 @@ from __future__ import annotations
 from plastron_tui.diagnostics.code import Code
 from plastron_tui.diagnostics.severity import Severity
 
-from .programs import ADDER, CALLER, LISTENER, TALKER, TALKING
+from .programs import (
+    ADDER,
+    ASKER,
+    BLINKER,
+    CALLER,
+    COUNTER,
+    LISTENER,
+    SPEED,
+    TALKER,
+    TALKING,
+)
 
 ALREADY_SUBSCRIBED = Code(
     "already-subscribed",
@@ -30,6 +40,27 @@ ALREADY_PROVIDING = Code(
     good=ADDER,
 )
 
+ALREADY_SERVING = Code(
+    "already-serving",
+    "A node provides an action twice.",
+    bad=f"{COUNTER}counter provides_action 'count' of action_type Fibonacci\n",
+    good=COUNTER,
+)
+
+ALREADY_REPEATING = Code(
+    "already-repeating",
+    "A node repeats a function twice. To call it more often, give a higher rate.",
+    bad=f"{BLINKER}blinker repeats blink at 4 hz\n",
+    good=BLINKER,
+)
+
+ALREADY_HAVING = Code(
+    "already-having",
+    "A node has a parameter twice.",
+    bad=f"{SPEED}driver has_parameter 'speed' of parameter_type int with default 1\n",
+    good=SPEED,
+)
+
 NOT_SUBSCRIBED = Code(
     "not-subscribed",
     "A node is to give up a topic that it does not subscribe to.",
@@ -49,6 +80,47 @@ NOT_PROVIDING = Code(
     "A node is to give up a service that it does not provide.",
     bad=f"{ADDER}adder stop_service 'ad'\n",
     good=f"{ADDER}adder stop_service 'add'\n",
+)
+
+NOT_SERVING = Code(
+    "not-serving",
+    "A node is to give up an action that it does not provide.",
+    bad=f"{COUNTER}counter stop_action 'cont'\n",
+    good=f"{COUNTER}counter stop_action 'count'\n",
+)
+
+NOT_SENDING = Code(
+    "not-sending",
+    "A node is to give up an action that it sends no goals to.",
+    bad=f"{ASKER}asker stop_goal to 'cont'\n",
+    good=f"{ASKER}asker stop_goal to 'count'\n",
+)
+
+NOT_REPEATING = Code(
+    "not-repeating",
+    "A node is to give up a function that it does not repeat.",
+    bad=f"{BLINKER}blinker stop_repeating blnk\n",
+    good=f"{BLINKER}blinker stop_repeating blink\n",
+)
+
+NOT_HAVING = Code(
+    "not-having",
+    "A node is to give up a parameter that it does not have.",
+    bad=f"{SPEED}driver no_longer_has_parameter 'sped'\n",
+    good=f"{SPEED}driver no_longer_has_parameter 'speed'\n",
+)
+
+STILL_NEEDED = Code(
+    "still-needed",
+    "A node is to give up something that another statement needs: a topic for each of whose "
+    "messages it sends something, or a parameter whose value it sends.",
+    bad=f"{SPEED}create_message go of message_type Float64 and input parameter 'speed'\n"
+    "driver publish go to 'speed' of message_type Float64\n"
+    "driver no_longer_has_parameter 'speed'\n",
+    good=f"{SPEED}create_message go of message_type Float64 and input parameter 'speed'\n"
+    "driver publish go to 'speed' of message_type Float64\n"
+    "driver stop_publishing to 'speed'\n"
+    "driver no_longer_has_parameter 'speed'\n",
 )
 
 NOTHING_TO_RENAME = Code(
@@ -123,6 +195,15 @@ SERVICE_TYPE_CONFLICT = Code(
     bad=f"{ADDER}create_node 'caller' as caller\n"
     "caller client_requests 'add' of service_type Trigger with input none\n",
     good=ADDER + CALLER,
+)
+
+ACTION_TYPE_CONFLICT = Code(
+    "action-type-conflict",
+    "One action has two types in a program. Goals then never arrive. Where files that are loaded "
+    "do not agree, it is a warning.",
+    bad=f"{COUNTER}create_node 'asker' as asker\n"
+    "asker sends_goal to 'count' of action_type LookupTransform with input none\n",
+    good=COUNTER + ASKER,
 )
 
 MISSPELT_NAME = Code(

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from plastron_tui.diagnostics.code import Code
 
+from .programs import DRIVER, RELAY, SPEED
+
 _POINT = "create_message origin of message_type Point and input"
 _TWIST = "create_message go of message_type Twist and input"
 _POSE = "create_message pose of message_type geometry_msgs/PoseWithCovariance and input"
@@ -78,4 +80,57 @@ INVALID_RATE = Code(
     good="create_node 'talker' as talker\n"
     "create_message greeting of message_type String and input none\n"
     "talker publish greeting to 'chatter' of message_type String at 0.5 hz\n",
+)
+
+UNKNOWN_PARAMETER = Code(
+    "unknown-parameter",
+    "A value or a rate is that of a parameter that the node does not have, or whose file does not "
+    "say its default.",
+    bad=f"{DRIVER}create_message go of message_type Float64 and input parameter 'speed'\n"
+    "driver publish go to 'speed' of message_type Float64\n",
+    good=f"{SPEED}create_message go of message_type Float64 and input parameter 'speed'\n"
+    "driver publish go to 'speed' of message_type Float64\n",
+)
+
+UNKNOWN_PARAMETER_TYPE = Code(
+    "unknown-parameter-type",
+    "Parameters are of type `bool`, `int`, `float` or `string`, or lists of these: `int_list`.",
+    bad=f"{DRIVER}driver has_parameter 'speed' of parameter_type double with default 0.5\n",
+    good=SPEED,
+)
+
+PARAMETER_TYPE_MISMATCH = Code(
+    "parameter-type-mismatch",
+    "The default of a parameter is of another type than the parameter, or a rate is that of a "
+    "parameter that is no number.",
+    bad=f"{DRIVER}driver has_parameter 'speed' of parameter_type float with default \"fast\"\n",
+    good=SPEED,
+)
+
+INVALID_RANGE = Code(
+    "invalid-range",
+    "The range of a parameter is none, or its default is not in it; only a single number has one.",
+    bad=f"{DRIVER}driver has_parameter 'speed' of parameter_type float with default 3 "
+    "between 0 and 2\n",
+    good=f"{DRIVER}driver has_parameter 'speed' of parameter_type float with default 1 "
+    "between 0 and 2\n",
+)
+
+NOTHING_RECEIVED = Code(
+    "nothing-received",
+    "A message has values of what is received, and is sent at another time: such a message is sent "
+    "`for_each` message of a topic.",
+    bad=f"{RELAY}relay publish copy to 'out' of message_type String at 1 hz\n",
+    good=f"{RELAY}relay publish copy to 'out' of message_type String for_each 'in'\n",
+)
+
+COMPUTED_TYPE_MISMATCH = Code(
+    "computed-type-mismatch",
+    "A parameter, or a field of what is received, is of another type than the field that it is "
+    "for, or is compared with a value of another type.",
+    bad="create_node 'relay' as relay\n"
+    "subscribe relay to 'in' of message_type Int32\n"
+    "create_message copy of message_type String and input data=received.data\n"
+    "relay publish copy to 'out' of message_type String for_each 'in'\n",
+    good=f"{RELAY}relay publish copy to 'out' of message_type String for_each 'in'\n",
 )

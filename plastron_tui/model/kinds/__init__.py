@@ -8,26 +8,30 @@ files and shown, and no statement makes one.
 from __future__ import annotations
 
 from enum import Enum
-from typing import TypeVar
+from typing import TypeAlias, TypeVar
 
 from plastron_tui.diagnostics import codes
 from plastron_tui.language import statements as st
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.names import check_parameter_name, check_service_name
 
-from .client import Client, request
+from .action_client import ActionClient, send_goal
+from .action_server import ActionServer, provide_action
+from .client import Client, Request, request
 from .facts import INTERFACES, Editing, Facts
+from .parameter import Parameter, has_parameter
 from .publisher import (
     DEFAULT_RATE,
-    HIGHEST_RATE,
-    LOWEST_RATE,
     Message,
     Publication,
     Publisher,
     publish,
 )
+from .rate import HIGHEST_RATE, LOWEST_RATE, Rate
+from .reaction import Condition, Reaction
 from .service import Service, provide
 from .subscription import Subscription, subscribe
+from .timer import Timer, repeat
 
 __all__ = [
     "DEFAULT_RATE",
@@ -35,7 +39,10 @@ __all__ = [
     "HIGHEST_RATE",
     "INTERFACES",
     "LOWEST_RATE",
+    "ActionClient",
+    "ActionServer",
     "Client",
+    "Condition",
     "Editing",
     "Endpoint",
     "EndpointKey",
@@ -43,17 +50,34 @@ __all__ = [
     "EndpointType",
     "Facts",
     "Message",
+    "Parameter",
     "Publication",
     "Publisher",
+    "Rate",
+    "Reaction",
+    "Request",
     "Service",
     "Subscription",
+    "Timer",
     "callback_of",
     "is_sending",
     "kind_of",
 ]
 
-Endpoint = Publisher | Subscription | Service | Client
-EndpointType = TypeVar("EndpointType", Publisher, Subscription, Service, Client)
+Endpoint: TypeAlias = (
+    Publisher | Subscription | Service | Client | ActionServer | ActionClient | Timer | Parameter
+)
+EndpointType = TypeVar(
+    "EndpointType",
+    Publisher,
+    Subscription,
+    Service,
+    Client,
+    ActionServer,
+    ActionClient,
+    Timer,
+    Parameter,
+)
 
 
 class EndpointKind(str, Enum):
@@ -161,8 +185,19 @@ class EndpointKind(str, Enum):
             role="action server",
             does="serves",
             named="action",
+            check_name=check_service_name,
             interface=InterfaceKind.ACTION,
             calls_back=True,
+            sign="★",
+            tone="warning",
+            editing=Editing(
+                endpoint=ActionServer,
+                made_by=st.ProvidesAction,
+                make=provide_action,
+                ended_by=st.StopAction,
+                not_there=codes.NOT_SERVING,
+                infinitive="provide the action",
+            ),
         ),
     )
     ACTION_CLIENT = (
@@ -172,11 +207,40 @@ class EndpointKind(str, Enum):
             role="action client",
             does="calls",
             named="action",
+            check_name=check_service_name,
             interface=InterfaceKind.ACTION,
             sends=True,
+            sign="☆",
+            tone="secondary",
+            editing=Editing(
+                endpoint=ActionClient,
+                made_by=st.SendsGoal,
+                make=send_goal,
+                ended_by=st.StopGoal,
+                not_there=codes.NOT_SENDING,
+                infinitive="send goals to",
+            ),
         ),
     )
-    TIMER = "timers", Facts(verb="has a timer of", named=None, interface=None, calls_back=True)
+    TIMER = (
+        "timers",
+        Facts(
+            verb="repeats",
+            named=None,
+            interface=None,
+            calls_back=True,
+            sign="↻",
+            tone="secondary",
+            editing=Editing(
+                endpoint=Timer,
+                made_by=st.Repeats,
+                make=repeat,
+                ended_by=st.StopRepeating,
+                not_there=codes.NOT_REPEATING,
+                infinitive="repeat",
+            ),
+        ),
+    )
     PARAMETER = (
         "parameters",
         Facts(
@@ -184,6 +248,16 @@ class EndpointKind(str, Enum):
             named="name",
             check_name=check_parameter_name,
             interface=None,
+            sign="=",
+            tone="accent",
+            editing=Editing(
+                endpoint=Parameter,
+                made_by=st.HasParameter,
+                make=has_parameter,
+                ended_by=st.NoLongerHasParameter,
+                not_there=codes.NOT_HAVING,
+                infinitive="have the parameter",
+            ),
         ),
     )
 
@@ -216,7 +290,7 @@ def kind_of(endpoint: type[Endpoint]) -> EndpointKind:
 def is_sending(endpoint: Endpoint) -> bool:
     """Tell whether the program sends something through an endpoint."""
     match endpoint:
-        case Publisher(publications=sent) | Client(requests=sent):
+        case Publisher(publications=sent) | Client(requests=sent) | ActionClient(goals=sent):
             return bool(sent)
         case _:
             return False
@@ -225,7 +299,9 @@ def is_sending(endpoint: Endpoint) -> bool:
 def callback_of(endpoint: Endpoint) -> str | None:
     """Return the function that an endpoint calls, None where the target names one, or none is."""
     match endpoint:
-        case Subscription(callback=name) | Service(callback=name):
+        case Subscription(callback=name) | Service(callback=name) | ActionServer(callback=name):
+            return name
+        case Timer(name=name):
             return name
         case _:
             return None

@@ -8,17 +8,27 @@ from plastron_tui.diagnostics import Span
 from plastron_tui.language.statements import ClientRequests
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 
+from .computed import check_computed
+from .rate import Rate, rate_of
+
 if TYPE_CHECKING:
     from ..run import Run
     from ..values import MessageValue
 
 
+class Request(NamedTuple):
+    """One request, and how often it is made, None for once."""
+
+    value: MessageValue
+    rate: Rate | None = None
+
+
 class Client(NamedTuple):
-    """A service that a node calls, with the request of each call, in order."""
+    """A service that a node calls, with its requests, in order."""
 
     name: str
     type: InterfaceName | None
-    requests: tuple[MessageValue, ...] = ()
+    requests: tuple[Request, ...] = ()
     span: Span | None = None
 
 
@@ -28,6 +38,8 @@ def request(run: Run, statement: ClientRequests) -> None:
     name, type_ = run.interface(statement, node, "service", InterfaceKind.SERVICE)
     value = run.types.fit(statement, type_, run.checks.version_of(node))
     client = node.of(Client).get(name)
-    requests = (value,) if client is None else (*client.requests, value)
+    check_computed(run, statement, "input", node, value)
+    made = Request(value, rate_of(run, statement, node))
+    requests = (made,) if client is None else (*client.requests, made)
     span = statement.span if client is None else client.span
     run.add(statement, node, Client(name, type_.name, requests, span))

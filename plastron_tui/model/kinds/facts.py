@@ -18,8 +18,15 @@ if TYPE_CHECKING:
 INTERFACES = {
     SlotKind.MESSAGE_TYPE: InterfaceKind.MESSAGE,
     SlotKind.SERVICE_TYPE: InterfaceKind.SERVICE,
+    SlotKind.ACTION_TYPE: InterfaceKind.ACTION,
 }
 """The slots that name a type, and the kind of interface that it is of."""
+
+
+_NAMES = frozenset(
+    {SlotKind.TOPIC, SlotKind.SERVICE, SlotKind.ACTION, SlotKind.PARAMETER, SlotKind.TIMER}
+)
+"""The slots that have the name of an endpoint."""
 
 
 class Facts(NamedTuple):
@@ -91,5 +98,4 @@ class Editing(NamedTuple):
 
 @cache
 def _name_slot(statement: type[Statement]) -> str:
-    kinds = (SlotKind.TOPIC, SlotKind.SERVICE)
-    return next(slot.name for slot in DECLARATIONS[statement].slots if slot.kind in kinds)
+    return next(slot.name for slot in DECLARATIONS[statement].slots if slot.kind in _NAMES)

@@ -5,12 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Label, Span, codes, write
-from plastron_tui.language.inputs import ParameterValue
 from plastron_tui.language.statements import Publish
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.names import spelled
 
 from ..mistake import Mistake
+from .computed import check_computed
+from .rate import rate_of
+from .reaction import Reaction, reaction_of
 
 if TYPE_CHECKING:
     from ..run import Run
@@ -19,12 +21,6 @@ if TYPE_CHECKING:
 
 DEFAULT_RATE = 10.0
 """How often a message is published where the program does not say, in hertz."""
-
-HIGHEST_RATE = 1e6
-"""More than any node sends, in hertz; a typing error."""
-
-LOWEST_RATE = 1e-9
-"""The lowest rate, in hertz: ROS 1 counts the seconds between two messages in 31 bits (genpy)."""
 
 
 class Message(NamedTuple):
@@ -36,16 +32,26 @@ class Message(NamedTuple):
 
 
 class Publication(NamedTuple):
-    """One message on its way to a topic, and how often it is sent, in hertz.
+    """One message on its way to a topic, and when it is sent.
 
-    `is_rate_open` tells that the program leaves the rate to Plastron, or to the loop of a file
-    that has one; `rate` is then the default.
+    Attributes:
+        message: the message.
+        rate: how often it is sent, in hertz; 0 where it is not sent at a rate.
+        span: the statement that sends it.
+        is_rate_open: whether the program leaves the rate to Plastron, or to the loop of a file
+            that has one; `rate` is then the default.
+        parameter: the parameter of the node that says the rate, None where none does.
+        is_once: whether it is sent once, and to those who listen later.
+        reaction: for which messages it is sent, None where it is for none.
     """
 
     message: Message
     rate: float
     span: Span | None = None
     is_rate_open: bool = False
+    parameter: str | None = None
+    is_once: bool = False
+    reaction: Reaction | None = None
 
 
 class Publisher(NamedTuple):
@@ -65,12 +71,25 @@ def publish(run: Run, statement: Publish) -> None:
     topic, type_ = run.interface(statement, node, "topic", InterfaceKind.MESSAGE)
     message = run.messages.for_version(message, checks.version_of(node))
     check_sent(statement, message, type_.name)
-    rate = rate_of(statement)
+    rate = rate_of(run, statement, node)
+    reaction = reaction_of(run, statement, node)
+    heard = None if reaction is None else reaction[1].fields
+    made = message.span
+    check_computed(run, statement, "message", node, message.value, heard=heard, made=made)
     publisher = node.of(Publisher).get(topic)
     earlier = () if publisher is None else publisher.publications
     check_unsent(run, statement, node, message)
     span = statement.span if publisher is None else publisher.span
-    sent = Publication(message, rate, statement.span, statement.rate is None)
+    is_open = rate is None and reaction is None and not statement.once
+    sent = Publication(
+        message,
+        DEFAULT_RATE if is_open else 0 if rate is None else rate.hertz,
+        statement.span,
+        is_open,
+        None if rate is None else rate.parameter,
+        statement.once,
+        None if reaction is None else reaction[0],
+    )
     run.add(statement, node, Publisher(topic, type_.name, (*earlier, sent), span))
 
 
@@ -96,22 +115,3 @@ def check_sent(statement: Publish, message: Message, type_: InterfaceName) -> No
                 labels=(Label(message.span, "created here"),),
             )
         )
-
-
-def rate_of(statement: Publish) -> float:
-    """Return how often a message is to be sent, in hertz."""
-    rate = DEFAULT_RATE if statement.rate is None else statement.rate
-    assert not isinstance(rate, ParameterValue)  # TODO
-    if LOWEST_RATE <= rate <= HIGHEST_RATE:
-        return float(rate)
-    where = statement.span_of("rate")
-    is_negative = LOWEST_RATE <= -rate <= HIGHEST_RATE
-    raise Mistake(
-        Diagnostic(
-            codes.INVALID_RATE,
-            f"a rate is at least {LOWEST_RATE:g} and at most {HIGHEST_RATE:g} hz",
-            where,
-            help=f"write `at {-rate:g} hz`" if is_negative else None,
-            fix=write(f"{-rate:g}", where) if is_negative else None,
-        )
-    )

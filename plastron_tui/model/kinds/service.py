@@ -6,23 +6,33 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Label, Span, codes
 from plastron_tui.language.statements import ProvidesService
-from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.names import spelled
 
-from .subscription import Subscription
+from .computed import check_computed
 
 if TYPE_CHECKING:
     from ..run import Run
+    from ..values import MessageValue
     from ..workspace import Node
 
 
 class Service(NamedTuple):
-    """A service that a node provides; without a `callback` the target names one."""
+    """A service that a node provides.
+
+    Attributes:
+        name: the service.
+        type: its type, None where a file does not say it.
+        callback: the function that answers, None where the target names one.
+        span: the statement that made it.
+        answer: the values of each answer, None where the program says none.
+    """
 
     name: str
     type: InterfaceName | None
     callback: str | None = None
     span: Span | None = None
+    answer: MessageValue | None = None
 
 
 def provide(run: Run, statement: ProvidesService) -> None:
@@ -31,7 +41,8 @@ def provide(run: Run, statement: ProvidesService) -> None:
     name, type_ = run.interface(statement, node, "service", InterfaceKind.SERVICE)
     check_unprovided(run, statement, node)
     check_handler(run, statement, node, type_.name)
-    service = Service(name, type_.name, statement.function, statement.span)
+    answer = answer_of(run, statement, node, type_)
+    service = Service(name, type_.name, statement.function, statement.span, answer)
     run.add(statement, node, service)
     other = run.elsewhere(node, service)
     if other is not None:
@@ -47,6 +58,17 @@ def provide(run: Run, statement: ProvidesService) -> None:
         )
 
 
+def answer_of(
+    run: Run, statement: ProvidesService, node: Node, type_: Interface
+) -> MessageValue | None:
+    """Return the answer that a statement gives, None where it gives none."""
+    if statement.answer is None:
+        return None
+    answer = run.types.fit(statement, type_, run.checks.version_of(node), "answer")
+    check_computed(run, statement, "answer", node, answer, heard=type_.fields)
+    return answer
+
+
 def check_unprovided(run: Run, statement: ProvidesService, node: Node) -> None:
     """Check that a node does not provide a service yet."""
     if spelled(statement.service) in node.of(Service):
@@ -58,7 +80,6 @@ def check_handler(
     run: Run, statement: ProvidesService, node: Node, type_: InterfaceName | None
 ) -> None:
     """Check that a function may take the requests of a type, None for one that is not known."""
-    if statement.function is not None:
-        run.checks.function(statement, node, node.of(Subscription).values())
-        others = (each for each in node.of(Service).values() if type_ not in (None, each.type))
-        run.checks.function(statement, node, others)
+    from . import EndpointKind  # which imports this file
+
+    run.checks.function(statement, node, EndpointKind.SERVICE, type_)

@@ -41,7 +41,6 @@ def check_unheard(run: Run, statement: Subscribe, node: Node) -> None:
 
 def check_callback(run: Run, statement: Subscribe, node: Node) -> None:
     """Check that a function may take messages."""
-    if statement.function is not None:
-        from .service import Service  # which imports this file
+    from . import EndpointKind  # which imports this file
 
-        run.checks.function(statement, node, node.of(Service).values())
+    run.checks.function(statement, node, EndpointKind.SUBSCRIPTION)

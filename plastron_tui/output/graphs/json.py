@@ -89,7 +89,7 @@ def _details(end: End) -> dict[str, Any]:
                 ]
             }
         case Client(requests=requests):
-            return {"requests": [_value(request) for request in requests]}
+            return {"requests": [_value(request.value) for request in requests]}
         case Service(callback=callback):
             return {"handler": callback}
         case calling:

@@ -1,0 +1,41 @@
+"""Values that are known when they are sent, as a program writes them."""
+
+from __future__ import annotations
+
+from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.language.inputs import Calculation, ParameterValue, Received
+from plastron_tui.ros.interfaces import FieldType
+
+from .value_diagnostics import Misfit, span
+from .values import Computed, OfParameter, OfReceived
+
+
+def computed(type_: FieldType, value: ParameterValue | Received | Calculation) -> Computed:
+    """Return the value of a field; whether it fits is seen where it is sent.
+
+    Raises:
+        Misfit: it can be no value of anything.
+    """
+    first = value.first if isinstance(value, Calculation) else value
+    steps = value.steps if isinstance(value, Calculation) else ()
+    for step in steps:
+        if step.operator == "/" and not step.number:
+            message = "nothing can be divided by zero"
+            raise Misfit(Diagnostic(codes.VALUE_OUT_OF_RANGE, message, span(value.syntax)))
+    pairs = tuple((step.operator, step.number) for step in steps)
+    if isinstance(first, ParameterValue):
+        return Computed(OfParameter(first.name), pairs, type_)
+    return Computed(received(first), pairs, type_)
+
+
+def received(given: Received) -> OfReceived:
+    """Return what a program means by a field of what is received.
+
+    Raises:
+        Misfit: it asks for an element that no list has.
+    """
+    position = given.position
+    if position is None or (isinstance(position, int) and position >= 0):
+        return OfReceived(given.path, position)
+    message = "elements are counted in whole numbers, from 0"
+    raise Misfit(Diagnostic(codes.VALUE_OUT_OF_RANGE, message, span(given.syntax)))

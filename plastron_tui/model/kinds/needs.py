@@ -1,0 +1,60 @@
+"""What of a node needs another part of it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from plastron_tui.diagnostics import Span
+
+from ..values import OfParameter, Value, computed_in
+from . import ActionClient, Client, EndpointKind, Publisher, Service, Timer
+
+if TYPE_CHECKING:
+    from ..workspace import Node
+
+
+def users_of(node: Node, kind: EndpointKind, name: str) -> list[Span]:
+    """Return the statements that need what a node has of a kind and name.
+
+    A topic that is subscribed to is needed by what is sent for each of its messages, a parameter
+    by the values and the rates that are taken from it.
+    """
+    match kind:
+        case EndpointKind.SUBSCRIPTION:
+            found = [
+                each.span
+                for publisher in node.of(Publisher).values()
+                for each in publisher.publications
+                if each.reaction is not None and each.reaction.topic == name
+            ]
+        case EndpointKind.PARAMETER:
+            parts = _parts(node)
+            found = [span for span, value, rate in parts if rate == name or _has(value, name)]
+        case _:
+            found = []
+    return [span for span in found if span is not None]
+
+
+def _parts(node: Node) -> list[tuple[Span | None, Value, str | None]]:
+    """Return the statements of a node with their values, and the parameters of their rates."""
+    found: list[tuple[Span | None, Value, str | None]] = []
+    for publisher in node.of(Publisher).values():
+        sent = publisher.publications
+        found += [(each.span, each.message.value, each.parameter) for each in sent]
+    for client in node.of(Client).values():
+        found += [
+            (client.span, each.value, each.rate.parameter if each.rate else None)
+            for each in client.requests
+        ]
+    for action in node.of(ActionClient).values():
+        found += [(action.span, goal, None) for goal in action.goals]
+    for service in node.of(Service).values():
+        found += [(service.span, service.answer or (), None)]
+    for timer in node.of(Timer).values():
+        found += [(timer.span, (), timer.rate.parameter if timer.rate else None)]
+    return found
+
+
+def _has(value: Value, parameter: str) -> bool:
+    source = OfParameter(parameter.removeprefix("~/"))
+    return any(each.source == source for each in computed_in(value))

@@ -1,0 +1,176 @@
+"""Parameters: values of a node that are set from outside."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic, Span, codes, guess
+from plastron_tui.language.inputs import ListValue, Literal
+from plastron_tui.language.statements import HasParameter
+from plastron_tui.ros.names import check_parameter_name, parameter_name
+from plastron_tui.ros.parameters import ParameterType, Setting, as_setting
+
+from ..mistake import Mistake
+
+if TYPE_CHECKING:
+    from ..run import Run
+    from ..workspace import Node
+
+
+class Parameter(NamedTuple):
+    """A parameter of a node.
+
+    Attributes:
+        name: its name, in ROS 1 with the `~` of what is private.
+        type: None, a parameter has no interface type.
+        holds: what it holds, None where a file does not say it.
+        default: its value where none is set.
+        minimum: the least value of a number.
+        maximum: the greatest value.
+        description: what it is for.
+        span: the statement that made it.
+    """
+
+    name: str
+    type: None = None
+    holds: ParameterType | None = None
+    default: Setting | None = None
+    minimum: int | float | None = None
+    maximum: int | float | None = None
+    description: str = ""
+    span: Span | None = None
+
+
+def has_parameter(run: Run, statement: HasParameter) -> None:
+    """Give a node a parameter."""
+    node = run.checks.node(statement)
+    version = run.checks.version_of(node)
+    run.name(statement, "parameter", version, check_parameter_name)
+    name = parameter_name(statement.parameter, version)
+    check_new(run, statement, node)
+    type_ = type_of(statement)
+    default = default_of(statement, type_)
+    minimum, maximum = range_of(statement, type_, default)
+    parameter = Parameter(
+        name, None, type_, default, minimum, maximum, statement.description or "", statement.span
+    )
+    run.add(statement, node, parameter)
+
+
+def check_new(run: Run, statement: HasParameter, node: Node) -> None:
+    """Check that a node does not have a parameter yet."""
+    name = parameter_name(statement.parameter, run.checks.version_of(node))
+    if name in node.of(Parameter):
+        what = f"`{node.variable}` has the parameter"
+        raise run.checks.exists_already(statement, "parameter", node, codes.ALREADY_HAVING, what)
+
+
+def type_of(statement: HasParameter) -> ParameterType:
+    """Return the type that a statement names."""
+    try:
+        return ParameterType(statement.type)
+    except ValueError:
+        where = statement.span_of("type")
+        names = [each.value for each in ParameterType]
+        remedy, fix = guess(_OTHER_NAMES.get(statement.type, statement.type), names, where)
+        raise Mistake(
+            Diagnostic(
+                codes.UNKNOWN_PARAMETER_TYPE,
+                f"no parameter type `{statement.type}`",
+                where,
+                help=remedy or f"there are {', '.join(names)}",
+                fix=fix,
+            )
+        ) from None
+
+
+_OTHER_NAMES = {
+    **dict.fromkeys(("boolean", "Bool", "bools"), "bool"),
+    **dict.fromkeys(("integer", "int32", "int64", "number", "Int"), "int"),
+    **dict.fromkeys(("double", "float32", "float64", "real", "Float"), "float"),
+    **dict.fromkeys(("str", "text", "String"), "string"),
+}
+"""What people call the types elsewhere."""
+
+
+def default_of(statement: HasParameter, type_: ParameterType) -> Setting:
+    """Return the default that a statement gives, which is to be of its type."""
+    given = statement.default
+    value: object = None
+    match given:
+        case Literal(value=value):
+            pass
+        case ListValue(items=items):
+            value = [each.value if isinstance(each, Literal) else None for each in items]
+    default = as_setting(type_, value)
+    if default is None:
+        raise Mistake(
+            Diagnostic(
+                codes.PARAMETER_TYPE_MISMATCH,
+                f"the default is no `{type_.value}`",
+                statement.span_of("default"),
+                help=f"write {_EXAMPLES[type_]}, say",
+            )
+        )
+    return default
+
+
+_EXAMPLES = {
+    ParameterType.BOOL: "`True` or `False`",
+    ParameterType.INT: "a whole number",
+    ParameterType.FLOAT: "a number",
+    ParameterType.STRING: 'a text, `"front"`',
+    ParameterType.BOOL_LIST: "`[True, False]`",
+    ParameterType.INT_LIST: "`[1, 2]`",
+    ParameterType.FLOAT_LIST: "`[0.5, 1.0]`",
+    ParameterType.STRING_LIST: '`["left", "right"]`',
+}
+
+
+def range_of(
+    statement: HasParameter, type_: ParameterType, default: Setting
+) -> tuple[int | float | None, int | float | None]:
+    """Return the least and the greatest value that a statement allows, None where it says none."""
+    minimum, maximum = statement.minimum, statement.maximum
+    if minimum is None or maximum is None:
+        return None, None
+    low, high = as_setting(type_, minimum), as_setting(type_, maximum)
+    if not type_.is_number or low is None or high is None:
+        what = "only a number has a range" if not type_.is_number else "the range is no `int`"
+        raise _wrong_range(statement, what)
+    assert isinstance(low, (int, float)) and isinstance(high, (int, float))
+    assert isinstance(default, (int, float))
+    if low > high:
+        raise _wrong_range(statement, f"{minimum:g} is greater than {maximum:g}")
+    if not low <= default <= high:
+        what = f"the default is not between {minimum:g} and {maximum:g}"
+        raise Mistake(Diagnostic(codes.INVALID_RANGE, what, statement.span_of("default")))
+    return low, high
+
+
+def _wrong_range(statement: HasParameter, what: str) -> Mistake:
+    first, last = statement.span_of("minimum"), statement.span_of("maximum")
+    return Mistake(Diagnostic(codes.INVALID_RANGE, what, Span(first.start, last.end)))
+
+
+def find_parameter(run: Run, statement: Any, slot: str, node: Node, written: str) -> Parameter:
+    """Return the parameter of a node that a statement uses in a slot."""
+    parameters = node.of(Parameter)
+    name = parameter_name(written, run.checks.version_of(node))
+    found = parameters.get(name)
+    if found is not None and found.holds is not None and found.default is not None:
+        return found
+    if found is None and run.consequences.explains(node, name):
+        raise Mistake
+    what = "has no parameter" if found is None else "does not say the default of"
+    names = [each.removeprefix("~/") for each in parameters]
+    remedy, _ = guess(written, names, statement.span_of(slot), is_quoted=True)
+    made = f"{node.variable} has_parameter '{written}' of parameter_type float with default 1"
+    raise Mistake(
+        Diagnostic(
+            codes.UNKNOWN_PARAMETER,
+            f"`{node.variable}` {what} `{written}`",
+            statement.span_of(slot),
+            help=remedy or f"give it one first: `{made}`, say",
+        )
+    )
