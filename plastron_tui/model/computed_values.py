@@ -23,9 +23,9 @@ def computed(type_: FieldType, value: ParameterValue | Received | Calculation) -
             message = "nothing can be divided by zero"
             raise Misfit(Diagnostic(codes.VALUE_OUT_OF_RANGE, message, span(value.syntax)))
     pairs = tuple((step.operator, step.number) for step in steps)
-    if isinstance(first, ParameterValue):
-        return Computed(OfParameter(first.name), pairs, type_)
-    return Computed(received(first), pairs, type_)
+    is_float = any(sign == "/" or isinstance(number, float) for sign, number in pairs)
+    source = OfParameter(first.name) if isinstance(first, ParameterValue) else received(first)
+    return Computed(source, pairs, type_, is_float)
 
 
 def received(given: Received) -> OfReceived:

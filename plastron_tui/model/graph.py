@@ -14,7 +14,7 @@ from plastron_tui.diagnostics import Span
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.names import resolved_name
 
-from .kinds import EDITABLE, Endpoint, EndpointKind, Publisher
+from .kinds import EDITABLE, Endpoint, EndpointKind, Publication, Publisher
 from .workspace import Node, Workspace
 
 
@@ -45,11 +45,15 @@ class GraphNode(NamedTuple):
 
 
 class Sending(NamedTuple):
-    """A message that goes to a topic: its variable, and how often, in hertz."""
+    """A message that goes to a topic: its variable, and when it is sent.
+
+    `rate` is in hertz, 0 where it is not sent at a rate; `pace` says it in words.
+    """
 
     message: str
     rate: float
     span: Span | None
+    pace: str
 
 
 class End(NamedTuple):
@@ -88,7 +92,17 @@ class End(NamedTuple):
         if not isinstance(self.endpoint, Publisher):
             return ()
         sent = self.endpoint.publications
-        return tuple([Sending(each.message.variable, each.rate, each.span) for each in sent])
+        return tuple(
+            [Sending(each.message.variable, each.rate, each.span, _pace(each)) for each in sent]
+        )
+
+
+def _pace(publication: Publication) -> str:
+    if publication.reaction is not None:
+        return f"for each {publication.reaction.topic}"
+    if publication.is_once:
+        return "once"
+    return publication.parameter or f"{publication.rate:g} Hz"
 
 
 class Hub(NamedTuple):
@@ -183,7 +197,8 @@ def graph_of(workspace: Workspace) -> Graph:
         shown, guesses = _node(node, generated), node.guesses
         nodes.append(shown)
         for (kind, written), endpoint in node.endpoints.items():
-            assert kind.facts.interface is not None
+            if kind.facts.interface is None:
+                continue
             hubs, name = found[kind.facts.interface], resolved_name(node.name, written)
             ends = hubs.get(name)
             if ends is None:

@@ -79,7 +79,8 @@ def _meetings(workspace: Workspace, version_of: Callable[[Node], int]) -> _Meeti
     for node in workspace.nodes.values():
         version, guesses = version_of(node), node.guesses
         for (kind, written), endpoint in node.endpoints.items():
-            assert kind.facts.interface is not None
+            if kind.facts.interface is None:
+                continue
             place = kind.facts.interface, version, resolved_name(node.name, written)
             is_guess = (kind, written) in guesses
             found[place].append(_User(node, kind, endpoint, is_guess))

@@ -28,6 +28,9 @@ class OfParameter:
 
     name: str
 
+    def __str__(self) -> str:
+        return f"parameter '{self.name}'"
+
 
 @dataclass(frozen=True, slots=True)
 class OfReceived:
@@ -50,11 +53,17 @@ class Computed:
         steps: what is done to it in turn, as an operator and a number each, with the precedence
             of arithmetic.
         type: the type of the field that it is for.
+        is_float: whether a division, or a fraction among the numbers, makes it a float for sure.
     """
 
     source: OfParameter | OfReceived
     steps: tuple[tuple[str, int | float], ...]
     type: FieldType
+    is_float: bool = False
+
+    def __str__(self) -> str:
+        steps = "".join(f" {operator} {number}" for operator, number in self.steps)
+        return f"{self.source}{steps}"
 
 
 def computed_in(value: Value) -> Iterator[Computed]:

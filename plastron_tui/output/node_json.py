@@ -10,7 +10,7 @@
 Of a file that holds several nodes the first that a program loaded is remembered like this, and the
 others in the list `others`; `label` is what each is called in the file.
 
-A message is an object of one key, its type; all other values are JSON's own.
+What is sent at no rate has an object behind its message; values are as `value_json` has them.
 """
 
 from __future__ import annotations
@@ -19,13 +19,31 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from plastron_tui.diagnostics import Span
-from plastron_tui.model.kinds import EDITABLE, Endpoint, EndpointKind, Message, Publication
-from plastron_tui.model.values import MessageValue, Value
+from plastron_tui.model.kinds import (
+    EDITABLE,
+    Condition,
+    Endpoint,
+    EndpointKind,
+    Message,
+    Publication,
+    Rate,
+    Reaction,
+    Request,
+)
+from plastron_tui.model.values import OfReceived
 from plastron_tui.model.workspace import Node
-from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.names import spelled
+from plastron_tui.ros.parameters import ParameterType, Setting
 
 from .manifest import Base
+from .value_json import (
+    message_from_json,
+    scalar_from_json,
+    source_from_json,
+    source_to_json,
+    type_from_json,
+    value_to_json,
+)
 
 _NOWHERE = Span(0, 0)
 
@@ -72,7 +90,11 @@ def recall(base: Base, label: str | None = None) -> Node | None:
         for kind in EDITABLE:
             for written, data in base.get(kind.value, {}).items():
                 name = spelled(written)
-                node.put(kind.editing.endpoint(name, _type(data["type"]), **_recalled(kind, data)))
+                node.put(
+                    kind.editing.endpoint(
+                        name, type_from_json(data["type"]), **_recalled(kind, data)
+                    )
+                )
     except (KeyError, TypeError, ValueError, AttributeError, RecursionError, OverflowError):
         return None
     return node
@@ -102,49 +124,82 @@ def _recalled(kind: EndpointKind, data: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _sending(publication: Publication) -> list[Any]:
-    return [publication.rate, _json(publication.message.value)]
+    value = value_to_json(publication.message.value)
+    more: dict[str, Any] = {}
+    if publication.parameter is not None:
+        more["parameter"] = publication.parameter
+    if publication.is_once:
+        more["once"] = True
+    if publication.reaction is not None:
+        more["for_each"] = publication.reaction.topic
+        condition = publication.reaction.condition
+        if condition is not None:
+            source = source_to_json(condition.source)
+            more["when"] = [condition.quantifier, source, condition.operator, condition.value]
+    return [publication.rate, value, more] if more else [publication.rate, value]
 
 
-def _json(value: Value) -> Any:
-    if isinstance(value, MessageValue):
-        return {str(value.type): {name: _json(each) for name, each in value.fields.items()}}
-    if isinstance(value, tuple):
-        return [_json(each) for each in value]
-    return value
-
-
-def _publication(rate: Any, value: Any) -> Publication:
-    if not isinstance(rate, (int, float)) or rate <= 0:
+def _publication(rate: Any, value: Any, more: Any = None) -> Publication:
+    given = more or {}
+    reaction = None
+    if "for_each" in given:
+        condition = None
+        if "when" in given:
+            quantifier, source, operator, compared = given["when"]
+            found = source_from_json(source)
+            if not isinstance(found, OfReceived):
+                raise TypeError
+            condition = Condition(quantifier, found, operator, scalar_from_json(compared))
+        reaction = Reaction(_text(given["for_each"]), condition)
+    is_once = bool(given.get("once"))
+    is_paced = reaction is None and not is_once
+    if not isinstance(rate, (int, float)) or rate < 0 or (is_paced and rate == 0):
         raise ValueError
-    return Publication(Message("", _message(value), _NOWHERE), float(rate))
+    parameter = given.get("parameter")
+    return Publication(
+        Message("", message_from_json(value), _NOWHERE),
+        float(rate),
+        parameter=None if parameter is None else _text(parameter),
+        is_once=is_once,
+        reaction=reaction,
+    )
 
 
-def _message(value: Any) -> MessageValue:
-    found = _value(value)
-    if not isinstance(found, MessageValue):
-        raise TypeError
-    return found
+def _rate(rate: Rate) -> Any:
+    return rate.hertz if rate.parameter is None else list(rate)
 
 
-def _value(value: Any) -> Value:
-    if isinstance(value, dict):
-        ((type_, fields),) = value.items()
-        name = _type(type_)
-        if name is None:
-            raise ValueError
-        return MessageValue(name, {field: _value(each) for field, each in fields.items()})
+def _rate_from(value: Any) -> Rate | None:
+    if value is None:
+        return None
+    hertz, parameter = value if isinstance(value, list) else (value, None)
+    if not isinstance(hertz, (int, float)) or hertz <= 0:
+        raise ValueError
+    return Rate(float(hertz), None if parameter is None else _text(parameter))
+
+
+def _request(request: Request) -> Any:
+    value = value_to_json(request.value)
+    return value if request.rate is None else [_rate(request.rate), value]
+
+
+def _request_from(value: Any) -> Request:
+    if not isinstance(value, list):
+        return Request(message_from_json(value))
+    rate, message = value
+    return Request(message_from_json(message), _rate_from(rate))
+
+
+def _setting_from(value: Any) -> Setting | None:
     if isinstance(value, list):
-        return tuple(_value(each) for each in value)
-    if not isinstance(value, (bool, int, float, str)):
+        return tuple(map(scalar_from_json, value))
+    return None if value is None else scalar_from_json(value)
+
+
+def _number_from(value: Any) -> int | float | None:
+    if value is not None and (not isinstance(value, (int, float)) or isinstance(value, bool)):
         raise TypeError
     return value
-
-
-def _type(text: Any) -> InterfaceName | None:
-    if text is None:
-        return None
-    package, name = _text(text).split("/")
-    return InterfaceName(package, name)
 
 
 def _text(value: Any) -> str:
@@ -162,8 +217,28 @@ _DETAILS = {
     "callback": _Detail("calling", str, lambda name: None if name is None else _text(name)),
     "requests": _Detail(
         "requests",
-        lambda sent: [_json(each) for each in sent],
-        lambda sent: tuple(_message(each) for each in sent),
+        lambda sent: [_request(each) for each in sent],
+        lambda sent: tuple(_request_from(each) for each in sent),
     ),
+    "goals": _Detail(
+        "goals",
+        lambda sent: [value_to_json(each) for each in sent],
+        lambda sent: tuple(message_from_json(each) for each in sent),
+    ),
+    "answer": _Detail(
+        "answer",
+        value_to_json,
+        lambda value: None if value is None else message_from_json(value),
+    ),
+    "rate": _Detail("rate", _rate, _rate_from),
+    "holds": _Detail(
+        "holds",
+        lambda type_: type_.value,
+        lambda text: None if text is None else ParameterType(text),
+    ),
+    "default": _Detail("default", lambda value: value, _setting_from),
+    "minimum": _Detail("minimum", lambda value: value, _number_from),
+    "maximum": _Detail("maximum", lambda value: value, _number_from),
+    "description": _Detail("description", str, lambda text: _text(text or "")),
 }
 """The fields of endpoints beside name, type and place."""

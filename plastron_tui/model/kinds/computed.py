@@ -171,11 +171,7 @@ def _misfit(run: Run, node: Node, value: Computed, found: What) -> str | None:
     """Return why a value does not fit its field, None where it does."""
     version = run.checks.version_of(node)
     wanted = What(_kind_of(value.type, version), value.type.is_array)
-    shown = (
-        f"`parameter '{value.source.name}'`"
-        if isinstance(value.source, OfParameter)
-        else f"`{value.source}`"
-    )
+    shown = f"`{value.source}`"
     if value.steps:
         if found.is_list or found.kind not in (int, float):
             return f"{shown} is {found}, and cannot be calculated with"

@@ -35,6 +35,11 @@ def users_of(node: Node, kind: EndpointKind, name: str) -> list[Span]:
     return [span for span in found if span is not None]
 
 
+def rates_of(node: Node) -> set[str]:
+    """Return the parameters of a node that say how often something is done."""
+    return {rate for _, _, rate in _parts(node) if rate is not None}
+
+
 def _parts(node: Node) -> list[tuple[Span | None, Value, str | None]]:
     """Return the statements of a node with their values, and the parameters of their rates."""
     found: list[tuple[Span | None, Value, str | None]] = []

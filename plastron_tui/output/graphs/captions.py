@@ -6,7 +6,13 @@ from collections.abc import Iterable
 
 from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.model.graph import End, GraphNode, Hub, Sending
-from plastron_tui.model.kinds import Client, EndpointKind, Publisher
+from plastron_tui.model.kinds import (
+    ActionClient,
+    Client,
+    EndpointKind,
+    Publisher,
+    callback_of,
+)
 from plastron_tui.ros.interfaces import InterfaceName
 
 
@@ -34,19 +40,19 @@ def node_text(node: GraphNode) -> str:
 
 def hub_text(hub: Hub) -> str:
     """Return the caption of a topic or service: its type, and how often it is published if once."""
-    rates = {sending.rate for end in hub.tails for sending in end.sendings}
-    rate = f" · {hertz(rates.pop())}" if len(rates) == 1 else ""
+    rates = {sending.pace for end in hub.tails for sending in end.sendings}
+    rate = f" · {rates.pop()}" if len(rates) == 1 else ""
     return f"{type_text(hub.types)}{rate}"
-
-
-def hertz(rate: float) -> str:
-    """Return a rate with its unit."""
-    return f"{rate:g} Hz"
 
 
 def sendings_text(sendings: Iterable[Sending]) -> str:
     """Return what is sent and how often, "" for what a file sends."""
-    return ", ".join(f"{sending.message} at {hertz(sending.rate)}" for sending in sendings)
+    return ", ".join(
+        f"{sending.message} at {sending.pace}"
+        if sending.rate
+        else f"{sending.message} {sending.pace}"
+        for sending in sendings
+    )
 
 
 def ends_of(hub: Hub) -> list[tuple[GraphNode, str, str]]:
@@ -64,5 +70,7 @@ def _details(end: End) -> str:
             return sendings_text(end.sendings)
         case Client(requests=requests):
             return "" if len(requests) < 2 else f"{len(requests)} times"
+        case ActionClient(goals=goals):
+            return "" if len(goals) < 2 else f"{len(goals)} times"
         case calling:
-            return calling.callback or ""
+            return callback_of(calling) or ""

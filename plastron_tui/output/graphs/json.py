@@ -8,8 +8,15 @@ from typing import Any
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.graph import KINDS_AT, NOUNS, End, Graph, GraphNode, Hub
-from plastron_tui.model.kinds import Client, Publisher, Service
-from plastron_tui.model.values import MessageValue, Value
+from plastron_tui.model.kinds import (
+    ActionClient,
+    ActionServer,
+    Client,
+    Publisher,
+    Service,
+    callback_of,
+)
+from plastron_tui.model.values import Computed, MessageValue, Value
 from plastron_tui.ros.interfaces import InterfaceName
 
 
@@ -90,10 +97,12 @@ def _details(end: End) -> dict[str, Any]:
             }
         case Client(requests=requests):
             return {"requests": [_value(request.value) for request in requests]}
-        case Service(callback=callback):
+        case ActionClient(goals=goals):
+            return {"goals": [_value(goal) for goal in goals]}
+        case Service(callback=callback) | ActionServer(callback=callback):
             return {"handler": callback}
         case calling:
-            return {"callback": calling.callback}
+            return {"callback": callback_of(calling)}
 
 
 def _type(type_: InterfaceName | None) -> str | None:
@@ -108,6 +117,8 @@ def _value(value: Value) -> Any:
     match value:
         case MessageValue(fields=fields):
             return _fields(fields)
+        case Computed():
+            return str(value)
         case tuple():
             return [_value(each) for each in value]
         case float() if value != value or value in (float("inf"), float("-inf")):

@@ -5,7 +5,8 @@ from __future__ import annotations
 import keyword
 from dataclasses import dataclass
 
-from plastron_tui.model.values import Value
+from plastron_tui.model.kinds import Parameter
+from plastron_tui.model.values import Computed, Value
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import FieldType, Interface, InterfaceName
 
@@ -52,6 +53,15 @@ class Dialect:
     def field(self, name: str) -> str:
         """Return what the constructor of a message calls a field."""
         return name
+
+    def parameter(self, parameter: Parameter) -> str:
+        """Write what reads a parameter of the node."""
+        raise AssertionError(f"{self.library} has no parameters")
+
+    def as_field(self, value: Computed, written: str) -> str:
+        """Write a computed value as the field takes it that it is for."""
+        del value
+        return written
 
     def unusable(self, interface: Interface, catalog: Catalog) -> str | None:
         """Return why there is no class of an interface, None where there is one.

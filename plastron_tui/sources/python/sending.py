@@ -182,7 +182,7 @@ def add_calls(added: Addition, client: Client) -> list[str]:
         return []
     added.stand(is_nested=added.is_nested)
     interface = added.messages.interface(client.type, InterfaceKind.SERVICE, client.name)
-    requests = [added.messages.request(interface, request) for request in client.requests]
+    requests = [added.messages.request(interface, each.value) for each in client.requests]
     if _call_in_own_method(added, requests):
         return []
     name = added.free_name(method_naming(added.analysis, "call").name(added.name))

@@ -48,7 +48,8 @@ def resend(update: Replacement, interface: Interface) -> None:
         is_done = _publish(update, variable, endpoint.publications)
     else:
         assert isinstance(endpoint, Client), "only publishers and clients send"
-        is_done = _request(update, variable, interface, endpoint.requests)
+        requests = [each.value for each in endpoint.requests]
+        is_done = _request(update, variable, interface, requests)
     if isinstance(endpoint, Publisher):
         old, interfaces = update.site.endpoint, update.added.messages.interfaces
         name = old.name or old.default or ""

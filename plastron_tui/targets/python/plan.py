@@ -7,34 +7,110 @@ The exceptions are the labels, which hold plain characters only.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 
 @dataclass(frozen=True, slots=True)
 class PublisherPlan:
-    """A publisher, and the attribute that holds it."""
+    """A publisher, and the attribute that holds it; `qos` is what says how messages are kept."""
 
     attribute: str
     topic: str
     type: str
+    qos: str
 
 
 @dataclass(frozen=True, slots=True)
 class SendPlan:
-    """A message that a timer sends; `is_stamped` when it has a header without a time."""
+    """A message that is sent.
+
+    `is_stamped` when it has a header without a time; `may_fail` when it is computed of what may
+    not be there.
+    """
 
     message: str
     is_stamped: bool
+    may_fail: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class TimerPlan:
-    """The messages that one publisher sends at one rate; `period` is in seconds."""
+class TimerPlan(NamedTuple):
+    """What a node does at a rate: it sends messages, or calls a function of its own.
+
+    Attributes:
+        method: what is called.
+        period: the seconds between two calls.
+        label: the topic, or the function, as prose.
+        publisher: what the messages are sent through, "" where there are none.
+        sends: the messages.
+        attribute: what holds the timer, "" where nothing needs it.
+        parameter: the name of the parameter that says the rate, as a literal, "" where none does.
+        rate: what reads that parameter.
+    """
+
+    method: str
+    period: str
+    label: str = ""
+    publisher: str = ""
+    sends: tuple[SendPlan, ...] = ()
+    attribute: str = ""
+    parameter: str = ""
+    rate: str = ""
+
+
+class OncePlan(NamedTuple):
+    """The messages that a publisher sends once, and what waits until somebody listens."""
 
     publisher: str
     method: str
-    period: str
+    timer: str
     label: str
     sends: tuple[SendPlan, ...]
+    heard: str = ""
+    waiting: str = ""
+
+
+class ReactionPlan(NamedTuple):
+    """The messages that a publisher sends for those of a topic, called `received`.
+
+    `condition` is "" where they are sent for each.
+    """
+
+    publisher: str
+    method: str
+    topic: str
+    heard: str
+    label: str
+    sends: tuple[SendPlan, ...]
+    condition: str
+
+    @property
+    def may_fail(self) -> bool:
+        """Whether what is computed may not be there, or fit no field."""
+        return "[" in self.condition or any(each.may_fail for each in self.sends)
+
+
+class ParameterPlan(NamedTuple):
+    """A parameter.
+
+    Attributes:
+        name: its name, as a literal.
+        label: its name, as prose.
+        default: the value where none is set.
+        attribute: what holds the last good value (ROS 1).
+        getter: the method that reads it (ROS 1).
+        descriptor: what describes it (ROS 2), "" for nothing.
+        check: what holds of a `value` that is one of it (ROS 1).
+        wanted: what a value is to be, in words.
+    """
+
+    name: str
+    label: str
+    default: str
+    attribute: str
+    getter: str
+    descriptor: str
+    check: str
+    wanted: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,13 +131,23 @@ class ServicePlan:
     handler: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class MethodPlan:
-    """A callback or a handler; `response` is a handler's default answer."""
+    """A callback or a handler.
+
+    Attributes:
+        name: what it is called.
+        label: the topic or the service, as prose.
+        response: what a handler answers.
+        answer: what the program says that it answers, "" where it says nothing.
+        reactions: the methods that a callback hands its message to.
+    """
 
     name: str
     label: str
     response: str = ""
+    answer: str = ""
+    reactions: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,7 +184,10 @@ class NodePlan:
     class_name: str = ""
     summary: str = ""
     imports: str = ""
+    parameters: list[ParameterPlan] = field(default_factory=list)
     publishers: list[PublisherPlan] = field(default_factory=list)
+    once: list[OncePlan] = field(default_factory=list)
+    reactions: list[ReactionPlan] = field(default_factory=list)
     timers: list[TimerPlan] = field(default_factory=list)
     subscriptions: list[SubscriptionPlan] = field(default_factory=list)
     callbacks: list[MethodPlan] = field(default_factory=list)
@@ -110,8 +199,13 @@ class NodePlan:
     @property
     def keeps_running(self) -> bool:
         """Whether the node has anything to do after its calls."""
-        others = self.publishers or self.subscriptions or self.services
-        return bool(others) or not self.calls
+        others = self.publishers or self.subscriptions or self.services or self.timers
+        return bool(others or self.parameters) or not self.calls
+
+    @property
+    def following(self) -> list[TimerPlan]:
+        """The timers whose rates are those of parameters."""
+        return [each for each in self.timers if each.parameter]
 
     @property
     def ends(self) -> bool:

@@ -5,8 +5,10 @@ from __future__ import annotations
 import keyword
 from typing import ClassVar
 
+from plastron_tui.model.kinds import Parameter
 from plastron_tui.model.values import Value
 from plastron_tui.ros.interfaces import FieldType, InterfaceName
+from plastron_tui.sources.python import naming
 from plastron_tui.sources.python.dialect import Dialect, plain_scalar
 from plastron_tui.sources.python.import_block import Imports
 
@@ -27,6 +29,10 @@ class _Rospy(Dialect):
         """Return a field's name; genpy puts `_` behind one that is a word of Python's own."""
         return f"{name}_" if keyword.iskeyword(name) else name
 
+    def parameter(self, parameter: Parameter) -> str:
+        """Write what reads a parameter: the parameter server takes whatever it is told."""
+        return f"self.get_{naming.words(parameter.name.removeprefix('~/'))}()"
+
     def request(self, type_: InterfaceName, imports: Imports) -> str:
         """Return the request class that genpy makes beside a service's class."""
         return imports.use(f"{type_.package}.srv", f"{type_.name}Request")
@@ -45,7 +51,9 @@ DIALECT = _Rospy(
     symbols=(),
     module_names=frozenset({"SERVICE_TIMEOUT", "interrupt", "main", "node"}),
     method_names=frozenset(),
-    attribute_names=frozenset({"ask", "ask_in_time", "call", "call_services", "exit_status"}),
+    attribute_names=frozenset(
+        {"ask", "ask_in_time", "call", "call_services", "exit_status", "follow_rates"}
+    ),
 )
 
 

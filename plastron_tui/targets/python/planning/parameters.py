@@ -1,0 +1,116 @@
+"""Parameters, as they are declared and read."""
+
+from __future__ import annotations
+
+from plastron_tui.model.kinds import HIGHEST_RATE, Parameter
+from plastron_tui.model.kinds.needs import rates_of
+from plastron_tui.ros.parameters import ParameterType
+from plastron_tui.sources.python import literals, naming
+
+from ..plan import NodePlan, ParameterPlan
+from .writing import Writing
+
+_LEAST_RATE = 0.001
+"""The lowest rate that a node lets a parameter be set to, in hertz."""
+
+_RANGES = {ParameterType.INT: "IntegerRange", ParameterType.FLOAT: "FloatingPointRange"}
+_RANGE_FIELDS = {ParameterType.INT: "integer_range", ParameterType.FLOAT: "floating_point_range"}
+
+_CHECKS = {
+    ParameterType.BOOL: ("type({0}) is bool", "true or false"),
+    ParameterType.INT: ("type({0}) is int", "an integer"),
+    ParameterType.FLOAT: ("type({0}) in (int, float)", "a number"),
+    ParameterType.STRING: ("type({0}) is str", "a string"),
+}
+"""How a value of ROS 1 is seen to be of a type, and what it is called."""
+
+_PLURALS = {
+    ParameterType.BOOL: "truth values",
+    ParameterType.INT: "integers",
+    ParameterType.FLOAT: "numbers",
+    ParameterType.STRING: "strings",
+}
+
+
+def add_parameters(writing: Writing, plan: NodePlan) -> None:
+    """Plan the parameters of a node."""
+    rates = rates_of(writing.node)
+    for parameter in writing.node.of(Parameter).values():
+        assert parameter.holds is not None  # statements say it
+        name = parameter.name.removeprefix("~/")
+        limits = _limits(parameter, is_rate=parameter.name in rates)
+        plan.parameters.append(
+            ParameterPlan(
+                name=literals.string(name if writing.is_rclpy else f"~{name}"),
+                label=naming.label(name, "it"),
+                default=writing.setting(parameter.default),
+                attribute=writing.attributes.new(f"{naming.words(name)}_parameter"),
+                getter=writing.attributes.new(f"get_{naming.words(name)}"),
+                descriptor=_descriptor(writing, parameter, limits) if writing.is_rclpy else "",
+                check=_check(writing, parameter.holds, limits),
+                wanted=_wanted(writing, parameter.holds, limits),
+            )
+        )
+
+
+def _limits(parameter: Parameter, *, is_rate: bool) -> tuple[int | float, int | float] | None:
+    """Return the least and the greatest value, None where there are none."""
+    if parameter.minimum is not None and parameter.maximum is not None:
+        return parameter.minimum, parameter.maximum
+    if not is_rate:
+        return None
+    default = parameter.default
+    assert isinstance(default, (int, float))
+    if parameter.holds is ParameterType.INT:
+        return 1, int(HIGHEST_RATE)
+    return min(_LEAST_RATE, default), HIGHEST_RATE
+
+
+def _descriptor(
+    writing: Writing, parameter: Parameter, limits: tuple[int | float, int | float] | None
+) -> str:
+    """Write what describes a parameter, "" where there is nothing to say.
+
+    A range is one of `rcl_interfaces/ParameterDescriptor`, by which rclpy refuses what is not in
+    it.
+    """
+    given = []
+    if parameter.description:
+        given.append(f"description={literals.string(parameter.description)}")
+    if limits is not None:
+        assert parameter.holds is not None
+        class_ = writing.imports.use("rcl_interfaces.msg", _RANGES[parameter.holds])
+        low, high = map(writing.setting, limits)
+        field = _RANGE_FIELDS[parameter.holds]
+        given.append(f"{field}=[{class_}(from_value={low}, to_value={high})]")
+    if not given:
+        return ""
+    class_ = writing.imports.use("rcl_interfaces.msg", "ParameterDescriptor")
+    return f"{class_}({', '.join(given)})"
+
+
+def _check(
+    writing: Writing, type_: ParameterType, limits: tuple[int | float, int | float] | None
+) -> str:
+    """Write what holds of a `value` that is of a type, and within limits."""
+    check, _ = _CHECKS[type_.element]
+    if type_.is_list:
+        return f"type(value) is list and all({check.format('each')} for each in value)"
+    written = check.format("value")
+    if limits is None:
+        return written
+    low, high = map(writing.setting, limits)
+    return f"{written} and {low} <= value <= {high}"
+
+
+def _wanted(
+    writing: Writing, type_: ParameterType, limits: tuple[int | float, int | float] | None
+) -> str:
+    """Return what a value is to be, in words."""
+    if type_.is_list:
+        return f"a list of {_PLURALS[type_.element]}"
+    words = _CHECKS[type_][1]
+    if limits is None:
+        return words
+    low, high = map(writing.setting, limits)
+    return f"{words} from {low} to {high}"

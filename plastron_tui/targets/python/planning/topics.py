@@ -1,0 +1,120 @@
+"""Publishers and subscriptions."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from typing import NamedTuple
+
+from plastron_tui.model.kinds import Condition, Publication, Publisher, Rate, Subscription
+from plastron_tui.sources.python import naming
+
+from ..plan import (
+    MethodPlan,
+    NodePlan,
+    OncePlan,
+    PublisherPlan,
+    ReactionPlan,
+    SendPlan,
+    SubscriptionPlan,
+)
+from .periods import planned_timer
+from .writing import Writing
+
+
+class _Reactions(NamedTuple):
+    """What is sent through a publisher for the messages of a topic, under one condition."""
+
+    topic: str
+    condition: Condition | None
+
+
+def add_publishers(writing: Writing, plan: NodePlan) -> None:
+    """Plan the publishers of a node, and what sends its messages."""
+    for publisher in writing.node.of(Publisher).values():
+        name = naming.words(publisher.name)
+        attribute = writing.attributes.new(f"{name}_publisher")
+        type_ = writing.message_class(publisher.type, publisher.name, publisher.span)
+        qos = _qos(writing, is_kept=any(each.is_once for each in publisher.publications))
+        plan.publishers.append(PublisherPlan(attribute, writing.name(publisher), type_, qos))
+        label = naming.label(publisher.name, "its topic")
+        by_rate: dict[Rate, list[Publication]] = defaultdict(list)
+        by_reaction: dict[_Reactions, list[Publication]] = defaultdict(list)
+        once: list[Publication] = []
+        for each in publisher.publications:
+            if each.is_once:
+                once.append(each)
+            elif each.reaction is not None:
+                by_reaction[_Reactions(*each.reaction)].append(each)
+            else:
+                by_rate[Rate(each.rate, each.parameter)].append(each)
+        for rate, found in by_rate.items():
+            method = writing.attributes.new(f"publish_{name}")
+            sends = _sends(writing, publisher, found)
+            timer = planned_timer(writing, rate, method, f"{method}_timer")
+            plan.timers.append(timer._replace(publisher=attribute, label=label, sends=sends))
+        for reaction, found in by_reaction.items():
+            plan.reactions.append(
+                ReactionPlan(
+                    publisher=attribute,
+                    method=writing.attributes.new(f"publish_{name}"),
+                    topic=reaction.topic,
+                    heard=naming.label(reaction.topic, "its topic"),
+                    label=label,
+                    sends=_sends(writing, publisher, found),
+                    condition=_condition(writing, reaction.condition),
+                )
+            )
+        if once:
+            new = writing.attributes.new
+            method, waiting = new(f"publish_{name}"), new(f"{name}_timer")
+            sends = _sends(writing, publisher, once)
+            rest = (new(f"{name}_is_heard"), "") if writing.is_rclpy else ("", new(f"await_{name}"))
+            plan.once.append(OncePlan(attribute, method, waiting, label, sends, *rest))
+
+
+def _qos(writing: Writing, *, is_kept: bool) -> str:
+    """Write how the messages of a publisher are kept."""
+    if not writing.is_rclpy:
+        return "queue_size=1, latch=True" if is_kept else "queue_size=10"
+    if not is_kept:
+        return "10"
+    profile = writing.imports.use("rclpy.qos", "QoSProfile")
+    durability = writing.imports.use("rclpy.qos", "DurabilityPolicy")
+    return f"{profile}(depth=1, durability={durability}.TRANSIENT_LOCAL)"
+
+
+def _sends(
+    writing: Writing, publisher: Publisher, found: list[Publication]
+) -> tuple[SendPlan, ...]:
+    return tuple(writing.send(each.message.value, publisher.span) for each in found)
+
+
+def _condition(writing: Writing, condition: Condition | None) -> str:
+    """Write what must hold of a message that is called `received`."""
+    if condition is None:
+        return ""
+    path = ".".join(map(writing.dialect.field, condition.source.path))
+    position = "" if condition.source.position is None else f"[{condition.source.position}]"
+    holder = f"received.{path}{position}"
+    operator = "==" if condition.operator == "=" else condition.operator
+    value = writing.setting(condition.value)
+    if condition.quantifier is None:
+        return f"{holder} {operator} {value}"
+    return f"{condition.quantifier}(each {operator} {value} for each in {holder})"
+
+
+def add_subscriptions(writing: Writing, plan: NodePlan) -> None:
+    """Plan the subscriptions of a node, after its publishers."""
+    for subscription in writing.node.of(Subscription).values():
+        type_ = writing.message_class(subscription.type, subscription.name, subscription.span)
+        callback = subscription.callback
+        if callback is None:
+            callback = writing.attributes.new(f"on_{naming.words(subscription.name)}")
+        plan.subscriptions.append(SubscriptionPlan(writing.name(subscription), type_, callback))
+        reactions = tuple(each.method for each in plan.reactions if each.topic == subscription.name)
+        known = writing.methods.get(callback)
+        if known is None:
+            known = MethodPlan(callback, naming.label(subscription.name, callback))
+            writing.methods[callback] = known
+            plan.callbacks.append(known)
+        known.reactions += reactions

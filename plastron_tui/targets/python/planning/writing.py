@@ -1,0 +1,201 @@
+"""Names, types and values of a node, written as the Python of its client library."""
+
+from __future__ import annotations
+
+from typing import NoReturn
+
+from plastron_tui.diagnostics import Code, Diagnostic, Span, codes
+from plastron_tui.model.kinds import Endpoint, Parameter
+from plastron_tui.model.values import Computed, MessageValue, OfParameter, Value, computed_in
+from plastron_tui.model.workspace import Node
+from plastron_tui.ros.catalog import Catalog, moved
+from plastron_tui.ros.interfaces import Field, FieldType, Interface, InterfaceKind, InterfaceName
+from plastron_tui.ros.names import name_as_written, parameter_name
+from plastron_tui.sources.python import literals, naming
+from plastron_tui.sources.python.dialect import Dialect
+from plastron_tui.sources.python.import_block import Imports
+
+from ..plan import MethodPlan, SendPlan
+
+_HEADER = InterfaceName("std_msgs", "Header")
+
+
+class CannotPlanError(Exception):
+    """A part of the node that its client library cannot have; the diagnostic says which."""
+
+    def __init__(self, diagnostic: Diagnostic) -> None:
+        self.diagnostic = diagnostic
+
+
+class Writing:
+    """Writes the expressions of one file, and keeps its names apart.
+
+    Attributes:
+        node: the node.
+        catalog: the interface types.
+        dialect: the client library.
+        imports: what the file imports.
+        attributes: the names of what the node's class has.
+        methods: the functions that endpoints call, by their names.
+    """
+
+    def __init__(
+        self, node: Node, catalog: Catalog, dialect: Dialect, imports: Imports, given: set[str]
+    ) -> None:
+        """Begin a file in which the names in `given` are taken."""
+        self.node = node
+        self.catalog = catalog
+        self.dialect = dialect
+        self.imports = imports
+        self.attributes = naming.Scope({*dialect.attribute_names, *given})
+        self.methods: dict[str, MethodPlan] = {}
+
+    @property
+    def is_rclpy(self) -> bool:
+        """Whether the file is one of ROS 2."""
+        return self.dialect.ros_version == 2
+
+    def name(self, endpoint: Endpoint) -> str:
+        """Write the name of an endpoint as the client library takes it."""
+        return literals.string(name_as_written(endpoint.name, self.dialect.ros_version))
+
+    def send(self, value: MessageValue, span: Span | None) -> SendPlan:
+        """Write a message that is sent."""
+        type_ = self.find(value.type, InterfaceKind.MESSAGE, span)
+        has_header = any(
+            field.name == "header" and field.type.message == _HEADER for field in type_.fields
+        )
+        header = value.fields.get("header")
+        has_time = isinstance(header, Computed) or (
+            isinstance(header, MessageValue) and "stamp" in header.fields
+        )
+        return SendPlan(
+            self.message(value, span),
+            has_header and not has_time,
+            any(isinstance(each.source, OfParameter) for each in computed_in(value)),
+        )
+
+    def request(self, type_: InterfaceName, value: MessageValue, span: Span | None) -> str:
+        """Write a request of a service's type."""
+        interface = self.find(type_, InterfaceKind.SERVICE, span)
+        class_ = self.dialect.request(type_, self.imports)
+        return f"{class_}({self._arguments(interface, interface.fields, value, span)})"
+
+    def response(self, type_: InterfaceName, value: MessageValue, span: Span | None) -> str:
+        """Write a response of a service's type, to a request that is called `request`."""
+        interface = self.find(type_, InterfaceKind.SERVICE, span)
+        class_ = self.dialect.response(type_, self.imports).removesuffix("()")
+        fields = interface.response.fields
+        return f"{class_}({self._arguments(interface, fields, value, span, 'request')})"
+
+    def message(self, value: MessageValue, span: Span | None, received: str = "received") -> str:
+        """Write a message; `received` is what holds the message that it is an answer to."""
+        interface = self.find(value.type, InterfaceKind.MESSAGE, span)
+        class_ = self.imports.use(f"{interface.name.package}.msg", interface.name.name)
+        return f"{class_}({self._arguments(interface, interface.fields, value, span, received)})"
+
+    def _arguments(
+        self,
+        interface: Interface,
+        fields: tuple[Field, ...],
+        value: MessageValue,
+        span: Span | None,
+        received: str = "received",
+    ) -> str:
+        types = {field.name: field.type for field in fields}
+        written = []
+        for name, each in value.fields.items():
+            if name not in types:
+                message = f"`{interface.name}` has no field `{name}` in {self.catalog.distribution}"
+                self.refuse(codes.UNKNOWN_FIELD, message, span, self._note(interface.name))
+            argument = self.dialect.field(name)
+            written.append(f"{argument}={self._value(types[name], each, span, received)}")
+        return ", ".join(written)
+
+    def _value(self, type_: FieldType, value: Value, span: Span | None, received: str) -> str:
+        if isinstance(value, Computed):
+            return self.computed(value, received)
+        if type_.is_array and isinstance(value, tuple):
+            element = type_._replace(is_array=False, length=None, bound=None)
+            items = (self._value(element, each, span, received) for each in value)
+            return f"[{', '.join(items)}]"
+        if isinstance(value, MessageValue):
+            return self.message(value, span, received)
+        return self.dialect.scalar(type_, value, self.imports)
+
+    def computed(self, value: Computed, received: str = "received") -> str:
+        """Write a value that is known when it is sent."""
+        source = value.source
+        if isinstance(source, OfParameter):
+            written = self.parameter(source.name)
+        else:
+            path = ".".join(map(self.dialect.field, source.path))
+            position = "" if source.position is None else f"[{source.position}]"
+            written = f"{received}.{path}{position}"
+        for operator, number in value.steps:
+            written += f" {operator} {literals.number(number)}"
+        return self.dialect.as_field(value, written)
+
+    def parameter(self, name: str) -> str:
+        """Write the value that a parameter of the node has."""
+        parameters = self.node.of(Parameter)
+        # A node of ROS 1 may be written for ROS 2, which has no sign for its own ones.
+        names = (parameter_name(name.removeprefix("~/"), version) for version in (1, 2))
+        return self.dialect.parameter(
+            next(parameters[each] for each in names if each in parameters)
+        )
+
+    def setting(self, value: object) -> str:
+        """Write the value of a parameter."""
+        if isinstance(value, tuple):
+            return f"[{', '.join(map(self.setting, value))}]"
+        if isinstance(value, str):
+            return literals.string(value)
+        if isinstance(value, bool):
+            return repr(value)
+        assert isinstance(value, (int, float))
+        return literals.number(value)
+
+    def message_class(self, type_: InterfaceName | None, name: str, span: Span | None) -> str:
+        """Write the class of an endpoint's messages."""
+        found = self.known(type_, InterfaceKind.MESSAGE, name, span)
+        return self.imports.use(f"{found.package}.msg", found.name)
+
+    def class_of(self, type_: InterfaceName, kind: InterfaceKind) -> str:
+        """Write the class of a type."""
+        return self.imports.use(f"{type_.package}.{kind.value}", type_.name)
+
+    def known(
+        self, type_: InterfaceName | None, kind: InterfaceKind, name: str, span: Span | None
+    ) -> InterfaceName:
+        """Return the type of an endpoint as the distribution names it."""
+        if type_ is None:
+            message = f"the type of `{name}` is not known"
+            self.refuse(codes.UNKNOWN_TYPE, message, span, "name its type in the source file")
+        return self.find(type_, kind, span).name
+
+    def find(self, type_: InterfaceName, kind: InterfaceKind, span: Span | None) -> Interface:
+        """Return an interface, under its new name where ROS has renamed it."""
+        found = self.catalog.find(type_, kind)
+        if found is None:
+            instead = moved(type_, self.catalog.ros_version)
+            if isinstance(instead, InterfaceName):
+                found = self.catalog.find(instead, kind)
+        if found is None:
+            message = f"{self.catalog.distribution} has no type `{type_}`"
+            self.refuse(codes.UNKNOWN_TYPE, message, span, self._note(type_))
+        reason = self.dialect.unusable(found, self.catalog)
+        if reason is not None:
+            self.refuse(codes.UNUSABLE_TYPE, reason, span)
+        return found
+
+    def _note(self, type_: InterfaceName) -> str | None:
+        """Return what is known to have become of a type."""
+        note = moved(type_, self.catalog.ros_version)
+        return f"use `{note}`" if isinstance(note, InterfaceName) else note
+
+    def refuse(
+        self, code: Code, message: str, span: Span | None, help_text: str | None = None
+    ) -> NoReturn:
+        """Stop: the client library cannot have a part of the node."""
+        raise CannotPlanError(Diagnostic(code, message, span or self.node.span, help=help_text))
