@@ -58,9 +58,9 @@ class Dialect:
         """Write what reads a parameter of the node."""
         raise AssertionError(f"{self.library} has no parameters")
 
-    def as_field(self, value: Computed, written: str) -> str:
-        """Write a computed value as the field takes it that it is for."""
-        del value
+    def as_field(self, value: Computed, written: str, *, is_whole: bool) -> str:
+        """Write a computed value as its field takes it; `is_whole` when it is an integer."""
+        del value, is_whole
         return written
 
     def unusable(self, interface: Interface, catalog: Catalog) -> str | None:

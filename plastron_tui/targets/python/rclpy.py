@@ -95,12 +95,12 @@ class _Rclpy(Dialect):
         """Write what reads a parameter; rclpy keeps it of its type, and in its range."""
         return f"self.get_parameter({literals.string(parameter.name.removeprefix('~/'))}).value"
 
-    def as_field(self, value: Computed, written: str) -> str:
+    def as_field(self, value: Computed, written: str, *, is_whole: bool) -> str:
         """Write a computed value; a field of floats takes no integer, and one of lists no array."""
         is_parameter = isinstance(value.source, OfParameter)
         if value.type.is_array:
             return f"list({written})" if is_parameter else written
-        if value.type.name in {"float32", "float64"} and not value.is_float:
+        if value.type.name in {"float32", "float64"} and is_whole:
             return f"float({written})"
         return written
 

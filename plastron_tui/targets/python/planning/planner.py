@@ -101,6 +101,10 @@ def _standard(dialect: Dialect, plan: NodePlan) -> tuple[str, ...]:
     return (*dialect.standard, *(name for name in calling if name != "sys" or plan.ends))
 
 
+_MOST_SAID = 4
+"""How much of what a node does is said: it has to go on one line."""
+
+
 def _summary(node: Node) -> str:
     """Return what a node does, as a sentence."""
     parts = [
@@ -112,5 +116,7 @@ def _summary(node: Node) -> str:
         ("has parameters", node.of(Parameter)),
     ]
     does = [text for text, has in parts if has] or ["does nothing yet"]
+    if len(does) > _MOST_SAID:
+        does = [*does[: _MOST_SAID - 1], "more"]
     text = does[0] if len(does) == 1 else f"{', '.join(does[:-1])} and {does[-1]}"
     return f"{text[0].upper()}{text[1:]}."

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from plastron_tui.model.kinds import Condition, Publication, Publisher, Rate, Subscription
+from plastron_tui.ros.interfaces import Field, InterfaceKind
 from plastron_tui.sources.python import naming
 
 from ..plan import (
@@ -50,7 +52,7 @@ def add_publishers(writing: Writing, plan: NodePlan) -> None:
         for rate, found in by_rate.items():
             method = writing.attributes.new(f"publish_{name}")
             sends = _sends(writing, publisher, found)
-            timer = planned_timer(writing, rate, method, f"{method}_timer")
+            timer = planned_timer(writing, rate, method, f"{name}_timer")
             plan.timers.append(timer._replace(publisher=attribute, label=label, sends=sends))
         for reaction, found in by_reaction.items():
             plan.reactions.append(
@@ -60,7 +62,7 @@ def add_publishers(writing: Writing, plan: NodePlan) -> None:
                     topic=reaction.topic,
                     heard=naming.label(reaction.topic, "its topic"),
                     label=label,
-                    sends=_sends(writing, publisher, found),
+                    sends=_sends(writing, publisher, found, _heard(writing, reaction.topic)),
                     condition=_condition(writing, reaction.condition),
                 )
             )
@@ -84,9 +86,19 @@ def _qos(writing: Writing, *, is_kept: bool) -> str:
 
 
 def _sends(
-    writing: Writing, publisher: Publisher, found: list[Publication]
+    writing: Writing,
+    publisher: Publisher,
+    found: list[Publication],
+    heard: Sequence[Field] = (),
 ) -> tuple[SendPlan, ...]:
-    return tuple(writing.send(each.message.value, publisher.span) for each in found)
+    return tuple(writing.send(each.message.value, publisher.span, heard) for each in found)
+
+
+def _heard(writing: Writing, topic: str) -> Sequence[Field]:
+    """Return the fields of the messages of a topic that the node subscribes to."""
+    subscription = writing.node.of(Subscription)[topic]
+    assert subscription.type is not None  # a statement reacts to a type that is known
+    return writing.find(subscription.type, InterfaceKind.MESSAGE, subscription.span).fields
 
 
 def _condition(writing: Writing, condition: Condition | None) -> str:

@@ -2,15 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NoReturn
 
 from plastron_tui.diagnostics import Code, Diagnostic, Span, codes
 from plastron_tui.model.kinds import Endpoint, Parameter
-from plastron_tui.model.values import Computed, MessageValue, OfParameter, Value, computed_in
+from plastron_tui.model.kinds.computed import what_received
+from plastron_tui.model.values import (
+    Computed,
+    MessageValue,
+    OfParameter,
+    OfReceived,
+    Value,
+    computed_in,
+)
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog, moved
 from plastron_tui.ros.interfaces import Field, FieldType, Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.names import name_as_written, parameter_name
+from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.sources.python import literals, naming
 from plastron_tui.sources.python.dialect import Dialect
 from plastron_tui.sources.python.import_block import Imports
@@ -18,6 +28,10 @@ from plastron_tui.sources.python.import_block import Imports
 from ..plan import MethodPlan, SendPlan
 
 _HEADER = InterfaceName("std_msgs", "Header")
+
+
+_SAFE_FIELDS = frozenset({"bool", "string", "wstring", "float64"})
+"""The fields that take whatever is of their kind."""
 
 
 class CannotPlanError(Exception):
@@ -49,6 +63,7 @@ class Writing:
         self.imports = imports
         self.attributes = naming.Scope({*dialect.attribute_names, *given})
         self.methods: dict[str, MethodPlan] = {}
+        self._heard: Sequence[Field] = ()
 
     @property
     def is_rclpy(self) -> bool:
@@ -59,8 +74,9 @@ class Writing:
         """Write the name of an endpoint as the client library takes it."""
         return literals.string(name_as_written(endpoint.name, self.dialect.ros_version))
 
-    def send(self, value: MessageValue, span: Span | None) -> SendPlan:
-        """Write a message that is sent."""
+    def send(self, value: MessageValue, span: Span | None, heard: Sequence[Field] = ()) -> SendPlan:
+        """Write a message that is sent; `heard` are the fields of what is received then."""
+        self._heard = heard
         type_ = self.find(value.type, InterfaceKind.MESSAGE, span)
         has_header = any(
             field.name == "header" and field.type.message == _HEADER for field in type_.fields
@@ -72,7 +88,7 @@ class Writing:
         return SendPlan(
             self.message(value, span),
             has_header and not has_time,
-            any(isinstance(each.source, OfParameter) for each in computed_in(value)),
+            any(map(_may_fail, computed_in(value))),
         )
 
     def request(self, type_: InterfaceName, value: MessageValue, span: Span | None) -> str:
@@ -84,6 +100,7 @@ class Writing:
     def response(self, type_: InterfaceName, value: MessageValue, span: Span | None) -> str:
         """Write a response of a service's type, to a request that is called `request`."""
         interface = self.find(type_, InterfaceKind.SERVICE, span)
+        self._heard = interface.fields
         class_ = self.dialect.response(type_, self.imports).removesuffix("()")
         fields = interface.response.fields
         return f"{class_}({self._arguments(interface, fields, value, span, 'request')})"
@@ -134,16 +151,25 @@ class Writing:
             written = f"{received}.{path}{position}"
         for operator, number in value.steps:
             written += f" {operator} {literals.number(number)}"
-        return self.dialect.as_field(value, written)
+        is_whole = not value.is_float and self._is_whole(source)
+        return self.dialect.as_field(value, written, is_whole=is_whole)
+
+    def _is_whole(self, source: OfParameter | OfReceived) -> bool:
+        """Tell whether a value is an integer."""
+        if isinstance(source, OfParameter):
+            return self._parameter(source.name).holds is ParameterType.INT
+        found = what_received(source, self._heard, self.catalog, self.node.span)
+        return found.kind is int
 
     def parameter(self, name: str) -> str:
         """Write the value that a parameter of the node has."""
+        return self.dialect.parameter(self._parameter(name))
+
+    def _parameter(self, name: str) -> Parameter:
         parameters = self.node.of(Parameter)
         # A node of ROS 1 may be written for ROS 2, which has no sign for its own ones.
         names = (parameter_name(name.removeprefix("~/"), version) for version in (1, 2))
-        return self.dialect.parameter(
-            next(parameters[each] for each in names if each in parameters)
-        )
+        return next(parameters[each] for each in names if each in parameters)
 
     def setting(self, value: object) -> str:
         """Write the value of a parameter."""
@@ -199,3 +225,10 @@ class Writing:
     ) -> NoReturn:
         """Stop: the client library cannot have a part of the node."""
         raise CannotPlanError(Diagnostic(code, message, span or self.node.span, help=help_text))
+
+
+def _may_fail(value: Computed) -> bool:
+    """Tell whether what is received may lack a value, or have one that its field does not take."""
+    source = value.source
+    is_safe = value.type.name in _SAFE_FIELDS
+    return isinstance(source, OfReceived) and (source.position is not None or not is_safe)
