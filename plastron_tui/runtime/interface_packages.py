@@ -47,7 +47,7 @@ find_package(ament_cmake REQUIRED)
 find_package(rosidl_cmake REQUIRED)
 find_package(rosidl_generator_py REQUIRED)
 find_package(rosidl_typesupport_fastrtps_c REQUIRED)
-foreach(package builtin_interfaces service_msgs)
+foreach(package builtin_interfaces service_msgs unique_identifier_msgs action_msgs)
   find_package(${{package}} REQUIRED)
   set_target_properties(
     ${{package}}::${{package}}__rosidl_generator_py
@@ -66,6 +66,7 @@ _MANIFEST = """\
   <maintainer email="nobody@example.com">nobody</maintainer>
   <license>Apache-2.0</license>
   <buildtool_depend>ament_cmake</buildtool_depend>
+  <depend>action_msgs</depend>
   <exec_depend>rosidl_default_runtime</exec_depend>
   <member_of_group>rosidl_interface_packages</member_of_group>
 </package>
