@@ -40,7 +40,7 @@ NOT_BUILT = Code(
     "not-built",
     "A package of the language's own types has nothing to install it from. It is made from "
     "its definitions when a program is run that needs it, once, and that failed. The help "
-    "line has what is missing on this machine, or what the build said.",
+    "line has what is missing on this machine, or the file with what the build said.",
 )
 
 NO_MASTER = Code(
