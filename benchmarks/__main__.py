@@ -7,7 +7,7 @@ from plastron_tui import collector
 
 _PARTS = (
     *("language", "process", "output", "source", "editor", "studio"),
-    *("collector", "threads", "memory"),
+    *("collector", "threads", "memory", "rates"),
 )
 
 

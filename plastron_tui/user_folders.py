@@ -1,4 +1,4 @@
-"""The folders of a user's configuration and state, by the XDG base directory specification."""
+"""The folders of a user's settings, state and cache, by the XDG base directory specification."""
 
 from __future__ import annotations
 
@@ -22,6 +22,11 @@ def config_folder(environ: Mapping[str, str] = os.environ) -> Path:
 def state_folder(environ: Mapping[str, str] = os.environ) -> Path:
     """Return the folder of what is remembered from one start to the next."""
     return _base(environ, "XDG_STATE_HOME", ".local/state") / "plastron"
+
+
+def cache_folder(environ: Mapping[str, str] = os.environ) -> Path:
+    """Return the folder of what can be made again."""
+    return _base(environ, "XDG_CACHE_HOME", ".cache") / "plastron"
 
 
 def _base(environ: Mapping[str, str], variable: str, default: str) -> Path:

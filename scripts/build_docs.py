@@ -89,6 +89,9 @@ fraction belongs. A field that is a time or a duration (`time` and `duration` in
 `builtin_interfaces/Time` and `Duration` in ROS 2) takes seconds, `stamp=1.5`, or whole seconds and
 nanoseconds, `stamp=(1, 500000000)`.
 
+A message with a `header` that a node publishes is stamped when it is sent: its `header.stamp` is the
+node's time then, where the values give none. A time that they give is sent as it is, each time.
+
 `plastron types Twist` shows the fields of a type, `plastron types '*Scan*'` finds types.
 
 ## Types
@@ -112,7 +115,7 @@ rover/                      the program's folder
 
 `types` in `plastron.yaml` names other folders to look in instead. To run a node, ROS needs the package
 built and sourced: Plastron only reads the definitions. These bare names always mean the same, whatever
-else is installed:
+else is installed, and all of them run ([how](commands.md#plastron-run)):
 
 | name | ROS 1 | ROS 2 |
 |---|---|---|

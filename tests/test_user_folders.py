@@ -9,7 +9,7 @@ import pytest
 
 from plastron_tui import user_folders
 from plastron_tui.private_files import write_private
-from plastron_tui.user_folders import NOWHERE, config_folder, state_folder
+from plastron_tui.user_folders import NOWHERE, cache_folder, config_folder, state_folder
 
 
 @pytest.fixture
@@ -30,6 +30,7 @@ def test_variables_go_first_and_count_only_when_absolute(tmp_path: Path) -> None
     environ = {"XDG_STATE_HOME": str(tmp_path), "XDG_CONFIG_HOME": "here"}
     assert state_folder(environ) == tmp_path / "plastron"
     assert config_folder(environ) == Path.home() / ".config/plastron"
+    assert cache_folder(environ) == Path.home() / ".cache/plastron"
 
 
 def test_a_home_that_is_no_place_is_none(shared: Path, monkeypatch: pytest.MonkeyPatch) -> None:

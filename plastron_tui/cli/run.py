@@ -107,7 +107,7 @@ def _prepare(
     if report.status:
         return []
     for library, environment in environments.items():
-        click.echo(visible(f"running {library} nodes on {environment.words}"), err=True)
+        _tell(f"running {library} nodes on {environment.words}")
     show_plan(plan, only_changes=True)
 
     def again() -> Planned:
@@ -147,23 +147,28 @@ def _environments(
     session: Session, chosen: Sequence[Generated], found: Found, report: Report
 ) -> dict[str, Environment]:
     """Return the environment of each client library that is in use."""
-    from plastron_tui.runtime.environment import missing_packages
+    from plastron_tui.runtime.interface_packages import complete
     from plastron_tui.targets import ros_version
 
     environments = {}
     for library in dict.fromkeys(generated.generation.library for generated in chosen):
         environment, diagnostics = found.choose(ros_version(library))
         if environment is not None:
-            environments[library] = environment
-            packages = {
-                package
+            types = {
+                type_
                 for generated in chosen
                 if generated.generation.library == library
-                for package in generated.generation.node.packages
+                for type_ in generated.generation.node.types
             }
-            diagnostics += missing_packages(environment, sorted(packages))
+            definitions = session.catalog(environment.ros_version).table_package
+            environments[library], missing = complete(environment, types, definitions, _tell)
+            diagnostics += missing
         report.add(diagnostics, lambda _: None, session.path)
     return environments
+
+
+def _tell(line: str) -> None:
+    click.echo(visible(line), err=True)
 
 
 def _node_files(

@@ -23,6 +23,8 @@ from .kinds import (
 )
 
 if TYPE_CHECKING:
+    from plastron_tui.ros.interfaces import InterfaceName
+
     from .source import SourceUnit
 
 
@@ -119,10 +121,15 @@ class Node:
         }
 
     @property
+    def types(self) -> frozenset[InterfaceName]:
+        """The interface types that the node uses."""
+        types = (endpoint.type for endpoint in self.endpoints.values())
+        return frozenset(type_ for type_ in types if type_ is not None)
+
+    @property
     def packages(self) -> frozenset[str]:
         """The packages whose interface types the node uses."""
-        types = (endpoint.type for endpoint in self.endpoints.values())
-        return frozenset(type_.package for type_ in types if type_ is not None)
+        return frozenset(type_.package for type_ in self.types)
 
     def snapshot(self) -> Node:
         """Return the node as it is now, untouched by what later statements do to it."""

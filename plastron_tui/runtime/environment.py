@@ -50,12 +50,15 @@ class Environment:
         ros_version: 1 or 2.
         distribution: its name (`kilted`, `noetic`), "" where nothing tells.
         python: the interpreter that can import its client library.
+        overlays: folders of interface packages that are used with it, each with the folder
+            `python`, and `lib` for libraries.
     """
 
     origin: Origin
     ros_version: int
     distribution: str
     python: Path
+    overlays: tuple[Path, ...] = ()
 
     @property
     def library(self) -> str:
@@ -146,19 +149,20 @@ def find_environments(
 
 def missing_packages(
     environment: Environment, packages: Iterable[str], environ: Mapping[str, str] = os.environ
-) -> list[Diagnostic]:
-    """Return a diagnostic for each interface package that the environment cannot import."""
+) -> list[str]:
+    """Return the packages that the environment cannot import."""
     named = list(dict.fromkeys(packages))
     found = _probe(environment.python, node_environ(environment, environ), named)
-    missing: Sequence[str] = found["missing"] if found is not None else ()
-    return [
-        Diagnostic(
-            codes.MISSING_ROS_PACKAGE,
-            f"`{name}` is not installed in {environment.words}",
-            help=_remedy(environment, name),
-        )
-        for name in missing
-    ]
+    return [] if found is None else list(found["missing"])
+
+
+def missing_package(environment: Environment, name: str) -> Diagnostic:
+    """Say that an environment lacks an interface package, and how it gets there."""
+    return Diagnostic(
+        codes.MISSING_ROS_PACKAGE,
+        f"`{name}` is not installed in {environment.words}",
+        help=_remedy(environment, name),
+    )
 
 
 def node_environ(
@@ -171,6 +175,10 @@ def node_environ(
     """Return the environment variables of a node: this machine only, unless `network`."""
     own = dict(environ) if environment.origin is Origin.SOURCED else _unsourced(environ)
     own = _without_wheels(own)
+    for variable, folder in (("PYTHONPATH", "python"), ("LD_LIBRARY_PATH", "lib")):
+        parts = [*(str(each / folder) for each in environment.overlays), own.get(variable, "")]
+        if environment.overlays:
+            own[variable] = os.pathsep.join(filter(None, parts))
     own["PYTHONUNBUFFERED"] = "1"
     if environment.ros_version == 1:
         if master_uri is not None:

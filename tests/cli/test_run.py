@@ -30,6 +30,19 @@ from plastron_tui.cli import main
 main()
 """
 
+TABLE_SERVICES = """\
+create_node 'adder' as adder
+adder provides_service 'add' of service_type AddTwoInts
+adder provides_service 'pull' of service_type WaypointPull
+adder provides_service 'count' of service_type WordCount
+generate_node adder
+create_node 'caller' as caller
+caller client_requests 'add' of service_type AddTwoInts with input 5, 6
+caller client_requests 'pull' of service_type WaypointPull with input none
+caller client_requests 'count' of service_type WordCount with input "to be or not"
+generate_node caller
+"""
+
 
 @pytest.fixture(params=["rospy", "rclpy"])
 def ros(request: pytest.FixtureRequest, tmp_path: Path) -> Ros:
@@ -50,6 +63,25 @@ def test_a_program_is_generated_and_run(ros: Ros) -> None:
     assert (ros.folder / "output" / "talker_pub.py").exists()
     assert not ros.processes()
     assert master_pid(ros.environ["ROS_MASTER_URI"]) is None
+
+
+@pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rospy"]), indirect=True)
+@pytest.mark.live
+def test_types_of_the_table_that_nothing_installs(ros: Ros) -> None:
+    ros.write("p.plastron", TABLE_SERVICES)
+    ros.environ["XDG_CACHE_HOME"] = str(ros.folder / "cache")
+
+    def is_answered(said: str) -> bool:
+        # rospy writes `sum: 0`, rclpy `AddTwoInts_Response(sum=0)`.
+        answers = "\n".join(said_by(said, "caller")).replace("=", ": ")
+        return all(each in answers for each in ("sum: 0", "wp_received: 0", "count: 0"))
+
+    adder = "beginner_tutorials" if ros.library == "rospy" else "example_interfaces"
+    built = [f"building `{name}` for ROS " for name in ("basics", adder, "mavros_msgs")]
+    said = ros.run_until(is_answered, "p.plastron")
+    assert [line for line in built if line not in said] == []
+    said = ros.run_until(is_answered, "p.plastron")
+    assert "building" not in said
 
 
 def heard_by(said: str, name: str) -> list[str]:

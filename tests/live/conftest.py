@@ -6,15 +6,20 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from pathlib import Path
 from xmlrpc.client import ServerProxy
 
 import pytest
 from graph import Graph
-from interfaces import build
-from interfaces import environ as interfaces_environ
 from machine import domain_id, free_port, skip_or_fail, wait_until
 from processes import Process, processes
+
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.installations import Origin
+from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.runtime.environment import Environment, node_environ
+from plastron_tui.runtime.interface_packages import Definitions, kept_package
 
 ROS1_PYTHON = Path("/usr/bin/python3")
 ROS1_INSTALL = (
@@ -23,52 +28,53 @@ ROS1_INSTALL = (
     "python3-std-srvs python3-geometry-msgs python3-genpy python3-genmsg"
 )
 ROS1_MODULES = "rospy, rosmaster, roslaunch, genpy, std_msgs.msg, std_srvs.srv, geometry_msgs.msg"
-GENERATOR = Path("/usr/lib/genpy/gensrv_py.py")
 
-# Services of the language's table that Debian has no package for.
-SERVICES = {
-    "beginner_tutorials": {"AddTwoInts": "int64 a\nint64 b\n---\nint64 sum\n"},
-    "mavros_msgs": {
-        "WaypointClear": "---\nbool success\n",
-        "WaypointPull": "---\nbool success\nuint32 wp_received\n",
-    },
-    "basics": {"WordCount": "string words\n---\nuint32 count\n"},
-}
+
+def made_packages(
+    environment: Environment, cache: Path, more: Mapping[str, Definitions]
+) -> dict[str, str]:
+    """Return the environment of nodes with the packages of the language's table.
+
+    They are made once for all workers, in the folder, each with `more` definitions.
+    """
+    environ = {**os.environ, "XDG_CACHE_HOME": str(cache)}
+    catalog = Catalog(environment.distribution)
+    packages = catalog.packages(InterfaceKind.SERVICE)
+    definitions = {name: catalog.table_package(name) for name in packages}
+    with (cache / "lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        overlays = [
+            kept_package(environment, name, {**each, **more.get(name, {})}, print, environ)
+            for name, each in definitions.items()
+            if each is not None
+        ]
+    return node_environ(replace(environment, overlays=tuple(overlays)), environ)
 
 
 @pytest.fixture(scope="session")
-def ros1_services(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with the Python packages of the services, made by Debian's generator."""
+def shared_cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder of the user's cache, the same for all workers."""
+    base = tmp_path_factory.getbasetemp()
+    cache = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "cache"
+    cache.mkdir(exist_ok=True)
+    return cache
+
+
+@pytest.fixture(scope="session")
+def ros1_services(shared_cache: Path) -> str:
+    """The Python path with the packages of the services."""
     check = subprocess.run(
         [ROS1_PYTHON, "-c", f"import {ROS1_MODULES}"], capture_output=True, check=False
     )
-    if check.returncode != 0 or not GENERATOR.exists():
+    if check.returncode != 0:
         skip_or_fail(ROS1_INSTALL)
-    root = tmp_path_factory.mktemp("services")
-    for package, services in SERVICES.items():
-        definitions = root / "definitions" / package
-        definitions.mkdir(parents=True)
-        module = root / "python" / package / "srv"
-        module.mkdir(parents=True)
-        (module.parent / "__init__.py").touch()
-        for name, text in services.items():
-            file = definitions / f"{name}.srv"
-            file.write_text(text)
-            _generator("-p", package, "-o", str(module), str(file))
-        _generator("--initpy", "-p", package, "-o", str(module))
-    return root / "python"
-
-
-def _generator(*arguments: str) -> None:
-    done = subprocess.run(
-        [ROS1_PYTHON, GENERATOR, *arguments], capture_output=True, text=True, check=False
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
+    environment = Environment(Origin.DEBIAN, 1, "noetic", ROS1_PYTHON)
+    return made_packages(environment, shared_cache, {})["PYTHONPATH"]
 
 
 @pytest.fixture(scope="session")
 def ros1_env(
-    ros1_services: Path, tmp_path_factory: pytest.TempPathFactory
+    ros1_services: str, tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[dict[str, str]]:
     """The environment of a master that listens on the loopback interface only."""
     home = tmp_path_factory.mktemp("ros1")
@@ -80,7 +86,7 @@ def ros1_env(
         "ROS_IP": "127.0.0.1",
         "ROS_HOME": str(home),
         "ROS_LOG_DIR": str(home / "log"),
-        "PYTHONPATH": str(ros1_services),
+        "PYTHONPATH": ros1_services,
         "PYTHONUNBUFFERED": "1",
     }
     master = Process(["/usr/bin/roscore", "-p", str(port)], env, home / "roscore.log")
@@ -115,10 +121,11 @@ ROS2_BUILD_INSTALL = (
     "the tools that build an interface package are missing: ./dev setup dev, "
     "and apt-get install cmake make g++"
 )
-ROS2_BUILD_MODULES = "colcon_core, ament_package, rosidl_generator_py, rosidl_adapter, numpy"
-ROS2_SERVICES = {
-    "example_interfaces": SERVICES["beginner_tutorials"],
-    "mavros_msgs": SERVICES["mavros_msgs"],
+ROS2_BUILD_MODULES = "ament_package, catkin_pkg, rosidl_generator_py, rosidl_adapter, numpy"
+ROS2_MORE = {
+    "example_interfaces": {
+        "action": {"Fibonacci": "int32 order\n---\nint32[] sequence\n---\nint32[] sequence\n"}
+    }
 }
 ROS2_MODULES = "rclpy, rmw_fastrtps_cpp, std_msgs.msg, std_srvs.srv, geometry_msgs.msg"
 
@@ -136,26 +143,15 @@ def ros2_python() -> Path:
 
 
 @pytest.fixture(scope="session")
-def ros2_services_env(
-    ros2_python: Path, tmp_path_factory: pytest.TempPathFactory
-) -> dict[str, str]:
-    """The environment with the packages of the services, which are built once for all workers."""
+def ros2_services_env(ros2_python: Path, shared_cache: Path) -> dict[str, str]:
+    """The environment with the packages of the services."""
     check = subprocess.run(
         [ros2_python, "-c", f"import {ROS2_BUILD_MODULES}"], capture_output=True, check=False
     )
     if check.returncode != 0 or not all(map(shutil.which, ("cmake", "make", "g++"))):
         skip_or_fail(ROS2_BUILD_INSTALL)
-    base = tmp_path_factory.getbasetemp()
-    workspace = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "interfaces"
-    workspace.mkdir(exist_ok=True)
-    prefix = ros2_python.parent.parent
-    done = workspace / "done"
-    with (workspace / "lock").open("w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
-        if not done.exists():
-            build(ROS2_SERVICES, workspace, prefix)
-            done.touch()
-    return interfaces_environ(workspace / "install", prefix)
+    environment = Environment(Origin.EXTRA, 2, "kilted", ros2_python)
+    return made_packages(environment, shared_cache, ROS2_MORE)
 
 
 @pytest.fixture

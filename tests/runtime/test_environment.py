@@ -4,6 +4,7 @@ import os
 import sysconfig
 import venv
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -15,6 +16,7 @@ from plastron_tui.runtime.environment import (
     Environment,
     Found,
     find_environments,
+    missing_package,
     missing_packages,
     node_environ,
 )
@@ -221,8 +223,8 @@ def test_rclpy_of_another_python_does_not_count(make_python: MakePython) -> None
         (
             Origin.EXTRA,
             "kilted",
-            "example_interfaces",
-            "build `example_interfaces` from its definitions with colcon, and source the result",
+            "rover_msgs",
+            "build `rover_msgs` from its definitions with colcon, and source the result",
         ),
         (
             Origin.SOURCED,
@@ -232,13 +234,26 @@ def test_rclpy_of_another_python_does_not_count(make_python: MakePython) -> None
         ),
     ],
 )
-def test_missing_packages_are_named(
+def test_a_missing_package_is_named_with_its_remedy(
     make_python: MakePython, origin: Origin, distribution: str, package: str, remedy: str
 ) -> None:
     python = make_python("rclpy", "std_msgs", middlewares=("rmw_fastrtps_cpp",))
     environment = Environment(origin, 2, distribution, python)
-    (diagnostic,) = missing_packages(environment, ["std_msgs", package, package])
-    assert diagnostic.help == remedy
+    (missing,) = missing_packages(environment, ["std_msgs", package, package])
+    assert missing_package(environment, missing).help == remedy
+
+
+def test_packages_of_an_overlay_are_not_missing(make_python: MakePython, tmp_path: Path) -> None:
+    environment = Environment(Origin.EXTRA, 2, "kilted", make_python("rclpy"))
+    for overlay in ("first", "second"):
+        add(tmp_path / overlay / "python", f"{overlay}_msgs")
+    both = replace(environment, overlays=(tmp_path / "first", tmp_path / "second"))
+    wanted = ["first_msgs", "second_msgs"]
+    assert missing_packages(environment, wanted) == wanted
+    assert missing_packages(both, wanted) == []
+    own = node_environ(both, {"LD_LIBRARY_PATH": "/opt/lib"})
+    libraries = [str(each / "lib") for each in both.overlays]
+    assert own["LD_LIBRARY_PATH"].split(os.pathsep) == [*libraries, "/opt/lib"]
 
 
 EXTRA = Environment(Origin.EXTRA, 2, "kilted", NOWHERE)

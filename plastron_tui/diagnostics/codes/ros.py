@@ -36,6 +36,13 @@ MISSING_ROS_PACKAGE = Code(
     "not have. The help line has the command that installs it.",
 )
 
+NOT_BUILT = Code(
+    "not-built",
+    "A package of the language's own types has nothing to install it from. It is made from "
+    "its definitions when a program is run that needs it, once, and that failed. The help "
+    "line has what is missing on this machine, or the file with what the build said.",
+)
+
 NO_MASTER = Code(
     "no-master",
     "No ROS 1 master answers at `ROS_MASTER_URI`, or none could be started there. Correct "

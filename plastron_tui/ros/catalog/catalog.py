@@ -138,6 +138,18 @@ class Catalog:
         own = data.index(self.distribution).names[kind]
         return sorted({*own, *self._own.names(kind), *self._installed.names(kind)})
 
+    def table_package(self, name: str) -> data.Definitions | None:
+        """Return the definitions of a package that is here for the language's table alone.
+
+        They are a few of those that the package has. None for every other package, and where a
+        type folder defines types of that name.
+        """
+        folders = (self._own, self._installed)
+        names = (each for kind in InterfaceKind for one in folders for each in one.names(kind))
+        if name not in data.index(self.distribution).partial or name in {n.package for n in names}:
+            return None
+        return data.definitions(self.distribution, name)
+
     def packages(self, kind: InterfaceKind) -> Sequence[str]:
         """Return the packages that have interfaces of a kind, sorted."""
         return sorted({name.package for name in self.names(kind)})
