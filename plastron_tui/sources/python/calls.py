@@ -13,6 +13,7 @@ from typing import NamedTuple
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.catalog import newest_distribution
 from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.ros.qos import DEFAULT, Qos
 
 
 class Argument(NamedTuple):
@@ -29,13 +30,13 @@ class QosArguments(NamedTuple):
         profile: the argument that is a profile, or a depth alone.
         queue_size: the argument that is the depth.
         latch: the argument that tells whether the last message is kept for who comes later.
-        depth: the depth without a `profile`, None where there has to be one.
+        default: what it is without a `profile`, None where there has to be one.
     """
 
     profile: Argument | None = None
     queue_size: Argument | None = None
     latch: Argument | None = None
-    depth: int | None = None
+    default: Qos | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -225,7 +226,7 @@ RCLPY = ClientLibrary(
             name=Argument(2, "topic"),
             type=Argument(1, "msg_type"),
             node=Argument(0, "node"),
-            qos=QosArguments(Argument(3, "qos_profile"), depth=10),
+            qos=QosArguments(Argument(3, "qos_profile"), default=DEFAULT._replace(depth=10)),
         ),
         CallShape(
             EndpointKind.SUBSCRIPTION,
@@ -234,7 +235,7 @@ RCLPY = ClientLibrary(
             type=Argument(0, "msg_type"),
             node=Argument(1, "node"),
             gives_message=True,
-            qos=QosArguments(Argument(-1, "qos_profile"), depth=1),
+            qos=QosArguments(Argument(-1, "qos_profile"), default=DEFAULT._replace(depth=1)),
         ),
         CallShape(
             EndpointKind.SERVICE,

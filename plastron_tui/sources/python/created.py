@@ -9,7 +9,7 @@ from tree_sitter import Node
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.source import EndpointKind, SourceEndpoint
 from plastron_tui.ros.names import name_as_read
-from plastron_tui.ros.qos import Qos
+from plastron_tui.ros.qos import Qos, common
 
 from .analysis import Analysis
 from .arguments import Arguments
@@ -17,7 +17,7 @@ from .callbacks import callback_target
 from .calls import Argument, CallShape
 from .constants import Defaulted, Known
 from .guesses import is_default_guess, is_star_guess
-from .qos import common, qos_of
+from .qos import qos_of
 from .runs import EVERYWHERE, World
 from .scopes import Scope
 from .syntax import parts_of

@@ -5,12 +5,12 @@ Source: `rospy.topics` of Noetic; for rclpy see `qos_profiles.py`.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from functools import reduce
 
 from tree_sitter import Node
 
-from plastron_tui.ros.qos import DEFAULT, Qos
+from plastron_tui.ros.qos import Qos
 
 from .analysis import Analysis, QosChange
 from .arguments import Arguments
@@ -39,18 +39,12 @@ def qos_of(
         return None
     elif (given := arguments.get(places.profile)) is not None:
         found = _profile(analysis, given, scope, call) or Qos()
-    elif places.depth is not None and not arguments.is_open:
-        found = DEFAULT._replace(depth=places.depth)
+    elif places.default is not None and not arguments.is_open:
+        found = places.default
     else:
         return None
     found = found.over(Qos())
     return found if found.known else None
-
-
-def common(found: Iterable[Qos | None]) -> Qos | None:
-    """Return the policies that are the same in all, None for none."""
-    known = reduce(Qos.common, (each or Qos() for each in found))
-    return known if known.known else None
 
 
 def _ros1(analysis: Analysis, places: QosArguments, scope: Scope, arguments: Arguments) -> Qos:
