@@ -11,8 +11,9 @@ from .analysis import Analysis
 from .arguments import Arguments
 from .callers import given_for
 from .constants import MOST_DEEP, Known, without_none
-from .containers import Given, Item
+from .containers import Given, Item, part_of_item
 from .flow import reaching
+from .runs import LOOPS
 from .scopes import Binding, BindingKind, Scope
 from .syntax import parts_of
 from .work_limits import bounded
@@ -160,7 +161,17 @@ class _Tracer:
             return self.trace(*item, depth + 1)
         if item is None and binding.kind is BindingKind.PARAMETER:
             return self._parameter(binding, name, depth)
+        if item is None and binding.node.type in LOOPS:
+            return self._turns(binding, name, depth)
         return None
+
+    def _turns(self, binding: Binding, name: str, depth: int) -> Origins | None:
+        """Return what the variable of a loop is in any of its turns."""
+        held, target = self._a.resolver.containers, binding.node.child_by_field_name("left")
+        items = held.items(binding.node.child_by_field_name("right"), binding.scope, depth)
+        if not items:
+            return None
+        return self._all([part_of_item(target, item, name, held) for item in items], depth)
 
     def _parameter(self, binding: Binding, name: str, depth: int) -> Origins | None:
         """Return what the calls of the file give for a parameter; None where there are none."""
@@ -168,16 +179,14 @@ class _Tracer:
         calls = self._a.resolver.callers_of(function) if function is not None else []
         if function is None or not 0 < len(calls) <= _MOST_CALLERS:
             return None
+        default = Given(binding.value, binding.scope) if binding.value is not None else None
         for call in calls:
             value = given_for(call, function, binding, name, self._a.syntax)
-            is_open = Arguments.of(call, self._a.syntax).is_open
             if value is not None:
                 given.append(Given(value, self._a.scopes.at(call.start_byte)))
             else:
-                is_default = binding.value is not None and not is_open
-                given.append(
-                    Given(binding.value, binding.scope) if is_default and binding.value else None
-                )
+                is_open = Arguments.of(call, self._a.syntax).is_open
+                given.append(None if is_open else default)
         return self._all(given, depth)
 
     def _named(self, names: tuple[str, ...], scope: Scope, depth: int) -> Origins | None:
