@@ -147,9 +147,7 @@ def test_every_profile_that_has_words_is_what_they_mean() -> None:
 def test_the_words_that_may_follow_are_those_that_are_right_then() -> None:
     for words in RIGHT:
         there = [word for word, _ in words]
-        right = [
-            word for word in WORDS if not parse_words([*words, (word, NUMBERS.get(word))])[1]
-        ]
+        right = [word for word in WORDS if not parse_words([*words, (word, NUMBERS.get(word))])[1]]
         assert [each.word for each in possible_words(there)] == right
 
 
@@ -170,8 +168,7 @@ TEXTS = {
     ),
     DEFAULT._replace(reliability="system_default"): "system_default, volatile, depth 10",
     PROFILES["best_available"]: (
-        "depth 10, reliability best_available, durability best_available, "
-        "liveliness best_available"
+        "depth 10, reliability best_available, durability best_available, liveliness best_available"
     ),
 }
 
