@@ -83,6 +83,10 @@ class QosChange(NamedTuple):
     of: frozenset[tuple[int, int, str]]
 
 
+QosChanges = dict[tuple[int, int, str], list[QosChange]]
+"""Assignments to policies, by what makes the profile."""
+
+
 @dataclass(slots=True)
 class Analysis:
     """All that the reader and the editor know of a file.
@@ -110,7 +114,7 @@ class Analysis:
     disguised: list[Site] = field(default_factory=list)
     nodes: list[NodeSite] = field(default_factory=list)
     package: PackageNames | None = None
-    qos_changes: tuple[QosChange, ...] | None = None
+    qos_changes: QosChanges | None = None
 
     def first_sites(self) -> list[Site]:
         """Return a call site for each call, the first where it creates several endpoints."""

@@ -10,7 +10,7 @@ from tree_sitter import Node
 from .analysis import Analysis
 from .arguments import Arguments
 from .callers import given_for
-from .constants import MOST_DEEP, Known, without_none
+from .constants import MOST_BINDINGS, MOST_DEEP, Known, without_none
 from .containers import Given, Item, part_of_item
 from .flow import reaching
 from .runs import LOOPS
@@ -18,7 +18,8 @@ from .scopes import Binding, BindingKind, Scope
 from .syntax import parts_of
 from .work_limits import bounded
 
-_MOST_BINDINGS = 8
+# More values than these differ.
+_MOST_VALUES = 8
 _MOST_CALLERS = 16
 _NAMED = frozenset({"identifier", "attribute"})
 
@@ -109,7 +110,7 @@ class _Tracer:
         found = scope.lookup(name)
         if found is None:
             return self._named(self._a.resolver.qualified(node, scope, depth), scope, depth)
-        if found[0].self_name == name:
+        if found[0].self_name == name or len(found[1]) > MOST_BINDINGS:
             return None
         return self._bound(reaching(found[1], found[0], node, scope), name, depth)
 
@@ -139,7 +140,7 @@ class _Tracer:
 
     def _bound(self, bindings: list[Binding], name: str, depth: int) -> Origins | None:
         bindings = without_none(bindings) or bindings
-        if not 0 < len(bindings) <= _MOST_BINDINGS:
+        if not 0 < len(bindings) <= _MOST_VALUES:
             return None
         found: Origins = {}
         for binding in bindings:

@@ -12,7 +12,7 @@ from tree_sitter import Node
 
 from plastron_tui.ros.qos import Qos
 
-from .analysis import Analysis, QosChange
+from .analysis import Analysis, QosChange, QosChanges
 from .arguments import Arguments
 from .calls import CallShape, QosArguments
 from .origins import Origin, constant, integer, origins
@@ -22,6 +22,7 @@ from .scopes import Scope
 from .syntax import FUNCTIONS, REPEATING, is_inside
 
 _MOST_COPIES = 4
+_MOST_CHANGES = 32
 _BLOCKS = frozenset({"block", "module"})
 
 
@@ -93,8 +94,10 @@ def _changed(qos: Qos, origin: Origin, analysis: Analysis, at: Node) -> Qos:
         at: the call.
     """
     modules = [analysis] if origin.analysis is analysis else [origin.analysis, analysis]
-    found = [(each, module) for module in modules for each in _changes(module)]
-    found = [(change, module) for change, module in found if origin.key in change.of]
+    of_each = [(module, _changes(module).get(origin.key, [])) for module in modules]
+    if sum(len(changes) for _, changes in of_each) > _MOST_CHANGES:
+        return Qos()
+    found = [(change, module) for module, changes in of_each for change in changes]
     if not found:
         return qos
     behind = set(_directly_behind(origin))
@@ -118,11 +121,14 @@ def _changed(qos: Qos, origin: Origin, analysis: Analysis, at: Node) -> Qos:
     return qos
 
 
-def _changes(analysis: Analysis) -> tuple[QosChange, ...]:
-    """Return the assignments of a file to policies of profiles."""
+def _changes(analysis: Analysis) -> QosChanges:
+    """Return the assignments of a file to policies of profiles, by what made these."""
     if analysis.qos_changes is None:
+        analysis.qos_changes = {}
         with analysis.resolver.during(EVERYWHERE):
-            analysis.qos_changes = tuple(_find_changes(analysis))
+            for change in _find_changes(analysis):
+                for key in change.of:
+                    analysis.qos_changes.setdefault(key, []).append(change)
     return analysis.qos_changes
 
 

@@ -41,7 +41,7 @@ _MADE = re.compile(r"rclpy\.(?:.*\.)?QoSProfile")
 _COPIED = frozenset({"copy.copy", "copy.deepcopy"})
 _DURATION = re.compile(r"rclpy\.(?:.*\.)?Duration")
 _POLICY = re.compile(
-    r"rclpy\.(?:.*\.)?(?:QoS)?(History|Reliability|Durability|Liveliness)Policy\."
+    r"rclpy\.(?:.*\.)?(?:QoS)?(?:History|Reliability|Durability|Liveliness)Policy\."
     r"(?:RMW_QOS_POLICY_(?:HISTORY|RELIABILITY|DURABILITY|LIVELINESS)_)?(\w+?)(?:\.value)?"
 )
 _SHORT_KEY = "get_from_short_key"
@@ -139,9 +139,7 @@ def _enum(field: str, origin: Origin) -> str | None:
         number = integer(origin.analysis, origin.node, origin.scope)
         return None if number is None else _POLICIES[field].get(number)
     found = _POLICY.fullmatch(name)
-    if found is None or found[1].lower() != field:
-        return None
-    value = found[2].lower()
+    value = "" if found is None else found[1].lower()
     return value if value in _POLICIES[field].values() else None
 
 
@@ -165,6 +163,4 @@ def _seconds(field: str, origin: Origin) -> float | None:
         if number is None or not math.isfinite(number):
             return None
         nanoseconds += int(number * scale)
-    if nanoseconds < 0:
-        return None
     return nanoseconds / 10**9 if 0 < nanoseconds < _INFINITE else math.inf

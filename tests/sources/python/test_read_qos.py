@@ -171,6 +171,8 @@ UNKNOWN = [
     # Another file may give another value, or none does.
     node(USE, given=", qos=8"),
     node(USE, given=", qos"),
+    node(f"self.add(*self.given)\n\ndef add(self, qos=5):\n    {USE}"),
+    publisher("10 if self else their_profile"),
     node(f"self.qos = copy.copy(self.qos)\n{USE_OF_SELF}"),
     node(f"qos = qos\n{USE}"),
     node(f"import their\nqos = their.QoSProfile(depth=1)\n{USE}"),
@@ -301,3 +303,8 @@ def test_what_inspect_shows() -> None:
         "liveliness": "system_default",
         "lease": "infinite",
     }
+
+
+def test_a_profile_that_changes_too_often_is_not_known() -> None:
+    changes = "".join(f"qos.depth = {depth}\n{USE}\n" for depth in range(1, 40))
+    assert set(qos_in(node(f"qos = QoSProfile(depth=1)\n{changes}"))) == {None}
