@@ -13,8 +13,9 @@ from typing import NamedTuple
 from plastron_tui.diagnostics import Span
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.names import resolved_name
+from plastron_tui.ros.qos import Qos
 
-from .kinds import EDITABLE, Endpoint, EndpointKind, Publication, Publisher
+from .kinds import EDITABLE, Endpoint, EndpointKind, Publication, Publisher, Subscription
 from .workspace import Node, Workspace
 
 
@@ -85,6 +86,15 @@ class End(NamedTuple):
     def span(self) -> Span | None:
         """The statement that made it, None for what was read from a file."""
         return self.endpoint.span
+
+    @property
+    def qos(self) -> Qos | None:
+        """The quality of service of a topic, None where nothing of it is said."""
+        match self.endpoint:
+            case Publisher(qos=qos) | Subscription(qos=qos):
+                return qos
+            case _:
+                return None
 
     @property
     def sendings(self) -> tuple[Sending, ...]:

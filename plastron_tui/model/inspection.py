@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
+
+from plastron_tui.ros.qos import Qos
+from plastron_tui.ros.qos_words import text_of
 
 from .source import EndpointKind, SourceEndpoint, SourceNode, SourceUnit
 
@@ -35,12 +39,21 @@ def _endpoint(endpoint: SourceEndpoint) -> dict[str, Any]:
         found["type"] = str(endpoint.type) if endpoint.type is not None else None
     if facts.calls_back:
         found["callback"] = endpoint.callback
+    if endpoint.qos is not None:
+        found["qos"] = qos_json(endpoint.qos)
     if endpoint.is_guess:
         found["guess"] = True
     found["line"] = endpoint.line
     if endpoint.file:
         found["file"] = endpoint.file
     return found
+
+
+def qos_json(qos: Qos) -> dict[str, Any]:
+    """Return the policies that are known; a duration without an end is `infinite`."""
+    return {
+        policy: "infinite" if value == math.inf else value for policy, value in qos.known.items()
+    }
 
 
 def inspect_text(source: SourceUnit) -> str:
@@ -56,11 +69,13 @@ def inspect_text(source: SourceUnit) -> str:
 
 def _row(endpoint: SourceEndpoint) -> tuple[str, str, str, str]:
     type_ = str(endpoint.type) if endpoint.type is not None else endpoint.type_expression
+    qos = "" if endpoint.qos is None else text_of(endpoint.qos)
     return (
         f"line {endpoint.line}",
         endpoint.kind.word,
         endpoint.name or _unknown(endpoint.expression),
         type_
+        + (f" with qos {qos}" if qos else "")
         + (f" calling {endpoint.callback}" if endpoint.callback else "")
         + (" (a guess)" if endpoint.is_guess else "")
         + (f" in {endpoint.file}" if endpoint.file else ""),

@@ -5,7 +5,9 @@ from __future__ import annotations
 from plastron_tui.diagnostics import Diagnostic, codes, guess, write
 from plastron_tui.diagnostics.wording import listed
 from plastron_tui.language.statements import Load
+from plastron_tui.ros.qos import common
 
+from .kinds import Publisher, Subscription
 from .source import SourceEndpoint, SourceUnit
 from .workspace import Node
 
@@ -61,8 +63,16 @@ def loaded_node(source: SourceUnit, statement: Load) -> Node:
 
 
 def add_found(node: Node, found: SourceEndpoint, name: str) -> None:
-    """Add what a file has to a node, unless the node has it already."""
+    """Add what a file has to a node; what the node has already stays, with what is true of both."""
     editing = found.kind.facts.editing
-    if editing is not None and name not in node.by_kind[found.kind]:
-        given = {"callback": found.callback} if found.kind.facts.calls_back else {}
-        node.put(editing.endpoint(name, found.type, **given))
+    if editing is None:
+        return
+    there = node.by_kind[found.kind].get(name)
+    if there is not None:
+        if isinstance(there, Publisher | Subscription):
+            node.put(there._replace(qos=common((there.qos, found.qos))))
+        return
+    given: dict[str, object] = {"callback": found.callback} if found.kind.facts.calls_back else {}
+    if found.qos is not None:
+        given["qos"] = found.qos
+    node.put(editing.endpoint(name, found.type, **given))

@@ -1,26 +1,31 @@
-"""Whether the nodes of a finished program meet: names one slip apart, and files that disagree."""
+"""Whether the nodes of a finished program meet.
+
+They do not where names are one slip apart, files disagree on a type, or a subscription asks for
+more than a publisher offers.
+"""
 
 from __future__ import annotations
 
 import re
 from collections import defaultdict
 from collections.abc import Callable, Iterator
-from itertools import pairwise
+from itertools import islice, pairwise, product
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Label, Severity, Span, codes
 from plastron_tui.language.lowering import Program
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.names import resolved_name, spelled
+from plastron_tui.ros.qos import DEFAULT, Mismatch, Qos, mismatches, value_text
 
-from .kinds import Endpoint, EndpointKind
+from .kinds import Endpoint, EndpointKind, Publisher, Subscription
 from .type_agreement import CONFLICTS
 from .workspace import Node, Workspace
 
 _LONGEST = 100
 """The longest name that is looked at, in characters: each of them may be the slip."""
 _MOST = 200
-"""How many names that one side alone uses are compared at most."""
+"""How many names that one side alone uses are compared at most, and pairs told of."""
 _OPPOSITES = frozenset({frozenset({"ping", "pong"}), frozenset({"near", "rear"})})
 """Words of a letter's difference that people name two things by."""
 _SERIES = tuple(map(frozenset, ("xyz", "rpy", "rgb", "lr", "abcd")))
@@ -63,6 +68,8 @@ def check_meetings(
 ) -> Iterator[Diagnostic]:
     """Yield a warning for each pair of files of other types, and for names one slip apart.
 
+    A publisher and a subscription that never match are an error.
+
     Args:
         program: the statements, none of which has a mistake.
         workspace: what they built.
@@ -70,6 +77,7 @@ def check_meetings(
     """
     meetings = _meetings(workspace, version_of)
     yield from _disagreements(meetings)
+    yield from islice(_unmatched(meetings), _MOST)
     for one, other in _slips(meetings):
         yield _misspelt(one, other, program)
 
@@ -110,6 +118,60 @@ def _disagreements(meetings: _Meetings) -> Iterator[Diagnostic]:
 def _typed(user: _User) -> str:
     place = user.place
     return f"`{user.endpoint.type}`" + (f" in {place}" if place else "")
+
+
+def _unmatched(meetings: _Meetings) -> Iterator[Diagnostic]:
+    """Yield an error for each publisher and subscription of ROS 2 that never match."""
+    for (interface, version, name), users in meetings.items():
+        if interface is not InterfaceKind.MESSAGE or version != 2:
+            continue
+        offers, requests = (
+            _by_qos(users, EndpointKind.PUBLISHER),
+            _by_qos(users, EndpointKind.SUBSCRIPTION),
+        )
+        for offered, requested in product(offers, requests):
+            if found := mismatches(offered, requested):
+                for publisher, subscription in product(offers[offered], requests[requested]):
+                    types = {publisher.endpoint.type, subscription.endpoint.type}
+                    # Of two types, it is said already that they do not meet.
+                    if len(types) == 1 or None in types:
+                        yield _incompatible(name, publisher, subscription, found)
+
+
+def _by_qos(users: list[_User], kind: EndpointKind) -> dict[Qos, list[_User]]:
+    """Return the users of a kind that are no guesses, by their quality of service."""
+    found: dict[Qos, list[_User]] = defaultdict(list)
+    for user in users:
+        if isinstance(user.endpoint, Publisher | Subscription) and user.kind is kind:
+            qos = user.endpoint.qos or Qos()
+            # A file may have it from elsewhere; what is created is all that the program says.
+            known = qos if user.node.source is not None else qos.over(DEFAULT)
+            if not user.is_guess:
+                found[known].append(user)
+    return found
+
+
+def _incompatible(
+    name: str, publisher: _User, subscription: _User, found: tuple[Mismatch, ...]
+) -> Diagnostic:
+    policies = " and ".join(each.policy for each in found)
+    offered = " and ".join(f"`{value_text(each.offered)}`" for each in found)
+    requested = " and ".join(f"`{value_text(each.requested)}`" for each in found)
+    verb = "does" if len(found) == 1 else "do"
+    first, last = sorted((publisher, subscription), key=lambda user: user.span)
+    whose = "publisher" if first is publisher else "subscription"
+    return Diagnostic(
+        codes.QOS_INCOMPATIBLE,
+        f"{policies} of topic `{name}` {verb} not match: {_says(publisher, 'offers')} {offered}, "
+        f"and {_says(subscription, 'asks for')} {requested}",
+        last.span,
+        help="no message arrives: offer as much as is asked for, or ask for less",
+        labels=(Label(first.span, f"the {whose}"),),
+    )
+
+
+def _says(user: _User, verb: str) -> str:
+    return f"`{user.node.variable}`" + (f", in {user.place}," if user.place else "") + f" {verb}"
 
 
 def _slips(meetings: _Meetings) -> Iterator[tuple[list[_User], list[_User]]]:

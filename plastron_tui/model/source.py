@@ -9,6 +9,7 @@ from typing import NamedTuple, TypeVar
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.ros.qos import Qos
 
 from .kinds import Endpoint
 from .kinds import EndpointKind as EndpointKind
@@ -100,6 +101,7 @@ class SourceEndpoint(NamedTuple):
             name is the default of a parameter that another file may give another value, the type
             is of the one module imported whole that it may be of, or what creates it is an object
             of another file.
+        qos: the quality of service of a topic, None where nothing of it is known.
     """
 
     kind: EndpointKind
@@ -113,6 +115,7 @@ class SourceEndpoint(NamedTuple):
     default: str | None = None
     file: str = ""
     is_guess: bool = False
+    qos: Qos | None = None
 
 
 class SourceNode(NamedTuple):

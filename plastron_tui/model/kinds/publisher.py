@@ -8,6 +8,7 @@ from plastron_tui.diagnostics import Diagnostic, Label, Span, codes, write
 from plastron_tui.language.statements import Publish
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.names import spelled
+from plastron_tui.ros.qos import Qos
 
 from ..mistake import Mistake
 from .computed import check_computed
@@ -55,12 +56,16 @@ class Publication(NamedTuple):
 
 
 class Publisher(NamedTuple):
-    """A topic that a node publishes; `publications` is empty for one that was read from a file."""
+    """A topic that a node publishes; `publications` is empty for one that was read from a file.
+
+    `qos` is None where a program does not say it, and where nothing of it is known of a file.
+    """
 
     name: str
     type: InterfaceName | None
     publications: tuple[Publication, ...] = ()
     span: Span | None = None
+    qos: Qos | None = None
 
 
 def publish(run: Run, statement: Publish) -> None:
@@ -90,7 +95,8 @@ def publish(run: Run, statement: Publish) -> None:
         statement.once,
         None if reaction is None else reaction[0],
     )
-    run.add(statement, node, Publisher(topic, type_.name, (*earlier, sent), span))
+    qos = None if publisher is None else publisher.qos
+    run.add(statement, node, Publisher(topic, type_.name, (*earlier, sent), span, qos))
 
 
 def check_unsent(run: Run, statement: Publish, node: Node, message: Message) -> None:

@@ -8,6 +8,7 @@ from plastron_tui.diagnostics import Span, codes
 from plastron_tui.language.statements import Subscribe
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.names import spelled
+from plastron_tui.ros.qos import Qos
 
 if TYPE_CHECKING:
     from ..run import Run
@@ -15,12 +16,16 @@ if TYPE_CHECKING:
 
 
 class Subscription(NamedTuple):
-    """A topic that a node listens to; without a `callback` the target names one."""
+    """A topic that a node listens to; without a `callback` the target names one.
+
+    `qos` is None where a program does not say it, and where nothing of it is known of a file.
+    """
 
     name: str
     type: InterfaceName | None
     callback: str | None = None
     span: Span | None = None
+    qos: Qos | None = None
 
 
 def subscribe(run: Run, statement: Subscribe) -> None:

@@ -8,6 +8,7 @@ from typing import Any
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.graph import KINDS_AT, NOUNS, End, Graph, GraphNode, Hub
+from plastron_tui.model.inspection import qos_json
 from plastron_tui.model.kinds import (
     ActionClient,
     ActionServer,
@@ -39,7 +40,9 @@ def render(graph: Graph) -> str:
     `types` all that are in use. `missing` is the side that nobody takes (`publisher`,
     `subscriber`, `provider`, `client`), or null. `rate` is in hertz. A `span` is `[start, end]`
     in bytes of the program, null for what was read from a file. `guess` is there, and true, where
-    the name or the type that a file has is no more than likely. A request is an object of its
+    the name or the type that a file has is no more than likely. `qos` is there where something is
+    known of the quality of service: its policies by name, those that are known; durations in
+    seconds, or `infinite`. A request is an object of its
     fields; what is not there keeps its default. `library`, `file`, `callback` and `handler` are
     null where the program does not say.
     """
@@ -82,6 +85,7 @@ def _end(end: End) -> dict[str, Any]:
         "type": _type(end.type),
         "span": _span(end.span),
         **({"guess": True} if end.is_guess else {}),
+        **({} if end.qos is None else {"qos": qos_json(end.qos)}),
         **_details(end),
     }
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from tree_sitter import Node
 
@@ -65,6 +65,28 @@ class NodeSite:
     owner: Scope | None = None
 
 
+class QosChange(NamedTuple):
+    """An assignment to a policy of a quality of service.
+
+    Attributes:
+        policy: the policy.
+        value: what it becomes, None where that is worked out from what it was.
+        scope: the scope of the assignment.
+        node: the assignment.
+        of: what makes the profiles that it may be one of (`Origin.key`).
+    """
+
+    policy: str
+    value: Node | None
+    scope: Scope
+    node: Node
+    of: frozenset[tuple[int, int, str]]
+
+
+QosChanges = dict[tuple[int, int, str], list[QosChange]]
+"""Assignments to policies, by what makes the profile."""
+
+
 @dataclass(slots=True)
 class Analysis:
     """All that the reader and the editor know of a file.
@@ -79,6 +101,8 @@ class Analysis:
         disguised: the objects of other libraries that do so as well, which no edit takes apart.
         nodes: what makes the nodes.
         package: what its names stand for that other files of its package have.
+        qos_changes: its assignments to policies of quality of service, None before they are
+            looked for.
     """
 
     syntax: Syntax
@@ -90,6 +114,7 @@ class Analysis:
     disguised: list[Site] = field(default_factory=list)
     nodes: list[NodeSite] = field(default_factory=list)
     package: PackageNames | None = None
+    qos_changes: QosChanges | None = None
 
     def first_sites(self) -> list[Site]:
         """Return a call site for each call, the first where it creates several endpoints."""

@@ -2,7 +2,7 @@
 
 The parameters are those of rospy (Noetic: `rospy.topics`, `rospy.impl.tcpros_service`,
 `rospy.timer`, `rospy.client`, `actionlib`, `message_filters`) and of rclpy (Jazzy:
-`rclpy.node.Node`, `rclpy.action`, `rclpy.lifecycle`).
+`rclpy.node.Node`, `rclpy.action`, `rclpy.lifecycle`, `rclpy.wait_for_message`, `message_filters`).
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from typing import NamedTuple
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.catalog import newest_distribution
 from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.ros.qos import DEFAULT, Qos
 
 
 class Argument(NamedTuple):
@@ -20,6 +21,22 @@ class Argument(NamedTuple):
 
     position: int
     keyword: str
+
+
+class QosArguments(NamedTuple):
+    """Where a call takes the quality of service of a topic.
+
+    Attributes:
+        profile: the argument that is a profile, or a depth alone.
+        queue_size: the argument that is the depth.
+        latch: the argument that tells whether the last message is kept for who comes later.
+        default: what it is without a `profile`, None where there has to be one.
+    """
+
+    profile: Argument | None = None
+    queue_size: Argument | None = None
+    latch: Argument | None = None
+    default: Qos | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,6 +53,7 @@ class CallShape:
         node: the argument that is the node, where the callee is no method of it.
         fixed: the name and the type, where no argument says them.
         gives_message: whether it waits for one message and gives that, not the endpoint.
+        qos: the arguments that are its quality of service, None where it has none.
     """
 
     kind: EndpointKind
@@ -46,6 +64,7 @@ class CallShape:
     node: Argument | None = None
     fixed: tuple[str, InterfaceName] | None = None
     gives_message: bool = False
+    qos: QosArguments | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,6 +107,10 @@ ROSPY = ClientLibrary(
             ("rospy.Publisher", "rospy.topics.Publisher"),
             name=Argument(0, "name"),
             type=Argument(1, "data_class"),
+            qos=QosArguments(
+                queue_size=Argument(6, "queue_size"),
+                latch=Argument(4, "latch"),
+            ),
         ),
         CallShape(
             EndpointKind.SUBSCRIPTION,
@@ -95,12 +118,14 @@ ROSPY = ClientLibrary(
             name=Argument(0, "name"),
             type=Argument(1, "data_class"),
             callback=Argument(2, "callback"),
+            qos=QosArguments(queue_size=Argument(4, "queue_size")),
         ),
         CallShape(
             EndpointKind.SUBSCRIPTION,
             ("message_filters.Subscriber",),
             name=Argument(0, "topic"),
             type=Argument(1, "topic_type"),
+            qos=QosArguments(queue_size=Argument(-1, "queue_size")),
         ),
         CallShape(
             EndpointKind.SUBSCRIPTION,
@@ -185,6 +210,7 @@ RCLPY = ClientLibrary(
             ("create_publisher", "create_lifecycle_publisher"),
             name=Argument(1, "topic"),
             type=Argument(0, "msg_type"),
+            qos=QosArguments(Argument(2, "qos_profile")),
         ),
         CallShape(
             EndpointKind.SUBSCRIPTION,
@@ -192,6 +218,7 @@ RCLPY = ClientLibrary(
             name=Argument(1, "topic"),
             type=Argument(0, "msg_type"),
             callback=Argument(2, "callback"),
+            qos=QosArguments(Argument(3, "qos_profile")),
         ),
         CallShape(
             EndpointKind.SUBSCRIPTION,
@@ -199,6 +226,7 @@ RCLPY = ClientLibrary(
             name=Argument(2, "topic"),
             type=Argument(1, "msg_type"),
             node=Argument(0, "node"),
+            qos=QosArguments(Argument(3, "qos_profile"), default=DEFAULT._replace(depth=10)),
         ),
         CallShape(
             EndpointKind.SUBSCRIPTION,
@@ -207,6 +235,7 @@ RCLPY = ClientLibrary(
             type=Argument(0, "msg_type"),
             node=Argument(1, "node"),
             gives_message=True,
+            qos=QosArguments(Argument(-1, "qos_profile"), default=DEFAULT._replace(depth=1)),
         ),
         CallShape(
             EndpointKind.SERVICE,

@@ -9,6 +9,7 @@ from tree_sitter import Node
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.source import EndpointKind, SourceEndpoint
 from plastron_tui.ros.names import name_as_read
+from plastron_tui.ros.qos import Qos, common
 
 from .analysis import Analysis
 from .arguments import Arguments
@@ -16,6 +17,7 @@ from .callbacks import callback_target
 from .calls import Argument, CallShape
 from .constants import Defaulted, Known
 from .guesses import is_default_guess, is_star_guess
+from .qos import qos_of
 from .runs import EVERYWHERE, World
 from .scopes import Scope
 from .syntax import parts_of
@@ -33,13 +35,15 @@ def created_by(
         passes = [EVERYWHERE]
         if name is not None and shape.type is not None:
             passes = resolver.passes(name, scope, call)
-        found: dict[SourceEndpoint, list[World]] = {}
+        found: dict[SourceEndpoint, list[tuple[World, Qos | None]]] = {}
         for each in passes:
             with resolver.during(each):
                 endpoint = _endpoint(analysis, call, shape, scope, arguments, name)
-            found.setdefault(endpoint, []).append(each)
+                qos = qos_of(analysis, call, shape, scope, arguments)
+            found.setdefault(endpoint, []).append((each, qos))
         for endpoint, creating in found.items():
-            yield endpoint, tuple(each for each in creating if passes != [EVERYWHERE])
+            worlds = tuple(each for each, _ in creating if passes != [EVERYWHERE])
+            yield endpoint._replace(qos=common(qos for _, qos in creating)), worlds
 
 
 def _name_nodes(shape: CallShape, arguments: Arguments) -> list[Node | None]:

@@ -5,21 +5,27 @@ Source: `tf`, `tf2_ros` and `smach_ros` of Noetic, `tf2_ros` of Jazzy.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.ros.qos import DEFAULT
 
-from .calls import Argument, CallShape
+from .calls import Argument, CallShape, QosArguments
 
 _TRANSFORMS = InterfaceName("tf2_msgs", "TFMessage")
 
 
 def _transforms(
-    kind: EndpointKind, topics: tuple[str, ...], callees: tuple[str, ...], node: Argument | None
+    kind: EndpointKind,
+    topics: Mapping[str, QosArguments | None],
+    callees: tuple[str, ...],
+    node: Argument | None,
 ) -> tuple[CallShape, ...]:
     nowhere = Argument(-1, "")
     return tuple(
-        CallShape(kind, callees, name=nowhere, node=node, fixed=(topic, _TRANSFORMS))
-        for topic in topics
+        CallShape(kind, callees, name=nowhere, node=node, fixed=(topic, _TRANSFORMS), qos=qos)
+        for topic, qos in topics.items()
     )
 
 
@@ -33,23 +39,37 @@ _STATIC = (
     "tf2_ros.static_transform_broadcaster.StaticTransformBroadcaster",
 )
 _PUB, _SUB = EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION
-_HEARD = ("/tf", "/tf_static")
+_MOVING = DEFAULT._replace(depth=100)
+_HEARD = {
+    "/tf": QosArguments(Argument(-1, "qos"), default=_MOVING),
+    "/tf_static": QosArguments(
+        Argument(-1, "static_qos"),
+        default=_MOVING._replace(durability="transient_local"),
+    ),
+}
+_SENT = {"/tf": QosArguments(Argument(1, "qos"), default=_MOVING)}
+_SENT_ONCE = {
+    "/tf_static": QosArguments(
+        Argument(1, "qos"),
+        default=DEFAULT._replace(depth=1, durability="transient_local"),
+    )
+}
 
 _SHAPES = {
     "rospy": (
         *_transforms(
             _SUB,
-            _HEARD,
+            dict.fromkeys(_HEARD),
             (*_LISTENERS, "tf.TransformListener", "tf.listener.TransformListener"),
             None,
         ),
         *_transforms(
             _PUB,
-            ("/tf",),
+            dict.fromkeys(_SENT),
             (*_BROADCASTERS, "tf.TransformBroadcaster", "tf.broadcaster.TransformBroadcaster"),
             None,
         ),
-        *_transforms(_PUB, ("/tf_static",), _STATIC, None),
+        *_transforms(_PUB, dict.fromkeys(_SENT_ONCE), _STATIC, None),
         CallShape(
             EndpointKind.ACTION_CLIENT,
             ("smach_ros.SimpleActionState", "smach_ros.simple_action_state.SimpleActionState"),
@@ -72,8 +92,8 @@ _SHAPES = {
     ),
     "rclpy": (
         *_transforms(_SUB, _HEARD, _LISTENERS, Argument(1, "node")),
-        *_transforms(_PUB, ("/tf",), _BROADCASTERS, Argument(0, "node")),
-        *_transforms(_PUB, ("/tf_static",), _STATIC, Argument(0, "node")),
+        *_transforms(_PUB, _SENT, _BROADCASTERS, Argument(0, "node")),
+        *_transforms(_PUB, _SENT_ONCE, _STATIC, Argument(0, "node")),
     ),
 }
 

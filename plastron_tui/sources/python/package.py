@@ -302,6 +302,22 @@ class PackageNames:
             bindings = _members(led.module, bindings, part)
         return _folded(led.module, bindings, led.names[-1], depth + 1)
 
+    @bounded(None)
+    def bound(self, name: str, depth: int = 0) -> tuple[Analysis, list[Binding]] | None:
+        """Return what binds a name of another file of the package, and that file."""
+        led = self._lead(name, depth)
+        if led is None:
+            return None
+        bindings = led.bindings
+        if bindings is None:
+            starred = (led.outer.bound(each, depth + 1) for each in led.starred())
+            return next((each for each in starred if each is not None), None)
+        if len(bindings) == 1 and bindings[0].kind is BindingKind.IMPORT:
+            return led.outer.bound(led.behind(bindings[0].target), depth + 1)
+        for part in led.names[1:]:
+            bindings = _members(led.module, bindings, part)
+        return (led.module, bindings) if bindings else None
+
     def bases(self, name: str) -> list[str]:
         """Return the qualified names outside of the package that a class of it derives from."""
         held = self.class_(name)
