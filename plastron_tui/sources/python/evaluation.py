@@ -42,6 +42,7 @@ _CONSTANTS = {
     for name in ("pi", "e", "inf", "nan")
 } | {"math.tau": math.tau}
 _FUNCTIONS = {
+    "math.sqrt": math.sqrt,
     "math.radians": math.radians,
     "math.degrees": math.degrees,
     "numpy.radians": math.radians,
@@ -51,11 +52,16 @@ _FUNCTIONS = {
 }
 _TEXTS = frozenset(
     {"os.path.join", "os.path.expanduser", "os.path.abspath", "os.path.dirname", "os.getcwd"}
-    | {"os.path.realpath", "os.path.basename", "os.path.expandvars"}
+    | {"os.path.realpath", "os.path.basename", "os.path.expandvars", "socket.gethostname"}
     | {"ament_index_python.packages.get_package_share_directory"}
     | {"ament_index_python.get_package_share_directory"}
+    | {"rospy.get_name", "rospy.get_namespace"}
 )
+# What gives its second argument where nobody says anything else.
+_READERS = READERS | dict.fromkeys(("os.getenv", "os.environ.get"), Argument(1, "default"))
 _TEXT_METHODS = frozenset({"format", "join", "strip", "lower", "upper", "replace"})
+# Where a file says what runs it.
+_HEAD = 4096
 _RECORDS = frozenset({b"NamedTuple", b"TypedDict", b"BaseModel", b"Struct"})
 # That of two large integers takes for ever; a negative one gives a float.
 _GREATEST_POWER = 64
@@ -169,10 +175,18 @@ class Evaluator:
         if sign.type not in OPERATORS or not types <= {"int", "float"}:
             return UNKNOWN
         is_float = "float" in types or sign.type == "/"
+        is_guess = is_guess or (types == {"int"} and sign.type == "/" and self._may_round)
         plain = Evaluated("float" if is_float else "int", None, is_guess)
         if sign.type == "**" and not is_float and right.value not in range(_GREATEST_POWER):
             return UNKNOWN
         return computed(OPERATORS[sign.type], (left.value, right.value), plain)
+
+    @property
+    def _may_round(self) -> bool:
+        """Whether Python 2 may run the file, where `1 / 2` is 0."""
+        head = self._syntax.text[:_HEAD]
+        is_python3 = b"python3" in head.partition(b"\n")[0] or b"import division" in head
+        return self._analysis.library.ros_version == 1 and not is_python3
 
     def _choice(self, node: Node, scope: Scope, depth: int) -> Evaluated:
         """Evaluate `a if condition else b` as far as both are the same."""
@@ -265,8 +279,8 @@ class Evaluator:
                 return computed(_FUNCTIONS[name], (given.value,), plain)
             if name in _TEXTS:
                 return Evaluated("string")
-            if name in READERS:
-                default = self.evaluate(arguments.get(READERS[name]), scope, depth)
+            if name in _READERS:
+                default = self.evaluate(arguments.get(_READERS[name]), scope, depth)
                 return default._replace(is_guess=True) if default != UNKNOWN else UNKNOWN
         called = self._syntax.slice(callee)
         if called in CONVERSIONS and scope.lookup(called) is None:

@@ -22,7 +22,7 @@ READERS = {
 """The functions that read a parameter, and the argument that is its default."""
 
 _SETTERS = frozenset({"rospy.set_param", "rospy.client.set_param"})
-_PARAMETER = frozenset({"rclpy.Parameter", "rclpy.parameter.Parameter"})
+_PARAMETER = frozenset({"rclpy.Parameter", "rclpy.parameter.Parameter", "rclpy.node.Parameter"})
 # Each of a list is looked for in it.
 _MOST_LISTED = 200
 _DECLARED = Argument(1, "value")

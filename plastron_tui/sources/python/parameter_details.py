@@ -25,9 +25,8 @@ _LISTS = {f"{name}_ARRAY": f"{type_}_list" for name, type_ in _SCALARS.items()}
 _TYPES = {**_SCALARS, **_LISTS, "BYTE_ARRAY": "byte_list"}
 # `rclpy.parameter.Parameter.Type`, `rcl_interfaces/msg/ParameterType`
 _TYPE_NAME = re.compile(
-    r"(?:rclpy|rclpy\.parameter)\.Parameter\.Type\.(\w+)"
-    r"|rcl_interfaces\.msg\.ParameterType\.PARAMETER_(\w+)"
-    r"|rcl_interfaces\.msg\._parameter_type\.ParameterType\.PARAMETER_(\w+)"
+    r"rclpy\.(?:\w+\.)?Parameter\.Type\.(?P<type>\w+)"
+    r"|rcl_interfaces\.msg\.(?:\w+\.)?ParameterType\.PARAMETER_(?P<number>\w+)"
 )
 _DESCRIPTOR = re.compile(r"rcl_interfaces\.msg\.(?:\w+\.)?ParameterDescriptor")
 _RANGE = re.compile(r"rcl_interfaces\.msg\.(?:\w+\.)?(?:FloatingPoint|Integer)Range")
@@ -75,7 +74,7 @@ def _type_named(analysis: Analysis, node: Node | None, scope: Scope) -> str | No
     for name in analysis.resolver.qualified(node, scope):
         found = _TYPE_NAME.fullmatch(name.removesuffix(".value"))
         if found is not None:
-            return _TYPES.get(next(filter(None, found.groups())))
+            return _TYPES.get(found["type"] or found["number"])
     return None
 
 

@@ -14,6 +14,7 @@ from plastron_tui.model.endpoint_details import TimerDetails
 from .analysis import Analysis, Site
 from .arguments import Arguments
 from .calls import Argument
+from .containers import Given
 from .evaluated import UNKNOWN, Evaluated
 from .evaluation import Evaluator
 from .scopes import Scope
@@ -25,6 +26,7 @@ _SECONDS = {
     "genpy.Duration": (Argument(0, "secs"), Argument(1, "nsecs")),
     "rclpy.duration.Duration": (Argument(-1, "seconds"), Argument(-1, "nanoseconds")),
 }
+_RATES = frozenset({"rospy.Rate", "rospy.timer.Rate"})
 _FROM_SECONDS = frozenset(f"{name}.from_sec" for name in _SECONDS)
 
 
@@ -48,6 +50,8 @@ def _seconds(
 ) -> Evaluated:
     """Return a number of seconds, or those of a duration."""
     held = evaluator.resolved(node, scope)
+    if held is not None and held.node.type == "attribute":
+        return _slept(analysis, held, evaluator)
     if held is not None and held.node.type == "call":
         callee = held.node.child_by_field_name("function")
         arguments = Arguments.of(held.node, analysis.syntax)
@@ -58,6 +62,21 @@ def _seconds(
                 parts = [arguments.get(each) for each in _SECONDS[name]]
                 return _sum(*(_part(each, held.scope, evaluator) for each in parts))
     return evaluator.evaluate(node, scope)
+
+
+def _slept(analysis: Analysis, held: Given, evaluator: Evaluator) -> Evaluated:
+    """Return the seconds of `rospy.Rate(10).sleep_dur`, and of any other attribute."""
+    name = held.node.child_by_field_name("attribute")
+    made = evaluator.resolved(held.node.child_by_field_name("object"), held.scope)
+    is_slept = name is not None and analysis.syntax.slice(name) == "sleep_dur"
+    if not is_slept or made is None or made.node.type != "call":
+        return evaluator.evaluate(held.node, held.scope)
+    callee = made.node.child_by_field_name("function")
+    if _RATES.isdisjoint(analysis.resolver.qualified(callee, made.scope)):
+        return UNKNOWN
+    given = Arguments.of(made.node, analysis.syntax).get(Argument(0, "hz"))
+    rate = evaluator.evaluate(given, made.scope)
+    return Evaluated("float", 1 / rate.number, rate.is_guess) if rate.number else UNKNOWN
 
 
 def _part(node: Node | None, scope: Scope, evaluator: Evaluator) -> Evaluated:
