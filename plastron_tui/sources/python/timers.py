@@ -14,7 +14,6 @@ from plastron_tui.model.endpoint_details import TimerDetails
 from .analysis import Analysis, Site
 from .arguments import Arguments
 from .calls import Argument
-from .containers import Given
 from .evaluated import UNKNOWN, Evaluated
 from .evaluation import Evaluator
 from .scopes import Scope
@@ -50,8 +49,8 @@ def _seconds(
 ) -> Evaluated:
     """Return a number of seconds, or those of a duration."""
     held = evaluator.resolved(node, scope)
-    if held is not None and held.node.type == "attribute":
-        return _slept(analysis, held, evaluator)
+    if held is None and node is not None and node.type == "attribute":
+        return _slept(analysis, node, scope, evaluator)
     if held is not None and held.node.type == "call":
         callee = held.node.child_by_field_name("function")
         arguments = Arguments.of(held.node, analysis.syntax)
@@ -64,13 +63,13 @@ def _seconds(
     return evaluator.evaluate(node, scope)
 
 
-def _slept(analysis: Analysis, held: Given, evaluator: Evaluator) -> Evaluated:
+def _slept(analysis: Analysis, node: Node, scope: Scope, evaluator: Evaluator) -> Evaluated:
     """Return the seconds of `rospy.Rate(10).sleep_dur`, and of any other attribute."""
-    name = held.node.child_by_field_name("attribute")
-    made = evaluator.resolved(held.node.child_by_field_name("object"), held.scope)
+    name = node.child_by_field_name("attribute")
+    made = evaluator.resolved(node.child_by_field_name("object"), scope)
     is_slept = name is not None and analysis.syntax.slice(name) == "sleep_dur"
     if not is_slept or made is None or made.node.type != "call":
-        return evaluator.evaluate(held.node, held.scope)
+        return evaluator.evaluate(node, scope)
     callee = made.node.child_by_field_name("function")
     if _RATES.isdisjoint(analysis.resolver.qualified(callee, made.scope)):
         return UNKNOWN

@@ -5,7 +5,10 @@ Source: https://design.ros2.org/articles/node_lifecycle.html, `rclpy.lifecycle` 
 
 from __future__ import annotations
 
+from tree_sitter import Node
+
 from .analysis import Analysis, NodeSite, Site
+from .references import identifiers, is_member
 from .scopes import Scope
 
 MANAGED = frozenset(
@@ -21,6 +24,8 @@ TRANSITIONS = frozenset(
 
 # A method of more calls is no helper of one transition.
 _MOST_CALLS = 16
+# Each is looked for in the whole file.
+_MOST_HELPERS = 64
 
 
 def is_managed(analysis: Analysis, maker: NodeSite) -> bool:
@@ -37,7 +42,7 @@ class Transitions:
     def __init__(self, analysis: Analysis) -> None:
         self._analysis = analysis
         self._resolver = analysis.resolver
-        self._callbacks = {site.endpoint.callback for site in analysis.sites}
+        self._looked_up = 0
         self._found: dict[Scope, frozenset[str]] = {}
 
     def of(self, site: Site) -> str | None:
@@ -64,7 +69,7 @@ class Transitions:
         if self._is_transition(function):
             return frozenset({function.name})
         calls = self._resolver.callers_of(function)
-        if not 0 < len(calls) <= _MOST_CALLS or function.name in self._callbacks:
+        if not 0 < len(calls) <= _MOST_CALLS or self._is_handed_on(function):
             return frozenset({""})
         found: set[str] = set()
         for call in calls:
@@ -78,9 +83,27 @@ class Transitions:
             found |= self._of_function(caller) if caller is not None else {""}
         return frozenset(found)
 
+    def _is_handed_on(self, function: Scope) -> bool:
+        """Whether the file names a function otherwise than to call it, so that others may."""
+        self._looked_up += 1
+        return self._looked_up > _MOST_HELPERS or not all(
+            _is_called(node) or node.parent == function.node
+            for node in identifiers(function.name, self._analysis)
+        )
+
     def _is_transition(self, function: Scope) -> bool:
         owner = function.parent
         if function.name not in TRANSITIONS or owner is None or owner.kind != "class":
             return False
         family = [owner, *self._resolver.classes.derived(owner)]
         return any(self._resolver.derives_from(each, MANAGED) for each in family)
+
+
+def _is_called(name: Node) -> bool:
+    """Whether a name is what a call calls: `name()` or `self.name()`."""
+    callee = name
+    if is_member(name) and name.parent is not None and name.parent.type == "attribute":
+        callee = name.parent
+    call = callee.parent
+    is_call = call is not None and call.type == "call"
+    return is_call and call is not None and call.child_by_field_name("function") == callee
