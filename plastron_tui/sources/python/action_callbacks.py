@@ -28,6 +28,7 @@ _GIVEN = {
 }
 """The arguments of what makes one, by the first name of its shape."""
 
+_MOST_USES = 64
 _CALLED = {
     "rclpy": {
         "register_goal_callback": {"goal": Argument(0, "goal_callback")},
@@ -49,12 +50,19 @@ _CALLED = {
 """The arguments of the methods that are called on one."""
 
 
-def action_details(analysis: Analysis, site: Site) -> ActionDetails:
-    """Return the functions that the action server or client of a call site has called."""
+def action_details(analysis: Analysis, site: Site, with_uses: bool) -> ActionDetails:
+    """Return the functions that the action server or client of a call site has called.
+
+    Args:
+        analysis: the file.
+        site: the call site.
+        with_uses: whether to look at what is done with it as well.
+    """
     found: dict[str, set[str]] = {}
     made = _GIVEN.get(site.shape.callees[0], {})
     given = [(site.arguments, made, site.scope)]
-    given += _calls_on(analysis, site)
+    if with_uses:
+        given += _calls_on(analysis, site)
     for arguments, named, scope in given:
         for what, argument in named.items():
             name = callback_name(analysis, arguments.get(argument), scope)
@@ -72,7 +80,7 @@ def _calls_on(
     target = parent.child_by_field_name("left") if parent and parent.type == "assignment" else None
     variable = variable_of(target, analysis) if target is not None else None
     methods = _CALLED[analysis.library.module]
-    for reference in references(variable, analysis) if variable is not None else ():
+    for reference in references(variable, analysis)[:_MOST_USES] if variable is not None else ():
         call = _method_call(reference.node) if reference.use is Use.OTHER else None
         named = methods.get(analysis.syntax.called_name(call)) if call is not None else None
         if call is not None and named is not None:

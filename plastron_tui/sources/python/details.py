@@ -13,12 +13,16 @@ from .runs import EVERYWHERE
 from .timers import timer_details
 from .transitions import Transitions
 
+# The uses of each are looked for in the whole file.
+_MOST_ACTIONS = 16
+
 
 class Details:
     """What one file says; what was found out for an endpoint serves the next one."""
 
     def __init__(self, analysis: Analysis) -> None:
         self._analysis = analysis
+        self._actions = 0
         self._evaluator = Evaluator(analysis)
         self._transitions = Transitions(analysis)
 
@@ -36,6 +40,7 @@ class Details:
             case EndpointKind.TIMER:
                 return timer_details(self._analysis, site, self._evaluator)
             case EndpointKind.ACTION_SERVER | EndpointKind.ACTION_CLIENT:
-                return action_details(self._analysis, site)
+                self._actions += 1
+                return action_details(self._analysis, site, self._actions <= _MOST_ACTIONS)
             case _:
                 return None

@@ -77,6 +77,7 @@ class Evaluator:
         self._analysis = analysis
         self._syntax = analysis.syntax
         self._resolver = analysis.resolver
+        self._values: dict[int, Evaluated] = {}
         self._declared: dict[str, list[Given]] | None = None
         self._fields: dict[str, list[tuple[str, Node]]] | None = None
         self.effort = analysis.resolver.effort
@@ -84,10 +85,14 @@ class Evaluator:
     @bounded(UNKNOWN)
     def evaluate(self, node: Node | None, scope: Scope, depth: int = 0) -> Evaluated:
         """Return what an expression gives."""
-        if node is None or depth > MOST_DEEP:
+        handler = _HANDLERS.get(node.type) if node is not None else None
+        if node is None or handler is None or depth > MOST_DEEP:
             return UNKNOWN
-        handler = _HANDLERS.get(node.type)
-        return handler(self, node, scope, depth + 1) if handler is not None else UNKNOWN
+        if node.id not in self._values:
+            # What is said by itself is unknown.
+            self._values[node.id] = UNKNOWN
+            self._values[node.id] = handler(self, node, scope, depth + 1)
+        return self._values[node.id]
 
     def resolved(self, node: Node | None, scope: Scope) -> Given | None:
         """Return the expression that an expression stands for, itself where it is no name."""
@@ -200,13 +205,15 @@ class Evaluator:
         return Evaluated(one.type, one.value if one.value == other.value else None, is_guess)
 
     def _sequence(self, node: Node, scope: Scope, depth: int) -> Evaluated:
-        items = [self.evaluate(each, scope, depth) for each in parts_of(node)[: LONGEST + 1]]
+        if node.named_child_count > LONGEST:
+            return UNKNOWN
+        items = [self.evaluate(each, scope, depth) for each in parts_of(node)]
         types = {item.type for item in items}
         of = types.pop() if len(types) == 1 else None
         type_ = f"{of}_list" if of is not None and not of.endswith("_list") else None
         is_guess = any(item.is_guess for item in items)
         values = tuple(item.value for item in items if item.value is not None)
-        is_known = len(values) == len(items) <= LONGEST
+        is_known = len(values) == len(items)
         return Evaluated(type_, values if is_known else None, is_guess)
 
     def _named(self, node: Node, scope: Scope, depth: int) -> Evaluated:

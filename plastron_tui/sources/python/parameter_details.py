@@ -30,6 +30,8 @@ _TYPE_NAME = re.compile(
 )
 _DESCRIPTOR = re.compile(r"rcl_interfaces\.msg\.(?:\w+\.)?ParameterDescriptor")
 _RANGE = re.compile(r"rcl_interfaces\.msg\.(?:\w+\.)?(?:FloatingPoint|Integer)Range")
+# More are set of one variable for many parameters; each would be looked at for each.
+_MOST_FIELDS = 64
 _RANGES = ("floating_point_range", "integer_range")
 
 
@@ -186,7 +188,11 @@ def _assign(
     Set for sure is what the function sets once, before the line and in a block around it.
     """
     seen: set[str] = set()
-    for name, value in evaluator.field_values(node):
+    values = evaluator.field_values(node)
+    if len(values) > _MOST_FIELDS:
+        found.clear()
+        return
+    for name, value in values:
         block = value
         while block.parent is not None and block.type not in STATEMENT_PARENTS:
             block = block.parent
