@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
 import math
+from collections.abc import Iterator
 from typing import Any
 
 from plastron_tui.ros.qos import Qos
 from plastron_tui.ros.qos_words import text_of
 
+from .endpoint_details import ActionDetails, EndpointDetails, ParameterDetails, TimerDetails, Value
 from .source import EndpointKind, SourceEndpoint, SourceNode, SourceUnit
 
 
@@ -23,6 +26,7 @@ def inspect_json(source: SourceUnit) -> dict[str, Any]:
 def _node(node: SourceNode) -> dict[str, Any]:
     return {
         "name": node.name,
+        **({"managed": True} if node.is_managed else {}),
         **{kind.value: [_endpoint(found) for found in node.of_kind(kind)] for kind in EndpointKind},
     }
 
@@ -41,6 +45,17 @@ def _endpoint(endpoint: SourceEndpoint) -> dict[str, Any]:
         found["callback"] = endpoint.callback
     if endpoint.qos is not None:
         found["qos"] = qos_json(endpoint.qos)
+    match endpoint.details:
+        case ParameterDetails() as parameter:
+            found |= _parameter(parameter)
+        case TimerDetails(period, is_oneshot, is_guess):
+            found["period"] = period
+            found |= {"oneshot": True} if is_oneshot else {}
+            found |= {"period_guess": True} if is_guess else {}
+        case ActionDetails() as callbacks:
+            found |= {f"{key}_callback": name for key, name in _given(callbacks)}
+    if endpoint.transition is not None:
+        found["transition"] = endpoint.transition
     if endpoint.is_guess:
         found["guess"] = True
     found["line"] = endpoint.line
@@ -56,11 +71,41 @@ def qos_json(qos: Qos) -> dict[str, Any]:
     }
 
 
+def _parameter(details: ParameterDetails) -> dict[str, Any]:
+    found: dict[str, Any] = {}
+    if details.type is not None:
+        found["parameter_type"] = details.type
+    if details.default_expression:
+        found["default_expression"] = details.default_expression
+    if details.default is not None:
+        found["default_value"] = _plain(details.default)
+    if details.is_guess:
+        found["default_guess"] = True
+    if details.range is not None:
+        low, high, step = details.range
+        found["range"] = {"from": low, "to": high, **({"step": step} if step else {})}
+    if details.description is not None:
+        found["description"] = details.description
+    if details.is_read_only:
+        found["read_only"] = True
+    return found
+
+
+def _plain(value: Value) -> Any:
+    """Return a value as JSON has it, where a list is no tuple."""
+    return [_plain(each) for each in value] if isinstance(value, tuple) else value
+
+
+def _given(callbacks: ActionDetails) -> list[tuple[str, str]]:
+    return [(key, name) for key, name in callbacks._asdict().items() if name is not None]
+
+
 def inspect_text(source: SourceUnit) -> str:
     """Describe a file for people: a line for each call site, under its node."""
     lines = [f"{source.path} ({source.library})"]
     for node in source.nodes:
-        lines.append(f"  node {node.name or _unknown(node.expression)}")
+        managed = " (managed)" if node.is_managed else ""
+        lines.append(f"  node {node.name or _unknown(node.expression)}{managed}")
         rows = [_row(endpoint) for kind in EndpointKind for endpoint in node.of_kind(kind)]
         widths = [max(map(len, column), default=0) for column in zip(*rows, strict=True)]
         lines += ["    " + "  ".join(map(str.ljust, row, widths)).rstrip() for row in rows]
@@ -70,16 +115,44 @@ def inspect_text(source: SourceUnit) -> str:
 def _row(endpoint: SourceEndpoint) -> tuple[str, str, str, str]:
     type_ = str(endpoint.type) if endpoint.type is not None else endpoint.type_expression
     qos = "" if endpoint.qos is None else text_of(endpoint.qos)
+    told = [
+        type_,
+        f"with qos {qos}" if qos else "",
+        f"calling {endpoint.callback}" if endpoint.callback else "",
+        *_told(endpoint.details),
+        f"made in {endpoint.transition}" if endpoint.transition else "",
+        "(a guess)" if endpoint.is_guess else "",
+        f"in {endpoint.file}" if endpoint.file else "",
+    ]
     return (
         f"line {endpoint.line}",
         endpoint.kind.word,
         endpoint.name or _unknown(endpoint.expression),
-        type_
-        + (f" with qos {qos}" if qos else "")
-        + (f" calling {endpoint.callback}" if endpoint.callback else "")
-        + (" (a guess)" if endpoint.is_guess else "")
-        + (f" in {endpoint.file}" if endpoint.file else ""),
+        " ".join(filter(None, told)),
     )
+
+
+def _told(details: EndpointDetails | None) -> Iterator[str]:
+    """Yield what is said of an endpoint of one kind, for people."""
+    match details:
+        case ParameterDetails(type_, default, expression, range_):
+            yield type_ or ""
+            if expression:
+                value = " ".join(expression.split()) if default is None else json.dumps(default)
+                yield f"= {value}"
+            yield "(a guess)" if details.is_guess else ""
+            if range_ is not None:
+                yield f"from {range_.low} to {range_.high}"
+                yield f"by {range_.step}" if range_.step else ""
+            yield "(read only)" if details.is_read_only else ""
+            yield f"({details.description})" if details.description else ""
+        case TimerDetails(period, is_oneshot, is_guess):
+            if period is not None:
+                yield f"{'after' if is_oneshot else 'every'} {period:g} s"
+            yield "(a guess)" if is_guess else ""
+        case ActionDetails():
+            for key, name in _given(details):
+                yield f"{key} {name}"
 
 
 def _unknown(expression: str) -> str:

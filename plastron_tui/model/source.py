@@ -11,6 +11,7 @@ from plastron_tui.diagnostics import Span
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.qos import Qos
 
+from .endpoint_details import EndpointDetails, ParameterDetails, merged
 from .kinds import Endpoint
 from .kinds import EndpointKind as EndpointKind
 
@@ -102,6 +103,9 @@ class SourceEndpoint(NamedTuple):
             is of the one module imported whole that it may be of, or what creates it is an object
             of another file.
         qos: the quality of service of a topic, None where nothing of it is known.
+        details: what else the file says of one of its kind: of a parameter, a timer, an action.
+        transition: the transition of a managed node in which the call is made (`on_configure`),
+            None where that is not sure, or it is made in none.
     """
 
     kind: EndpointKind
@@ -116,6 +120,8 @@ class SourceEndpoint(NamedTuple):
     file: str = ""
     is_guess: bool = False
     qos: Qos | None = None
+    details: EndpointDetails | None = None
+    transition: str | None = None
 
 
 class SourceNode(NamedTuple):
@@ -127,6 +133,7 @@ class SourceNode(NamedTuple):
         endpoints: its call sites.
         span: what makes it.
         class_name: the class that the file has for it, None where it has none.
+        is_managed: whether it is a lifecycle node of ROS 2.
     """
 
     name: str | None
@@ -134,6 +141,7 @@ class SourceNode(NamedTuple):
     endpoints: tuple[SourceEndpoint, ...]
     span: Span | None = None
     class_name: str | None = None
+    is_managed: bool = False
 
     @property
     def label(self) -> str:
@@ -143,6 +151,15 @@ class SourceNode(NamedTuple):
     def of_kind(self, kind: EndpointKind) -> Iterator[SourceEndpoint]:
         """Yield the endpoints of one kind, in the order of the file."""
         return (endpoint for endpoint in self.endpoints if endpoint.kind is kind)
+
+    @property
+    def parameters(self) -> dict[str, ParameterDetails]:
+        """What all calls together say of each parameter whose name is known."""
+        said: dict[str, list[ParameterDetails]] = {}
+        for endpoint in self.of_kind(EndpointKind.PARAMETER):
+            if endpoint.name is not None and isinstance(endpoint.details, ParameterDetails):
+                said.setdefault(endpoint.name, []).append(endpoint.details)
+        return {name: merged(each) for name, each in said.items()}
 
 
 class Origin(NamedTuple):

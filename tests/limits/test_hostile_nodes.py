@@ -46,6 +46,28 @@ NODES: dict[str, str | bytes] = {
     + "n0 = rospy.Publisher\n"
     + "".join(f"n{n + 1} = n{n}\n" * 8 for n in range(23))
     + "n23('a', String)\n",
+    "defaults": NODE
+    + "n0 = 1\n"
+    + "".join(f"n{n + 1} = n{n} * n{n} + n{n} ** n{n}\n" for n in range(40))
+    + "".join(f"rospy.get_param('p{n}', n{n % 40})\n" for n in range(5_000)),
+    "long defaults": NODE
+    + f"a = [{'1, ' * 100_000}]\nb = [a] * 900\nc = [b] * 900\nd = [c] * 900\n"
+    + "rospy.get_param('p', a)\nrospy.get_param('q', d)\n" * 1_000,
+    "fields of a descriptor": RCLPY
+    + "from rcl_interfaces.msg import ParameterDescriptor\n\n\nclass A(Node):\n    def f(self):\n"
+    + "        d = ParameterDescriptor()\n"
+    + "        d.description = 'a'\n        self.declare_parameter('p', 1, d)\n" * 5_000,
+    "helpers of transitions": RCLPY
+    + "from rclpy.lifecycle import LifecycleNode\n\n\nclass A(LifecycleNode):\n"
+    + "    def on_configure(self, state):\n        self.f0()\n"
+    + "".join(
+        f"    def f{n}(self):\n        self.create_timer(1, print)\n        self.f{n + 1}()\n"
+        for n in range(5_000)
+    ),
+    "uses of actions": RCLPY
+    + "from rclpy.action import ActionClient\nfrom a_msgs.action import B\n\n\n"
+    + "class A(Node):\n    def f(self):\n"
+    + "        self.a = ActionClient(self, B, 'a')\n        self.a.send_goal_async(1, f)\n" * 2_000,
     "nodes without a name": RCLPY
     + "class C0(Node):\n    def __init__(self):\n        super().__init__()\n"
     + "".join(

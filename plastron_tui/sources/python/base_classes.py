@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from plastron_tui.model.source import SourceEndpoint
 
 from .analysis import Analysis, Site
+from .details import Details
 from .scopes import Scope
 
 
@@ -24,13 +25,18 @@ def inherited(analysis: Analysis, owner: Scope | None) -> list[SourceEndpoint]:
     derived = analysis.resolver.classes.derived
     leaves = [each for each in classes if owner is not None or not derived(each)]
     found: dict[tuple[str, int], SourceEndpoint] = {}
+    details: dict[int, Details] = {}
     for leaf in leaves:
         for module, site in _sites(analysis, leaf, set()):
             if module.package is not None:
                 file = analysis.package.relative(module.package)
                 # What a parameter may decide, the class of this file may decide otherwise.
                 name = None if site.endpoint.is_guess else site.endpoint.name
-                endpoint = site.endpoint._replace(file=file, name=name)
+                endpoint = (
+                    details.setdefault(id(module), Details(module))
+                    .of(site)
+                    ._replace(file=file, name=name)
+                )
                 found.setdefault((file, site.call.start_byte), endpoint)
     return list(found.values())
 

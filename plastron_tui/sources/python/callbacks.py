@@ -37,3 +37,11 @@ def is_partial(call: Node, scope: Scope, analysis: Analysis) -> bool:
     """Whether a call is `functools.partial(…)`."""
     callee = call.child_by_field_name("function")
     return any(name in _PARTIALS for name in analysis.resolver.qualified(callee, scope))
+
+
+def callback_name(analysis: Analysis, node: Node | None, scope: Scope) -> str | None:
+    """Return the name of a callback, None for one that has no name."""
+    node = callback_target(node, scope, analysis)
+    if node is None or node.type not in ("identifier", "attribute"):
+        return None
+    return analysis.syntax.slice(node).rpartition(".")[2].strip()

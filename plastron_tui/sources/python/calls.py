@@ -193,6 +193,11 @@ ROSPY = ClientLibrary(
             ("rospy.set_param", "rospy.client.set_param"),
             name=Argument(0, "param_name"),
         ),
+        CallShape(
+            EndpointKind.PARAMETER,
+            ("rospy.has_param", "rospy.client.has_param"),
+            name=Argument(0, "param_name"),
+        ),
     ),
     node_calls={
         "rospy.init_node": Argument(0, "name"),
@@ -289,6 +294,11 @@ RCLPY = ClientLibrary(
         CallShape(
             EndpointKind.PARAMETER,
             ("get_parameter_or",),
+            name=Argument(0, "name"),
+        ),
+        CallShape(
+            EndpointKind.PARAMETER,
+            ("has_parameter",),
             name=Argument(0, "name"),
         ),
     ),

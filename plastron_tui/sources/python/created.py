@@ -13,7 +13,7 @@ from plastron_tui.ros.qos import Qos, common
 
 from .analysis import Analysis
 from .arguments import Arguments
-from .callbacks import callback_target
+from .callbacks import callback_name
 from .calls import Argument, CallShape
 from .constants import Defaulted, Known
 from .guesses import is_default_guess, is_star_guess
@@ -93,7 +93,7 @@ def _endpoint(
         line=call.start_point.row + 1,
         type=type_,
         type_expression=syntax.slice(type_node) if type_node is not None else "",
-        callback=_callback_name(analysis, callback, scope),
+        callback=callback_name(analysis, callback, scope),
         default=default,
         is_guess=_is_guess(
             analysis,
@@ -126,11 +126,3 @@ def _in_namespace(
     if not isinstance(folded, Known) or not isinstance(folded.value, str):
         return None
     return f"{folded.value}.{name}" if folded.value else name
-
-
-def _callback_name(analysis: Analysis, node: Node | None, scope: Scope) -> str | None:
-    """Return the name of a callback, None for one that has no name."""
-    node = callback_target(node, scope, analysis)
-    if node is None or node.type not in ("identifier", "attribute"):
-        return None
-    return analysis.syntax.slice(node).rpartition(".")[2].strip()

@@ -15,6 +15,7 @@ from .references import statement_of
 from .scopes import Scope
 from .splices import line_end, line_start
 from .syntax import parts_of
+from .transitions import MANAGED
 
 # https://design.ros2.org/articles/node_lifecycle.html
 _UNDONE_BY = {"on_configure": "on_cleanup", "on_activate": "on_deactivate"}
@@ -26,10 +27,8 @@ def is_transition(analysis: Analysis, place: Place) -> bool:
     """Whether a place is in a transition of a lifecycle node, which runs once in each cycle."""
     if place.owner is None or place.scope.name not in _UNDONE_BY:
         return False
-    bases = analysis.resolver.foreign_bases(place.owner)
-    return place.receiver == place.self_name and any(
-        name.startswith("rclpy.lifecycle.") for name in bases
-    )
+    is_managed = analysis.resolver.derives_from(place.owner, MANAGED)
+    return is_managed and place.receiver == place.self_name
 
 
 def destroy_created(added: Addition, lines: list[str]) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import replace
 
 from plastron_tui.diagnostics import Span
@@ -10,23 +9,26 @@ from plastron_tui.model.source import SourceEndpoint, SourceNode
 
 from .analysis import Analysis, NodeSite, Site
 from .base_classes import inherited
+from .details import Details
 from .site_owner import Owners
+from .transitions import is_managed
 
 
 def group(analysis: Analysis) -> tuple[SourceNode, ...]:
     """Sort the call sites into the nodes of the file."""
     makers = makers_of(analysis)
+    details = Details(analysis)
     if analysis.disguised:
         sites = [*analysis.sites, *analysis.disguised]
         sites.sort(key=lambda site: site.call.start_byte)
         analysis = replace(analysis, sites=sites)
     if not makers:
         found = inherited(analysis, None)
-        return (_source_node(None, analysis.sites, found),) if analysis.sites or found else ()
-    owned = _owned(makers, analysis)
+        known = [*map(details.of, analysis.sites), *found]
+        return (SourceNode(None, "", tuple(known)),) if known else ()
     return tuple(
-        _source_node(maker, sites, inherited(analysis, maker.owner))
-        for maker, sites in zip(makers, owned, strict=True)
+        _source_node(maker, (*map(details.of, sites), *inherited(analysis, maker.owner)), analysis)
+        for maker, sites in zip(makers, _owned(makers, analysis), strict=True)
     )
 
 
@@ -34,7 +36,7 @@ def part_of(analysis: Analysis, label: str | None) -> Analysis:
     """Return what is known of one of the nodes alone; of all for None."""
     makers = makers_of(analysis) if label is not None else []
     for maker, sites in zip(makers, _owned(makers, analysis), strict=True):
-        if _source_node(maker, sites).label == label:
+        if _label(maker) == label:
             return replace(analysis, sites=sites, nodes=[maker])
     return analysis
 
@@ -44,7 +46,7 @@ def labels_of(analysis: Analysis) -> dict[Site, str]:
     makers = makers_of(analysis)
     labels: dict[Site, str] = {}
     for maker, sites in zip(makers, _owned(makers, analysis), strict=True):
-        labels.update(dict.fromkeys(sites, _source_node(maker, sites).label))
+        labels.update(dict.fromkeys(sites, _label(maker)))
     return labels
 
 
@@ -60,15 +62,19 @@ def makers_of(analysis: Analysis) -> list[NodeSite]:
 
 
 def _source_node(
-    maker: NodeSite | None, sites: list[Site], more: Iterable[SourceEndpoint] = ()
+    maker: NodeSite, endpoints: tuple[SourceEndpoint, ...], analysis: Analysis
 ) -> SourceNode:
-    endpoints = (*(site.endpoint for site in sites), *more)
-    if maker is None:
-        return SourceNode(None, "", endpoints)
     place = maker.call if maker.call is not None else maker.scope.node
     span = Span(place.start_byte, place.end_byte)
     class_name = None if maker.owner is None else maker.owner.name
-    return SourceNode(maker.name, maker.expression, endpoints, span, class_name)
+    managed = is_managed(analysis, maker)
+    return SourceNode(maker.name, maker.expression, endpoints, span, class_name, managed)
+
+
+def _label(maker: NodeSite) -> str:
+    """Return what a program calls a node."""
+    class_name = None if maker.owner is None else maker.owner.name
+    return SourceNode(maker.name, "", (), None, class_name).label
 
 
 def _owned(makers: list[NodeSite], analysis: Analysis) -> list[list[Site]]:

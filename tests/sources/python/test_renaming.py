@@ -319,8 +319,9 @@ RCLPY = {
         "n renames service 'a/on' to 'b/on'",
         {"'a/on'": "'b/on'"},
     ),
-    "a parameter, where it is declared and where it is read": (
-        "self.declare_parameter('a', 1)\n        self.get_parameter('a').value",
+    "a parameter, where it is asked for, declared and read": (
+        "if not self.has_parameter('a'):\n            self.declare_parameter('a', 1)\n"
+        "        self.get_parameter('a').value",
         "n renames parameter 'a' to 'b.c'",
         {"'a'": "'b.c'"},
     ),
