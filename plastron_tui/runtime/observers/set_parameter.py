@@ -1,0 +1,52 @@
+"""Changes a parameter of a running ROS 2 node, and prints as JSON what the node says.
+
+Arguments: the node's full name, the parameter's, its value as JSON, and the most seconds to wait.
+The answer is `{"status": "done" | "refused" | "absent", "reason": …}`.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from typing import Any
+
+import rclpy
+from rcl_interfaces.srv import SetParameters
+from rclpy.parameter import Parameter
+from rclpy.signals import SignalHandlerOptions
+
+_OWN_NAME = "_plastron_set_parameter"
+
+
+def _ask(node: Any, target: str, parameter: Any, limit: float) -> tuple[str, str]:
+    deadline = time.monotonic() + limit
+    client = node.create_client(SetParameters, f"{target}/set_parameters")
+    if not client.wait_for_service(timeout_sec=limit):
+        return "absent", "no node of this name has parameters that can be set"
+    request = SetParameters.Request(parameters=[parameter.to_parameter_msg()])
+    future = client.call_async(request)
+    left = max(deadline - time.monotonic(), 0.0)
+    rclpy.spin_until_future_complete(node, future, timeout_sec=left)
+    if not future.done():
+        return "absent", "the node does not answer"
+    (result,) = future.result().results
+    return ("done" if result.successful else "refused"), result.reason
+
+
+def main() -> None:
+    """Ask the node, and print the answer."""
+    target, name, value, limit = sys.argv[1:]
+    rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.NO)
+    node = rclpy.create_node(_OWN_NAME, enable_rosout=False, start_parameter_services=False)
+    status, reason = _ask(node, target, Parameter(name, value=json.loads(value)), float(limit))
+    print(json.dumps({"status": status, "reason": reason}), flush=True)
+    node.destroy_node()
+    rclpy.shutdown()
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except KeyboardInterrupt:
+        sys.exit(130)
