@@ -159,22 +159,22 @@ def _checked(
     """Return the setup with what the program's parameter file says; what is wrong is reported."""
     params, diagnostics = session.params()
     setup = setup._replace(params=params)
-    nodes = [_run_node(generated) for generated in chosen]
+    nodes = [_run_node(generated, session.output) for generated in chosen]
     refuse(setup.wrong_option(nodes))
     report.add((*diagnostics, *setup.problems(nodes, session.params_path)), session.lines)
     return setup
 
 
-def _run_node(generated: Generated) -> RunNode:
+def _run_node(generated: Generated, output: Path) -> RunNode:
     """Return what is known of a node from the files that it becomes."""
     from plastron_tui.project.run_setup import run_node, takes_others
     from plastron_tui.targets import find_target, ros_version
 
     node, library = generated.generation.node, generated.generation.library
-    target = find_target(library)
-    if target is None or generated.files is None:
+    target, path = find_target(library), generated.path(output)
+    if target is None or path is None or generated.files is None:
         return run_node(node, ros_version(library), node.source)
-    path, files = Path(generated.files.name), generated.files.files
+    files = generated.files.files
     unit = target.language.read(path, files, library).source
     if unit is not None and node.source is not None:
         unit = unit.only(node.source.label)

@@ -12,6 +12,7 @@ from plastron_tui.model.kinds import EndpointKind
 from plastron_tui.model.source import SourceUnit
 from plastron_tui.model.workspace import Node
 from plastron_tui.regular_files import read_regular, reason
+from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.names import resolved_name
 from plastron_tui.ros.parameters import (
     NodeParameters,
@@ -29,6 +30,7 @@ LARGEST_PARAMS = 256 * 1024
 """The largest parameter file that is read, in bytes."""
 
 _NAMED = tuple(kind for kind in EndpointKind if kind.facts.interface is not None)
+_ACTIONS = tuple(kind for kind in _NAMED if kind.facts.interface is InterfaceKind.ACTION)
 _OF_EVERY_NODE = ("use_sim_time", "start_type_description_service", "qos_overrides")
 # What lets a node take parameters that its file does not name.
 _TAKES_OTHERS = (
@@ -166,11 +168,13 @@ class RunSetup(NamedTuple):
 
     def arguments(self, ros_version: int, nodes: Sequence[Node]) -> tuple[str, ...]:
         """Return the arguments of a process that has these nodes."""
-        known = [word for node in nodes for word in (node.name, node.variable)]
+        names = self.names.of(*(word for node in nodes for word in (node.name, node.variable)))
         values: dict[str, ParameterValue] = {}
         for node in nodes:
             values |= self.values(node.name, node.variable)
-        return ros_arguments(ros_version, self.names.of(*known), values)
+            actions = [name for kind in _ACTIONS for name in node.names(kind)]
+            names = names.with_actions(node.name, actions, ros_version)
+        return ros_arguments(ros_version, names, values)
 
     def _names(self, node: RunNode) -> RunNames:
         return self.names.of(node.name, node.variable)

@@ -42,7 +42,7 @@ _PATTERN_PART = re.compile(r"\*\*?|\w+", re.ASCII)
 _NO_XML = re.compile("[^\t\n\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _SECTION = "ros__parameters"
 _STRING = "tag:yaml.org,2002:str"
-_QUOTE_IT = "write a text in quotes, as in '\"0.8\"'"
+_QUOTE_IT = 'write a text in quotes, such as `"0.8"`'
 
 _Node = Any
 """A node of PyYAML's tree: its `id` says whether it is a scalar, a sequence or a mapping."""

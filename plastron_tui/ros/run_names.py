@@ -6,11 +6,21 @@ Sources: the ROS wiki pages "Names" and "Remapping Arguments"; for ROS 2 the des
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from .names import check_topic_name, resolved_name, spelled
 
 REMAP_FORM = "FROM:=TO"
+
+_ACTION_PARTS = {
+    1: ("goal", "cancel", "status", "feedback", "result"),
+    2: tuple(
+        f"_action/{part}"
+        for part in ("send_goal", "cancel_goal", "get_result", "feedback", "status")
+    ),
+}
+"""What an action is made of, below its name (ROS wiki, "actionlib"; ROS 2 design, "Actions")."""
 
 
 class Remap(NamedTuple):
@@ -30,6 +40,11 @@ class Remap(NamedTuple):
     def words(self) -> str:
         """The rule as a command line has it."""
         return f"{'' if self.node is None else f'{self.node}:'}{self.old}:={self.new}"
+
+    def of_action(self, ros_version: int) -> Iterator[Remap]:
+        """Yield the rules that give an action of the name the other one."""
+        for part in _ACTION_PARTS[ros_version]:
+            yield self._replace(old=f"{self.old}/{part}", new=f"{self.new}/{part}")
 
 
 class RunNames(NamedTuple):
@@ -51,6 +66,13 @@ class RunNames(NamedTuple):
     def full_node(self, node: str) -> str:
         """Return the full name of a node, such as `/robot1/talker`."""
         return f"{self.namespace or ''}/{node}"
+
+    def with_actions(self, node: str, actions: Iterable[str], ros_version: int) -> RunNames:
+        """Return the same with rules for the topics and services that a node's actions are."""
+        full = {self.joined(node, name) for name in actions}
+        meant = (one for one in self.remaps if self.joined(node, one.old) in full)
+        more = tuple(rule for one in meant for rule in one.of_action(ros_version))
+        return self._replace(remaps=(*self.remaps, *more))
 
     def joined(self, node: str, name: str) -> str:
         """Return the full name of a node's topic or service before it is remapped."""
