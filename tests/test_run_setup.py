@@ -9,6 +9,7 @@ import pytest
 from plastron_tui.project.run_setup import RunNode, RunSetup, params_path, run_node, takes_others
 from plastron_tui.ros.parameters import NodeParameters, Setting, parse_setting
 from plastron_tui.ros.run_names import Remap, RunNames, parse_remap
+from plastron_tui.runtime.parameters import SetStatus
 from plastron_tui.session import Session
 
 ROSPY = """\
@@ -132,5 +133,24 @@ def test_arguments_of_both_ros() -> None:
         assert RunSetup().arguments(version, [node]) == ()
 
 
+def test_an_action_is_remapped_with_all_that_it_is(tmp_path: Path) -> None:
+    text = ROSPY.replace(
+        "rospy.spin()",
+        "import actionlib\nfrom actionlib.msg import TestAction\n"
+        "server = actionlib.SimpleActionServer('dock', TestAction, print, False)\nrospy.spin()",
+    )
+    (tmp_path / "gain.py").write_text(text)
+    session = Session(b"load 'gain.py' as g\n", tmp_path / "p.plastron")
+    given = setup_of(remaps=("dock:=park", "chatter:=news")).arguments(
+        1, list(session.workspace.nodes.values())
+    )
+    assert {"dock:=park", "dock/goal:=park/goal", "dock/result:=park/result"} < set(given)
+    assert "chatter/goal:=news/goal" not in given
+
+
 def test_the_file_is_beside_the_output() -> None:
     assert params_path(Path("/a/output"), Path("/b/robot.plastron")) == Path("/a/config/robot.yaml")
+
+
+def test_a_node_that_the_program_has_not_is_not_asked() -> None:
+    assert Session(b"").set_parameter("x", "speed", 1.0).status is SetStatus.ABSENT

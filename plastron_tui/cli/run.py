@@ -114,8 +114,6 @@ def _prepare(
     unknown = _unknown_names(made, (*names, *setup.nodes))
     if not unknown:
         setup = _checked(session, setup, chosen, report)
-        if report.status:
-            return []
     plan, diagnostics = session.plan_of(chosen)
     report.add((*unknown, *diagnostics), session.lines, session.path)
     if has_errors(diagnostics) or unknown:

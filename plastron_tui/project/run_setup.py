@@ -15,6 +15,7 @@ from plastron_tui.regular_files import read_regular, reason
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.names import resolved_name
 from plastron_tui.ros.parameters import (
+    Mistake,
     NodeParameters,
     ParameterValue,
     Setting,
@@ -25,6 +26,9 @@ from plastron_tui.ros.parameters import (
 )
 from plastron_tui.ros.run_names import AS_WRITTEN, RunNames
 from plastron_tui.runtime.arguments import ros_arguments
+
+MOST_MISTAKES = 20
+"""The most mistakes of a parameter file that are told."""
 
 LARGEST_PARAMS = 256 * 1024
 """The largest parameter file that is read, in bytes."""
@@ -216,15 +220,13 @@ def find_params(
         message = f"`{file.name}` cannot be read: {why}"
         return (), (Diagnostic(codes.BAD_PARAMETERS, message, file=file),)
     params, mistakes = read_params(text)
-    spans = (_span(text, each.start, each.end) for each in mistakes)
-    return params, tuple(
-        Diagnostic(codes.BAD_PARAMETERS, each.message, span, file, help=each.help)
-        for each, span in zip(mistakes, spans, strict=True)
-    )
+    return params, tuple(_told(each, text, file) for each in mistakes[:MOST_MISTAKES])
 
 
-def _span(text: str, start: int, end: int) -> Span:
-    return Span(len(text[:start].encode()), len(text[:end].rstrip().encode()))
+def _told(mistake: Mistake, text: str, file: Path) -> Diagnostic:
+    start, end = text[: mistake.start], text[: mistake.end].rstrip()
+    span = Span(len(start.encode()), max(len(start.encode()), len(end.encode())))
+    return Diagnostic(codes.BAD_PARAMETERS, mistake.message, span, file, help=mistake.help)
 
 
 def _sure(names: Iterable[str | None]) -> list[str] | None:

@@ -25,8 +25,8 @@ ParameterValue: TypeAlias = (
 )
 """What a parameter can be in both ROS."""
 
-LONGEST_VALUE = 64 * 1024
-"""The longest value, in characters of YAML; Linux takes an argument of twice that."""
+LONGEST_VALUE = 100_000
+"""The longest value, in characters of an argument; Linux takes one of 131,071 bytes."""
 
 _INTEGER = re.compile(r"[-+]?(?:0[xX][0-9a-fA-F]+|0[0-7]*|[1-9][0-9]*)", re.ASCII)
 _FLOAT = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?", re.ASCII)
@@ -127,6 +127,8 @@ def unfit(value: ParameterValue, ros_version: int) -> str | None:
             return f"a text has no character U+{ord(bad[0]):04X} in ROS 1"
         if type(each) is int and not -(2**31) <= each < 2**31:
             return f"{each} does not fit into the 32 bits of an integer in ROS 1"
+    if len(yaml_text(value)) > LONGEST_VALUE:
+        return f"a value has at most {LONGEST_VALUE:,} characters"
     return None
 
 
@@ -263,8 +265,6 @@ def _value(node: _Node, text: str) -> ParameterValue:
     _check_plain(node, text)
     if node.id == "mapping":
         raise _NoValueError(_at(node, "a value is no mapping", _QUOTE_IT))
-    if len(text) > LONGEST_VALUE and node.end_mark.index - node.start_mark.index > LONGEST_VALUE:
-        raise _NoValueError(_at(node, f"a value has at most {LONGEST_VALUE // 1024} kB"))
     if node.id == "scalar":
         return _scalar(node, text)
     if not node.value:

@@ -121,7 +121,8 @@ def test_names_that_are_none_are_wrong_usage(run: Run, here: Path) -> None:
     [
         ("speed=1", b"NODE.NAME=VALUE"),
         ("talker.a b=1", b"no name of a parameter"),
-        ("talker.speed=[1, 2.0]", b"a list is of one type"),
+        ("talker.speed=[1, 2.0]", b"write each number with a point"),
+        ("talker.speed=[1, a]", b"a list is of one type"),
         ("talker.speed=a: b", b"in quotes"),
         ("talker.__name=x", b"names in ROS 1"),
         ("talker.n=3000000000", b"32 bits"),
@@ -166,8 +167,9 @@ def test_a_remap_of_no_name_is_a_warning(run: Run, here: Path) -> None:
     assert b"did you mean `chatter`?" in done.stderr
 
 
-def test_a_name_that_is_not_known_may_be_the_one(run: Run, here: Path) -> None:
-    text = GAIN["rospy"].replace('"~stop"', "name_of(1)")
+@pytest.mark.parametrize("name", ["name_of(1)", 'rospy.get_param("~topic", "stop")'])
+def test_a_name_that_is_not_known_may_be_the_one(run: Run, here: Path, name: str) -> None:
+    text = GAIN["rospy"].replace('"~stop"', name)
     (here / "gain.py").write_text(text)
     (here / "p.plastron").write_text(PROGRAM)
     assert b"unmet" not in run("graph", "p.plastron", "--remap", "other:=news").stderr

@@ -4,7 +4,7 @@ import math
 
 import pytest
 import yaml
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from plastron_tui.ros.parameters import (
@@ -31,6 +31,10 @@ VALUES = st.one_of(
 )
 PLAIN = st.from_regex(r"[A-Za-z_][A-Za-z0-9_]{0,8}", fullmatch=True)
 DOTTED = st.lists(PLAIN, min_size=1, max_size=3).map(".".join)
+
+
+def repr_of_start(value: object) -> str:
+    return repr(value)[:20]
 
 
 def is_same(one: object, other: object) -> bool:
@@ -125,6 +129,8 @@ def test_no_text_is_more_than_a_mistake(text: str) -> None:
 
 
 @given(VALUES)
+@example("a:=b")
+@example(("1e5", "y", ":=:="))
 def test_a_value_comes_back_from_its_argument(value: ParameterValue) -> None:
     text = yaml_text(value)
     # rospy splits its arguments there, and an argument is one line.
@@ -197,7 +203,11 @@ def test_a_mistake_in_a_file_has_its_place(text: str, wrong: str, message: str) 
         (("a", "b\ufffe"), {2}),
         ("a\0b", set()),
         (True, {1, 2}),
+        ("x" * 99_000, {1, 2}),
+        ("é" * 99_000, set()),
+        (("x" * 10,) * 10_000, set()),
     ],
+    ids=repr_of_start,
 )
 def test_what_a_ros_cannot_have(value: ParameterValue, ros_versions: set[int]) -> None:
     assert {version for version in (1, 2) if unfit(value, version) is None} == ros_versions
