@@ -86,6 +86,7 @@ def test_a_parameter_that_a_node_has_not(
         (1, ROSPY.replace('"~speed"', "NAME")),
         (1, f"{ROSPY}print(rospy.get_param_names())\n"),
         (2, RCLPY.replace('"speed"', "NAME")),
+        (2, RCLPY.replace('declare_parameter("speed", 1.0)', 'declare_parameters("", LISTED)')),
         (2, RCLPY.replace('"gain"', '"gain", allow_undeclared_parameters=True')),
     ],
 )

@@ -40,7 +40,6 @@ _OF_EVERY_NODE = ("use_sim_time", "start_type_description_service", "qos_overrid
 _TAKES_OTHERS = (
     "allow_undeclared_parameters",
     "automatically_declare_parameters_from_overrides",
-    "declare_parameters",
     "get_param_names",
 )
 

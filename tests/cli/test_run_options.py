@@ -167,9 +167,18 @@ def test_a_remap_of_no_name_is_a_warning(run: Run, here: Path) -> None:
     assert b"did you mean `chatter`?" in done.stderr
 
 
-@pytest.mark.parametrize("name", ["name_of(1)", 'rospy.get_param("~topic", "stop")'])
-def test_a_name_that_is_not_known_may_be_the_one(run: Run, here: Path, name: str) -> None:
-    text = GAIN["rospy"].replace('"~stop"', name)
+@pytest.mark.parametrize(
+    "publisher",
+    [
+        "    publisher = rospy.Publisher(name_of(1)",
+        '    topic = rospy.get_param("~topic", "stop")\n    publisher = rospy.Publisher(topic',
+        # Another file may call it with another name.
+        '\n\ndef start(topic="stop"):\n    publisher = rospy.Publisher(topic',
+    ],
+)
+def test_a_name_that_is_not_known_may_be_the_one(run: Run, here: Path, publisher: str) -> None:
+    text = GAIN["rospy"].replace('    publisher = rospy.Publisher("state"', publisher)
+    assert publisher in text
     (here / "gain.py").write_text(text)
     (here / "p.plastron").write_text(PROGRAM)
     assert b"unmet" not in run("graph", "p.plastron", "--remap", "other:=news").stderr
