@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from plastron_tui.output.plan import FilePlan
     from plastron_tui.project.loader import FilesRead, NodeLoader
     from plastron_tui.ros.catalog import Catalog
-    from plastron_tui.ros.parameters import NodeParameters, ParameterValue
+    from plastron_tui.ros.parameter_values import NodeParameters, ParameterValue
     from plastron_tui.runtime.parameters import SetResult
 
 __all__ = ["Options", "Session"]
@@ -280,7 +280,7 @@ class Session:
         Args:
             node: the node, by its name or its variable.
             name: the parameter.
-            value: the new value; `plastron_tui.ros.parameters.parse_value` types a text.
+            value: the new value; `plastron_tui.ros.parameter_values.parse_value` types a text.
             namespace: the namespace that the node runs in, such as `/robot1`.
             master_uri: the master of a ROS 1 node; None for the usual one.
         """

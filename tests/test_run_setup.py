@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from plastron_tui.project.run_setup import RunNode, RunSetup, params_path, run_node, takes_others
-from plastron_tui.ros.parameters import NodeParameters, Setting, parse_setting
+from plastron_tui.ros.parameter_values import Assignment, NodeParameters, parse_assignment
 from plastron_tui.ros.run_names import Remap, RunNames, parse_remap
 from plastron_tui.runtime.parameters import SetStatus
 from plastron_tui.session import Session
@@ -45,11 +45,11 @@ def main():
 
 
 def setup_of(*settings: str, remaps: tuple[str, ...] = (), namespace: str = "") -> RunSetup:
-    found = [parse_setting(text) for text in settings]
+    found = [parse_assignment(text) for text in settings]
     rules = [parse_remap(text) for text in remaps]
     return RunSetup(
         RunNames(namespace, tuple(each for each in rules if isinstance(each, Remap))),
-        tuple(each for each in found if isinstance(each, Setting)),
+        tuple(each for each in found if isinstance(each, Assignment)),
     )
 
 

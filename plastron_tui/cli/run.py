@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from plastron_tui.generating.generation import Generated
     from plastron_tui.model.workspace import Node
     from plastron_tui.project.run_setup import RunNode, RunSetup
-    from plastron_tui.ros.parameters import Setting
+    from plastron_tui.ros.parameter_values import Assignment
     from plastron_tui.ros.run_names import Remap
     from plastron_tui.runtime.environment import Environment, Found
     from plastron_tui.runtime.launch import NodeFile
@@ -67,7 +67,7 @@ def command(
     seconds: float | None,
     remaps: tuple[Remap, ...],
     namespace: str | None,
-    settings: tuple[Setting, ...],
+    settings: tuple[Assignment, ...],
     watch: bool,
     network: bool,
 ) -> None:

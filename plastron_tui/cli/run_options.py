@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import click
 
 from plastron_tui.diagnostics import Diagnostic, codes, did_you_mean
-from plastron_tui.ros.parameters import Mistake, Setting, parse_setting
+from plastron_tui.ros.parameter_values import Assignment, Mistake, parse_assignment
 from plastron_tui.ros.run_names import REMAP_FORM, Remap, parse_namespace, parse_remap
 
 
@@ -35,10 +35,10 @@ def _namespace(context: click.Context, option: click.Parameter, text: str | None
 
 def _settings(
     context: click.Context, option: click.Parameter, texts: tuple[str, ...]
-) -> tuple[Setting, ...]:
+) -> tuple[Assignment, ...]:
     found = []
     for text in texts:
-        setting = parse_setting(text)
+        setting = parse_assignment(text)
         if isinstance(setting, Mistake):
             remedy = "" if setting.help is None else f"; {setting.help}"
             raise click.BadParameter(f"{text!r}: {setting.message}{remedy}.", context, option)

@@ -14,11 +14,11 @@ from plastron_tui.model.workspace import Node
 from plastron_tui.regular_files import read_regular, reason
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.names import resolved_name
-from plastron_tui.ros.parameters import (
+from plastron_tui.ros.parameter_values import (
+    Assignment,
     Mistake,
     NodeParameters,
     ParameterValue,
-    Setting,
     name_problem,
     read_params,
     unfit,
@@ -104,7 +104,7 @@ class RunSetup(NamedTuple):
     """
 
     names: RunNames = AS_WRITTEN
-    settings: tuple[Setting, ...] = ()
+    settings: tuple[Assignment, ...] = ()
     params: tuple[NodeParameters, ...] = ()
 
     @property
@@ -182,7 +182,7 @@ class RunSetup(NamedTuple):
     def _names(self, node: RunNode) -> RunNames:
         return self.names.of(node.name, node.variable)
 
-    def _settings(self, *node: str) -> Iterator[Setting]:
+    def _settings(self, *node: str) -> Iterator[Assignment]:
         return (each for each in self.settings if each.node in node)
 
     def _from_file(self, name: str) -> dict[str, ParameterValue]:

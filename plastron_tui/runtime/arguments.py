@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from plastron_tui.ros.names import name_as_written
-from plastron_tui.ros.parameters import ParameterValue, yaml_text
+from plastron_tui.ros.parameter_values import ParameterValue, yaml_text
 from plastron_tui.ros.run_names import RunNames
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.ros.names import check_parameter_name
-from plastron_tui.ros.parameters import ParameterValue, unfit
+from plastron_tui.ros.parameter_values import ParameterValue, unfit
 
 from .environment import LOOPBACK, Environment, is_local, node_environ
 from .master import DEFAULT_PORT, MasterError, call

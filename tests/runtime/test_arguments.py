@@ -12,7 +12,7 @@ import pytest
 from machine import find_ros
 
 from plastron_tui.ros.names import name_as_written
-from plastron_tui.ros.parameters import ParameterValue, parse_value
+from plastron_tui.ros.parameter_values import ParameterValue, parse_value
 from plastron_tui.ros.run_names import Remap, RunNames, parse_remap
 from plastron_tui.runtime.arguments import ros_arguments
 from plastron_tui.runtime.environment import node_environ

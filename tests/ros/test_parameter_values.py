@@ -7,12 +7,12 @@ import yaml
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from plastron_tui.ros.parameters import (
+from plastron_tui.ros.parameter_values import (
+    Assignment,
     Mistake,
     ParameterValue,
-    Setting,
     params_file,
-    parse_setting,
+    parse_assignment,
     parse_value,
     read_params,
     unfit,
@@ -102,27 +102,27 @@ def test_a_text_that_is_no_value(text: str) -> None:
 @pytest.mark.parametrize(
     ("text", "found"),
     [
-        ("talker.speed=0.8", Setting("talker", "speed", 0.8)),
-        ("talker.pid.p=1", Setting("talker", "pid.p", 1)),
-        ("talker.text=", Setting("talker", "text", "")),
-        ("talker.text=a=b", Setting("talker", "text", "a=b")),
+        ("talker.speed=0.8", Assignment("talker", "speed", 0.8)),
+        ("talker.pid.p=1", Assignment("talker", "pid.p", 1)),
+        ("talker.text=", Assignment("talker", "text", "")),
+        ("talker.text=a=b", Assignment("talker", "text", "a=b")),
     ],
 )
-def test_a_setting(text: str, found: Setting) -> None:
-    assert parse_setting(text) == found
+def test_an_assignment(text: str, found: Assignment) -> None:
+    assert parse_assignment(text) == found
 
 
 @pytest.mark.parametrize(
     "text",
     ["", "speed=1", ".speed=1", "a.=1", "a.b", "a.b c=1", "a.1=1", "a.b:=1", "a.b..c=1", "a.b=[1"],
 )
-def test_a_setting_that_is_none(text: str) -> None:
-    assert isinstance(parse_setting(text), Mistake)
+def test_an_assignment_that_is_none(text: str) -> None:
+    assert isinstance(parse_assignment(text), Mistake)
 
 
 @given(st.text(max_size=40))
 def test_no_text_is_more_than_a_mistake(text: str) -> None:
-    parse_setting(f"a.b={text}")
+    parse_assignment(f"a.b={text}")
     found, mistakes = read_params(text)
     assert all(0 <= each.start <= each.end <= len(text) + 1 for each in mistakes)
     values_of(found, "/a")

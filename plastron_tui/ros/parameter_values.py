@@ -57,7 +57,7 @@ class Mistake(NamedTuple):
     help: str | None = None
 
 
-class Setting(NamedTuple):
+class Assignment(NamedTuple):
     """A value for a parameter of a node, which goes by its name or a program's variable."""
 
     node: str
@@ -69,7 +69,7 @@ class _NoValueError(Exception):
     """A node of the tree is no value; its argument is the mistake."""
 
 
-def parse_setting(text: str) -> Setting | Mistake:
+def parse_assignment(text: str) -> Assignment | Mistake:
     """Return what `NODE.NAME=VALUE` says, or what is wrong with it."""
     left, sign, value_text = text.partition("=")
     node, dot, name = left.partition(".")
@@ -78,7 +78,7 @@ def parse_setting(text: str) -> Setting | Mistake:
     if (problem := name_problem(name)) is not None:
         return Mistake(problem)
     value = parse_value(value_text)
-    return value if isinstance(value, Mistake) else Setting(node, name, value)
+    return value if isinstance(value, Mistake) else Assignment(node, name, value)
 
 
 def parse_value(text: str) -> ParameterValue | Mistake:
