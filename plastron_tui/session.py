@@ -36,6 +36,8 @@ if TYPE_CHECKING:
     from plastron_tui.output.plan import FilePlan
     from plastron_tui.project.loader import FilesRead, NodeLoader
     from plastron_tui.ros.catalog import Catalog
+    from plastron_tui.ros.parameter_values import NodeParameters, ParameterValue
+    from plastron_tui.runtime.parameters import SetResult
 
 __all__ = ["Options", "Session"]
 
@@ -246,6 +248,63 @@ class Session:
         to be written.
         """
         return self.plan_of(self.generated())
+
+    def params(self) -> tuple[tuple[NodeParameters, ...], tuple[Diagnostic, ...]]:
+        """Return what the program's parameter file has for the nodes that run, and its mistakes."""
+        from plastron_tui.project.run_setup import find_params
+
+        return (
+            ((), ()) if self.params_path is None else find_params(self.params_path, self.boundary)
+        )
+
+    @property
+    def params_path(self) -> Path | None:
+        """The program's parameter file, which need not be there; None for one without a file."""
+        from plastron_tui.project.run_setup import params_path
+
+        return None if self.path is None else params_path(self.output, self.path)
+
+    def set_parameter(
+        self,
+        node: str,
+        name: str,
+        value: ParameterValue,
+        *,
+        namespace: str = "",
+        master_uri: str | None = None,
+    ) -> SetResult:
+        """Change a parameter of a node of the program that runs on this machine.
+
+        It takes some seconds, and is to be called beside whatever shows them.
+
+        Args:
+            node: the node, by its name or its variable.
+            name: the parameter.
+            value: the new value; `plastron_tui.ros.parameter_values.parse_value` types a text.
+            namespace: the namespace that the node runs in, such as `/robot1`.
+            master_uri: the master of a ROS 1 node; None for the usual one.
+        """
+        from plastron_tui.runtime.environment import find_environments
+        from plastron_tui.runtime.parameters import SetResult, SetStatus, set_parameter
+        from plastron_tui.targets import ros_version
+
+        nodes = self.workspace.nodes
+        by_name = (each for each in nodes.values() if each.name == node)
+        found = nodes.get(node) or next(by_name, None)
+        if found is None:
+            return SetResult(SetStatus.ABSENT, f"the program has no node `{node}`")
+        version = ros_version(found.library or self.library)
+        environment, diagnostics = find_environments(self._environ).choose(version)
+        if environment is None:
+            return SetResult(SetStatus.ABSENT, diagnostics[0].message)
+        return set_parameter(
+            environment,
+            f"{namespace}/{found.name}",
+            name,
+            value,
+            master_uri=master_uri,
+            environ=self._environ,
+        )
 
     def plan_of(
         self,

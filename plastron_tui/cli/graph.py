@@ -8,10 +8,14 @@ from pathlib import Path
 
 import click
 
+from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.graph import graph_of
 from plastron_tui.model.workspace import Workspace
 from plastron_tui.output.graphs import FORMATS, render
+from plastron_tui.project.run_setup import RunSetup, run_node
+from plastron_tui.ros.run_names import Remap, RunNames
 from plastron_tui.session import Options, Session
+from plastron_tui.targets import ros_version
 
 from .common import (
     Report,
@@ -22,24 +26,50 @@ from .common import (
     programs_argument,
     target_option,
 )
+from .run_options import namespace_option, refuse, remap_option, unknown_nodes
 
 
 @click.command(epilog="Example: plastron graph --format svg robot.plastron > robot.svg")
 @programs_argument
+@remap_option
+@namespace_option
 @target_option
 @format_option(*FORMATS)
-def command(files: tuple[Path, ...], target: str | None, format_: str) -> None:
+def command(
+    files: tuple[Path, ...],
+    remaps: tuple[Remap, ...],
+    namespace: str | None,
+    target: str | None,
+    format_: str,
+) -> None:
     """Show the nodes of programs, and the topics and services that join them.
 
-    Several programs give one graph. Of a program with mistakes, what is right is shown.
+    Several programs give one graph. Of a program with mistakes, what is right is shown. With names
+    as `plastron run` takes them, it is the graph of such a run.
     """
     report = Report()
     sessions = open_sessions(files, report, Options(target=target))
+    names = RunNames(namespace, remaps)
     if sessions:
-        print_text(render(graph_of(joined(sessions)), format_))
+        diagnostics = _check(sessions, names)
+        print_text(render(graph_of(joined(sessions), names), format_))
+        report.add(diagnostics, lambda _: None)
     for session in sessions:
         report.add(session.diagnostics, session.lines, session.path)
     finish(report)
+
+
+def _check(sessions: Iterable[Session], names: RunNames) -> list[Diagnostic]:
+    """Return what is wrong with names, or doubtful; wrong ones end the command."""
+    nodes = [
+        run_node(node, ros_version(node.library or session.library), node.source)
+        for session in sessions
+        for node in session.workspace.nodes.values()
+    ]
+    setup = RunSetup(names)
+    refuse(setup.wrong_option(nodes))
+    known = {word for node in nodes for word in (node.name, node.variable)}
+    return [*unknown_nodes(setup.nodes, known, "has"), *setup.unmet(nodes)]
 
 
 def joined(sessions: Iterable[Session]) -> Workspace:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from plastron_tui.diagnostics import Diagnostic, codes, did_you_mean, has_errors
+from plastron_tui.diagnostics import Diagnostic, codes, has_errors
 from plastron_tui.diagnostics.terminal import drawn_on, visible
 from plastron_tui.session import Options, Session
 
@@ -22,9 +22,14 @@ from .common import (
     program_argument,
     target_option,
 )
+from .run_options import namespace_option, refuse, remap_option, set_option, unknown_nodes
 
 if TYPE_CHECKING:
     from plastron_tui.generating.generation import Generated
+    from plastron_tui.model.workspace import Node
+    from plastron_tui.project.run_setup import RunNode, RunSetup
+    from plastron_tui.ros.parameter_values import Assignment
+    from plastron_tui.ros.run_names import Remap
     from plastron_tui.runtime.environment import Environment, Found
     from plastron_tui.runtime.launch import NodeFile
 
@@ -49,6 +54,9 @@ def _time(context: click.Context, option: click.Parameter, seconds: float | None
     metavar="SECONDS",
     help="Stop the nodes after so long.",
 )
+@remap_option
+@namespace_option
+@set_option
 @click.option("--watch", is_flag=True, help="Show a live table of topics and service calls.")
 @click.option("--network", is_flag=True, help="Let the nodes speak to other machines too.")
 def command(
@@ -57,6 +65,9 @@ def command(
     output: Path | None,
     target: str | None,
     seconds: float | None,
+    remaps: tuple[Remap, ...],
+    namespace: str | None,
+    settings: tuple[Assignment, ...],
     watch: bool,
     network: bool,
 ) -> None:
@@ -66,6 +77,8 @@ def command(
     the extra `ros2`, or Debian's rospy, for which a master is started where none answers. Ctrl-C
     stops everything. Exits with 1 when a node fails.
     """
+    from plastron_tui.project.run_setup import RunSetup
+    from plastron_tui.ros.run_names import RunNames
     from plastron_tui.runtime.environment import find_environments
     from plastron_tui.runtime.launch import Options as RunOptions
     from plastron_tui.runtime.launch import run_nodes
@@ -76,7 +89,8 @@ def command(
         finish(report)
         return
     found = find_environments()
-    files = _prepare(session, nodes, found, report)
+    setup = RunSetup(RunNames(namespace, remaps), settings)
+    files = _prepare(session, nodes, setup, found, report)
     if not report.status and files:
         options = RunOptions(seconds, network, watch)
         # The table is drawn over itself; what nodes print is escaped before it comes there.
@@ -87,7 +101,7 @@ def command(
 
 
 def _prepare(
-    session: Session, names: Sequence[str], found: Found, report: Report
+    session: Session, names: Sequence[str], setup: RunSetup, found: Found, report: Report
 ) -> list[NodeFile]:
     """Generate the nodes and find a ROS for each; what fails is reported."""
     from .generate import Planned, show_plan, write_plan
@@ -97,13 +111,15 @@ def _prepare(
         return []
     made = session.generated()
     chosen = [generated for generated in made if _is_chosen(generated, names)]
-    unknown = _unknown_names(made, names)
+    unknown = _unknown_names(made, (*names, *setup.nodes))
+    if not unknown:
+        setup = _checked(session, setup, chosen, report)
     plan, diagnostics = session.plan_of(chosen)
     report.add((*unknown, *diagnostics), session.lines, session.path)
     if has_errors(diagnostics) or unknown:
         return []
     environments = _environments(session, chosen, found, report)
-    nodes = _node_files(chosen, environments, session, report)
+    nodes = _node_files(chosen, environments, setup, session, report)
     if report.status:
         return []
     for library, environment in environments.items():
@@ -132,15 +148,36 @@ def _unknown_names(made: Sequence[Generated], names: Sequence[str]) -> list[Diag
     if not made:
         message = "the program generates no node, so there is nothing to run"
         return [Diagnostic(codes.NOTHING_TO_GENERATE, message)]
-    return [
-        Diagnostic(
-            codes.UNKNOWN_NODE,
-            f"the program generates no node `{name}`",
-            help=did_you_mean(name, known),
-        )
-        for name in names
-        if name not in known
-    ]
+    return unknown_nodes(dict.fromkeys(names), known, "generates")
+
+
+def _checked(
+    session: Session, setup: RunSetup, chosen: Sequence[Generated], report: Report
+) -> RunSetup:
+    """Return the setup with what the program's parameter file says; what is wrong is reported."""
+    params, diagnostics = session.params()
+    setup = setup._replace(params=params)
+    nodes = [_run_node(generated, session.output) for generated in chosen]
+    refuse(setup.wrong_option(nodes))
+    report.add((*diagnostics, *setup.problems(nodes, session.params_path)), session.lines)
+    return setup
+
+
+def _run_node(generated: Generated, output: Path) -> RunNode:
+    """Return what is known of a node from the files that it becomes."""
+    from plastron_tui.project.run_setup import run_node, takes_others
+    from plastron_tui.targets import find_target, ros_version
+
+    node, library = generated.generation.node, generated.generation.library
+    target, path = find_target(library), generated.path(output)
+    if target is None or path is None or generated.files is None:
+        return run_node(node, ros_version(library), node.source)
+    files = generated.files.files
+    unit = target.language.read(path, files, library).source
+    if unit is not None and node.source is not None:
+        unit = unit.only(node.source.label)
+    text = files.main.decode("utf-8", "replace")
+    return run_node(node, ros_version(library), unit, takes_others=takes_others(text))
 
 
 def _environments(
@@ -174,6 +211,7 @@ def _tell(line: str) -> None:
 def _node_files(
     chosen: Sequence[Generated],
     environments: dict[str, Environment],
+    setup: RunSetup,
     session: Session,
     report: Report,
 ) -> list[NodeFile]:
@@ -182,6 +220,7 @@ def _node_files(
     from plastron_tui.targets import find_target
 
     files = {}
+    together: dict[Path, list[Node]] = {}
     for generated in chosen:
         target = find_target(generated.generation.library)
         environment = environments.get(generated.generation.library)
@@ -195,5 +234,10 @@ def _node_files(
             report.add([found], session.lines, session.path)
             continue
         script = path if target.language.is_script else None
-        files[path] = NodeFile(generated.generation.node.name, command, environment, script)
+        node = generated.generation.node
+        nodes = together.setdefault(path, [])
+        nodes.append(node)
+        arguments = setup.arguments(environment.ros_version, nodes)
+        namespace = setup.names.namespace or ""
+        files[path] = NodeFile(node.name, command, environment, script, arguments, namespace)
     return list(files.values())

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
-from plastron_tui.ros.names import resolved_name
 from plastron_tui.ros.qos import Qos
+from plastron_tui.ros.run_names import AS_WRITTEN, RunNames
 
 from .kinds import EDITABLE, Endpoint, EndpointKind, Publication, Publisher, Subscription
 from .workspace import Node, Workspace
@@ -23,7 +23,7 @@ class GraphNode(NamedTuple):
     """A node; its variable is what tells it from the others.
 
     Attributes:
-        name: the node's name, as the program or the file has it.
+        name: the node's name, as the program or the file has it; its full name in a namespace.
         variable: the program's variable for it.
         library: the client library; for a created node that names none, the one that it was
             last generated for; None where neither says it.
@@ -196,8 +196,13 @@ class Graph(NamedTuple):
         return self.at[InterfaceKind.SERVICE]
 
 
-def graph_of(workspace: Workspace) -> Graph:
-    """Return the graph of a workspace as it is at the end of the program."""
+def graph_of(workspace: Workspace, names: RunNames = AS_WRITTEN) -> Graph:
+    """Return the graph of a workspace as it is at the end of the program.
+
+    Args:
+        workspace: the nodes.
+        names: what a run of them says about names.
+    """
     found: dict[InterfaceKind, dict[str, dict[EndpointKind, list[End]]]] = {
         interface: {} for interface in KINDS_AT
     }
@@ -205,11 +210,14 @@ def graph_of(workspace: Workspace) -> Graph:
     nodes = []
     for node in workspace.nodes.values():
         shown, guesses = _node(node, generated), node.guesses
+        own = names.of(node.name, node.variable)
+        if names.namespace:
+            shown = shown._replace(name=names.full_node(node.name))
         nodes.append(shown)
         for (kind, written), endpoint in node.endpoints.items():
             if kind.facts.interface is None:
                 continue
-            hubs, name = found[kind.facts.interface], resolved_name(node.name, written)
+            hubs, name = found[kind.facts.interface], own.resolved(node.name, written)
             ends = hubs.get(name)
             if ends is None:
                 ends = hubs[name] = {each: [] for each in KINDS_AT[kind.facts.interface]}

@@ -103,7 +103,7 @@ def read_project(
     try:
         text = read_regular(file, LARGEST_PROJECT).decode("utf-8")
         root = yaml.compose(text, Loader=yaml.SafeLoader)
-    except (OSError, ValueError, RecursionError, yaml.YAMLError) as error:
+    except (OSError, ValueError, OverflowError, RecursionError, yaml.YAMLError) as error:
         return Project(file), (_unreadable(file, error),)
     reader = _Reader(file, text, boundary, overruled)
     values = reader.pairs(root)

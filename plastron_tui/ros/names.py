@@ -121,19 +121,25 @@ def parameter_name(name: str, ros_version: int) -> str:
     return spelled(name) if ros_version == 1 else name
 
 
-def resolved_name(node: str, name: str) -> str:
-    """Return the full name of a topic or service, as a node without a namespace resolves it.
+def resolved_name(node: str, name: str, namespace: str = "") -> str:
+    """Return the full name of a topic or service, as a node resolves it.
 
     Source: the ROS wiki page "Names", section 1.2; a slash too many goes, as in `rosgraph.names`.
     The substitutions of ROS 2 are those of `rcl_expand_topic_name`.
+
+    Args:
+        node: the node's name.
+        name: the name of the topic or service.
+        namespace: the node's namespace, such as `/robot1`; "" for the root.
     """
     if name.isidentifier():
         # Most names are one word, and there may be thousands of them.
-        return f"/{name}"
+        return f"{namespace}/{name}"
+    if not name.startswith(("/", "{ns}", "{namespace}")):
+        name = f"{namespace}/{f'{node}/{name[1:]}' if name.startswith('~') else name}"
     if "{" in name:
-        name = name.replace("{node}", node).replace("{ns}", "").replace("{namespace}", "")
-    if name.startswith("~"):
-        name = f"{node}/{name[1:]}"
+        name = name.replace("{node}", node)
+        name = name.replace("{ns}", namespace).replace("{namespace}", namespace)
     return "/" + "/".join(part for part in name.split("/") if part)
 
 

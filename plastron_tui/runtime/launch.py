@@ -33,12 +33,21 @@ class NodeFile:
         command: what starts it.
         environment: the ROS that it runs with.
         script: its file where the environment's Python runs it: then its service calls are seen.
+        arguments: what it is started with besides.
+        namespace: the namespace that they put it in, "" for the root.
     """
 
     name: str
     command: tuple[str, ...]
     environment: Environment
     script: Path | None = None
+    arguments: tuple[str, ...] = ()
+    namespace: str = ""
+
+    @property
+    def full_name(self) -> str:
+        """The name that it has in the graph, as far as its arguments say it."""
+        return f"{self.namespace}/{self.name}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +124,7 @@ class _Run:
                 master, diagnostics = ensure_master(
                     self._supervisor,
                     node.environment,
-                    [one.name for one in self._nodes if one.environment.ros_version == 1],
+                    [one.full_name for one in self._nodes if one.environment.ros_version == 1],
                     network=self._options.network,
                     environ=self._environ,
                 )
@@ -163,11 +172,11 @@ class _Run:
     def _process(self, node: NodeFile, master: Master | None, pipe: int | None) -> Process:
         environ = self._node_environ(node.environment, master)
         if pipe is None or node.script is None:
-            return Process(node.name, node.command, environ)
+            return Process(node.name, (*node.command, *node.arguments), environ)
         environ["PLASTRON_EVENTS_FD"] = str(pipe)
         environ["PLASTRON_ROS_VERSION"] = str(node.environment.ros_version)
         traced = str(_OBSERVERS / "traced.py")
-        argv = (str(node.environment.python), traced, str(node.script))
+        argv = (str(node.environment.python), traced, str(node.script), *node.arguments)
         return Process(node.name, argv, environ, fds=(pipe,))
 
     def _start_observers(self, master: Master | None) -> None:

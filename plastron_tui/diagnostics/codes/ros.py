@@ -61,6 +61,27 @@ NO_GRAPH = Code(
     "The running graph could not be read; the message says why.",
 )
 
+UNMET_REMAP = Code(
+    "unmet-remap",
+    "A `--remap` is for a name that no node of the program has, so that it changes nothing: the "
+    "name is misspelt, or is another node's.",
+    severity=Severity.WARNING,
+)
+
+UNDECLARED_PARAMETER = Code(
+    "undeclared-parameter",
+    "A parameter is set that the file of the node does not read, so that its value changes "
+    "nothing: the name is misspelt, or the node no longer has it.",
+    severity=Severity.WARNING,
+)
+
+BAD_PARAMETERS = Code(
+    "bad-parameters",
+    "The parameter file of a program (`config/NAME.yaml`) has a mistake, or a value that its ROS "
+    "cannot have; nothing is started. It is a parameter file of ROS 2: below a node's name and "
+    "`ros__parameters:`, a value for each name.",
+)
+
 UNSUPPORTED_TARGET = Code(
     "unsupported-target",
     "Plastron cannot do this for the client library yet: use `rospy` or `rclpy`. Or the "

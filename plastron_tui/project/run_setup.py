@@ -1,0 +1,258 @@
+"""What a run gives its nodes: names, and the values of parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from plastron_tui.boundary import Boundary
+from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes, did_you_mean
+from plastron_tui.model.kinds import EndpointKind
+from plastron_tui.model.source import SourceUnit
+from plastron_tui.model.workspace import Node
+from plastron_tui.regular_files import read_regular, reason
+from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.names import resolved_name
+from plastron_tui.ros.parameter_values import (
+    Assignment,
+    Mistake,
+    NodeParameters,
+    ParameterValue,
+    name_problem,
+    read_params,
+    unfit,
+    values_of,
+)
+from plastron_tui.ros.run_names import AS_WRITTEN, RunNames
+from plastron_tui.runtime.arguments import ros_arguments
+
+MOST_MISTAKES = 20
+"""The most mistakes of a parameter file that are told."""
+
+LARGEST_PARAMS = 256 * 1024
+"""The largest parameter file that is read, in bytes."""
+
+_NAMED = tuple(kind for kind in EndpointKind if kind.facts.interface is not None)
+_ACTIONS = tuple(kind for kind in _NAMED if kind.facts.interface is InterfaceKind.ACTION)
+_OF_EVERY_NODE = ("use_sim_time", "start_type_description_service", "qos_overrides")
+# What lets a node take parameters that its file does not name.
+_TAKES_OTHERS = (
+    "allow_undeclared_parameters",
+    "automatically_declare_parameters_from_overrides",
+    "get_param_names",
+)
+
+
+class RunNode(NamedTuple):
+    """A node that is to run, and what is known of its names.
+
+    Attributes:
+        name: its name.
+        variable: the program's variable for it.
+        ros_version: the generation of ROS that it is for.
+        names: its topics, services and actions, as programs spell them; None where there may be
+            others.
+        parameters: its parameters, those of ROS 1 by their private names; None likewise.
+    """
+
+    name: str
+    variable: str
+    ros_version: int
+    names: Collection[str] | None
+    parameters: Collection[str] | None = None
+
+
+def run_node(
+    node: Node, ros_version: int, unit: SourceUnit | None, *, takes_others: bool = True
+) -> RunNode:
+    """Return what is known of a node.
+
+    Args:
+        node: the node.
+        ros_version: the generation of ROS that it is for.
+        unit: what its files hold; None for a created node that is not written yet.
+        takes_others: whether it may take parameters that its files do not name.
+    """
+    if unit is None:
+        own = [name for kind in _NAMED for name in node.names(kind)]
+        return RunNode(node.name, node.variable, ros_version, own)
+    found = tuple(unit.endpoints)
+    names = _sure(None if each.is_guess else each.name for each in found if each.kind in _NAMED)
+    parameters = _sure(each.name for each in found if each.kind is EndpointKind.PARAMETER)
+    if parameters is not None and ros_version == 1:
+        own_space = f"{resolved_name(node.name, '~')}/"
+        full = [resolved_name(node.name, name) for name in parameters]
+        parameters = [name.removeprefix(own_space) for name in full if name.startswith(own_space)]
+    return RunNode(
+        node.name, node.variable, ros_version, names, None if takes_others else parameters
+    )
+
+
+def takes_others(text: str) -> bool:
+    """Tell whether a node's text says that it takes parameters that it does not name."""
+    return any(word in text for word in _TAKES_OTHERS)
+
+
+class RunSetup(NamedTuple):
+    """What the user says about a run.
+
+    Attributes:
+        names: the namespace and the remaps.
+        settings: the values of parameters; they win over those of the file.
+        params: what the program's parameter file has.
+    """
+
+    names: RunNames = AS_WRITTEN
+    settings: tuple[Assignment, ...] = ()
+    params: tuple[NodeParameters, ...] = ()
+
+    @property
+    def nodes(self) -> tuple[str, ...]:
+        """The nodes that are named."""
+        remapped = (each.node for each in self.names.remaps if each.node is not None)
+        return tuple(dict.fromkeys((*remapped, *(each.node for each in self.settings))))
+
+    def wrong_option(self, nodes: Iterable[RunNode]) -> str | None:
+        """Return what is wrong with what the user says, for these nodes; None when nothing is."""
+        for node in nodes:
+            wrong = self._names(node).problem(node.ros_version, node.name)
+            if wrong is not None:
+                return wrong
+            for one in self._settings(node.name, node.variable):
+                wrong = _unfit(one.name, one.value, node.ros_version)
+                if wrong is not None:
+                    return f"`{one.node}.{one.name}`: {wrong}"
+        return None
+
+    def problems(self, nodes: Sequence[RunNode], file: Path | None) -> Iterator[Diagnostic]:
+        """Yield what is wrong with the values of the parameter file for these nodes, and doubtful.
+
+        Args:
+            nodes: the nodes.
+            file: the parameter file, None for a program that has none.
+        """
+        for node in nodes:
+            for name, value in self._from_file(node.name).items():
+                wrong = _unfit(name, value, node.ros_version)
+                if wrong is not None:
+                    message = f"`{name}` of `{node.name}`: {wrong}"
+                    yield Diagnostic(codes.BAD_PARAMETERS, message, file=file)
+            # What a file gives to all nodes is not for each of them.
+            given = dict.fromkeys(each.name for each in self._settings(node.name, node.variable))
+            yield from (found for name in given if (found := _undeclared(node, name)) is not None)
+        yield from self.unmet(nodes)
+
+    def unmet(self, nodes: Sequence[RunNode]) -> Iterator[Diagnostic]:
+        """Yield a warning for each remap that none of these nodes has a name for."""
+        for remap in self.names.remaps:
+            meant = [one for one in nodes if remap.node in (None, one.name, one.variable)]
+            if any(one.names is None for one in meant):
+                continue
+            names = [(one, name) for one in meant for name in one.names or ()]
+            alone = self.names._replace(remaps=())
+            if any(
+                alone.joined(one.name, remap.old) == alone.joined(one.name, name)
+                for one, name in names
+            ):
+                continue
+            yield Diagnostic(
+                codes.UNMET_REMAP,
+                f"`{remap.old}` is the name of no topic or service, so that "
+                f"`{remap.words}` changes nothing",
+                help=did_you_mean(remap.old, (name for _, name in names)),
+                severity=Severity.WARNING,
+            )
+
+    def values(self, name: str, variable: str) -> dict[str, ParameterValue]:
+        """Return the parameters of a node; of what is set twice the last."""
+        own = {each.name: each.value for each in self._settings(name, variable)}
+        return {**self._from_file(name), **own}
+
+    def arguments(self, ros_version: int, nodes: Sequence[Node]) -> tuple[str, ...]:
+        """Return the arguments of a process that has these nodes."""
+        names = self.names.of(*(word for node in nodes for word in (node.name, node.variable)))
+        values: dict[str, ParameterValue] = {}
+        for node in nodes:
+            values |= self.values(node.name, node.variable)
+            actions = [name for kind in _ACTIONS for name in node.names(kind)]
+            names = names.with_actions(node.name, actions, ros_version)
+        return ros_arguments(ros_version, names, values)
+
+    def _names(self, node: RunNode) -> RunNames:
+        return self.names.of(node.name, node.variable)
+
+    def _settings(self, *node: str) -> Iterator[Assignment]:
+        return (each for each in self.settings if each.node in node)
+
+    def _from_file(self, name: str) -> dict[str, ParameterValue]:
+        # The file is the program's, which knows no namespace.
+        return values_of(self.params, f"/{name}", self.names.full_node(name))
+
+
+def params_path(output: Path, program: Path) -> Path:
+    """Return the parameter file of a program: `config/NAME.yaml` beside the output folder."""
+    return output.absolute().parent / "config" / f"{program.stem}.yaml"
+
+
+def find_params(
+    file: Path, boundary: Boundary
+) -> tuple[tuple[NodeParameters, ...], tuple[Diagnostic, ...]]:
+    """Read a parameter file; one that is not there says nothing.
+
+    Args:
+        file: the file.
+        boundary: the program's project; what leads out of it is not read.
+    """
+    if not boundary.allows(file):
+        if not file.is_file():
+            return (), ()
+        message = f"`{file.name}` is {boundary.place_of(file)}, and is not read"
+        found = Diagnostic(codes.OUTSIDE_PROJECT, message, file=file, help=boundary.remedy)
+        return (), (found._replace(severity=Severity.WARNING),)
+    try:
+        text = read_regular(file, LARGEST_PARAMS).decode("utf-8")
+    except FileNotFoundError:
+        return (), ()
+    except (OSError, ValueError) as error:
+        why = "it is not UTF-8" if isinstance(error, UnicodeDecodeError) else reason(error)
+        message = f"`{file.name}` cannot be read: {why}"
+        return (), (Diagnostic(codes.BAD_PARAMETERS, message, file=file),)
+    params, mistakes = read_params(text)
+    return params, tuple(_told(each, text, file) for each in mistakes[:MOST_MISTAKES])
+
+
+def _told(mistake: Mistake, text: str, file: Path) -> Diagnostic:
+    start, end = text[: mistake.start], text[: mistake.end].rstrip()
+    span = Span(len(start.encode()), max(len(start.encode()), len(end.encode())))
+    return Diagnostic(codes.BAD_PARAMETERS, mistake.message, span, file, help=mistake.help)
+
+
+def _sure(names: Iterable[str | None]) -> list[str] | None:
+    """Return the names, None where one of them is not known."""
+    listed = list(names)
+    return None if None in listed else [name for name in listed if name is not None]
+
+
+def _unfit(name: str, value: ParameterValue, ros_version: int) -> str | None:
+    return name_problem(name, ros_version) or unfit(value, ros_version)
+
+
+def _undeclared(node: RunNode, name: str) -> Diagnostic | None:
+    """Return a warning for a parameter that a node has not, nor one that this is a part of."""
+    if node.parameters is None:
+        return None
+    known = {_parts(one, node.ros_version) for one in (*node.parameters, *_OF_EVERY_NODE)}
+    parts = _parts(name, node.ros_version)
+    if any(parts[: count + 1] in known for count in range(len(parts))):
+        return None
+    return Diagnostic(
+        codes.UNDECLARED_PARAMETER,
+        f"`{node.name}` has no parameter `{name}`, so that its value changes nothing",
+        help=did_you_mean(name, node.parameters),
+        severity=Severity.WARNING,
+    )
+
+
+def _parts(name: str, ros_version: int) -> tuple[str, ...]:
+    return tuple(name.replace(".", "/").split("/") if ros_version == 1 else name.split("."))

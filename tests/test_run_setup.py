@@ -1,0 +1,157 @@
+"""What a run gives its nodes, and what is doubtful about that."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from plastron_tui.project.run_setup import RunNode, RunSetup, params_path, run_node, takes_others
+from plastron_tui.ros.parameter_values import Assignment, NodeParameters, parse_assignment
+from plastron_tui.ros.run_names import Remap, RunNames, parse_remap
+from plastron_tui.runtime.parameters import SetStatus
+from plastron_tui.session import Session
+
+ROSPY = """\
+#!/usr/bin/env python3
+import rospy
+from std_msgs.msg import String
+
+rospy.init_node("gain")
+speed = rospy.get_param("~speed", 1.0)
+steps = rospy.get_param("~pid/steps", [0])
+frame = rospy.get_param("/frame", "map")
+rospy.Subscriber("chatter", String, print)
+rospy.spin()
+"""
+
+RCLPY = """\
+#!/usr/bin/env python3
+import rclpy
+from rclpy.node import Node
+
+
+class Gain(Node):
+    def __init__(self):
+        super().__init__("gain")
+        self.declare_parameter("speed", 1.0)
+        self.declare_parameter("pid.steps", [0])
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Gain())
+"""
+
+
+def setup_of(*settings: str, remaps: tuple[str, ...] = (), namespace: str = "") -> RunSetup:
+    found = [parse_assignment(text) for text in settings]
+    rules = [parse_remap(text) for text in remaps]
+    return RunSetup(
+        RunNames(namespace, tuple(each for each in rules if isinstance(each, Remap))),
+        tuple(each for each in found if isinstance(each, Assignment)),
+    )
+
+
+def node_of(folder: Path, text: str, version: int) -> RunNode:
+    (folder / "gain.py").write_text(text)
+    session = Session(b"load 'gain.py' as g\n", folder / "p.plastron")
+    (node,) = session.workspace.nodes.values()
+    return run_node(node, version, node.source, takes_others=takes_others(text))
+
+
+@pytest.mark.parametrize(("version", "text"), [(1, ROSPY), (2, RCLPY)])
+@pytest.mark.parametrize(
+    ("setting", "help_"),
+    [
+        ("g.speed=1", None),
+        ("gain.pid.steps=[1]", None),
+        ("g.use_sim_time=true", None),
+        ("g.sped=1", "did you mean `speed`?"),
+        ("g.pid.stps=[1]", "did you mean"),
+        ("other.sped=1", None),
+    ],
+)
+def test_a_parameter_that_a_node_has_not(
+    tmp_path: Path, version: int, text: str, setting: str, help_: str | None
+) -> None:
+    found = list(setup_of(setting).problems([node_of(tmp_path, text, version)], None))
+    assert [each.code for each in found] == ["undeclared-parameter"] * (help_ is not None)
+    assert all(help_ in (each.help or "") for each in found if help_)
+
+
+@pytest.mark.parametrize(
+    ("version", "text"),
+    [
+        (1, ROSPY.replace('"~speed"', "NAME")),
+        (1, f"{ROSPY}print(rospy.get_param_names())\n"),
+        (2, RCLPY.replace('"speed"', "NAME")),
+        (2, RCLPY.replace('declare_parameter("speed", 1.0)', 'declare_parameters("", LISTED)')),
+        (2, RCLPY.replace('"gain"', '"gain", allow_undeclared_parameters=True')),
+    ],
+)
+def test_nothing_is_said_where_a_node_may_have_others(
+    tmp_path: Path, version: int, text: str
+) -> None:
+    node = node_of(tmp_path, text, version)
+    assert not list(setup_of("g.sped=1").problems([node], None))
+
+
+def test_what_is_set_goes_before_what_the_file_has() -> None:
+    params = (
+        NodeParameters("/**", {"a": 1, "b": 1, "c": 1}),
+        NodeParameters("/n", {"b": 2, "c": 2}),
+        NodeParameters("/r/n", {"d": 4}),
+        NodeParameters("/m", {"a": 5}),
+    )
+    setup = setup_of("v.c=3", "m.a=6", namespace="/r")._replace(params=params)
+    assert setup.values("n", "v") == {"a": 1, "b": 2, "c": 3, "d": 4}
+
+
+def test_a_file_is_for_the_ros_of_its_nodes() -> None:
+    setup = RunSetup(params=(NodeParameters("/n", {"a": 2**40}),))
+    nodes = [RunNode("n", "n", version, ()) for version in (2, 1)]
+    assert not list(setup.problems(nodes[:1], None))
+    (found,) = setup.problems(nodes[1:], Path("p.yaml"))
+    assert (found.code, found.file) == ("bad-parameters", Path("p.yaml"))
+
+
+def test_arguments_of_both_ros() -> None:
+    program = b"create_node 'n' as v\ncreate_node 'm' as w\n"
+    node, other = Session(program).workspace.nodes.values()
+    setup = setup_of(
+        *("v.a.b=0.5", 'n.t="1"', "m.x=1"),
+        remaps=("a:=~/b", "n:c:=d", "m:e:=f"),
+        namespace="/r",
+    )
+    assert setup.arguments(1, [node]) == (*("a:=~b", "c:=d", "__ns:=/r", "_a/b:=0.5", '_t:="1"'),)
+    assert setup.arguments(2, [node]) == (
+        *("--ros-args", "-r", "a:=~/b", "-r", "c:=d", "-r", "__ns:=/r"),
+        *("-p", "a.b:=0.5", "-p", 't:="1"'),
+    )
+    assert "_x:=1" in setup.arguments(1, [node, other])
+    for version in (1, 2):
+        assert RunSetup().arguments(version, [node]) == ()
+
+
+def test_an_action_is_remapped_with_all_that_it_is(tmp_path: Path) -> None:
+    text = ROSPY.replace(
+        "rospy.spin()",
+        "import actionlib\nfrom actionlib.msg import TestAction\n"
+        "server = actionlib.SimpleActionServer('dock', TestAction, print, False)\nrospy.spin()",
+    )
+    (tmp_path / "gain.py").write_text(text)
+    session = Session(b"load 'gain.py' as g\n", tmp_path / "p.plastron")
+    given = setup_of(remaps=("dock:=park", "chatter:=news")).arguments(
+        1, list(session.workspace.nodes.values())
+    )
+    assert {"dock:=park", "dock/goal:=park/goal", "dock/result:=park/result"} < set(given)
+    assert "chatter/goal:=news/goal" not in given
+
+
+def test_the_file_is_beside_the_output() -> None:
+    assert params_path(Path("/a/output"), Path("/b/robot.plastron")) == Path("/a/config/robot.yaml")
+
+
+def test_a_node_that_the_program_has_not_is_not_asked() -> None:
+    assert Session(b"").set_parameter("x", "speed", 1.0).status is SetStatus.ABSENT
