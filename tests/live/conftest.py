@@ -116,9 +116,12 @@ ROS2_BUILD_INSTALL = (
     "and apt-get install cmake make g++"
 )
 ROS2_BUILD_MODULES = "colcon_core, ament_package, rosidl_generator_py, rosidl_adapter, numpy"
-ROS2_SERVICES = {
-    "example_interfaces": SERVICES["beginner_tutorials"],
-    "mavros_msgs": SERVICES["mavros_msgs"],
+ROS2_DEFINITIONS = {
+    "example_interfaces": {
+        "srv/AddTwoInts": SERVICES["beginner_tutorials"]["AddTwoInts"],
+        "action/Fibonacci": "int32 order\n---\nint32[] sequence\n---\nint32[] sequence\n",
+    },
+    "mavros_msgs": {f"srv/{name}": text for name, text in SERVICES["mavros_msgs"].items()},
 }
 ROS2_MODULES = "rclpy, rmw_fastrtps_cpp, std_msgs.msg, std_srvs.srv, geometry_msgs.msg"
 
@@ -139,7 +142,7 @@ def ros2_python() -> Path:
 def ros2_services_env(
     ros2_python: Path, tmp_path_factory: pytest.TempPathFactory
 ) -> dict[str, str]:
-    """The environment with the packages of the services, which are built once for all workers."""
+    """The environment with the packages of the tests, which are built once for all workers."""
     check = subprocess.run(
         [ros2_python, "-c", f"import {ROS2_BUILD_MODULES}"], capture_output=True, check=False
     )
@@ -153,7 +156,7 @@ def ros2_services_env(
     with (workspace / "lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         if not done.exists():
-            build(ROS2_SERVICES, workspace, prefix)
+            build(ROS2_DEFINITIONS, workspace, prefix)
             done.touch()
     return interfaces_environ(workspace / "install", prefix)
 
@@ -189,7 +192,7 @@ def _ros2(python: Path, folder: Path, environ: Mapping[str, str]) -> Iterator[Gr
 
 @pytest.fixture(params=["ros1", "ros2_with_services"])
 def service_graph(request: pytest.FixtureRequest) -> Graph:
-    """A graph of each generation, with the services of the language's table."""
+    """A graph of each generation, with the services of the language's table, and an action."""
     found: Graph = request.getfixturevalue(request.param)
     return found
 

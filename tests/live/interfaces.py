@@ -15,7 +15,7 @@ CMAKE = """\
 cmake_minimum_required(VERSION 3.20)
 project({package} C CXX)
 find_package(rosidl_default_generators REQUIRED)
-foreach(package builtin_interfaces service_msgs)
+foreach(package builtin_interfaces service_msgs unique_identifier_msgs action_msgs)
   find_package(${{package}} REQUIRED)
   set_target_properties(
     ${{package}}::${{package}}__rosidl_generator_py
@@ -30,22 +30,23 @@ MANIFEST = """\
 <package format="3">
   <name>{package}</name>
   <version>1.0.0</version>
-  <description>Services for the tests</description>
+  <description>Services and actions for the tests</description>
   <maintainer email="nobody@example.com">nobody</maintainer>
   <license>MIT</license>
   <buildtool_depend>ament_cmake</buildtool_depend>
   <build_depend>rosidl_default_generators</build_depend>
+  <depend>action_msgs</depend>
   <exec_depend>rosidl_default_runtime</exec_depend>
   <member_of_group>rosidl_interface_packages</member_of_group>
 </package>
 """
 
 
-def build(services: Mapping[str, Mapping[str, str]], workspace: Path, prefix: Path) -> Path:
-    """Build packages of services with the tools of the running Python's environment.
+def build(definitions: Mapping[str, Mapping[str, str]], workspace: Path, prefix: Path) -> Path:
+    """Build interface packages with the tools of the running Python's environment.
 
     Args:
-        services: the text of each definition, by package and name.
+        definitions: the text of each, by package and name, as `srv/AddTwoInts` is one.
         workspace: an empty folder.
         prefix: the folder of the environment that holds ROS.
 
@@ -53,15 +54,15 @@ def build(services: Mapping[str, Mapping[str, str]], workspace: Path, prefix: Pa
         The folder to be first in `AMENT_PREFIX_PATH`, which is that of one merged install.
     """
     includes = _include_folders(prefix / "bin" / "python")
-    for package, definitions in services.items():
-        folder = workspace / "src" / package / "srv"
-        folder.mkdir(parents=True)
-        for name, text in definitions.items():
-            (folder / f"{name}.srv").write_text(text)
-        files = " ".join(f"srv/{name}.srv" for name in definitions)
-        text = CMAKE.format(package=package, includes=includes, files=files)
-        (folder.parent / "CMakeLists.txt").write_text(text)
-        (folder.parent / "package.xml").write_text(MANIFEST.format(package=package))
+    for package, texts in definitions.items():
+        folder = workspace / "src" / package
+        files = {f"{name}.{name.partition('/')[0]}": text for name, text in texts.items()}
+        for name, text in files.items():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (folder / name).write_text(text)
+        text = CMAKE.format(package=package, includes=includes, files=" ".join(files))
+        (folder / "CMakeLists.txt").write_text(text)
+        (folder / "package.xml").write_text(MANIFEST.format(package=package))
     env = {
         **os.environ,
         "PATH": f"{prefix / 'bin'}{os.pathsep}{os.environ['PATH']}",
