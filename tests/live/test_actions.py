@@ -15,6 +15,7 @@ import pytest
 from graph import Graph, is_rate, rate_of
 from machine import wait_until
 from processes import Process, own_tracebacks
+from test_node_interrupts import START, assert_ended, started
 
 pytestmark = pytest.mark.live
 
@@ -142,6 +143,15 @@ def test_ctrl_c_while_a_goal_is_worked_on(service_graph: Graph, tmp_path: Path) 
         assert outcomes(sender) == {0: "aborted"}, server.output
 
 
+def test_an_error_at_the_start_ends_an_action_server(ros1: Graph, tmp_path: Path) -> None:
+    """The thread of actionlib's would keep the process alive."""
+    timer = "        rospy.Timer("
+    broken = f"        raise RuntimeError('broken')\n{timer}"
+    server = changed(ros1, "action_server", tmp_path, timer, broken)
+    assert server.wait(60) == 1, server.output
+    assert "RuntimeError: broken" in server.output
+
+
 OUTCOMES = {"succeed": (0, "succeeded"), "abort": (1, "aborted"), "reject": (1, "rejected"),
             "die": (1, "the server is gone")}  # fmt: skip
 
@@ -241,3 +251,15 @@ def test_a_node_that_ends_says_how_its_calls_went(graph: Graph, tmp_path: Path) 
     assert served.wait(60) == 0, served.output
     assert [each["service"] for each in told(server, "request")] == ["enable_motor", "ready"]
     server.interrupt()
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("name", ["action_server", "action_client_busy", "service_client_busy"])
+def test_ctrl_c_while_a_node_starts(service_graph: Graph, tmp_path: Path, name: str) -> None:
+    start = tmp_path / "start.py"
+    start.write_text(START)
+    file = NODES / service_graph.target / f"{name}.py"
+    for power in range(6, 13):
+        one = started(service_graph, start, file, "*", 2**power)
+        assert_ended(service_graph, one, one.wait(60), f"call {2**power}")
+        assert "interrupted in" in one.output, one.output
