@@ -99,7 +99,8 @@ def test_a_goal_of_five_seconds(service_graph: Graph, tmp_path: Path) -> None:
     server = node(service_graph, "action_server", tmp_path)
     sender = send(service_graph)
     assert outcomes(sender) == {0: "succeeded"}, server.output
-    assert len(told(sender, "feedback", goal=0)) == 10
+    # The first one may be sent before the server knows of who listens.
+    assert len(told(sender, "feedback", goal=0)) in (9, 10)
     [began], [ended] = times(told(sender, "accepted")), times(told(sender, "result"))
     meanwhile = [each for each in times(told(sender, "message")) if began < each < ended]
     assert len(meanwhile) > 10, server.output
