@@ -45,8 +45,9 @@ class CalculatorNode:
         self.count_server.set_succeeded(TestResult())
 
     def end_goals(self):
-        """Abort the goals that are worked on when the node ends."""
+        """Abort the goals that are worked on when the node ends, and take no more."""
         for server in (self.count_server,):
+            server.action_server.started = False
             if server.is_active():
                 server.set_aborted(text="the node ends")
 
