@@ -185,7 +185,7 @@ def _ros2(python: Path, folder: Path, environ: Mapping[str, str]) -> Iterator[Gr
 
 @pytest.fixture(params=["ros1", "ros2_with_services"])
 def service_graph(request: pytest.FixtureRequest) -> Graph:
-    """A graph of each generation, with the services of the language's table."""
+    """A graph of each generation, with the services of the language's table, and an action."""
     found: Graph = request.getfixturevalue(request.param)
     return found
 

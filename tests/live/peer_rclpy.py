@@ -1,0 +1,141 @@
+"""The other side of a ROS 2 node: send it goals, serve its goals, answer its requests.
+
+It tells of each event in a line of JSON; `time` is in seconds, of one clock.
+"""
+
+import json
+import os
+import sys
+import time
+from contextlib import suppress
+
+import rclpy
+from action_msgs.msg import GoalStatus
+from probe_ros2 import load, plain
+from rclpy.action import ActionClient, ActionServer, CancelResponse, GoalResponse
+from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
+from std_msgs.msg import String
+from std_srvs.srv import SetBool, Trigger
+
+STATUS = {
+    GoalStatus.STATUS_SUCCEEDED: "succeeded",
+    GoalStatus.STATUS_CANCELED: "canceled",
+    GoalStatus.STATUS_ABORTED: "aborted",
+}
+
+
+def tell(event, **more):
+    sys.stdout.write(json.dumps({"event": event, "time": time.monotonic(), **more}) + "\n")
+    sys.stdout.flush()
+
+
+def send(node, action, type_name, fields, cancel_at, second_at):
+    """Send a goal; at a number of feedbacks cancel it, or send a second one."""
+    type_ = load("action", type_name)
+    client = ActionClient(node, type_, action)
+    ended = []
+
+    def begin(index):
+        heard = []
+        handles = []
+
+        def on_feedback(message):
+            heard.append(message)
+            tell("feedback", goal=index, feedback=plain(message.feedback))
+            if index == 0 and len(heard) == cancel_at:
+                handles[0].cancel_goal_async().add_done_callback(on_cancel)
+            if index == 0 and len(heard) == second_at:
+                begin(1)
+
+        def on_cancel(future):
+            tell("cancel", goal=index, accepted=bool(future.result().goals_canceling))
+
+        def on_response(future):
+            handles.append(future.result())
+            if handles[0].accepted:
+                tell("accepted", goal=index)
+                handles[0].get_result_async().add_done_callback(on_result)
+            else:
+                tell("result", goal=index, status="rejected")
+                ended.append(index)
+
+        def on_result(future):
+            response = future.result()
+            result = plain(response.result)
+            tell("result", goal=index, status=STATUS[response.status], result=result)
+            ended.append(index)
+
+        goal = type_.Goal(**fields)
+        client.send_goal_async(goal, on_feedback).add_done_callback(on_response)
+
+    node.create_subscription(String, "chatter", lambda message: tell("message"), 10)
+    assert client.wait_for_server(60), "the action is not there"
+    begin(0)
+    end = time.monotonic() + 120
+    while len(ended) < (2 if second_at else 1):
+        assert time.monotonic() < end, "no result"
+        rclpy.spin_once(node, timeout_sec=0.1)
+
+
+def serve(node, action, type_name, how, feedback, result):
+    """Serve an action: `succeed`, `abort` or `reject` each goal, or `die` of it."""
+    type_ = load("action", type_name)
+
+    def on_goal(goal):
+        tell("goal", goal=plain(goal))
+        return GoalResponse.REJECT if how == "reject" else GoalResponse.ACCEPT
+
+    def on_cancel(_):
+        tell("cancel")
+        return CancelResponse.ACCEPT
+
+    def work(handle):
+        for _ in range(3):
+            handle.publish_feedback(type_.Feedback(**feedback))
+            time.sleep(0.2)
+        if how == "die":
+            os._exit(0)
+        {"succeed": handle.succeed, "abort": handle.abort}[how]()
+        return type_.Result(**result)
+
+    callbacks = {"goal_callback": on_goal, "cancel_callback": on_cancel}
+    group = ReentrantCallbackGroup()
+    ActionServer(node, type_, action, work, callback_group=group, **callbacks)
+    spin(node)
+
+
+def answer(node, seconds):
+    """Serve `ready` and `enable_motor`, with answers that take so long."""
+    flying = []
+
+    def answering(name, message):
+        def handle(request, response):
+            flying.append(name)
+            tell("request", service=name, flying=flying.count(name), request=plain(request))
+            time.sleep(seconds)
+            flying.remove(name)
+            response.success, response.message = True, message
+            return response
+
+        return handle
+
+    group = ReentrantCallbackGroup()
+    node.create_service(Trigger, "ready", answering("ready", "yes"), callback_group=group)
+    motor = answering("enable_motor", "on")
+    node.create_service(SetBool, "enable_motor", motor, callback_group=group)
+    spin(node)
+
+
+def spin(node):
+    tell("serving")
+    with suppress(KeyboardInterrupt, ExternalShutdownException):
+        rclpy.spin(node, MultiThreadedExecutor(4))
+
+
+if __name__ == "__main__":
+    command, *arguments = sys.argv[1:]
+    rclpy.init()
+    peer = rclpy.create_node("peer")
+    peer_command = {"send": send, "serve": serve, "answer": answer}[command]
+    peer_command(peer, *map(json.loads, arguments))
