@@ -89,19 +89,22 @@ class Graph:
 
     def call(self, service: str, type_: str, request: Mapping[str, Any]) -> dict[str, Any]:
         """Call a service and return its response."""
-        probe = self._start(
-            [self.python, self.probe, "call", service, type_, json.dumps(request)], "call"
-        )
-        assert probe.wait(120) == 0, probe.output
-        response: dict[str, Any] = json.loads(probe.output.splitlines()[-1])
-        return response
+        return self._ask("call", service, type_, json.dumps(request))
+
+    def set_parameter(self, node: str, name: str, value: Any) -> str | None:
+        """Set a parameter of a node; return the reason for which it was refused."""
+        result = self._ask("set", node, name, json.dumps(value))
+        return None if result["successful"] else result["reason"]
 
     def endpoints(self, node: str) -> dict[str, list[str]]:
         """Return what a node publishes, subscribes and provides, as the graph itself says."""
-        probe = self._start([self.python, self.probe, "endpoints", node], "endpoints")
+        return self._ask("endpoints", node)
+
+    def _ask(self, command: str, *arguments: str) -> Any:
+        """Return what a command of the probe prints at last."""
+        probe = self._start([self.python, self.probe, command, *arguments], command)
         assert probe.wait(120) == 0, probe.output
-        found: dict[str, list[str]] = json.loads(probe.output.splitlines()[-1])
-        return found
+        return json.loads(probe.output.splitlines()[-1])
 
     def wait_for_endpoint(self, node: str, kind: str, name: str) -> dict[str, list[str]]:
         """Wait until a node has an endpoint, and return all that it has."""

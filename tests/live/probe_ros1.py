@@ -56,6 +56,12 @@ def call(service, type_name, request):
     print(json.dumps(plain(response)))
 
 
+def set_parameter(node, name, value):
+    """ROS 1 takes every value: what a node makes of it, its messages say."""
+    rospy.set_param(f"/{node}/{name}", value)
+    print(json.dumps({"successful": True, "reason": ""}))
+
+
 def endpoints(node):
     master = ServerProxy(rosgraph.get_master_uri())
     _, _, (publishers, subscribers, services) = master.getSystemState("/probe")
@@ -73,5 +79,7 @@ if __name__ == "__main__":
         listen(json.loads(arguments[0]), float(arguments[1]))
     elif command == "call":
         call(arguments[0], arguments[1], json.loads(arguments[2]))
+    elif command == "set":
+        set_parameter(arguments[0], arguments[1], json.loads(arguments[2]))
     else:
         endpoints(arguments[0])

@@ -6,7 +6,9 @@ import time
 from importlib import import_module
 
 import rclpy
+from rcl_interfaces.srv import SetParameters
 from rclpy.executors import SingleThreadedExecutor
+from rclpy.parameter import Parameter
 
 
 def load(module, type_name):
@@ -45,13 +47,24 @@ def listen(node, executor, topics, seconds):
         executor.spin_once(0.1)
 
 
-def call(node, executor, service, type_name, request):
-    type_ = load("srv", type_name)
+def ask(node, executor, service, type_, request):
     client = node.create_client(type_, service)
     assert client.wait_for_service(60), "the service is not there"
-    future = client.call_async(type_.Request(**request))
+    future = client.call_async(request)
     executor.spin_until_future_complete(future, 60)
-    print(json.dumps(plain(future.result())))
+    return future.result()
+
+
+def call(node, executor, service, type_name, request):
+    type_ = load("srv", type_name)
+    print(json.dumps(plain(ask(node, executor, service, type_, type_.Request(**request)))))
+
+
+def set_parameter(node, executor, name, parameter, value):
+    changed = Parameter(parameter, value=value).to_parameter_msg()
+    request = SetParameters.Request(parameters=[changed])
+    [result] = ask(node, executor, f"/{name}/set_parameters", SetParameters, request).results
+    print(json.dumps(plain(result)))
 
 
 def endpoints(node, executor, name):
@@ -77,6 +90,8 @@ def main():
         listen(node, executor, json.loads(arguments[0]), float(arguments[1]))
     elif command == "call":
         call(node, executor, arguments[0], arguments[1], json.loads(arguments[2]))
+    elif command == "set":
+        set_parameter(node, executor, arguments[0], arguments[1], json.loads(arguments[2]))
     else:
         endpoints(node, executor, arguments[0])
 
