@@ -71,14 +71,26 @@ class Graph:
         """Start a script of the test's own, which runs a node in its own way."""
         return self._start([self.python, "-u", script, *arguments], script.stem)
 
-    def listen(self, topics: Mapping[str, str], seconds: float) -> dict[str, list[Received]]:
-        """Return what comes over topics, by name: `topics` says the type of each.
+    def listen(
+        self,
+        topics: Mapping[str, str],
+        seconds: float,
+        qos: Sequence[str] = (),
+        *,
+        is_silent: bool = False,
+    ) -> dict[str, list[Received]]:
+        """Return what comes over topics, by name.
 
-        The seconds count from the first message of the last topic to have one.
+        Args:
+            topics: the type of each.
+            seconds: how long, from the first message of the last topic to have one.
+            qos: `transient_local`, `best_effort`, `deadline` (a second), `manual_by_topic`: what
+                the subscriptions ask for, in ROS 2.
+            is_silent: whether the seconds count from when each topic has a publisher: a topic
+                may stay silent then.
         """
-        probe = self._start(
-            [self.python, self.probe, "listen", json.dumps(topics), str(seconds)], "listen"
-        )
+        arguments = map(json.dumps, (topics, seconds, list(qos), is_silent))
+        probe = self._start([self.python, self.probe, "listen", *arguments], "listen")
         assert probe.wait(seconds + 120) == 0, probe.output
         found: dict[str, list[Received]] = {topic: [] for topic in topics}
         for line in probe.output.splitlines():
@@ -95,6 +107,19 @@ class Graph:
         """Set a parameter of a node; return the reason for which it was refused."""
         result = self._ask("set", node, name, json.dumps(value))
         return None if result["successful"] else result["reason"]
+
+    def lifecycle(self, node: str, steps: Sequence[tuple[str, Mapping[str, int]]]) -> Any:
+        """Pass transitions of a managed node of ROS 2.
+
+        Args:
+            node: its name.
+            steps: the transitions, and how many endpoints of each kind and name are to be there
+                after each.
+
+        Returns:
+            a list for each: the transition, whether it succeeded, the state, the endpoints.
+        """
+        return self._ask("lifecycle", node, json.dumps(steps))
 
     def endpoints(self, node: str) -> dict[str, list[str]]:
         """Return what a node publishes, subscribes and provides, as the graph itself says."""

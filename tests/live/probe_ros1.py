@@ -26,7 +26,8 @@ def plain(value):
     return value
 
 
-def listen(topics, seconds):
+def listen(topics, seconds, words, is_silent):
+    """ROS 1 knows no QoS: every subscription that is there is connected."""
     rospy.init_node("probe", anonymous=True, disable_signals=True)
     lock = threading.Lock()
     seen = set()
@@ -41,9 +42,16 @@ def listen(topics, seconds):
             entry = {"topic": topic, "time": now, "message": plain(message)}
             sys.stdout.write(json.dumps(entry) + "\n")
 
-    for topic, type_name in topics.items():
+    subscribers = [
         rospy.Subscriber(topic, load("msg", type_name), receive, callback_args=topic)
-    all_seen.wait(60)
+        for topic, type_name in topics.items()
+    ]
+    end = time.monotonic() + 60
+    while is_silent and time.monotonic() < end:
+        if all(each.get_num_connections() for each in subscribers):
+            break
+        time.sleep(0.1)
+    all_seen.wait(0 if is_silent else 60)
     time.sleep(seconds)
     with lock:
         sys.stdout.flush()
@@ -76,7 +84,7 @@ def endpoints(node):
 if __name__ == "__main__":
     command, *arguments = sys.argv[1:]
     if command == "listen":
-        listen(json.loads(arguments[0]), float(arguments[1]))
+        listen(*map(json.loads, arguments))
     elif command == "call":
         call(arguments[0], arguments[1], json.loads(arguments[2]))
     elif command == "set":
