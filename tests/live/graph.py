@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import count
 from pathlib import Path
@@ -77,7 +77,7 @@ class Graph:
         seconds: float,
         qos: Sequence[str] = (),
         *,
-        is_silent: bool = False,
+        silent: Collection[str] = (),
     ) -> dict[str, list[Received]]:
         """Return what comes over topics, by name.
 
@@ -86,10 +86,9 @@ class Graph:
             seconds: how long, from the first message of the last topic to have one.
             qos: `transient_local`, `best_effort`, `deadline` (a second), `manual_by_topic`: what
                 the subscriptions ask for, in ROS 2.
-            is_silent: whether the seconds count from when each topic has a publisher: a topic
-                may stay silent then.
+            silent: topics that need not have a message, only a publisher.
         """
-        arguments = map(json.dumps, (topics, seconds, list(qos), is_silent))
+        arguments = map(json.dumps, (topics, seconds, list(qos), list(silent)))
         probe = self._start([self.python, self.probe, "listen", *arguments], "listen")
         assert probe.wait(seconds + 120) == 0, probe.output
         found: dict[str, list[Received]] = {topic: [] for topic in topics}

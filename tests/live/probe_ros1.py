@@ -26,32 +26,30 @@ def plain(value):
     return value
 
 
-def listen(topics, seconds, words, is_silent):
+def listen(topics, seconds, words, silent):
     """ROS 1 knows no QoS: every subscription that is there is connected."""
     rospy.init_node("probe", anonymous=True, disable_signals=True)
     lock = threading.Lock()
     seen = set()
-    all_seen = threading.Event()
 
     def receive(message, topic):
         now = time.monotonic()
         with lock:
             seen.add(topic)
-            if len(seen) == len(topics):
-                all_seen.set()
             entry = {"topic": topic, "time": now, "message": plain(message)}
             sys.stdout.write(json.dumps(entry) + "\n")
 
-    subscribers = [
-        rospy.Subscriber(topic, load("msg", type_name), receive, callback_args=topic)
+    subscribers = {
+        topic: rospy.Subscriber(topic, load("msg", type_name), receive, callback_args=topic)
         for topic, type_name in topics.items()
-    ]
+    }
+
+    def is_there(topic):
+        return subscribers[topic].get_num_connections() if topic in silent else topic in seen
+
     end = time.monotonic() + 60
-    while is_silent and time.monotonic() < end:
-        if all(each.get_num_connections() for each in subscribers):
-            break
-        time.sleep(0.1)
-    all_seen.wait(0 if is_silent else 60)
+    while time.monotonic() < end and not all(map(is_there, topics)):
+        time.sleep(0.01)
     time.sleep(seconds)
     with lock:
         sys.stdout.flush()

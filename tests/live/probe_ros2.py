@@ -45,7 +45,7 @@ def profile(words):
     )
 
 
-def listen(node, executor, topics, seconds, words, is_silent):
+def listen(node, executor, topics, seconds, words, silent):
     seen = set()
 
     def receiver(topic):
@@ -57,7 +57,7 @@ def listen(node, executor, topics, seconds, words, is_silent):
         return receive
 
     def is_there(topic):
-        return node.count_publishers(topic) if is_silent else topic in seen
+        return node.count_publishers(topic) if topic in silent else topic in seen
 
     for topic, type_name in topics.items():
         node.create_subscription(load("msg", type_name), topic, receiver(topic), profile(words))
@@ -152,8 +152,8 @@ def main():
     executor.add_node(node)
     command, *arguments = sys.argv[1:]
     if command == "listen":
-        topics, seconds, words, is_silent = map(json.loads, arguments)
-        listen(node, executor, topics, seconds, words, is_silent)
+        topics, seconds, words, silent = map(json.loads, arguments)
+        listen(node, executor, topics, seconds, words, silent)
     elif command == "call":
         call(node, executor, arguments[0], arguments[1], json.loads(arguments[2]))
     elif command == "set":

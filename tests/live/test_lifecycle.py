@@ -72,7 +72,7 @@ def test_it_publishes_only_while_it_is_active_and_at_its_rate(ros2: Graph) -> No
     pass_all(ros2, TWICE[2:3])
     assert ros2.set_parameter(NAME, "rate", 40.0) is None
     looked = node.output.count("look_around")
-    assert ros2.listen(COUNT, 2, is_silent=True) == {"/count": []}
+    assert ros2.listen(COUNT, 2, silent=COUNT) == {"/count": []}
     assert node.output.count("look_around") == looked
     pass_all(ros2, TWICE[3:4])
     assert is_rate(rate(ros2.listen(COUNT, 2)["/count"]), 40)
