@@ -65,6 +65,21 @@ def test_a_node_is_shut_down_in_any_state(
     assert not own_tracebacks(node.output)
 
 
+def test_a_transition_that_fails_leaves_nothing_behind(ros2: Graph, tmp_path: Path) -> None:
+    text = prototype(ros2, NAME).read_text()
+    failing = tmp_path / "failing.py"
+    started = "        self.look_around_timer = self.create_timer("
+    assert text.count(started) == 1
+    failing.write_text(text.replace(started, "        raise ValueError\n" + started))
+    node = ros2.run_and_wait(failing)
+    for _ in range(2):
+        pass_all(ros2, TWICE[:1])
+        [passed] = ros2.lifecycle(NAME, [("activate", NOTHING)])
+        assert passed == ["activate", False, "unconfigured", NOTHING]
+    assert node.interrupt() == 0
+    assert not own_tracebacks(node.output)
+
+
 def test_it_publishes_only_while_it_is_active_and_at_its_rate(ros2: Graph) -> None:
     node = ros2.run_and_wait(prototype(ros2, NAME))
     pass_all(ros2, TWICE[:2])
