@@ -21,9 +21,29 @@ def create_node(run: Run, statement: st.CreateNode) -> None:
     run.checks.new_variable(statement, statement.variable)
     library = run.checks.library(statement)
     check_node_name(run, statement, run.checks.version(library))
+    check_managed(run, statement, library or run.setting.library)
     run.node_names[statement.name] = statement.span
     run.workspace.nodes[statement.variable] = Node(
-        statement.name, statement.variable, statement.span, library
+        statement.name,
+        statement.variable,
+        statement.span,
+        library,
+        is_managed=statement.managed,
+    )
+
+
+def check_managed(run: Run, statement: st.CreateNode, library: str) -> None:
+    """Check that a client library has managed nodes."""
+    if not statement.managed or run.checks.version(library) == 2:
+        return
+    others = [name for name in run.setting.libraries if run.checks.version(name) == 2]
+    raise Mistake(
+        Diagnostic(
+            codes.NOT_IN_ROS_1,
+            f"`{library}` has no managed nodes: they are nodes of ROS 2",
+            statement.span_of("managed"),
+            help=f"use {' or '.join(others)}, or leave `managed` out",
+        )
     )
 
 
@@ -80,7 +100,21 @@ def generate_node(run: Run, statement: st.GenerateNode) -> None:
     node = run.checks.node(statement)
     library = run.checks.library(statement) or node.library or run.setting.library
     check_work(run, statement, node)
+    check_library(run, statement, node, library)
     run.workspace.generations.append(Generation(node.snapshot(), library, statement.span))
+
+
+def check_library(run: Run, statement: st.GenerateNode, node: Node, library: str) -> None:
+    """Check that a managed node is written for a client library that has such."""
+    if node.is_managed and run.checks.version(library) == 1:
+        raise Mistake(
+            Diagnostic(
+                codes.NOT_IN_ROS_1,
+                f"`{node.variable}` is managed, and `{library}` has no managed nodes",
+                statement.span_of("library"),
+                labels=(Label(node.span, "created here"),),
+            )
+        )
 
 
 def check_work(run: Run, statement: st.GenerateNode, node: Node) -> None:

@@ -21,13 +21,14 @@ from .kinds import EDITABLE, INTERFACES, EndpointKind, Message
 from .kinds.action_server import check_executor, check_unserved
 from .kinds.parameter import check_new, default_of, range_of, type_of
 from .kinds.publisher import check_sent, check_unsent
+from .kinds.quality import qos_of
 from .kinds.rate import check_rate
 from .kinds.reaction import reaction_of
 from .kinds.service import check_handler, check_unprovided
 from .kinds.subscription import check_callback, check_unheard
 from .kinds.timer import check_repeated, check_unrepeated
 from .mistake import Mistake
-from .node_statements import check_node_name, check_work
+from .node_statements import check_managed, check_node_name, check_work
 from .rename import RENAMED, kinds_having, kinds_of
 from .run import Run
 
@@ -99,6 +100,15 @@ def _node_name(run: Run, statement: st.CreateNode) -> None:
     is_known = library is None or library in run.setting.libraries
     versions = (run.checks.version(library),) if is_known else _any_version(run)
     _any_passes(partial(check_node_name, run, statement, version) for version in versions)
+
+
+def _managed(run: Run, statement: st.CreateNode) -> None:
+    check_managed(run, statement, run.checks.library(statement) or run.setting.library)
+
+
+def _qos(run: Run, statement: st.Publish | st.Subscribe) -> None:
+    # What is only a warning is told where the statement is carried out.
+    qos_of(run, statement, 2)
 
 
 def _work(run: Run, statement: st.GenerateNode) -> None:
@@ -266,11 +276,11 @@ def _new(run: Run, statement: st.Rename) -> None:
 
 
 _CHECKS: dict[type[Statement], tuple[_Check, ...]] = {
-    st.CreateNode: (_node_name, _variable, _library),
+    st.CreateNode: (_node_name, _variable, _library, _managed),
     st.Load: (_variable,),
     st.CreateMessage: (_variable, _created),
-    st.Publish: (_node, _message, _name, _unsent, _type, _sent, _agreement, _rate, _trigger),
-    st.Subscribe: (_node, _name, _unheard, _type, _agreement, _function, _callback),
+    st.Publish: (_node, _message, _name, _unsent, _type, _sent, _agreement, _rate, _trigger, _qos),
+    st.Subscribe: (_node, _name, _unheard, _type, _agreement, _qos, _function, _callback),
     st.ProvidesService: (
         *(_node, _name, _unprovided, _type, _agreement, _answer, _function, _handler),
     ),

@@ -54,6 +54,7 @@ class Node:
         removed: which statement took a name away last.
         renamed: what was given another name, by its kind and that name.
         file: the main file that a created node has, "" where none was chosen yet.
+        is_managed: whether it is a lifecycle node of ROS 2.
     """
 
     name: str
@@ -65,6 +66,7 @@ class Node:
     removed: dict[str, Span] = field(default_factory=dict)
     renamed: dict[EndpointKey, Renamed] = field(default_factory=dict)
     file: str = ""
+    is_managed: bool = False
 
     def of(self, type_: type[EndpointType]) -> Mapping[str, EndpointType]:
         """Return the endpoints of one class by name: `node.of(Publisher)`."""
@@ -144,6 +146,7 @@ class Node:
             by_kind,
             self.removed,
             dict(self.renamed),
+            is_managed=self.is_managed,
         )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import count
 from pathlib import Path
@@ -71,14 +71,25 @@ class Graph:
         """Start a script of the test's own, which runs a node in its own way."""
         return self._start([self.python, "-u", script, *arguments], script.stem)
 
-    def listen(self, topics: Mapping[str, str], seconds: float) -> dict[str, list[Received]]:
-        """Return what comes over topics, by name: `topics` says the type of each.
+    def listen(
+        self,
+        topics: Mapping[str, str],
+        seconds: float,
+        qos: Sequence[str] = (),
+        *,
+        silent: Collection[str] = (),
+    ) -> dict[str, list[Received]]:
+        """Return what comes over topics, by name.
 
-        The seconds count from the first message of the last topic to have one.
+        Args:
+            topics: the type of each.
+            seconds: how long, from the first message of the last topic to have one.
+            qos: `transient_local`, `best_effort`, `deadline` (a second), `manual_by_topic`: what
+                the subscriptions ask for, in ROS 2.
+            silent: topics that need not have a message, only a publisher.
         """
-        probe = self._start(
-            [self.python, self.probe, "listen", json.dumps(topics), str(seconds)], "listen"
-        )
+        arguments = map(json.dumps, (topics, seconds, list(qos), list(silent)))
+        probe = self._start([self.python, self.probe, "listen", *arguments], "listen")
         assert probe.wait(seconds + 120) == 0, probe.output
         found: dict[str, list[Received]] = {topic: [] for topic in topics}
         for line in probe.output.splitlines():
@@ -89,19 +100,35 @@ class Graph:
 
     def call(self, service: str, type_: str, request: Mapping[str, Any]) -> dict[str, Any]:
         """Call a service and return its response."""
-        probe = self._start(
-            [self.python, self.probe, "call", service, type_, json.dumps(request)], "call"
-        )
-        assert probe.wait(120) == 0, probe.output
-        response: dict[str, Any] = json.loads(probe.output.splitlines()[-1])
-        return response
+        return self._ask("call", service, type_, json.dumps(request))
+
+    def set_parameter(self, node: str, name: str, value: Any) -> str | None:
+        """Set a parameter of a node; return the reason for which it was refused."""
+        result = self._ask("set", node, name, json.dumps(value))
+        return None if result["successful"] else result["reason"]
+
+    def lifecycle(self, node: str, steps: Sequence[tuple[str, Mapping[str, int]]]) -> Any:
+        """Pass transitions of a managed node of ROS 2.
+
+        Args:
+            node: its name.
+            steps: the transitions, and how many endpoints of each kind and name are to be there
+                after each.
+
+        Returns:
+            a list for each: the transition, whether it succeeded, the state, the endpoints.
+        """
+        return self._ask("lifecycle", node, json.dumps(steps))
 
     def endpoints(self, node: str) -> dict[str, list[str]]:
         """Return what a node publishes, subscribes and provides, as the graph itself says."""
-        probe = self._start([self.python, self.probe, "endpoints", node], "endpoints")
+        return self._ask("endpoints", node)
+
+    def _ask(self, command: str, *arguments: str) -> Any:
+        """Return what a command of the probe prints at last."""
+        probe = self._start([self.python, self.probe, command, *arguments], command)
         assert probe.wait(120) == 0, probe.output
-        found: dict[str, list[str]] = json.loads(probe.output.splitlines()[-1])
-        return found
+        return json.loads(probe.output.splitlines()[-1])
 
     def wait_for_endpoint(self, node: str, kind: str, name: str) -> dict[str, list[str]]:
         """Wait until a node has an endpoint, and return all that it has."""

@@ -26,24 +26,30 @@ def plain(value):
     return value
 
 
-def listen(topics, seconds):
+def listen(topics, seconds, words, silent):
+    """ROS 1 knows no QoS: every subscription that is there is connected."""
     rospy.init_node("probe", anonymous=True, disable_signals=True)
     lock = threading.Lock()
     seen = set()
-    all_seen = threading.Event()
 
     def receive(message, topic):
         now = time.monotonic()
         with lock:
             seen.add(topic)
-            if len(seen) == len(topics):
-                all_seen.set()
             entry = {"topic": topic, "time": now, "message": plain(message)}
             sys.stdout.write(json.dumps(entry) + "\n")
 
-    for topic, type_name in topics.items():
-        rospy.Subscriber(topic, load("msg", type_name), receive, callback_args=topic)
-    all_seen.wait(60)
+    subscribers = {
+        topic: rospy.Subscriber(topic, load("msg", type_name), receive, callback_args=topic)
+        for topic, type_name in topics.items()
+    }
+
+    def is_there(topic):
+        return subscribers[topic].get_num_connections() if topic in silent else topic in seen
+
+    end = time.monotonic() + 60
+    while time.monotonic() < end and not all(map(is_there, topics)):
+        time.sleep(0.01)
     time.sleep(seconds)
     with lock:
         sys.stdout.flush()
@@ -54,6 +60,12 @@ def call(service, type_name, request):
     rospy.wait_for_service(service, timeout=60)
     response = rospy.ServiceProxy(service, load("srv", type_name))(**request)
     print(json.dumps(plain(response)))
+
+
+def set_parameter(node, name, value):
+    """ROS 1 takes every value: what a node makes of it, its messages say."""
+    rospy.set_param(f"/{node}/{name}", value)
+    print(json.dumps({"successful": True, "reason": ""}))
 
 
 def endpoints(node):
@@ -70,8 +82,10 @@ def endpoints(node):
 if __name__ == "__main__":
     command, *arguments = sys.argv[1:]
     if command == "listen":
-        listen(json.loads(arguments[0]), float(arguments[1]))
+        listen(*map(json.loads, arguments))
     elif command == "call":
         call(arguments[0], arguments[1], json.loads(arguments[2]))
+    elif command == "set":
+        set_parameter(arguments[0], arguments[1], json.loads(arguments[2]))
     else:
         endpoints(arguments[0])

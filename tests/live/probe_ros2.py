@@ -6,7 +6,13 @@ import time
 from importlib import import_module
 
 import rclpy
+from lifecycle_msgs.msg import Transition
+from lifecycle_msgs.srv import ChangeState, GetState
+from rcl_interfaces.srv import SetParameters
+from rclpy.duration import Duration
 from rclpy.executors import SingleThreadedExecutor
+from rclpy.parameter import Parameter
+from rclpy.qos import DurabilityPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 
 
 def load(module, type_name):
@@ -24,7 +30,22 @@ def plain(value):
     return value
 
 
-def listen(node, executor, topics, seconds):
+def profile(words):
+    """Return the profile that words of QoS name, of a queue that is long."""
+    is_late = "transient_local" in words
+    is_best_effort = "best_effort" in words
+    return QoSProfile(
+        depth=100,
+        durability=DurabilityPolicy.TRANSIENT_LOCAL if is_late else DurabilityPolicy.VOLATILE,
+        reliability=ReliabilityPolicy.BEST_EFFORT if is_best_effort else ReliabilityPolicy.RELIABLE,
+        deadline=Duration(seconds=1) if "deadline" in words else Duration(),
+        liveliness=LivelinessPolicy.MANUAL_BY_TOPIC
+        if "manual_by_topic" in words
+        else LivelinessPolicy.AUTOMATIC,
+    )
+
+
+def listen(node, executor, topics, seconds, words, silent):
     seen = set()
 
     def receiver(topic):
@@ -35,29 +56,48 @@ def listen(node, executor, topics, seconds):
 
         return receive
 
+    def is_there(topic):
+        return node.count_publishers(topic) if topic in silent else topic in seen
+
     for topic, type_name in topics.items():
-        node.create_subscription(load("msg", type_name), topic, receiver(topic), 10)
+        node.create_subscription(load("msg", type_name), topic, receiver(topic), profile(words))
     end = time.monotonic() + 60
-    while time.monotonic() < end and len(seen) < len(topics):
+    while time.monotonic() < end and not all(map(is_there, topics)):
         executor.spin_once(0.1)
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         executor.spin_once(0.1)
 
 
-def call(node, executor, service, type_name, request):
-    type_ = load("srv", type_name)
+def ask(node, executor, service, type_, request):
     client = node.create_client(type_, service)
     assert client.wait_for_service(60), "the service is not there"
-    future = client.call_async(type_.Request(**request))
+    future = client.call_async(request)
     executor.spin_until_future_complete(future, 60)
-    print(json.dumps(plain(future.result())))
+    node.destroy_client(client)
+    return future.result()
 
 
-def endpoints(node, executor, name):
+def call(node, executor, service, type_name, request):
+    type_ = load("srv", type_name)
+    print(json.dumps(plain(ask(node, executor, service, type_, type_.Request(**request)))))
+
+
+def set_parameter(node, executor, name, parameter, value):
+    changed = Parameter(parameter, value=value).to_parameter_msg()
+    request = SetParameters.Request(parameters=[changed])
+    [result] = ask(node, executor, f"/{name}/set_parameters", SetParameters, request).results
+    print(json.dumps(plain(result)))
+
+
+def wait_for_node(node, executor, name):
     end = time.monotonic() + 60
     while name not in node.get_node_names() and time.monotonic() < end:
         executor.spin_once(0.1)
+
+
+def endpoints(node, executor, name):
+    wait_for_node(node, executor, name)
     time.sleep(0.5)
     look = {
         "publishers": node.get_publisher_names_and_types_by_node,
@@ -67,6 +107,44 @@ def endpoints(node, executor, name):
     print(json.dumps({kind: sorted(n for n, _ in ask(name, "/")) for kind, ask in look.items()}))
 
 
+def own_endpoints(node, name):
+    """Return how many endpoints a node has of each name, without those that every node has."""
+    inner = ("/" + name + "/", "/rosout", "/parameter_events")
+    topics = {each for each, _ in node.get_topic_names_and_types() if not each.startswith(inner)}
+    looks = {
+        "publishers": node.get_publishers_info_by_topic,
+        "subscriptions": node.get_subscriptions_info_by_topic,
+    }
+    found = {
+        kind: {topic: [each.node_name for each in look(topic)].count(name) for topic in topics}
+        for kind, look in looks.items()
+    }
+    for kind, names, count in (
+        ("services", node.get_service_names_and_types_by_node, node.count_services),
+        ("clients", node.get_client_names_and_types_by_node, node.count_clients),
+    ):
+        own = [each for each, _ in names(name, "/") if not each.startswith(inner)]
+        found[kind] = {each: count(each) for each in own}
+    return {
+        f"{kind} {each}": n for kind, counts in found.items() for each, n in counts.items() if n
+    }
+
+
+def lifecycle(node, executor, name, steps):
+    """Pass transitions; after each, wait for the endpoints that are to be there then."""
+    wait_for_node(node, executor, name)
+    passed = []
+    for label, expected in steps:
+        request = ChangeState.Request(transition=Transition(label=label))
+        success = ask(node, executor, f"/{name}/change_state", ChangeState, request).success
+        end = time.monotonic() + 30
+        while own_endpoints(node, name) != expected and time.monotonic() < end:
+            executor.spin_once(0.1)
+        state = ask(node, executor, f"/{name}/get_state", GetState, GetState.Request())
+        passed.append([label, success, state.current_state.label, own_endpoints(node, name)])
+    print(json.dumps(passed))
+
+
 def main():
     rclpy.init()
     node = rclpy.create_node("probe")
@@ -74,9 +152,14 @@ def main():
     executor.add_node(node)
     command, *arguments = sys.argv[1:]
     if command == "listen":
-        listen(node, executor, json.loads(arguments[0]), float(arguments[1]))
+        topics, seconds, words, silent = map(json.loads, arguments)
+        listen(node, executor, topics, seconds, words, silent)
     elif command == "call":
         call(node, executor, arguments[0], arguments[1], json.loads(arguments[2]))
+    elif command == "set":
+        set_parameter(node, executor, arguments[0], arguments[1], json.loads(arguments[2]))
+    elif command == "lifecycle":
+        lifecycle(node, executor, arguments[0], json.loads(arguments[1]))
     else:
         endpoints(node, executor, arguments[0])
 

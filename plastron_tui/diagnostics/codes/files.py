@@ -276,13 +276,3 @@ CHANGES_UNDONE = Code(
     "again.",
     severity=Severity.WARNING,
 )
-
-QOS_INCOMPATIBLE = Code(
-    "qos-incompatible",
-    "A publisher and a subscription of one topic in ROS 2 never match, so that no message goes "
-    "from one to the other: the subscription asks for a reliability, a durability, a deadline, a "
-    "liveliness or a lease that the publisher does not offer. A publisher offers at least what is "
-    "asked for: `reliable` and `transient_local` rather than `best_effort` and `volatile`, "
-    "`manual_by_topic` rather than `automatic`, a deadline and a lease that are no longer. What a "
-    "file does not say for sure, or leaves to the middleware, is no mistake.",
-)

@@ -17,6 +17,10 @@ from .programs import (
     TALKING,
 )
 
+_LISTENING = (
+    "create_node 'listener' as listener\nsubscribe listener to 'chatter' of message_type String "
+)
+
 ALREADY_SUBSCRIBED = Code(
     "already-subscribed",
     "A node subscribes to a topic twice. Each subscription has a callback of its own, and one "
@@ -204,6 +208,39 @@ ACTION_TYPE_CONFLICT = Code(
     bad=f"{COUNTER}create_node 'asker' as asker\n"
     "asker sends_goal to 'count' of action_type LookupTransform with input none\n",
     good=COUNTER + ASKER,
+)
+
+QOS_INCOMPATIBLE = Code(
+    "qos-incompatible",
+    "A publisher and a subscription of one topic in ROS 2 never match, so that no message goes "
+    "from one to the other: the subscription asks for a reliability, a durability, a deadline, a "
+    "liveliness or a lease that the publisher does not offer. A publisher offers at least what is "
+    "asked for: `reliable` and `transient_local` rather than `best_effort` and `volatile`, "
+    "`manual_by_topic` rather than `automatic`, a deadline and a lease that are no longer. What a "
+    "file does not say for sure, or leaves to the middleware, is no mistake.",
+    bad="create_node 'talker' as talker\n"
+    'create_message greeting of message_type String and input "hello"\n'
+    "talker publish greeting to 'chatter' of message_type String with qos best_effort\n"
+    f"{_LISTENING}with qos reliable\n",
+    good=f"{TALKING}{_LISTENING}with qos best_effort\n",
+)
+
+INVALID_QOS = Code(
+    "invalid-qos",
+    "A quality of service has a word that there is not, one that lacks its number, or two that "
+    "contradict each other; or a publisher is given two.",
+    bad=f"{TALKER}talker publish greeting to 'chatter' of message_type String "
+    "with qos reliable, best_effort\n",
+    good=f"{TALKER}talker publish greeting to 'chatter' of message_type String "
+    "with qos best_effort\n",
+)
+
+NOT_IN_ROS_1 = Code(
+    "not-in-ros-1",
+    "ROS 1 has no managed nodes, and of the words of quality of service only some: the others are "
+    "left out there, with a warning.",
+    bad="create_node 'talker' as talker managed using rospy\n",
+    good="create_node 'talker' as talker managed using rclpy\n",
 )
 
 MISSPELT_NAME = Code(

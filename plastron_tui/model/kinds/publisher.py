@@ -12,6 +12,7 @@ from plastron_tui.ros.qos import Qos
 
 from ..mistake import Mistake
 from .computed import check_computed
+from .quality import agreed, qos_of
 from .rate import rate_of
 from .reaction import Reaction, reaction_of
 
@@ -95,7 +96,9 @@ def publish(run: Run, statement: Publish) -> None:
         statement.once,
         None if reaction is None else reaction[0],
     )
-    qos = None if publisher is None else publisher.qos
+    qos = qos_of(run, statement, checks.version_of(node))
+    if publisher is not None:
+        qos = agreed(statement, qos, publisher.qos, publisher.span)
     run.add(statement, node, Publisher(topic, type_.name, (*earlier, sent), span, qos))
 
 

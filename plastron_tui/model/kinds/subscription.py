@@ -10,6 +10,8 @@ from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.names import spelled
 from plastron_tui.ros.qos import Qos
 
+from .quality import qos_of
+
 if TYPE_CHECKING:
     from ..run import Run
     from ..workspace import Node
@@ -34,7 +36,9 @@ def subscribe(run: Run, statement: Subscribe) -> None:
     topic, type_ = run.interface(statement, node, "topic", InterfaceKind.MESSAGE)
     check_unheard(run, statement, node)
     check_callback(run, statement, node)
-    run.add(statement, node, Subscription(topic, type_.name, statement.function, statement.span))
+    qos = qos_of(run, statement, run.checks.version_of(node))
+    subscription = Subscription(topic, type_.name, statement.function, statement.span, qos)
+    run.add(statement, node, subscription)
 
 
 def check_unheard(run: Run, statement: Subscribe, node: Node) -> None:

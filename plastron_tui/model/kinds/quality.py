@@ -1,0 +1,71 @@
+"""The quality of service that a statement asks for."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from plastron_tui.diagnostics import Diagnostic, Label, Severity, Span, codes
+from plastron_tui.language.statements import Publish, Subscribe
+from plastron_tui.ros.qos import Qos
+from plastron_tui.ros.qos_words import WORDS, parse_words
+
+from ..mistake import Mistake
+
+if TYPE_CHECKING:
+    from ..run import Run
+
+
+def qos_of(run: Run, statement: Publish | Subscribe, version: int) -> Qos | None:
+    """Return the quality of service of a statement, None where it says none.
+
+    What ROS 1 has no word for is a warning there.
+    """
+    if not statement.qos:
+        return None
+    spans = [
+        Span(word.syntax.start_byte, word.syntax.end_byte).moved(statement.shift)
+        for word in statement.qos
+    ]
+    found, problems = parse_words([(each.word, each.number) for each in statement.qos])
+    if problems:
+        raise Mistake(
+            *(
+                Diagnostic(
+                    codes.INVALID_QOS,
+                    each.message,
+                    spans[each.at],
+                    help=each.help,
+                    labels=() if each.other is None else (Label(spans[each.other], "said here"),),
+                )
+                for each in problems
+            )
+        )
+    for word, where in zip(statement.qos, spans, strict=True):
+        if version == 1 and not WORDS[word.word].is_ros1:
+            run.report(
+                statement,
+                Diagnostic(
+                    codes.NOT_IN_ROS_1,
+                    f"ROS 1 has nothing like `{word.word}`, which is left out",
+                    where,
+                    severity=Severity.WARNING,
+                ),
+            )
+    return found
+
+
+def agreed(
+    statement: Publish, given: Qos | None, earlier: Qos | None, where: Span | None
+) -> Qos | None:
+    """Return what a publisher has that sends one more message: it has one quality of service."""
+    if given is None or earlier is None or given == earlier:
+        return earlier if given is None else given
+    raise Mistake(
+        Diagnostic(
+            codes.INVALID_QOS,
+            "this node publishes to the topic with another quality of service already",
+            statement.span_of("qos"),
+            help="give it once, with the first message",
+            labels=() if where is None else (Label(where, "given here"),),
+        )
+    )

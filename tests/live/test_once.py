@@ -1,0 +1,44 @@
+"""What is sent once comes once, to each that listens, however late."""
+
+from __future__ import annotations
+
+import pytest
+from graph import Graph
+from processes import own_tracebacks
+from prototypes import prototype
+
+pytestmark = pytest.mark.live
+
+GOAL = {"/goal_pose": "geometry_msgs/PoseStamped"}
+
+
+@pytest.mark.parametrize("qos", [[], ["best_effort"], ["transient_local"]], ids=str)
+def test_the_first_that_listens_gets_it_once_whatever_it_asks_for(
+    graph: Graph, qos: list[str]
+) -> None:
+    node = graph.run_and_wait(prototype(graph, "navigator"))
+    [goal] = graph.listen(GOAL, 2, qos)["/goal_pose"]
+    assert goal.message["header"]["frame_id"] == "map"
+    assert goal.message["header"]["stamp"]["sec"] > 1e9
+    assert node.interrupt() == 0
+    assert not own_tracebacks(node.output)
+
+
+def test_who_comes_later_gets_what_was_sent_then(graph: Graph) -> None:
+    node = graph.run_and_wait(prototype(graph, "navigator"))
+    [first] = graph.listen(GOAL, 1)["/goal_pose"]
+    for _ in range(2):
+        [later] = graph.listen(GOAL, 1, ["transient_local"])["/goal_pose"]
+        assert later.message["header"]["stamp"] == first.message["header"]["stamp"]
+    assert node.interrupt() == 0
+    assert not own_tracebacks(node.output)
+
+
+def test_a_warning_says_that_nobody_listens(graph: Graph) -> None:
+    node = graph.run_and_wait(prototype(graph, "navigator"))
+    node.wait_to_print("goal_pose: nobody listens yet", count=2)
+    graph.listen(GOAL, 0)
+    said = node.output.count("nobody listens")
+    node.interrupt()
+    assert node.output.count("nobody listens") in (said, said + 1)
+    assert not own_tracebacks(node.output)
