@@ -14,6 +14,7 @@ from plastron_tui.diagnostics import Code, escapes
 from plastron_tui.diagnostics.codes import GROUPS
 from plastron_tui.language import DECLARATIONS, Declaration, SlotKind
 from plastron_tui.language.keywords import KEYWORDS
+from plastron_tui.ros.qos_words import WORDS
 
 DOCS = Path(__file__).resolve().parent.parent / "docs"
 
@@ -94,6 +95,61 @@ node's time then, where the values give none. A time that they give is sent as i
 
 `plastron types Twist` shows the fields of a type, `plastron types '*Scan*'` finds types.
 
+### Values that are known when they are sent
+
+| value | what it is | where it can stand |
+|---|---|---|
+| `parameter 'speed'` | what the parameter of the node is then | in messages, requests, goals, \
+answers; as a rate |
+| `received.axes` | a field of the message that was received, or of the request | in messages that \
+are sent `for_each` message of a topic; in answers |
+| `received.axes[1]` | an element of a list in it, counted from 0 | there |
+| `received.axes[1] * 0.5 + 1` | calculated with numbers: `+`, `-`, `*`, `/`, as in arithmetic | of \
+a parameter too |
+
+```plastron
+// A joystick that drives, and stops in front of what is near.
+create_node 'driver' as driver
+subscribe driver to 'joy' of message_type sensor_msgs/Joy
+create_message drive of message_type Twist and input linear.x=received.axes[1] * 0.5
+driver publish drive to 'cmd_vel' of message_type Twist for_each 'joy'
+subscribe driver to 'scan' of message_type sensor_msgs/LaserScan with qos sensor_data
+create_message stop of message_type Twist and input none
+driver publish stop to 'cmd_vel' of message_type Twist for_each 'scan' when any received.ranges < 0.3
+generate_node driver
+```
+
+A condition compares one field with a number (`<`, `>`, `=`), or with a text or a truth value
+(`=`); of a list, `any` or `all` of its elements. An element that is not there, and a number that
+the field cannot hold, are a warning in the node's log, and nothing is sent. What needs more is
+code: the node's file is yours.
+
+## Parameters
+
+A parameter is a `bool`, an `int`, a `float` or a `string`, or a list of them: `int_list`. In ROS 2
+the node declares it, with its range and what it is for, refuses what does not fit, and follows a
+change at once. In ROS 1 it is a private parameter that the node looks up when it needs it; a value
+that does not fit is a warning, and the last good one stays.
+
+```plastron
+create_node 'driver' as driver
+driver has_parameter 'speed' of parameter_type float with default 0.5 between 0 and 2
+create_message go of message_type Twist and input linear.x=parameter 'speed'
+driver publish go to 'cmd_vel' of message_type Twist
+generate_node driver
+```
+
+`plastron run FILE --set driver.speed=0.8` sets it at the start ([more](commands.md#plastron-run)).
+
+## Quality of service
+
+How messages are to arrive stands behind `with qos`: words in any order, with commas between them.
+Without it all messages arrive, and the last ten are kept for who is slow.
+
+@QOS@
+A publisher and a subscription of a program that ROS 2 would never match are an error
+(`qos-incompatible`).
+
 ## Types
 
 A type is looked up among those of the ROS distribution that the node is for, those of the ROS
@@ -133,7 +189,8 @@ A node is written for a client library: `rospy` in ROS 1, `rclpy` in ROS 2. (`ro
 Another distribution adds a client library with an entry point in the group `plastron.targets`: its
 name, and a subclass of `plastron_tui.targets.base.Target` of that `name`, with the `ros_version`
 that it is for, its `language` (a `plastron_tui.sources.base.Language`), and the `api_version` that it
-was written for, which is 2: a target for another version is refused by name (`unsupported-target`).
+was written for, which is 4: a target for another version is refused by name (`unsupported-target`).
+What it has no means for it leaves out of `writes`: such a statement is an error then.
 The word `using` names it. Without it counts, in this order: the option `--target`, the `target` in
 `plastron.yaml`, the ROS that is sourced, the one that is installed, `rclpy`
 ([which ROS](commands.md#which-ros)).
@@ -207,7 +264,17 @@ def language_page() -> str:
     statements = "\n".join(map(_statement, DECLARATIONS.values()))
     words = ", ".join(f"`{word}`" for word in sorted(KEYWORDS, key=str.lower))
     keywords = f"The keywords, which are no variables: {words}.\n\n"
-    return _LANGUAGE_HEAD + keywords + _STATEMENTS_HEAD + statements + "\n" + _LANGUAGE_TAIL
+    tail = _LANGUAGE_TAIL.replace("@QOS@\n", "\n".join(_qos_rows()))
+    return _LANGUAGE_HEAD + keywords + _STATEMENTS_HEAD + statements + "\n" + tail
+
+
+def _qos_rows() -> Iterator[str]:
+    yield "| word | what it means | ROS 1 |"
+    yield "|---|---|---|"
+    for word in WORDS.values():
+        number = {"": "", "depth": " NUMBER"}.get(word.number, " SECONDS")
+        yield f"| `{word.word}{number}` | {word.summary} | {'too' if word.is_ros1 else ''} |"
+    yield "\n"
 
 
 def _statement(declaration: Declaration) -> str:

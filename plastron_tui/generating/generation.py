@@ -207,6 +207,9 @@ class _Creation:
         node, output, manifest = self.generation.node, self.writing.output, self.manifest
         target, catalog = self.library
         program = self.writing.author.name
+        unwritable = target.unwritable(node)
+        if unwritable is not None:
+            return _refused(self.generation, (unwritable,))
         rendered = target.render(node, catalog)
         if rendered.files is None:
             return _refused(self.generation, rendered.diagnostics)

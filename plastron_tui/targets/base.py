@@ -12,13 +12,16 @@ from pathlib import Path
 from typing import ClassVar
 
 from plastron_tui.diagnostics import Diagnostic, codes
-from plastron_tui.model.kinds import Client, Publisher, Service, Subscription
+from plastron_tui.model.kinds import Client, EndpointKind, Publisher, Service, Subscription
 from plastron_tui.model.source import Change, FileSet, SourceUnit
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources.base import Language, ReadResult, Rendered
 
-API_VERSION = 3
+_UNTOLD = (EndpointKind.ACTION_SERVER, EndpointKind.ACTION_CLIENT, EndpointKind.TIMER)
+"""What a node does, and no ending of its file tells."""
+
+API_VERSION = 4
 """The version of this interface; a target says for which one it was written."""
 
 
@@ -30,18 +33,40 @@ class Target:
         name: the client library.
         ros_version: the generation of ROS that it is for, 1 or 2.
         language: the language that its nodes are written in.
+        writes: the kinds of endpoints that its nodes can have.
+        writes_managed: whether its nodes can be lifecycle nodes.
     """
 
     api_version: ClassVar[int] = 1
     name: ClassVar[str]
     ros_version: ClassVar[int]
     language: ClassVar[Language]
+    writes: ClassVar[frozenset[EndpointKind]] = frozenset(
+        {
+            EndpointKind.PUBLISHER,
+            EndpointKind.SUBSCRIPTION,
+            EndpointKind.SERVICE,
+            EndpointKind.CLIENT,
+        }
+    )
+    writes_managed: ClassVar[bool] = False
+
+    def unwritable(self, node: Node) -> Diagnostic | None:
+        """Return what of a node the client library has no means for, None where it has all."""
+        for kind, found in node.by_kind.items():
+            if found and kind not in self.writes:
+                first = next(iter(found.values()))
+                return self._cannot(f"write {kind.word}s for")._replace(span=first.span)
+        if node.is_managed and not self.writes_managed:
+            return self._cannot("write managed nodes for")._replace(span=node.span)
+        return None
 
     def file_name(self, node: Node) -> str:
         """Return the name of a created node's main file (docs/language.md, "Files").
 
         A node keeps the file that it has. Of a new one the ending tells the next reader what it
-        does: `_pub`, `_sub1`, `_sub2`, `_client`, `_server`, or `_node` for a mixture.
+        does: `_pub`, `_sub1`, `_sub2`, `_client`, `_server`, or `_node` for a mixture, and for
+        what has no ending of its own.
         """
         if node.file:
             return node.file
@@ -50,6 +75,7 @@ class Target:
             "_sub1" if len(node.of(Subscription)) == 1 else "_sub2": bool(node.of(Subscription)),
             "_client": bool(node.of(Client)),
             "_server": bool(node.of(Service)),
+            "_node": any(node.by_kind[kind] for kind in _UNTOLD),
         }
         used = [ending for ending, is_used in kinds.items() if is_used]
         return f"{node.name}{used[0] if len(used) == 1 else '_node'}{self.language.suffix}"

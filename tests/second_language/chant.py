@@ -140,7 +140,7 @@ def _verse(callback, node):
 
 
 class ChantTarget(Target):
-    api_version = 3
+    api_version = 4
     name = "roschant"
     ros_version = 2
     language = Chant()

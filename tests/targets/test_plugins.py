@@ -34,7 +34,7 @@ class Lisp(Language):
 
 
 class RoslispTarget(Target):
-    api_version = 3
+    api_version = 4
     name = "roslisp"
     ros_version = {ros_version}
     language = Lisp()
@@ -134,9 +134,9 @@ def test_a_registered_target_is_listed_where_a_name_is_wrong(folder: Path) -> No
         ("import no_such_module", "roslisp_target:RoslispTarget", "ModuleNotFoundError"),
         ("RoslispTarget = 5", "roslisp_target:RoslispTarget", "is no class of a target"),
         (
-            MODULE.format(ros_version=1).replace("    api_version = 3\n", ""),
+            MODULE.format(ros_version=1).replace("    api_version = 4\n", ""),
             "roslisp_target:RoslispTarget",
-            "is for version 1 of the interface of targets, and this Plastron has version 3",
+            "is for version 1 of the interface of targets, and this Plastron has version 4",
         ),
         (
             MODULE.format(ros_version=1).replace("    language = Lisp()\n", ""),

@@ -131,4 +131,5 @@ class RclpyTarget(PythonTarget):
 
     name: ClassVar[str] = "rclpy"
     ros_version: ClassVar[int] = 2
+    writes_managed: ClassVar[bool] = True
     dialect: ClassVar[Dialect] = DIALECT

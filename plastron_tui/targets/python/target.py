@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import ClassVar
 
+from plastron_tui.model.kinds import EDITABLE, EndpointKind
 from plastron_tui.model.source import Change, SourceUnit
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
@@ -13,7 +14,7 @@ from plastron_tui.sources import find_language
 from plastron_tui.sources.base import Language, Rendered
 from plastron_tui.sources.python.dialect import Dialect
 from plastron_tui.sources.python.line_length import find_line_length
-from plastron_tui.targets.base import Target
+from plastron_tui.targets.base import API_VERSION, Target
 
 from .rendering import render_python
 
@@ -23,7 +24,8 @@ _PORTED = frozenset({"rospy", "rclpy"})
 class PythonTarget(Target):
     """Writes, edits and ports the nodes of a client library for Python."""
 
-    api_version: ClassVar[int] = 2
+    api_version: ClassVar[int] = API_VERSION
+    writes: ClassVar[frozenset[EndpointKind]] = frozenset(EDITABLE)
     language: ClassVar[Language] = find_language("python")
     dialect: ClassVar[Dialect]
 
