@@ -18,10 +18,13 @@ if TYPE_CHECKING:
 def qos_of(run: Run, statement: Publish | Subscribe, version: int) -> Qos | None:
     """Return the quality of service of a statement, None where it says none.
 
-    What ROS 1 has no word for is a warning there.
+    What is sent once is kept for those who listen later. What ROS 1 has no word for is a warning
+    there.
     """
+    is_once = isinstance(statement, Publish) and statement.once
+    kept, _ = parse_words([("latched", None)])
     if not statement.qos:
-        return None
+        return kept if is_once else None
     spans = [
         Span(word.syntax.start_byte, word.syntax.end_byte).moved(statement.shift)
         for word in statement.qos
@@ -40,6 +43,17 @@ def qos_of(run: Run, statement: Publish | Subscribe, version: int) -> Qos | None
                 for each in problems
             )
         )
+    if is_once:
+        if found.durability not in (None, kept.durability):
+            raise Mistake(
+                Diagnostic(
+                    codes.INVALID_QOS,
+                    "what is sent once is kept for those who listen later: `transient_local`",
+                    statement.span_of("qos"),
+                    help="write `latched`, or leave `with qos` out",
+                )
+            )
+        found = found.over(kept)
     for word, where in zip(statement.qos, spans, strict=True):
         if version == 1 and not WORDS[word.word].is_ros1:
             run.report(

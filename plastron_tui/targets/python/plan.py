@@ -115,11 +115,12 @@ class ParameterPlan(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class SubscriptionPlan:
-    """A subscription, and the method that it calls."""
+    """A subscription, and the method that it calls; `qos` is what says what it asks for."""
 
     topic: str
     type: str
     callback: str
+    qos: str
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,6 +20,7 @@ from ..plan import (
     SubscriptionPlan,
 )
 from .periods import planned_timer
+from .qualities import publisher_qos, subscription_qos
 from .writing import Writing
 
 
@@ -36,7 +37,7 @@ def add_publishers(writing: Writing, plan: NodePlan) -> None:
         name = naming.words(publisher.name)
         attribute = writing.attributes.new(f"{name}_publisher")
         type_ = writing.message_class(publisher.type, publisher.name, publisher.span)
-        qos = _qos(writing, is_kept=any(each.is_once for each in publisher.publications))
+        qos = publisher_qos(writing, publisher.qos)
         plan.publishers.append(PublisherPlan(attribute, writing.name(publisher), type_, qos))
         label = naming.label(publisher.name, "its topic")
         by_rate: dict[Rate, list[Publication]] = defaultdict(list)
@@ -72,17 +73,6 @@ def add_publishers(writing: Writing, plan: NodePlan) -> None:
             sends = _sends(writing, publisher, once)
             rest = (new(f"{name}_is_heard"), "") if writing.is_rclpy else ("", new(f"await_{name}"))
             plan.once.append(OncePlan(attribute, method, waiting, label, sends, *rest))
-
-
-def _qos(writing: Writing, *, is_kept: bool) -> str:
-    """Write how the messages of a publisher are kept."""
-    if not writing.is_rclpy:
-        return "queue_size=1, latch=True" if is_kept else "queue_size=10"
-    if not is_kept:
-        return "10"
-    profile = writing.imports.use("rclpy.qos", "QoSProfile")
-    durability = writing.imports.use("rclpy.qos", "DurabilityPolicy")
-    return f"{profile}(depth=1, durability={durability}.TRANSIENT_LOCAL)"
 
 
 def _sends(
@@ -122,7 +112,9 @@ def add_subscriptions(writing: Writing, plan: NodePlan) -> None:
         callback = subscription.callback
         if callback is None:
             callback = writing.attributes.new(f"on_{naming.words(subscription.name)}")
-        plan.subscriptions.append(SubscriptionPlan(writing.name(subscription), type_, callback))
+        qos = subscription_qos(writing, subscription.qos)
+        planned = SubscriptionPlan(writing.name(subscription), type_, callback, qos)
+        plan.subscriptions.append(planned)
         reactions = tuple(each.method for each in plan.reactions if each.topic == subscription.name)
         known = writing.methods.get(callback)
         if known is None:
