@@ -8,7 +8,7 @@ from . import statements as _statements  # noqa: F401 - declares the statements
 from .declaration import DECLARATIONS, Clause, Declaration, Element, Form, Slot
 
 _VALUE_WORDS = ("none", "True", "False")
-_PLAIN_VALUE_WORDS = ("parameter", "received")
+_PLAIN_VALUE_WORDS = ("parameter", "received", "any", "all")
 
 
 def _words_of(elements: Iterable[Element]) -> Iterable[str]:

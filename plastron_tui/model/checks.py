@@ -236,7 +236,11 @@ class Checks:
             if self._consequences.explains(node, name):
                 raise Mistake
             where = statement.span_of(slot)
-            remedy, fix = guess(name, node.by_kind[kind], where, is_quoted=True)
+            names = node.by_kind[kind]
+            if kind is EndpointKind.PARAMETER:
+                name, *names = (each.removeprefix("~/") for each in (name, *names))
+            is_quoted = kind.facts.named is not None
+            remedy, fix = guess(name, names, where, is_quoted=is_quoted)
             message = f"`{node.variable}` does not {editing.infinitive} `{name}`"
             raise Mistake(Diagnostic(editing.not_there, message, where, help=remedy, fix=fix))
         node.removed[name] = statement.span

@@ -11,7 +11,17 @@ from plastron_tui.ros.names import spelled
 
 from .workspace import Node
 
-_NAMES = (SlotKind.TOPIC, SlotKind.SERVICE, SlotKind.OLD_NAME, SlotKind.NEW_NAME)
+_NAMES = frozenset(
+    {
+        *(SlotKind.TOPIC, SlotKind.SERVICE, SlotKind.ACTION, SlotKind.PARAMETER, SlotKind.TIMER),
+        *(SlotKind.OLD_NAME, SlotKind.NEW_NAME),
+    }
+)
+
+
+def _plain(name: str) -> str:
+    """Return a name without what makes it private: of a parameter, ROS 1 alone says that."""
+    return spelled(name).removeprefix("~/")
 
 
 class Consequences:
@@ -36,7 +46,7 @@ class Consequences:
         filled = [(slot.kind, getattr(statement, slot.name)) for slot in declaration.slots]
         self._declared.update(text for kind, text in filled if kind.makes is not None)
         self._uncreated.update(text for kind, text in filled if kind is SlotKind.NODE_NAME)
-        names = [spelled(text) for kind, text in filled if kind in _NAMES]
+        names = [_plain(text) for kind, text in filled if kind in _NAMES]
         if names and declaration.undoes is None:
             nodes = [text for kind, text in filled if kind is SlotKind.NODE]
             self._endpoints.update(product(nodes, names))
@@ -59,7 +69,7 @@ class Consequences:
 
     def explains(self, node: Node, name: str) -> bool:
         """Tell whether what a node has under a name may be so because of an earlier mistake."""
-        variable, lines = node.variable, self._lines
+        variable, lines, name = node.variable, self._lines, _plain(name)
         return (
             (variable, name) in self._endpoints
             or variable in lines.unfinished

@@ -22,7 +22,7 @@ from .kinds.action_server import check_executor, check_unserved
 from .kinds.parameter import check_new, default_of, range_of, type_of
 from .kinds.publisher import check_sent, check_unsent
 from .kinds.quality import qos_of
-from .kinds.rate import check_rate
+from .kinds.rate import check_rate, rate_of
 from .kinds.reaction import reaction_of
 from .kinds.service import check_handler, check_unprovided
 from .kinds.subscription import check_callback, check_unheard
@@ -176,9 +176,11 @@ def _unsent(run: Run, statement: st.Publish) -> None:
     check_unsent(run, statement, node, message)
 
 
-def _rate(_: Run, statement: st.Publish | st.Repeats | st.ClientRequests) -> None:
+def _rate(run: Run, statement: st.Publish | st.Repeats | st.ClientRequests) -> None:
     if isinstance(statement.rate, (int, float)):
         check_rate(statement, statement.rate)
+    else:
+        rate_of(run, statement, run.checks.node(statement))
 
 
 def _trigger(run: Run, statement: st.Publish) -> None:

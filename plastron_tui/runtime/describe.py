@@ -16,7 +16,7 @@ from typing import Any
 from urllib.parse import urlsplit
 
 from plastron_tui.diagnostics import Diagnostic, Severity, codes
-from plastron_tui.model.kinds import EDITABLE, EndpointKind
+from plastron_tui.model.kinds import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceName
 
 from .environment import LOOPBACK, Environment, node_environ
@@ -157,7 +157,8 @@ def _of_report(report: Mapping[str, Any]) -> DescribedNode:
         found = report[kind.value]
         return tuple((name, interface_name(types[0])) for name, types in found if types)
 
-    return DescribedNode(report["name"], {kind: endpoints(kind) for kind in EDITABLE})
+    kinds = (kind for kind in EndpointKind if kind.value in report)
+    return DescribedNode(report["name"], {kind: endpoints(kind) for kind in kinds})
 
 
 def _shown(nodes: Iterable[DescribedNode]) -> tuple[DescribedNode, ...]:

@@ -101,8 +101,8 @@ def test_services_and_clients() -> None:
     ]
     add = node.of(Client)["add"]
     assert add.type == InterfaceName("beginner_tutorials", "AddTwoInts")
-    assert [request.fields for request in add.requests] == [{"a": 5, "b": 6}, {"b": 1}]
-    assert [request.fields for request in node.of(Client)["w"].requests] == [{}]
+    assert [request.value.fields for request in add.requests] == [{"a": 5, "b": 6}, {"b": 1}]
+    assert [request.value.fields for request in node.of(Client)["w"].requests] == [{}]
     left = workspace(text + "n stop_service 's'\nn stop_request 'add'\n").nodes["n"]
     assert (list(left.of(Service)), list(left.of(Client))) == (["t"], ["w"])
 

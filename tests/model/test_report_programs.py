@@ -51,7 +51,7 @@ def test_the_subscriber_listens_to_one_topic() -> None:
 def test_the_client_makes_three_calls() -> None:
     (generation,) = workspace(program("client")).generations
     calls = {
-        name: (str(client.type), [request.fields for request in client.requests])
+        name: (str(client.type), [request.value.fields for request in client.requests])
         for name, client in generation.node.of(Client).items()
     }
     assert calls == {

@@ -9,7 +9,7 @@ from plastron_tui.model.interpreter import interpret
 from plastron_tui.model.types import TypeProblem, TypeResolver
 from plastron_tui.ros.interfaces import InterfaceKind
 
-MESSAGE, SERVICE = InterfaceKind.MESSAGE, InterfaceKind.SERVICE
+MESSAGE, SERVICE, ACTION = InterfaceKind
 
 FOUND: list[tuple[str, InterfaceKind, str | None, str | None]] = [
     *[
@@ -25,6 +25,7 @@ FOUND: list[tuple[str, InterfaceKind, str | None, str | None]] = [
         for name in ("Empty", "SetBool", "Trigger")
     ],
     ("AddTwoInts", SERVICE, "beginner_tutorials/AddTwoInts", "example_interfaces/AddTwoInts"),
+    ("Fibonacci", ACTION, "actionlib_tutorials/Fibonacci", "example_interfaces/Fibonacci"),
     ("WaypointClear", SERVICE, "mavros_msgs/WaypointClear", "mavros_msgs/WaypointClear"),
     ("WaypointPull", SERVICE, "mavros_msgs/WaypointPull", "mavros_msgs/WaypointPull"),
     ("WordCount", SERVICE, "basics/WordCount", "basics/WordCount"),

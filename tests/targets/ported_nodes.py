@@ -12,11 +12,18 @@ from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.kinds import EDITABLE
 from plastron_tui.model.source import EndpointKind, SourceUnit
 from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.sources.python import read_python
 from plastron_tui.targets import find_target
 
 CATALOGS = {"rospy": Catalog("noetic"), "rclpy": Catalog("kilted")}
 OTHER = {"rospy": "rclpy", "rclpy": "rospy"}
+PORTED = tuple(
+    kind
+    for kind in EDITABLE
+    if kind.facts.interface in (InterfaceKind.MESSAGE, InterfaceKind.SERVICE)
+)
+"""The kinds of endpoints that are carried over; of the others it is told what is to be done."""
 MARK = "# port by hand: "
 
 LISTENER_1 = '''\
@@ -147,7 +154,7 @@ def endpoints(read: SourceUnit) -> Counter[tuple[EndpointKind, str]]:
     return Counter(
         (each.kind, each.name.replace("~/", "~"))
         for each in read.endpoints
-        if each.kind in EDITABLE and each.name is not None
+        if each.kind in PORTED and each.name is not None
     )
 
 

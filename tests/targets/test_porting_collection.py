@@ -13,11 +13,11 @@ from ported_nodes import (
     CATALOGS,
     MARK,
     OTHER,
+    PORTED,
     endpoints,
 )
 
 from plastron_tui.diagnostics import Diagnostic, Severity
-from plastron_tui.model.kinds import EDITABLE
 from plastron_tui.model.source import EndpointKind, SourceUnit
 from plastron_tui.sources.python import read_python
 from plastron_tui.sources.python.syntax import parse
@@ -35,7 +35,7 @@ def callbacks(read: SourceUnit) -> set[str]:
     return {
         each.callback
         for each in read.endpoints
-        if each.callback is not None and each.kind in (*EDITABLE, EndpointKind.TIMER)
+        if each.callback is not None and each.kind in (*PORTED, EndpointKind.TIMER)
     }
 
 

@@ -8,7 +8,15 @@ import pytest
 from file_sets import one
 from made_nodes import SPAN, catalog
 
-from plastron_tui.model.kinds import Client, Message, Publication, Publisher, Service, Subscription
+from plastron_tui.model.kinds import (
+    Client,
+    Message,
+    Publication,
+    Publisher,
+    Request,
+    Service,
+    Subscription,
+)
 from plastron_tui.model.values import MessageValue, Value
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.interfaces import InterfaceName
@@ -145,7 +153,7 @@ def test_types_of_one_name_are_told_apart() -> None:
 def test_a_node_that_only_calls_ends_after_its_calls() -> None:
     type_ = InterfaceName("std_srvs", "SetBool")
     node = new()
-    request = MessageValue(type_, {"data": True})
+    request = Request(MessageValue(type_, {"data": True}))
     node.put(Client("set", type_, (request, request), SPAN))
     for library in ("rospy", "rclpy"):
         source = text(node, library)

@@ -3,13 +3,20 @@
 [
   "create_node" "load" "create_message" "subscribe" "unsubscribe" "publish"
   "stop_publishing" "client_requests" "stop_request" "provides_service"
-  "stop_service" "renames" "generate_node"
+  "stop_service" "provides_action" "stop_action" "sends_goal" "stop_goal"
+  "has_parameter" "no_longer_has_parameter" "repeats" "stop_repeating"
+  "renames" "generate_node"
 ] @keyword.function
 
 [
-  "as" "using" "of" "message_type" "service_type" "and" "with" "input"
-  "to" "from" "calling" "at" "hz" "node"
+  "as" "using" "of" "message_type" "service_type" "action_type" "parameter_type"
+  "and" "with" "input" "to" "from" "calling" "at" "hz" "node" "qos" "for_each"
+  "when" "any" "all" "answering" "default" "between" "described_as" "parameter"
 ] @keyword
+(flag) @keyword
+; `received`, and after it the fields on the way.
+(reference . (field_name) @keyword)
+(reference "." . (field_name) @property)
 
 (none) @constant.builtin
 (boolean) @boolean
@@ -24,7 +31,9 @@
 (path) @string.special.path
 
 (variable) @variable
-(field_name) @property
+(field_path (field_name) @property)
+(qos_policy policy: (identifier) @constant.builtin)
+(parameter_type) @type.builtin
 (function) @function
 (module) @module
 (client_library) @module
@@ -33,7 +42,7 @@
 (type kind: (identifier) @module)
 (type name: (identifier) @type)
 
-"=" @operator
+["=" (operator) (comparison)] @operator
 ["," "." "/"] @punctuation.delimiter
 ["(" ")" "[" "]"] @punctuation.bracket
 

@@ -6,6 +6,9 @@
 
 (subscribe_statement function: (function) @name) @reference.call
 (provides_service_statement function: (function) @name) @reference.call
+(provides_action_statement function: (function) @name) @reference.call
+(repeats_statement function: (function) @name) @reference.call
+(stop_repeating_statement function: (function) @name) @reference.call
 
 (subscribe_statement node: (variable) @name) @reference.class
 (unsubscribe_statement node: (variable) @name) @reference.class
@@ -15,6 +18,14 @@
 (stop_request_statement node: (variable) @name) @reference.class
 (provides_service_statement node: (variable) @name) @reference.class
 (stop_service_statement node: (variable) @name) @reference.class
+(has_parameter_statement node: (variable) @name) @reference.class
+(no_longer_has_parameter_statement node: (variable) @name) @reference.class
+(repeats_statement node: (variable) @name) @reference.class
+(stop_repeating_statement node: (variable) @name) @reference.class
+(provides_action_statement node: (variable) @name) @reference.class
+(stop_action_statement node: (variable) @name) @reference.class
+(sends_goal_statement node: (variable) @name) @reference.class
+(stop_goal_statement node: (variable) @name) @reference.class
 (rename_statement node: (variable) @name) @reference.class
 (generate_node_statement node: (variable) @name) @reference.class
 (publish_statement message: (variable) @name) @reference.constant

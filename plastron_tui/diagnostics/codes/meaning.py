@@ -18,7 +18,8 @@ from .programs import (
 )
 
 _LISTENING = (
-    "create_node 'listener' as listener\nsubscribe listener to 'chatter' of message_type String "
+    "create_node 'listener' as listener using rclpy\n"
+    "subscribe listener to 'chatter' of message_type String "
 )
 
 ALREADY_SUBSCRIBED = Code(
@@ -205,8 +206,10 @@ ACTION_TYPE_CONFLICT = Code(
     "action-type-conflict",
     "One action has two types in a program. Goals then never arrive. Where files that are loaded "
     "do not agree, it is a warning.",
-    bad=f"{COUNTER}create_node 'asker' as asker\n"
-    "asker sends_goal to 'count' of action_type LookupTransform with input none\n",
+    bad="create_node 'finder' as finder using rospy\n"
+    "finder provides_action 'find' of action_type LookupTransform\n"
+    "create_node 'asker' as asker using rospy\n"
+    "asker sends_goal to 'find' of action_type GetMap with input none\n",
     good=COUNTER + ASKER,
 )
 
@@ -218,7 +221,7 @@ QOS_INCOMPATIBLE = Code(
     "asked for: `reliable` and `transient_local` rather than `best_effort` and `volatile`, "
     "`manual_by_topic` rather than `automatic`, a deadline and a lease that are no longer. What a "
     "file does not say for sure, or leaves to the middleware, is no mistake.",
-    bad="create_node 'talker' as talker\n"
+    bad="create_node 'talker' as talker using rclpy\n"
     'create_message greeting of message_type String and input "hello"\n'
     "talker publish greeting to 'chatter' of message_type String with qos best_effort\n"
     f"{_LISTENING}with qos reliable\n",
@@ -229,10 +232,8 @@ INVALID_QOS = Code(
     "invalid-qos",
     "A quality of service has a word that there is not, one that lacks its number, or two that "
     "contradict each other; or a publisher is given two.",
-    bad=f"{TALKER}talker publish greeting to 'chatter' of message_type String "
-    "with qos reliable, best_effort\n",
-    good=f"{TALKER}talker publish greeting to 'chatter' of message_type String "
-    "with qos best_effort\n",
+    bad=f"{_LISTENING}with qos reliable, best_effort\n",
+    good=f"{_LISTENING}with qos best_effort\n",
 )
 
 NOT_IN_ROS_1 = Code(

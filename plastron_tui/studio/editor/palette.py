@@ -17,6 +17,7 @@ _THEMED: Mapping[str, tuple[str, str]] = {
     "keyword": ("primary", ""),
     "variable": ("", ""),
     "type": ("success", ""),
+    "type.builtin": ("success", ""),
     "module": ("success", "dim"),
     "function": ("warning", ""),
     "property": ("warning", ""),

@@ -10,7 +10,15 @@ from file_sets import one
 from hypothesis import strategies as st
 
 from plastron_tui.diagnostics import Span
-from plastron_tui.model.kinds import Client, Message, Publication, Publisher, Service, Subscription
+from plastron_tui.model.kinds import (
+    Client,
+    Message,
+    Publication,
+    Publisher,
+    Request,
+    Service,
+    Subscription,
+)
 from plastron_tui.model.source import SourceUnit
 from plastron_tui.model.values import MessageValue
 from plastron_tui.model.workspace import Node, Workspace
@@ -64,7 +72,8 @@ class Maker:
         node.put(Service(name, TRIGGER, handler, self.span()))
 
     def call(self, node: Node, name: str, *fields: dict[str, object]) -> None:
-        requests = tuple(MessageValue(TRIGGER, each) for each in fields)  # type: ignore[arg-type]
+        values = (MessageValue(TRIGGER, each) for each in fields)  # type: ignore[arg-type]
+        requests = tuple(map(Request, values))
         node.put(Client(name, TRIGGER, requests, self.span()))
 
 
