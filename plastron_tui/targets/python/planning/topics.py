@@ -122,7 +122,14 @@ def add_subscriptions(writing: Writing, plan: NodePlan) -> None:
         callback = subscription.callback
         if callback is None:
             callback = writing.attributes.new(f"on_{naming.words(subscription.name)}")
-        plan.subscriptions.append(SubscriptionPlan(writing.name(subscription), type_, callback))
+        plan.subscriptions.append(
+            SubscriptionPlan(
+                writing.name(subscription),
+                type_,
+                callback,
+                writing.held(f"{naming.words(subscription.name)}_subscription"),
+            )
+        )
         reactions = tuple(each.method for each in plan.reactions if each.topic == subscription.name)
         known = writing.methods.get(callback)
         if known is None:
