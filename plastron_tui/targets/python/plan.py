@@ -215,8 +215,12 @@ class NodePlan:
     @property
     def endpoint_attributes(self) -> list[str]:
         """What holds the endpoints of a managed node, which is there from its configuration on."""
-        found = (*self.publishers, *self.clients, *self.services, *self.subscriptions)
-        return [each.attribute for each in found]
+        return [
+            *(each.attribute for each in self.publishers),
+            *(each.attribute for each in self.clients),
+            *(each.attribute for each in self.services),
+            *(each.attribute for each in self.subscriptions),
+        ]
 
     @property
     def timer_attributes(self) -> list[str]:
