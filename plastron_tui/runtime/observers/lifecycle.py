@@ -2,8 +2,9 @@
 
 Prints a line of JSON for each node when it is active, or cannot be:
 `{"node": "/talker", "passed": ["configure", "activate"], "error": null}`, with the transitions that
-it was asked for and passed, and the error null where all is well. A node that is further already is only brought the rest of the
-way. Arguments: the most seconds that it may take, and the nodes' full names.
+it was asked for and passed, and the error null where all is well. A node that is further already is
+only brought the rest of the way. Arguments: the most seconds that it may take, and the nodes' full
+names.
 
 States, transitions and services: https://design.ros2.org/articles/node_lifecycle.html
 """
