@@ -238,6 +238,14 @@ def _node_files(
         nodes = together.setdefault(path, [])
         nodes.append(node)
         arguments = setup.arguments(environment.ros_version, nodes)
-        namespace = setup.names.namespace or ""
-        files[path] = NodeFile(node.name, command, environment, script, arguments, namespace)
+        names = setup.names
+        files[path] = NodeFile(
+            node.name,
+            command,
+            environment,
+            script,
+            arguments,
+            names.namespace or "",
+            tuple(names.full_node(each.name) for each in nodes if each.is_managed),
+        )
     return list(files.values())

@@ -30,6 +30,7 @@ class GraphNode(NamedTuple):
         file: the file that a loaded node came from, None for a created one.
         is_generated: whether the program generates it.
         span: the statement that created or loaded it.
+        is_managed: whether it is a lifecycle node of ROS 2.
     """
 
     name: str
@@ -38,6 +39,7 @@ class GraphNode(NamedTuple):
     file: Path | None
     is_generated: bool
     span: Span
+    is_managed: bool = False
 
     @property
     def is_loaded(self) -> bool:
@@ -246,4 +248,5 @@ def _node(node: Node, generated: dict[str, str]) -> GraphNode:
         node.source.path if node.source is not None else None,
         node.variable in generated,
         node.span,
+        node.is_managed,
     )

@@ -55,7 +55,15 @@ def node_in(source: SourceUnit, statement: Load) -> SourceUnit | Diagnostic:
 def loaded_node(source: SourceUnit, statement: Load) -> Node:
     """Make a node of a file's endpoints; those whose name the file does not say stay unseen."""
     name = next((node.name for node in source.nodes if node.name is not None), source.path.stem)
-    loaded = Node(name, statement.variable, statement.span, source.library, source)
+    is_managed = any(node.is_managed for node in source.nodes)
+    loaded = Node(
+        name,
+        statement.variable,
+        statement.span,
+        source.library,
+        source,
+        is_managed=is_managed,
+    )
     for endpoint in source.endpoints:
         if endpoint.name is not None:
             add_found(loaded, endpoint, endpoint.name)

@@ -112,7 +112,7 @@ def check_library(run: Run, statement: st.GenerateNode, node: Node, library: str
                 codes.NOT_IN_ROS_1,
                 f"`{node.variable}` is managed, and `{library}` has no managed nodes",
                 statement.span_of("library"),
-                labels=(Label(node.span, "created here"),),
+                labels=(Label(node.span, "loaded here" if node.source else "created here"),),
             )
         )
 

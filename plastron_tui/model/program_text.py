@@ -58,7 +58,8 @@ def _node(
         name = stem if check_node_name(stem, ros_version) is None else mended_node_name(stem, 1)
         name = name or "node"
     variable = variables.new(name)
-    yield f"create_node '{name}' as {variable} using {source.library}"
+    managed = " managed" if node.is_managed else ""
+    yield f"create_node '{name}' as {variable}{managed} using {source.library}"
     seen: set[tuple[EndpointKind, str]] = set()
     for endpoint in node.endpoints:
         statement = _statement(endpoint, variable, variables, ros_version)

@@ -8,7 +8,8 @@
      "clients": {"stop": {"type": "std_srvs/SetBool", "requests": [{"std_srvs/SetBool": {}}]}}}
 
 Of a file that holds several nodes the first that a program loaded is remembered like this, and the
-others in the list `others`; `label` is what each is called in the file.
+others in the list `others`; `label` is what each is called in the file. `managed` is there, and
+true, for a lifecycle node.
 
 What is sent at no rate has an object behind its message; values are as `value_json` has them.
 """
@@ -63,7 +64,8 @@ def remember(node: Node, library: str, program: str) -> Base:
     }
     label = None if node.source is None else node.source.label
     named = {} if label is None else {"label": label}
-    return {"node": node.name, **named, "library": library, "program": program, **used}
+    managed = {"managed": True} if node.is_managed else {}
+    return {"node": node.name, **named, "library": library, "program": program, **managed, **used}
 
 
 def remember_all(nodes: Sequence[Node], library: str, program: str) -> Base:
@@ -87,6 +89,7 @@ def recall(base: Base, label: str | None = None) -> Node | None:
         return None if other is None else recall(other, label)
     try:
         node = Node(_text(base["node"]), "", _NOWHERE, _text(base["library"]))
+        node.is_managed = base.get("managed") is True
         for kind in EDITABLE:
             for written, data in base.get(kind.value, {}).items():
                 name = spelled(written)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import contextlib
+import json
 import os
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TextIO
+from typing import NamedTuple, TextIO
 
 from plastron_tui.diagnostics import Diagnostic, has_errors
 
@@ -21,7 +22,10 @@ from .table import Screen, Ticker, Watch
 
 _OBSERVERS = Path(__file__).with_name("observers")
 _WATCH_NAME = "watch"
+_LIFECYCLE_NAME = "lifecycle"
 _LONGEST_CALL = 1 << 16
+_LONGEST_START = 30.0
+"""How long a managed node may take until it is active, in seconds."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +39,7 @@ class NodeFile:
         script: its file where the environment's Python runs it: then its service calls are seen.
         arguments: what it is started with besides.
         namespace: the namespace that they put it in, "" for the root.
+        managed: the full names of its lifecycle nodes, which the run has to activate.
     """
 
     name: str
@@ -43,11 +48,37 @@ class NodeFile:
     script: Path | None = None
     arguments: tuple[str, ...] = ()
     namespace: str = ""
+    managed: tuple[str, ...] = ()
 
     @property
     def full_name(self) -> str:
         """The name that it has in the graph, as far as its arguments say it."""
         return f"{self.namespace}/{self.name}"
+
+
+class Activation(NamedTuple):
+    """How the activation of a managed node ended.
+
+    Attributes:
+        node: its full name.
+        passed: the transitions that it was asked for and passed.
+        error: why it is not active, None where it is.
+    """
+
+    node: str
+    passed: tuple[str, ...]
+    error: str | None
+
+
+def activation_of(line: str) -> Activation | None:
+    """Read a line of `observers/lifecycle.py`; None for what it has not written itself."""
+    try:
+        told = json.loads(line)
+        error = told["error"]
+        passed = tuple(map(str, told["passed"]))
+        return Activation(str(told["node"]), passed, None if error is None else str(error))
+    except (ValueError, TypeError, KeyError, RecursionError):
+        return None
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,6 +140,8 @@ class _Run:
         self._watch = Watch()
         self._ticker = Ticker()
         self._observers: list[Process] = []
+        self._activations: list[Process] = []
+        self._is_inactive = False
         self._calls = bytearray()
         self._supervisor = Supervisor(self._on_line, self._on_exit, self._on_tick)
         names = [*(node.name for node in nodes), *([_WATCH_NAME] if options.watch else [])]
@@ -133,7 +166,8 @@ class _Run:
                 self._run(master)
         if self._console.failure is not None:
             raise self._console.failure
-        status = 1 if has_errors(diagnostics) else self._supervisor.status
+        has_failed = has_errors(diagnostics) or self._is_inactive
+        status = 1 if has_failed else self._supervisor.status
         return RunResult(status, tuple(diagnostics))
 
     def _tell(self, master: Master | None) -> None:
@@ -145,6 +179,7 @@ class _Run:
         with self._call_pipe() as pipe:
             for node in self._nodes:
                 self._supervisor.start(self._process(node, master, pipe))
+        self._activate(master)
         if self._options.watch:
             self._start_observers(master)
             self._console.show(self._screen)
@@ -179,6 +214,36 @@ class _Run:
         argv = (str(node.environment.python), traced, str(node.script), *node.arguments)
         return Process(node.name, argv, environ, fds=(pipe,))
 
+    def _activate(self, master: Master | None) -> None:
+        """Bring up the managed nodes, of each environment by a process of its own."""
+        names: dict[Environment, list[str]] = {}
+        for node in self._nodes:
+            if node.managed:
+                names.setdefault(node.environment, []).extend(node.managed)
+        for environment, managed in names.items():
+            script = str(_OBSERVERS / "lifecycle.py")
+            process = Process(
+                _LIFECYCLE_NAME,
+                (str(environment.python), script, str(_LONGEST_START), *managed),
+                self._node_environ(environment, master),
+                role=Role.OBSERVER,
+            )
+            self._activations.append(process)
+            self._supervisor.start(process)
+
+    def _tell_activation(self, line: str) -> None:
+        """Say whether a managed node is active now; other lines are those of a client library."""
+        told = activation_of(line)
+        if told is None:
+            return
+        name = told.node.removeprefix("/")
+        if told.error is not None:
+            self._console.notice(f"{name} is not active: {told.error}", is_bad=True)
+            self._is_inactive = True
+        elif told.passed:
+            done = " and ".join(f"{each.removesuffix('e')}ed" for each in told.passed)
+            self._console.notice(f"{done} {name} by its lifecycle services")
+
     def _start_observers(self, master: Master | None) -> None:
         for environment in dict.fromkeys(node.environment for node in self._nodes):
             process = Process(
@@ -205,11 +270,15 @@ class _Run:
     def _on_line(self, process: Process, line: str) -> None:
         if process in self._observers:
             self._watch.feed_topics(line)
+        elif process in self._activations:
+            self._tell_activation(line)
         elif process.role is Role.NODE:
             self._console.line(process, line)
 
     def _on_exit(self, end: Exit) -> None:
-        self._console.ended(end)
+        # What brings nodes up has told it of each, and is done then.
+        if end.process not in self._activations or end.is_failure:
+            self._console.ended(end)
 
     def _on_calls(self, chunk: bytes) -> None:
         self._calls += chunk

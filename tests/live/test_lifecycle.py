@@ -7,8 +7,7 @@ from pathlib import Path
 
 import pytest
 from graph import Graph, is_rate, rate
-from processes import own_tracebacks
-from prototypes import prototype
+from processes import generate, own_tracebacks
 
 import plastron_tui.runtime.observers as observers
 
@@ -19,9 +18,10 @@ NOTHING: dict[str, int] = {}
 THERE = {
     "publishers /state": 1,
     "publishers /count": 1,
+    "publishers /greeting": 1,
+    "publishers /echo": 1,
     "subscriptions /mood": 1,
     "services /switch": 1,
-    "clients /set_lamp": 1,
 }
 COUNT = {"/count": "std_msgs/Int32"}
 
@@ -43,13 +43,19 @@ ENDS = {
 }
 
 
+@pytest.fixture
+def keeper(ros2: Graph, tmp_path: Path) -> Path:
+    """The file of a managed node, as it is generated."""
+    return generate(NAME, tmp_path / "output", ros2.target)[f"{NAME}_node.py"]
+
+
 def pass_all(graph: Graph, steps: list[tuple[str, str, dict[str, int]]]) -> None:
     passed = graph.lifecycle(NAME, [(label, expected) for label, _, expected in steps])
     assert passed == [[label, True, state, expected] for label, state, expected in steps]
 
 
-def test_every_transition_twice_leaves_nothing_behind(ros2: Graph) -> None:
-    node = ros2.run_and_wait(prototype(ros2, NAME))
+def test_every_transition_twice_leaves_nothing_behind(ros2: Graph, keeper: Path) -> None:
+    node = ros2.run_and_wait(keeper)
     pass_all(ros2, TWICE)
     assert node.interrupt() == 0
     assert not own_tracebacks(node.output)
@@ -57,16 +63,18 @@ def test_every_transition_twice_leaves_nothing_behind(ros2: Graph) -> None:
 
 @pytest.mark.parametrize("steps", ENDS.values(), ids=ENDS)
 def test_a_node_is_shut_down_in_any_state(
-    ros2: Graph, steps: list[tuple[str, str, dict[str, int]]]
+    ros2: Graph, keeper: Path, steps: list[tuple[str, str, dict[str, int]]]
 ) -> None:
-    node = ros2.run_and_wait(prototype(ros2, NAME))
+    node = ros2.run_and_wait(keeper)
     pass_all(ros2, [*steps, ("shutdown", "finalized", NOTHING)])
     assert node.interrupt() == 0
     assert not own_tracebacks(node.output)
 
 
-def test_a_transition_that_fails_leaves_nothing_behind(ros2: Graph, tmp_path: Path) -> None:
-    text = prototype(ros2, NAME).read_text()
+def test_a_transition_that_fails_leaves_nothing_behind(
+    ros2: Graph, keeper: Path, tmp_path: Path
+) -> None:
+    text = keeper.read_text()
     failing = tmp_path / "failing.py"
     started = "        self.look_around_timer = self.create_timer("
     assert text.count(started) == 1
@@ -80,8 +88,8 @@ def test_a_transition_that_fails_leaves_nothing_behind(ros2: Graph, tmp_path: Pa
     assert not own_tracebacks(node.output)
 
 
-def test_it_publishes_only_while_it_is_active_and_at_its_rate(ros2: Graph) -> None:
-    node = ros2.run_and_wait(prototype(ros2, NAME))
+def test_it_publishes_only_while_it_is_active_and_at_its_rate(ros2: Graph, keeper: Path) -> None:
+    node = ros2.run_and_wait(keeper)
     pass_all(ros2, TWICE[:2])
     assert is_rate(rate(ros2.listen(COUNT, 2)["/count"]), 20)
     pass_all(ros2, TWICE[2:3])
@@ -97,19 +105,31 @@ def test_it_publishes_only_while_it_is_active_and_at_its_rate(ros2: Graph) -> No
     assert not own_tracebacks(node.output)
 
 
-def test_managed_nodes_are_brought_up(ros2: Graph) -> None:
+def test_it_answers_and_sends_once_while_it_is_active(ros2: Graph, keeper: Path) -> None:
+    node = ros2.run_and_wait(keeper)
+    pass_all(ros2, TWICE[:2])
+    [greeting] = ros2.listen({"/greeting": "std_msgs/String"}, 2)["/greeting"]
+    assert greeting.message == {"data": "here I am"}
+    answer = ros2.call("/switch", "std_srvs/SetBool", {"data": True})
+    assert answer == {"success": True, "message": "switched"}
+    assert node.interrupt() == 0
+    assert not own_tracebacks(node.output)
+
+
+def test_managed_nodes_are_brought_up(ros2: Graph, keeper: Path) -> None:
     """Those that start late too; one that never comes is told."""
     script = Path(observers.__file__).with_name("lifecycle.py")
     bringing = ros2.run_with(script, "30", f"/{NAME}", "/nobody")
-    node = ros2.run_and_wait(prototype(ros2, NAME))
+    node = ros2.run_and_wait(keeper)
     node.wait_to_print("look_around")
-    assert bringing.wait(120) == 1
+    assert bringing.wait(120) == 0, bringing.output
     told = [json.loads(line) for line in bringing.output.splitlines() if line.startswith("{")]
     assert told == [
-        {"node": f"/{NAME}", "error": None},
-        {"node": "/nobody", "error": "it does not answer"},
+        {"node": f"/{NAME}", "passed": ["configure", "activate"], "error": None},
+        {"node": "/nobody", "passed": [], "error": "it does not answer"},
     ]
     again = ros2.run_with(script, "30", f"/{NAME}")
     assert again.wait(120) == 0, again.output
+    assert json.loads(again.output) == {"node": f"/{NAME}", "passed": [], "error": None}
     assert node.interrupt() == 0
     assert not own_tracebacks(node.output)

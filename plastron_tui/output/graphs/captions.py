@@ -32,10 +32,12 @@ def node_text(node: GraphNode) -> str:
     The variable comes first where it is another than the name; alone it says what it is.
     """
     origin = node.file.name if node.file is not None else node.library
+    managed = ["managed"] if node.is_managed else []
     if origin is None:
-        return "" if node.variable == node.name else f"variable {node.variable}"
+        parts = [] if node.variable == node.name else [f"variable {node.variable}"]
+        return " · ".join([*parts, *managed])
     parts = [] if node.variable == node.name else [node.variable]
-    return " · ".join([*parts, visible(origin)])
+    return " · ".join([*parts, visible(origin), *managed])
 
 
 def hub_text(hub: Hub) -> str:

@@ -1,9 +1,10 @@
 """Configures and activates managed nodes of ROS 2, as soon as each is there.
 
-Prints a line of JSON for each node when it is active, or cannot be: `{"node": …, "error": …}`,
-the error null where all is well. A node that is further already is only brought the rest of the
-way. Arguments: the most seconds that it may take, and the nodes' full names. Exits with 1 where a
-node is not active at the end.
+Prints a line of JSON for each node when it is active, or cannot be:
+`{"node": "/talker", "passed": ["configure", "activate"], "error": null}`, with the transitions that
+it was asked for and passed, and the error null where all is well. A node that is further already is
+only brought the rest of the way. Arguments: the most seconds that it may take, and the nodes' full
+names.
 
 States, transitions and services: https://design.ros2.org/articles/node_lifecycle.html
 """
@@ -34,6 +35,7 @@ class _Managed:
 
     def __init__(self, node: Any, name: str) -> None:
         self.name = name
+        self.passed: list[str] = []
         self._get = node.create_client(GetState, f"{name}/get_state")
         self._change = node.create_client(ChangeState, f"{name}/change_state")
         self._answer: Any = None
@@ -52,7 +54,10 @@ class _Managed:
     def _go_on(self, answer: Any) -> str | None:
         self._answer = None
         if isinstance(answer, ChangeState.Response):
-            return None if answer.success else f"it did not {self._transition}"
+            if not answer.success:
+                return f"it did not {self._transition}"
+            self.passed.append(self._transition)
+            return None
         label = str(answer.current_state.label)
         if label in _NEXT:
             self._transition, number = _NEXT[label]
@@ -70,13 +75,12 @@ class _Managed:
             self._asked = time.monotonic()
 
 
-def main() -> int:
-    """Bring all nodes up, or those that come in time; return the exit status."""
+def main() -> None:
+    """Bring all nodes up, or those that come in time."""
     limit, names = float(sys.argv[1]), sys.argv[2:]
     rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
     node = rclpy.create_node(_OWN_NAME, enable_rosout=False, start_parameter_services=False)
     waiting = [_Managed(node, name) for name in names]
-    status = 0
     end = time.monotonic() + limit
     while waiting:
         is_late = time.monotonic() > end
@@ -85,16 +89,15 @@ def main() -> int:
             if found is not None:
                 waiting.remove(managed)
                 error = None if found == "active" else found
-                status = status or int(error is not None)
-                print(json.dumps({"node": managed.name, "error": error}), flush=True)
+                told = {"node": managed.name, "passed": managed.passed, "error": error}
+                print(json.dumps(told), flush=True)
         rclpy.spin_once(node, timeout_sec=0.1)
     node.destroy_node()
     rclpy.shutdown()
-    return status
 
 
 if __name__ == "__main__":
     try:
-        sys.exit(main())
+        main()
     except KeyboardInterrupt:
         sys.exit(130)

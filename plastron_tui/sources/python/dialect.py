@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import keyword
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from plastron_tui.model.kinds import Parameter
@@ -29,6 +30,8 @@ class Dialect:
         module_names: names that the template gives to what it defines in the file.
         method_names: names that a method of a node must not have.
         attribute_names: names that the template gives to its own methods.
+        managed_symbols: names that a managed node imports, in place of `symbols`.
+        managed_names: names that only a method of a managed node must not have.
     """
 
     library: str
@@ -40,10 +43,12 @@ class Dialect:
     module_names: frozenset[str]
     method_names: frozenset[str]
     attribute_names: frozenset[str]
+    managed_symbols: tuple[Symbol, ...] = ()
+    managed_names: frozenset[str] = frozenset()
 
-    def reserved(self) -> set[str]:
-        """Return the names that no imported type may have."""
-        own = {name for _, name in self.symbols}
+    def reserved(self, symbols: Iterable[Symbol]) -> set[str]:
+        """Return the names that no imported type may have in a file that imports symbols."""
+        own = {name for _, name in symbols}
         return {*self.standard, *self.calling, *self.modules, *own, *self.module_names}
 
     def scalar(self, type_: FieldType, value: Value, imports: Imports) -> str:

@@ -36,7 +36,7 @@ def _nodes(workspace: Workspace, libraries: dict[str, str | None]) -> Iterator[E
     for variable, node in workspace.nodes.items():
         library = libraries.get(variable)
         from_file = node.source.path.name if node.source is not None else None
-        parts = [part for part in (from_file or library,) if part]
+        parts = [part for part in (from_file or library, node.is_managed and "managed") if part]
         if variable != node.name:
             parts.insert(0, variable)
         yield Entry(

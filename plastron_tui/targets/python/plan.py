@@ -115,21 +115,26 @@ class ParameterPlan(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class SubscriptionPlan:
-    """A subscription, and the method that it calls; `qos` is what says what it asks for."""
+    """A subscription, and the method that it calls.
+
+    `qos` is what says what it asks for, `attribute` what holds it, "" where nothing does.
+    """
 
     topic: str
     type: str
     callback: str
     qos: str
+    attribute: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class ServicePlan:
-    """A service, and the method that answers it."""
+    """A service, the method that answers it, and the attribute that holds it, "" for none."""
 
     name: str
     type: str
     handler: str
+    attribute: str = ""
 
 
 @dataclass(slots=True)
@@ -178,6 +183,8 @@ class NodePlan:
         class_name: the name of its class.
         summary: what it does, a sentence.
         imports: the lines of its imports.
+        is_managed: whether it is a lifecycle node: an attribute holds whatever its transitions
+            make.
     """
 
     name: str
@@ -185,6 +192,7 @@ class NodePlan:
     class_name: str = ""
     summary: str = ""
     imports: str = ""
+    is_managed: bool = False
     parameters: list[ParameterPlan] = field(default_factory=list)
     publishers: list[PublisherPlan] = field(default_factory=list)
     once: list[OncePlan] = field(default_factory=list)
@@ -207,6 +215,26 @@ class NodePlan:
     def following(self) -> list[TimerPlan]:
         """The timers whose rates are those of parameters."""
         return [each for each in self.timers if each.parameter]
+
+    @property
+    def endpoint_attributes(self) -> list[str]:
+        """What holds the endpoints of a managed node, which is there from its configuration on."""
+        return [
+            *(each.attribute for each in self.publishers),
+            *(each.attribute for each in self.clients),
+            *(each.attribute for each in self.services),
+            *(each.attribute for each in self.subscriptions),
+        ]
+
+    @property
+    def timer_attributes(self) -> list[str]:
+        """What holds the timers of a managed node, which are there while it is active."""
+        return [*(each.attribute for each in self.timers), *(each.timer for each in self.once)]
+
+    @property
+    def is_made(self) -> bool:
+        """Whether the transitions of a managed node make anything."""
+        return bool(self.endpoint_attributes or self.timer_attributes)
 
     @property
     def ends(self) -> bool:

@@ -56,6 +56,17 @@ _NODE_PRIVATE = """
     _validate_topic_or_service_name _waitables _wake_executor
 """
 
+# What `rclpy.lifecycle.LifecycleNode` has besides (Humble to Kilted), private parts too, and the
+# template's own methods of a managed node.
+_MANAGED = """
+    _callbacks _managed_entities _service_change_state _service_get_available_states
+    _service_get_available_transitions _service_get_state _service_get_transition_graph
+    _state_machine add_managed_entity create_lifecycle_publisher destroy_endpoints
+    destroy_lifecycle_publisher destroy_timers on_activate on_cleanup on_configure on_deactivate
+    on_error on_shutdown trigger_activate trigger_cleanup trigger_configure trigger_deactivate
+    trigger_shutdown
+"""
+
 
 class _Rclpy(Dialect):
     __slots__ = ()
@@ -123,6 +134,11 @@ DIALECT = _Rclpy(
     module_names=frozenset({"SERVICE_TIMEOUT", "main", "node"}),
     method_names=frozenset((_NODE_METHODS + _NODE_PRIVATE).split()),
     attribute_names=frozenset({"call", "call_services", "exit_status", "follow_rates"}),
+    managed_symbols=(
+        ("rclpy.executors", "ExternalShutdownException"),
+        ("rclpy.lifecycle", "LifecycleNode"),
+    ),
+    managed_names=frozenset(_MANAGED.split()),
 )
 
 

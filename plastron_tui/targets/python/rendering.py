@@ -17,6 +17,7 @@ from .plan import NodePlan
 from .planning import Planner
 
 NODE_TEMPLATE = "node.py.j2"
+MANAGED_TEMPLATE = "managed.py.j2"
 
 
 def render_python(
@@ -39,23 +40,31 @@ def render_python(
         text = _text(plan, dialect.library, template_folder)
     # A template may fail in any way; a user's does so in a process of its own.
     except Exception as error:
-        return Rendered(None, (_template_error(dialect.library, template_folder, error),))
+        failure = _template_error(dialect.library, template_folder, _template(plan), error)
+        return Rendered(None, (failure,))
     return Rendered(FileSet.single(".py", text.encode()))
 
 
 def _text(plan: NodePlan, library: str, folder: Path | None) -> str:
     """Fill in the user's template where there is one, else Plastron's own."""
+    name = _template(plan)
     from plastron_tui.targets.templates import render_template
 
     values = {"node": plan}
-    if folder is not None and os.path.lexists(folder / library / NODE_TEMPLATE):
+    if folder is not None and os.path.lexists(folder / library / name):
         from plastron_tui.targets.template_process import render_apart
 
-        return render_apart(library, folder, NODE_TEMPLATE, values, fit)
-    return fit(render_template(library, None, NODE_TEMPLATE, values))
+        return render_apart(library, folder, name, values, fit)
+    return fit(render_template(library, None, name, values))
 
 
-def _template_error(library: str, folder: Path | None, error: Exception) -> Diagnostic:
+def _template(plan: NodePlan) -> str:
+    return MANAGED_TEMPLATE if plan.is_managed else NODE_TEMPLATE
+
+
+def _template_error(
+    library: str, folder: Path | None, template: str, error: Exception
+) -> Diagnostic:
     from jinja2 import TemplateError
 
     from plastron_tui.targets.template_process import TemplateFailedError
@@ -63,7 +72,7 @@ def _template_error(library: str, folder: Path | None, error: Exception) -> Diag
 
     # A module or an attribute that is missing has a name as well.
     is_told = isinstance(error, TemplateError | TemplateFailedError)
-    name = (is_told and getattr(error, "name", None)) or NODE_TEMPLATE
+    name = (is_told and getattr(error, "name", None)) or template
     line = getattr(error, "lineno", None)
     place = f"{library}/{name}" + (f", line {line}" if line is not None else "")
     return Diagnostic(

@@ -10,11 +10,11 @@ from .writing import Writing
 
 
 def planned_timer(writing: Writing, rate: Rate, method: str, attribute: str) -> TimerPlan:
-    """Plan what calls a method at a rate; with an attribute where the rate may change."""
+    """Plan what calls a method at a rate; with an attribute where the rate or the timer may end."""
     if rate.parameter is None:
         hertz = rate.hertz
         number = literals.number(int(hertz) if hertz.is_integer() else hertz)
-        return TimerPlan(method, f"1 / {number}")
+        return TimerPlan(method, f"1 / {number}", attribute=writing.held(attribute))
     value = writing.parameter(rate.parameter)
     if writing.is_rclpy:
         writing.imports.use("rcl_interfaces.msg", "SetParametersResult")

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.kinds import (
     Client,
+    EndpointKind,
     Parameter,
     Publisher,
     Service,
@@ -18,7 +19,7 @@ from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources.python import literals, naming
 from plastron_tui.sources.python.dialect import Dialect
-from plastron_tui.sources.python.import_block import Imports
+from plastron_tui.sources.python.import_block import Imports, Symbol
 
 from ..plan import NodePlan
 from .parameters import add_parameters
@@ -55,7 +56,8 @@ class Planner:
         """Return the plan, None when the node cannot be written for its library."""
         try:
             plan, imports = self._plan(Imports())
-            clashes = imports.clashes(self._dialect.reserved())
+            reserved = self._dialect.reserved(_symbols(self._dialect, plan))
+            clashes = imports.clashes(reserved)
             if clashes:
                 plan, _ = self._plan(Imports(clashes))
         except CannotPlanError as error:
@@ -66,21 +68,40 @@ class Planner:
     def _plan(self, imports: Imports) -> tuple[NodePlan, Imports]:
         node, dialect = self._node, self._dialect
         plan = NodePlan(literals.string(node.name), naming.label(node.name, "of this file"))
+        plan.is_managed = node.is_managed
         given = {name for each in node.endpoints.values() if (name := callback_of(each))}
         writing = Writing(node, self._catalog, dialect, imports, given)
+        _check_managed(writing)
         _check_names(writing)
         for add in _PARTS:
             add(writing, plan)
         plan.summary = _summary(node)
-        taken = imports.names() | dialect.reserved()
+        symbols = _symbols(dialect, plan)
+        taken = imports.names() | dialect.reserved(symbols)
         plan.class_name = naming.Scope(taken).new(naming.class_name(node.name))
-        plan.imports = imports.render(_standard(dialect, plan), dialect.modules, dialect.symbols)
+        plan.imports = imports.render(_standard(dialect, plan), dialect.modules, symbols)
         return plan, imports
+
+
+_NOT_MANAGED = (EndpointKind.CLIENT, EndpointKind.ACTION_CLIENT, EndpointKind.ACTION_SERVER)
+"""What waits for others, and would have to stop when a transition takes away what it waits with."""
+
+
+def _check_managed(writing: Writing) -> None:
+    """Refuse what a managed node cannot have."""
+    if not writing.node.is_managed:
+        return
+    for kind in _NOT_MANAGED:
+        for each in writing.node.by_kind[kind].values():
+            message = f"plastron cannot write {kind.word}s for managed nodes yet"
+            remedy = "give them to a node of their own, or leave `managed` out"
+            writing.refuse(codes.UNSUPPORTED_TARGET, message, each.span, remedy)
 
 
 def _check_names(writing: Writing) -> None:
     """Refuse what the program calls its functions where that can be no method."""
-    dialect = writing.dialect
+    dialect, is_managed = writing.dialect, writing.node.is_managed
+    managed = dialect.managed_names if is_managed else frozenset()
     for each in writing.node.endpoints.values():
         name, span = callback_of(each), each.span
         if name is None:
@@ -90,9 +111,16 @@ def _check_names(writing: Writing) -> None:
         if name.startswith("__") and name.endswith("__"):
             message = f"`{name}` has a meaning of its own in Python"
             writing.refuse(codes.INVALID_FUNCTION, message, span, "write a name without `__`")
-        if name in dialect.method_names or name in dialect.attribute_names:
-            message = f"`{name}` is a method that every {dialect.library} node has"
-            writing.refuse(codes.INVALID_FUNCTION, message, span, f"write `on_{name}`, say")
+        if name in dialect.method_names | dialect.attribute_names | managed:
+            which = f"managed {dialect.library}" if name in managed else dialect.library
+            message = f"`{name}` is a method that every {which} node has"
+            remedy = "give it another name" if name in managed else f"write `on_{name}`, say"
+            writing.refuse(codes.INVALID_FUNCTION, message, span, remedy)
+
+
+def _symbols(dialect: Dialect, plan: NodePlan) -> tuple[Symbol, ...]:
+    """Return the names that the template of a node imports."""
+    return dialect.managed_symbols if plan.is_managed else dialect.symbols
 
 
 def _standard(dialect: Dialect, plan: NodePlan) -> tuple[str, ...]:

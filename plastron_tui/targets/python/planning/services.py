@@ -23,7 +23,8 @@ def add_services(writing: Writing, plan: NodePlan) -> None:
         if service.answer is not None:
             answer = response = writing.response(type_, service.answer, service.span)
         class_ = writing.class_of(type_, InterfaceKind.SERVICE)
-        plan.services.append(ServicePlan(writing.name(service), class_, handler))
+        attribute = writing.held(f"{naming.words(service.name)}_service")
+        plan.services.append(ServicePlan(writing.name(service), class_, handler, attribute))
         known = writing.methods.get(handler)
         if known is None:
             label = naming.label(service.name, handler)

@@ -112,9 +112,15 @@ def add_subscriptions(writing: Writing, plan: NodePlan) -> None:
         callback = subscription.callback
         if callback is None:
             callback = writing.attributes.new(f"on_{naming.words(subscription.name)}")
-        qos = subscription_qos(writing, subscription.qos)
-        planned = SubscriptionPlan(writing.name(subscription), type_, callback, qos)
-        plan.subscriptions.append(planned)
+        plan.subscriptions.append(
+            SubscriptionPlan(
+                writing.name(subscription),
+                type_,
+                callback,
+                subscription_qos(writing, subscription.qos),
+                writing.held(f"{naming.words(subscription.name)}_subscription"),
+            )
+        )
         reactions = tuple(each.method for each in plan.reactions if each.topic == subscription.name)
         known = writing.methods.get(callback)
         if known is None:

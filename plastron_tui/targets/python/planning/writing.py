@@ -61,7 +61,8 @@ class Writing:
         self.catalog = catalog
         self.dialect = dialect
         self.imports = imports
-        self.attributes = naming.Scope({*dialect.attribute_names, *given})
+        managed = dialect.managed_names if node.is_managed else ()
+        self.attributes = naming.Scope({*dialect.attribute_names, *managed, *given})
         self.methods: dict[str, MethodPlan] = {}
         self._heard: Sequence[Field] = ()
 
@@ -69,6 +70,10 @@ class Writing:
     def is_rclpy(self) -> bool:
         """Whether the file is one of ROS 2."""
         return self.dialect.ros_version == 2
+
+    def held(self, attribute: str) -> str:
+        """Name what holds a part of a managed node, which destroys it later; "" in other nodes."""
+        return self.attributes.new(attribute) if self.node.is_managed else ""
 
     def name(self, endpoint: Endpoint) -> str:
         """Write the name of an endpoint as the client library takes it."""
