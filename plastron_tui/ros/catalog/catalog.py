@@ -31,7 +31,10 @@ _WELL_KNOWN: Mapping[InterfaceKind, Mapping[str, str]] = {
     },
     InterfaceKind.ACTION: {},
 }
-_ADD_TWO_INTS = {1: "beginner_tutorials", 2: "example_interfaces"}
+_BY_VERSION: Mapping[tuple[InterfaceKind, str], Mapping[int, str]] = {
+    (InterfaceKind.SERVICE, "AddTwoInts"): {1: "beginner_tutorials", 2: "example_interfaces"},
+    (InterfaceKind.ACTION, "Fibonacci"): {1: "actionlib_tutorials", 2: "example_interfaces"},
+}
 
 _Key = tuple[InterfaceKind, InterfaceName]
 
@@ -156,8 +159,8 @@ class Catalog:
 
     def _meanings(self, bare: str, kind: InterfaceKind) -> Iterator[InterfaceName]:
         package = _WELL_KNOWN[kind].get(bare)
-        if bare == "AddTwoInts" and kind is InterfaceKind.SERVICE:
-            package = _ADD_TWO_INTS[self.ros_version]
+        if (kind, bare) in _BY_VERSION:
+            package = _BY_VERSION[kind, bare][self.ros_version]
         own = data.index(self.distribution).by_bare[kind].get(bare, ())
         if package is not None:
             yield from (name for name in own if name.package == package)

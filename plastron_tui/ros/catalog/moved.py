@@ -20,6 +20,7 @@ _TO_ROS2 = {
     "beginner_tutorials/AddTwoInts": "example_interfaces/AddTwoInts",
     "rospy_tutorials/AddTwoInts": "example_interfaces/AddTwoInts",
     "roscpp_tutorials/TwoInts": "example_interfaces/AddTwoInts",
+    "actionlib_tutorials/Fibonacci": "example_interfaces/Fibonacci",
     "std_msgs/Time": "builtin_interfaces/Time",
     "std_msgs/Duration": "builtin_interfaces/Duration",
     "rosgraph_msgs/Log": "rcl_interfaces/Log",
@@ -31,6 +32,7 @@ _TO_ROS2 = {
 
 _TO_ROS1 = {
     "example_interfaces/AddTwoInts": "beginner_tutorials/AddTwoInts",
+    "example_interfaces/Fibonacci": "actionlib_tutorials/Fibonacci",
     "builtin_interfaces/Time": "std_msgs/Time",
     "builtin_interfaces/Duration": "std_msgs/Duration",
     "rcl_interfaces/Log": "rosgraph_msgs/Log",
