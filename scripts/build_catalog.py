@@ -5,10 +5,10 @@ r"""Build the interface catalog, `plastron_tui/ros/catalog/<distribution>/*.yaml
 The script needs the development dependencies, `pip` with a package index, and Debian's ROS 1
 definitions:
 
-    apt-get install --no-install-recommends ros-actionlib-msgs ros-diagnostic-msgs \
-        ros-geometry-msgs ros-nav-msgs ros-rosgraph-msgs ros-sensor-msgs ros-shape-msgs \
-        ros-std-msgs ros-std-srvs ros-stereo-msgs ros-tf2-msgs ros-trajectory-msgs \
-        ros-visualization-msgs
+    apt-get install --no-install-recommends libactionlib-dev ros-actionlib-msgs \
+        ros-diagnostic-msgs ros-geometry-msgs ros-nav-msgs ros-rosgraph-msgs ros-sensor-msgs \
+        ros-shape-msgs ros-std-msgs ros-std-srvs ros-stereo-msgs ros-tf2-msgs \
+        ros-trajectory-msgs ros-visualization-msgs
 
 What comes from where:
 
@@ -18,7 +18,8 @@ What comes from where:
 - humble: the messages are those of the `rosbags` store, with the comments and default values of
   the Jazzy definition where its fields are the same; the services are those of Jazzy, but for
   the ones in `NEWER_THAN_HUMBLE`.
-- the services that the language knows by name and that no source above has: `EXAMPLES`, below.
+- the services and actions that the language knows by name and that no source above has:
+  `EXAMPLES`, below.
 
 A definition is stored as ROS writes it, stripped to its fields, its constants, and the first
 sentence of each comment, so that the catalog is read by the parser for users' own files.
@@ -65,7 +66,8 @@ COMMON = [
     "trajectory_msgs",
     "visualization_msgs",
 ]
-ROS1_PACKAGES = [*COMMON, "rosgraph_msgs", "tf2_msgs"]
+ROS1_PACKAGES = [*COMMON, "actionlib", "rosgraph_msgs", "tf2_msgs"]
+DEBIAN_NAMES = {"actionlib": "libactionlib-dev"}
 CORE = ["action_msgs", "builtin_interfaces", "lifecycle_msgs", "rcl_interfaces", "rosgraph_msgs"]
 ROS2_PACKAGES = [*COMMON, *CORE, "service_msgs", "tf2_msgs", "unique_identifier_msgs"]
 
@@ -87,14 +89,12 @@ SHARED_EXAMPLES = {
 }
 EXAMPLES = {
     1: {
-        "beginner_tutorials/AddTwoInts": ADD_TWO_INTS,
-        "actionlib_tutorials/Fibonacci": FIBONACCI,
-        **SHARED_EXAMPLES,
+        InterfaceKind.SERVICE: {"beginner_tutorials/AddTwoInts": ADD_TWO_INTS, **SHARED_EXAMPLES},
+        InterfaceKind.ACTION: {"actionlib_tutorials/Fibonacci": FIBONACCI},
     },
     2: {
-        "example_interfaces/AddTwoInts": ADD_TWO_INTS,
-        "example_interfaces/Fibonacci": FIBONACCI,
-        **SHARED_EXAMPLES,
+        InterfaceKind.SERVICE: {"example_interfaces/AddTwoInts": ADD_TWO_INTS, **SHARED_EXAMPLES},
+        InterfaceKind.ACTION: {"example_interfaces/Fibonacci": FIBONACCI},
     },
 }
 
@@ -115,12 +115,13 @@ def main() -> None:
 
 
 def examples(ros_version: int) -> Found:
-    """Return the services that are written down in this script."""
+    """Return the services and actions that are written down in this script."""
     found: Found = {}
-    for full_name, text in EXAMPLES[ros_version].items():
-        name = InterfaceName(*full_name.split("/"))
-        interface = parsed(text, name, InterfaceKind.SERVICE, ros_version)
-        found[InterfaceKind.SERVICE, name] = (interface, "the package's public definition")
+    for kind, texts in EXAMPLES[ros_version].items():
+        for full_name, text in texts.items():
+            name = InterfaceName(*full_name.split("/"))
+            interface = parsed(text, name, kind, ros_version)
+            found[kind, name] = (interface, "the package's public definition")
     return found
 
 
@@ -134,7 +135,7 @@ def parsed(text: str, name: InterfaceName, kind: InterfaceKind, ros_version: int
 
 def debian_source(package: str) -> str:
     """Say which Debian package a ROS 1 package's definitions are from."""
-    debian = "ros-" + package.replace("_", "-")
+    debian = DEBIAN_NAMES.get(package, "ros-" + package.replace("_", "-"))
     command = ["dpkg-query", "--show", "--showformat=${Version}", debian]
     version = subprocess.run(command, capture_output=True, text=True, check=True).stdout
     return f"Debian {debian} {version}"
@@ -272,7 +273,8 @@ def package_text(package: str, ros_version: int, found: Found) -> str:
 def index_text(found: Found) -> str:
     """Return the YAML of the index: the names of each package, and which are not whole."""
     lines = ["# The names in each package, for those that are written bare."]
-    listed = {full_name.split("/")[0] for table in EXAMPLES.values() for full_name in table}
+    tables = (table for kinds in EXAMPLES.values() for table in kinds.values())
+    listed = {full_name.split("/")[0] for table in tables for full_name in table}
     partial = sorted(listed & {name.package for _, name in found})
     lines.append(f"partial: {' '.join(partial)}")
     for kind in InterfaceKind:

@@ -20,6 +20,7 @@ from plastron_tui.ros.installations import Origin
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.user_folders import cache_folder
 
+from .action_messages import NEEDED, action_messages, needed_messages
 from .environment import (
     EXTRA_COMMAND,
     Environment,
@@ -189,18 +190,43 @@ def _make_with_genpy(
     made: Path,
     environ: Mapping[str, str],
 ) -> None:
-    """Generate the Python modules of a ROS 1 package; its types hold none of other packages."""
+    """Generate the Python modules of a ROS 1 package; its fields hold nothing of other packages."""
     module = made / "python" / package
     module.mkdir(parents=True)
     (module / "__init__.py").touch()
     own = node_environ(environment, environ)
-    for kind in sorted({file.parent.name for file in files}):
+    files = [*files, *_write_action_messages(files)]
+    search = _write_needed_messages(environment.distribution, made.parent / "needed")
+    search += ["-I", f"{package}:{files[0].parents[1] / 'msg'}"]
+    for kind in sorted({file.parent.name for file in files} - {"action"}):
         command = [str(environment.python), str(_GENPY / f"gen{kind}_py.py")]
         of_kind = [str(file) for file in files if file.parent.name == kind]
         output = ["-p", package, "-o", str(module / kind)]
         (module / kind).mkdir()
-        for arguments in ([*output, *of_kind], ["--initpy", *output]):
+        for arguments in ([*output, *search, *of_kind], ["--initpy", *output]):
             _run([*command, *arguments], own)
+
+
+def _write_action_messages(files: Sequence[Path]) -> list[Path]:
+    """Write the messages of the actions among the definitions, and return their files."""
+    made = []
+    for file in files:
+        if file.parent.name == "action":
+            folder = file.parents[1] / "msg"
+            folder.mkdir(exist_ok=True)
+            for name, text in action_messages(file.stem, file.read_text(encoding="utf-8")):
+                made.append(folder / f"{name}.msg")
+                made[-1].write_text(text, encoding="utf-8")
+    return made
+
+
+def _write_needed_messages(distribution: str, folder: Path) -> list[str]:
+    """Write the messages that actions hold, and return the options by which genpy finds them."""
+    for name, text in needed_messages(distribution):
+        file = folder / name.package / f"{name.name}.msg"
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8")
+    return [each for package in NEEDED for each in ("-I", f"{package}:{folder / package}")]
 
 
 def _make_with_cmake(

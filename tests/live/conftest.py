@@ -19,7 +19,7 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.installations import Origin
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.runtime.environment import Environment, node_environ
-from plastron_tui.runtime.interface_packages import Definitions, kept_package
+from plastron_tui.runtime.interface_packages import kept_package
 
 ROS1_PYTHON = Path("/usr/bin/python3")
 ROS1_INSTALL = (
@@ -30,22 +30,21 @@ ROS1_INSTALL = (
 ROS1_MODULES = "rospy, rosmaster, roslaunch, genpy, std_msgs.msg, std_srvs.srv, geometry_msgs.msg"
 
 
-def made_packages(
-    environment: Environment, cache: Path, more: Mapping[str, Definitions]
-) -> dict[str, str]:
+def made_packages(environment: Environment, cache: Path) -> dict[str, str]:
     """Return the environment of nodes with the packages of the language's table.
 
-    They are made once for all workers, in the folder, each with `more` definitions.
+    They are made once for all workers, in the folder.
     """
     environ = {**os.environ, "XDG_CACHE_HOME": str(cache)}
     catalog = Catalog(environment.distribution)
-    packages = catalog.packages(InterfaceKind.SERVICE)
+    kinds = (InterfaceKind.SERVICE, InterfaceKind.ACTION)
+    packages = {package for kind in kinds for package in catalog.packages(kind)}
     definitions = {name: catalog.table_package(name) for name in packages}
     with (cache / "lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         overlays = [
-            kept_package(environment, name, {**each, **more.get(name, {})}, print, environ)
-            for name, each in definitions.items()
+            kept_package(environment, name, each, print, environ)
+            for name, each in sorted(definitions.items())
             if each is not None
         ]
     return node_environ(replace(environment, overlays=tuple(overlays)), environ)
@@ -69,7 +68,7 @@ def ros1_services(shared_cache: Path) -> str:
     if check.returncode != 0:
         skip_or_fail(ROS1_INSTALL)
     environment = Environment(Origin.DEBIAN, 1, "noetic", ROS1_PYTHON)
-    return made_packages(environment, shared_cache, {})["PYTHONPATH"]
+    return made_packages(environment, shared_cache)["PYTHONPATH"]
 
 
 @pytest.fixture(scope="session")
@@ -122,11 +121,6 @@ ROS2_BUILD_INSTALL = (
     "and apt-get install cmake make g++"
 )
 ROS2_BUILD_MODULES = "ament_package, catkin_pkg, rosidl_generator_py, rosidl_adapter, numpy"
-ROS2_MORE = {
-    "example_interfaces": {
-        "action": {"Fibonacci": "int32 order\n---\nint32[] sequence\n---\nint32[] sequence\n"}
-    }
-}
 ROS2_MODULES = "rclpy, rmw_fastrtps_cpp, std_msgs.msg, std_srvs.srv, geometry_msgs.msg"
 
 
@@ -151,7 +145,7 @@ def ros2_services_env(ros2_python: Path, shared_cache: Path) -> dict[str, str]:
     if check.returncode != 0 or not all(map(shutil.which, ("cmake", "make", "g++"))):
         skip_or_fail(ROS2_BUILD_INSTALL)
     environment = Environment(Origin.EXTRA, 2, "kilted", ros2_python)
-    return made_packages(environment, shared_cache, ROS2_MORE)
+    return made_packages(environment, shared_cache)
 
 
 @pytest.fixture

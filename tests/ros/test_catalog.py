@@ -202,7 +202,8 @@ def test_what_moved_is_where_it_is_said_to_be(version: int) -> None:
 
     catalog = Catalog(newest_distribution(version))
     for name in _MOVED[version].values():
-        kind = {"AddTwoInts": SERVICE, "Fibonacci": InterfaceKind.ACTION}.get(name.name, MESSAGE)
+        kinds = {"AddTwoInts": SERVICE, "Fibonacci": ACTION}
+        kind = kinds.get(name.name, MESSAGE)
         assert catalog.find(name, kind) is not None, name
     packages = {each.package for each in catalog.names(MESSAGE)}
     for name in _NOTES[version]:

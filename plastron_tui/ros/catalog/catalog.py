@@ -31,7 +31,7 @@ _WELL_KNOWN: Mapping[InterfaceKind, Mapping[str, str]] = {
     },
     InterfaceKind.ACTION: {},
 }
-_TUTORIALS: Mapping[tuple[InterfaceKind, str], Mapping[int, str]] = {
+_BY_VERSION: Mapping[tuple[InterfaceKind, str], Mapping[int, str]] = {
     (InterfaceKind.SERVICE, "AddTwoInts"): {1: "beginner_tutorials", 2: "example_interfaces"},
     (InterfaceKind.ACTION, "Fibonacci"): {1: "actionlib_tutorials", 2: "example_interfaces"},
 }
@@ -159,8 +159,8 @@ class Catalog:
 
     def _meanings(self, bare: str, kind: InterfaceKind) -> Iterator[InterfaceName]:
         package = _WELL_KNOWN[kind].get(bare)
-        if (kind, bare) in _TUTORIALS:
-            package = _TUTORIALS[kind, bare][self.ros_version]
+        if (kind, bare) in _BY_VERSION:
+            package = _BY_VERSION[kind, bare][self.ros_version]
         own = data.index(self.distribution).by_bare[kind].get(bare, ())
         if package is not None:
             yield from (name for name in own if name.package == package)

@@ -31,10 +31,11 @@ class Imports:
         """Return the names that the file has from its imports."""
         return set(self._used.values())
 
-    def clashes(self, reserved: Collection[str]) -> dict[Symbol, str]:
+    def clashes(self, reserved: Collection[str], own: Collection[Symbol]) -> dict[Symbol, str]:
         """Return an alias for every name that two modules share, or that is reserved.
 
-        `std_msgs.msg.Empty` beside `std_srvs.srv.Empty` becomes `StdMsgsEmpty`.
+        `std_msgs.msg.Empty` beside `std_srvs.srv.Empty` becomes `StdMsgsEmpty`. What the template
+        imports itself keeps its name.
         """
         modules: dict[str, list[Symbol]] = defaultdict(list)
         for symbol, name in self._used.items():
@@ -44,6 +45,7 @@ class Imports:
             for name, symbols in modules.items()
             if len(symbols) > 1 or name in reserved
             for symbol in symbols
+            if symbol not in own
         ]
         scope = Scope({*reserved, *modules})
         return {

@@ -11,11 +11,15 @@ from .analysis import Analysis, NodeSite, Site
 from .base_classes import inherited
 from .details import Details
 from .site_owner import Owners
+from .timers import is_wait
 from .transitions import is_managed
 
 
 def group(analysis: Analysis) -> tuple[SourceNode, ...]:
-    """Sort the call sites into the nodes of the file."""
+    """Sort the call sites into the nodes of the file; what only waits is none of theirs."""
+    analysis = replace(
+        analysis, sites=[each for each in analysis.sites if not is_wait(analysis, each)]
+    )
     makers = makers_of(analysis)
     details = Details(analysis)
     if analysis.disguised:

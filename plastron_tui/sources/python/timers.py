@@ -10,15 +10,19 @@ import math
 from tree_sitter import Node
 
 from plastron_tui.model.endpoint_details import TimerDetails
+from plastron_tui.model.source import EndpointKind
 
 from .analysis import Analysis, Site
 from .arguments import Arguments
 from .calls import Argument
+from .conventions import target_name
 from .evaluated import UNKNOWN, Evaluated
 from .evaluation import Evaluator
+from .references import statement_of
 from .scopes import Scope
 
 _ONESHOT = Argument(2, "oneshot")
+_DESTROYED = Argument(0, "timer")
 _SECONDS = {
     "rospy.Duration": (Argument(0, "secs"), Argument(1, "nsecs")),
     "rospy.rostime.Duration": (Argument(0, "secs"), Argument(1, "nsecs")),
@@ -27,6 +31,35 @@ _SECONDS = {
 }
 _RATES = frozenset({"rospy.Rate", "rospy.timer.Rate"})
 _FROM_SECONDS = frozenset(f"{name}.from_sec" for name in _SECONDS)
+
+
+def is_wait(analysis: Analysis, site: Site) -> bool:
+    """Whether a call site makes a timer that its function also destroys: that only waits.
+
+    The function destroys it later in the block that makes it, or in a `finally`; one that makes a
+    timer anew destroys the old one before.
+    """
+    if site.endpoint.kind is not EndpointKind.TIMER or analysis.library.ros_version == 1:
+        return False
+    name = target_name(analysis, site)
+    function = site.scope.enclosing("function")
+    if name is None or function is None:
+        return False
+    block = statement_of(site.call).parent
+    for call in analysis.captures.get("call", []):
+        if not site.call.end_byte <= call.start_byte < function.end:
+            continue
+        given = Arguments.of(call, analysis.syntax).get(_DESTROYED)
+        is_it = given is not None and analysis.syntax.slice(given) == name
+        if is_it and analysis.syntax.called_name(call) == "destroy_timer":
+            place = statement_of(call).parent
+            if place == block or _is_final(place):
+                return True
+    return False
+
+
+def _is_final(block: Node | None) -> bool:
+    return block is not None and block.parent is not None and block.parent.type == "finally_clause"
 
 
 def timer_details(analysis: Analysis, site: Site, evaluator: Evaluator) -> TimerDetails:

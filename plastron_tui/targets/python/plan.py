@@ -45,6 +45,7 @@ class TimerPlan(NamedTuple):
         attribute: what holds the timer, "" where nothing needs it.
         parameter: the name of the parameter that says the rate, as a literal, "" where none does.
         rate: what reads that parameter.
+        is_function: whether the method is a function of the program's own.
     """
 
     method: str
@@ -55,6 +56,7 @@ class TimerPlan(NamedTuple):
     attribute: str = ""
     parameter: str = ""
     rate: str = ""
+    is_function: bool = False
 
 
 class OncePlan(NamedTuple):
@@ -158,19 +160,57 @@ class MethodPlan:
 
 @dataclass(frozen=True, slots=True)
 class ClientPlan:
-    """A client, and the attribute that holds it."""
+    """A client of a service or of an action, and the attribute that holds it."""
 
     attribute: str
     name: str
     type: str
 
 
-@dataclass(frozen=True, slots=True)
-class CallPlan:
-    """One call of a service."""
+class WorkPlan(NamedTuple):
+    """Requests to a service, or goals of an action, that a node sends one after the other.
 
+    Attributes:
+        method: what sends them.
+        client: the attribute of the client.
+        name: the service or the action, as a literal.
+        label: the service or the action, as prose.
+        sends: what makes each request or goal, when it is sent.
+        is_goals: whether they are goals.
+        repeat: what a timer calls to send them again, "" where they are sent once.
+        task: the attribute that holds the last sending of those (ROS 2).
+    """
+
+    method: str
     client: str
-    request: str
+    name: str
+    label: str
+    sends: tuple[str, ...]
+    is_goals: bool = False
+    repeat: str = ""
+    task: str = ""
+
+
+class ActionServerPlan(NamedTuple):
+    """An action that a node provides.
+
+    Attributes:
+        attribute: what holds the server (ROS 1), or the goal that is worked on (ROS 2).
+        name: the action, as a literal.
+        label: the action, as prose.
+        type: the class of the action.
+        method: what works on a goal.
+        feedback: what makes a feedback.
+        result: what makes a result.
+    """
+
+    attribute: str
+    name: str
+    label: str
+    type: str
+    method: str
+    feedback: str
+    result: str
 
 
 @dataclass(slots=True)
@@ -203,13 +243,9 @@ class NodePlan:
     services: list[ServicePlan] = field(default_factory=list)
     handlers: list[MethodPlan] = field(default_factory=list)
     clients: list[ClientPlan] = field(default_factory=list)
-    calls: list[CallPlan] = field(default_factory=list)
-
-    @property
-    def keeps_running(self) -> bool:
-        """Whether the node has anything to do after its calls."""
-        others = self.publishers or self.subscriptions or self.services or self.timers
-        return bool(others or self.parameters) or not self.calls
+    action_servers: list[ActionServerPlan] = field(default_factory=list)
+    action_clients: list[ClientPlan] = field(default_factory=list)
+    works: list[WorkPlan] = field(default_factory=list)
 
     @property
     def following(self) -> list[TimerPlan]:
@@ -237,6 +273,39 @@ class NodePlan:
         return bool(self.endpoint_attributes or self.timer_attributes)
 
     @property
+    def calls(self) -> list[WorkPlan]:
+        """The calls of services."""
+        return [each for each in self.works if not each.is_goals]
+
+    @property
+    def goals(self) -> list[WorkPlan]:
+        """The goals that are sent."""
+        return [each for each in self.works if each.is_goals]
+
+    @property
+    def tasks(self) -> list[WorkPlan]:
+        """The calls and the goals that are sent once, in the program's order."""
+        return [each for each in self.works if not each.repeat]
+
+    @property
+    def warns(self) -> bool:
+        """Whether the node warns while nobody serves what it waits for: who ends gives up calls."""
+        return bool(self.goals) or (bool(self.calls) and self.keeps_running)
+
+    @property
+    def keeps_running(self) -> bool:
+        """Whether the node has anything to do after its calls and goals."""
+        others = (
+            self.publishers
+            or self.subscriptions
+            or self.services
+            or self.action_servers
+            or self.timers
+            or self.parameters
+        )
+        return bool(others) or not self.tasks
+
+    @property
     def ends(self) -> bool:
-        """Whether the node ends after its calls, with a status that says how they went."""
+        """Whether the node ends after its calls and goals, and says by its status how they went."""
         return not self.keeps_running

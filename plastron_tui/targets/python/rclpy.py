@@ -8,7 +8,7 @@ from typing import ClassVar
 from plastron_tui.model.kinds import Parameter
 from plastron_tui.model.values import Computed, OfParameter, Value
 from plastron_tui.ros.catalog import Catalog
-from plastron_tui.ros.interfaces import FieldType, Interface, InterfaceKind, InterfaceName
+from plastron_tui.ros.interfaces import FieldType, Interface, InterfaceKind
 from plastron_tui.sources.python import literals
 from plastron_tui.sources.python.dialect import Dialect, plain_scalar
 from plastron_tui.sources.python.import_block import Imports
@@ -67,6 +67,10 @@ _MANAGED = """
     trigger_shutdown
 """
 
+_TASK_NAMES = """
+    accept_cancel answer call exit_status fail is_served send_goal sleep wait_until_served work
+"""
+
 
 class _Rclpy(Dialect):
     __slots__ = ()
@@ -115,14 +119,6 @@ class _Rclpy(Dialect):
             return f"float({written})"
         return written
 
-    def request(self, type_: InterfaceName, imports: Imports) -> str:
-        """Return the request class of a service's class."""
-        return f"{imports.use(f'{type_.package}.srv', type_.name)}.Request"
-
-    def response(self, type_: InterfaceName, imports: Imports) -> str:
-        """Return what makes a response; rclpy hands one to the handler, so that none is made."""
-        return f"{imports.use(f'{type_.package}.srv', type_.name)}.Response()"
-
 
 DIALECT = _Rclpy(
     library="rclpy",
@@ -131,9 +127,15 @@ DIALECT = _Rclpy(
     calling=("sys", "time"),
     modules=("rclpy",),
     symbols=(("rclpy.executors", "ExternalShutdownException"), ("rclpy.node", "Node")),
-    module_names=frozenset({"SERVICE_TIMEOUT", "main", "node"}),
+    server_symbols=(("rclpy.action", "ActionServer"), ("rclpy.action", "CancelResponse")),
+    client_symbols=(("rclpy.action", "ActionClient"),),
+    goal_symbols=(("action_msgs.msg", "GoalStatus"),),
+    task_symbols=(("rclpy.task", "Future"),),
+    module_names=frozenset({"SERVICE_TIMEOUT", "WARNING_PERIOD", "main", "node"}),
     method_names=frozenset((_NODE_METHODS + _NODE_PRIVATE).split()),
-    attribute_names=frozenset({"call", "call_services", "exit_status", "follow_rates"}),
+    attribute_names=frozenset({"follow_rates"}),
+    task_names=frozenset(_TASK_NAMES.split()),
+    serving="goal",
     managed_symbols=(
         ("rclpy.executors", "ExternalShutdownException"),
         ("rclpy.lifecycle", "LifecycleNode"),

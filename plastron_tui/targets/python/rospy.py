@@ -7,12 +7,16 @@ from typing import ClassVar
 
 from plastron_tui.model.kinds import Parameter
 from plastron_tui.model.values import Value
-from plastron_tui.ros.interfaces import FieldType, InterfaceName
+from plastron_tui.ros.interfaces import FieldType, InterfaceKind, InterfaceName
 from plastron_tui.sources.python import naming
 from plastron_tui.sources.python.dialect import Dialect, plain_scalar
 from plastron_tui.sources.python.import_block import Imports
 
 from .target import PythonTarget
+
+_TASK_NAMES = """
+    ask call end_goals exit_status fail is_served send_goal wait_for_action wait_until_served work
+"""
 
 
 class _Rospy(Dialect):
@@ -33,13 +37,18 @@ class _Rospy(Dialect):
         """Write what reads a parameter: the parameter server takes whatever it is told."""
         return f"self.get_{naming.words(parameter.name.removeprefix('~/'))}()"
 
-    def request(self, type_: InterfaceName, imports: Imports) -> str:
-        """Return the request class that genpy makes beside a service's class."""
-        return imports.use(f"{type_.package}.srv", f"{type_.name}Request")
+    def class_of(self, type_: InterfaceName, kind: InterfaceKind, imports: Imports) -> str:
+        """Return the class of a type; that of an action is the message that genaction makes."""
+        if kind is InterfaceKind.ACTION:
+            return self.part_of(type_, kind, "Action", imports)
+        return super().class_of(type_, kind, imports)
 
-    def response(self, type_: InterfaceName, imports: Imports) -> str:
-        """Return an empty response of the class that genpy makes beside a service's class."""
-        return f"{imports.use(f'{type_.package}.srv', f'{type_.name}Response')}()"
+    def part_of(
+        self, type_: InterfaceName, kind: InterfaceKind, part: str, imports: Imports
+    ) -> str:
+        """Return the class that genpy makes beside that of a service, or of an action's message."""
+        folder = kind if kind is InterfaceKind.SERVICE else InterfaceKind.MESSAGE
+        return imports.use(f"{type_.package}.{folder.value}", f"{type_.name}{part}")
 
 
 DIALECT = _Rospy(
@@ -49,11 +58,17 @@ DIALECT = _Rospy(
     calling=("sys", "threading"),
     modules=("rospy",),
     symbols=(),
-    module_names=frozenset({"SERVICE_TIMEOUT", "interrupt", "main", "node"}),
-    method_names=frozenset(),
-    attribute_names=frozenset(
-        {"ask", "ask_in_time", "call", "call_services", "exit_status", "follow_rates"}
+    server_symbols=(("actionlib", "SimpleActionServer"),),
+    client_symbols=(("actionlib", "SimpleActionClient"),),
+    goal_symbols=(("actionlib", "GoalStatus"),),
+    task_symbols=(),
+    module_names=frozenset(
+        {"SERVICE_TIMEOUT", "WARNING_PERIOD", "interrupt", "main", "node", "worker"}
     ),
+    method_names=frozenset(),
+    attribute_names=frozenset({"follow_rates"}),
+    task_names=frozenset(_TASK_NAMES.split()),
+    serving="server",
 )
 
 

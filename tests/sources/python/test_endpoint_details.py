@@ -114,6 +114,28 @@ def test_a_timer_has_the_period_that_the_file_says(text, call, expected):
     assert timer.callback == "tick"
 
 
+DESTROY = "self.destroy_timer(timer)"
+ANEW = "self.destroy_timer(self.timer)\n        self.timer = self.create_timer(1.0, self.tick)"
+WAITS = [
+    ("timer = self.create_timer(1.0, self.tick)\n        self.spin()\n        " + DESTROY, 0),
+    ("self.timer = self.create_timer(1.0, self.tick)\n        self.destroy_timer(self.timer)", 0),
+    ("timer = self.create_timer(1.0, self.tick)\n        try:\n            self.spin()\n"
+     "        finally:\n            " + DESTROY, 0),
+    ("timer = self.create_timer(1.0, self.tick)", 1),
+    (ANEW, 1),
+    ("timer = self.create_timer(1.0, self.tick)\n        if self.broken:\n            " + DESTROY,
+     1),
+    ("timer = self.create_timer(1.0, self.tick)\n        self.destroy_timer(self.other)", 1),
+    ("timer = self.create_timer(1.0, self.tick)\n        self.cancel(timer)", 1),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("lines", "count"), WAITS)
+def test_a_timer_that_its_function_destroys_is_a_wait(lines: str, count: int) -> None:
+    found = read(RCLPY.replace("{call}", lines)).of_kind(EndpointKind.TIMER)
+    assert len(list(found)) == count
+
+
 ACTIONS_1 = """\
 import actionlib
 import rospy

@@ -6,6 +6,8 @@ from collections.abc import Callable
 
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.kinds import (
+    ActionClient,
+    ActionServer,
     Client,
     EndpointKind,
     Parameter,
@@ -22,18 +24,33 @@ from plastron_tui.sources.python.dialect import Dialect
 from plastron_tui.sources.python.import_block import Imports, Symbol
 
 from ..plan import NodePlan
+from .actions import add_action_client, add_action_servers
 from .parameters import add_parameters
-from .services import add_clients, add_services
+from .services import add_client, add_services
 from .timers import add_timers
 from .topics import add_publishers, add_subscriptions
 from .writing import CannotPlanError, Writing
+
+
+def _add_clients(writing: Writing, plan: NodePlan) -> None:
+    """Plan what a node asks of others, in the order of the program."""
+    node = writing.node
+    clients: list[Client | ActionClient] = [*node.of(Client).values()]
+    clients += node.of(ActionClient).values()
+    for client in sorted(clients, key=lambda each: each.span.start if each.span else 0):
+        if isinstance(client, Client):
+            add_client(writing, plan, client)
+        else:
+            add_action_client(writing, plan, client)
+
 
 _PARTS: tuple[Callable[[Writing, NodePlan], None], ...] = (
     add_parameters,
     add_publishers,
     add_subscriptions,
     add_services,
-    add_clients,
+    add_action_servers,
+    _add_clients,
     add_timers,
 )
 """What plans each group of what a node has, in the order in which names are given."""
@@ -56,8 +73,8 @@ class Planner:
         """Return the plan, None when the node cannot be written for its library."""
         try:
             plan, imports = self._plan(Imports())
-            reserved = self._dialect.reserved(_symbols(self._dialect, plan))
-            clashes = imports.clashes(reserved)
+            symbols = _symbols(self._dialect, plan)
+            clashes = imports.clashes(self._dialect.reserved(symbols), symbols)
             if clashes:
                 plan, _ = self._plan(Imports(clashes))
         except CannotPlanError as error:
@@ -100,8 +117,12 @@ def _check_managed(writing: Writing) -> None:
 
 def _check_names(writing: Writing) -> None:
     """Refuse what the program calls its functions where that can be no method."""
-    dialect, is_managed = writing.dialect, writing.node.is_managed
-    managed = dialect.managed_names if is_managed else frozenset()
+    dialect, node = writing.dialect, writing.node
+    reserved = dialect.method_names | dialect.attribute_names
+    managed = dialect.managed_names if node.is_managed else frozenset()
+    reserved |= managed
+    if any(node.of(ActionServer)) or any(node.of(ActionClient)) or any(node.of(Client)):
+        reserved |= dialect.task_names
     for each in writing.node.endpoints.values():
         name, span = callback_of(each), each.span
         if name is None:
@@ -111,22 +132,33 @@ def _check_names(writing: Writing) -> None:
         if name.startswith("__") and name.endswith("__"):
             message = f"`{name}` has a meaning of its own in Python"
             writing.refuse(codes.INVALID_FUNCTION, message, span, "write a name without `__`")
-        if name in dialect.method_names | dialect.attribute_names | managed:
-            which = f"managed {dialect.library}" if name in managed else dialect.library
-            message = f"`{name}` is a method that every {which} node has"
+        if name in reserved:
+            which = "every managed" if name in managed else "every"
+            if name in dialect.task_names:
+                which = "such a"
+            message = f"`{name}` is a method that {which} {dialect.library} node has"
             remedy = "give it another name" if name in managed else f"write `on_{name}`, say"
             writing.refuse(codes.INVALID_FUNCTION, message, span, remedy)
 
 
-def _symbols(dialect: Dialect, plan: NodePlan) -> tuple[Symbol, ...]:
-    """Return the names that the template of a node imports."""
-    return dialect.managed_symbols if plan.is_managed else dialect.symbols
-
-
 def _standard(dialect: Dialect, plan: NodePlan) -> tuple[str, ...]:
     """Return the modules of Python that a node needs, those for calls and how they went too."""
-    calling = dialect.calling if plan.calls else ()
+    calling = dialect.calling if plan.works else ()
     return (*dialect.standard, *(name for name in calling if name != "sys" or plan.ends))
+
+
+def _symbols(dialect: Dialect, plan: NodePlan) -> tuple[Symbol, ...]:
+    """Return the names that the template of a node imports."""
+    symbols = dialect.managed_symbols if plan.is_managed else dialect.symbols
+    if plan.action_servers:
+        symbols += dialect.server_symbols
+    if plan.goals:
+        symbols += dialect.goal_symbols
+    if plan.action_clients:
+        symbols += dialect.client_symbols
+    if plan.action_servers or plan.works:
+        symbols += dialect.task_symbols
+    return symbols
 
 
 _MOST_SAID = 4
@@ -140,6 +172,8 @@ def _summary(node: Node) -> str:
         ("listens to messages", node.of(Subscription)),
         ("provides services", node.of(Service)),
         ("calls services", node.of(Client)),
+        ("provides actions", node.of(ActionServer)),
+        ("sends goals", node.of(ActionClient)),
         ("repeats functions", node.of(Timer)),
         ("has parameters", node.of(Parameter)),
     ]

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
+
 from plastron_tui.diagnostics import codes
-from plastron_tui.model.kinds import Client, Service
+from plastron_tui.model.kinds import Client, Rate, Service
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.sources.python import naming
 
-from ..plan import CallPlan, ClientPlan, MethodPlan, NodePlan, ServicePlan
+from ..plan import ClientPlan, MethodPlan, NodePlan, ServicePlan, WorkPlan
+from .periods import planned_timer
 from .writing import Writing
 
 
@@ -36,13 +39,27 @@ def add_services(writing: Writing, plan: NodePlan) -> None:
             writing.refuse(codes.INVALID_FUNCTION, message, service.span, "give it another name")
 
 
-def add_clients(writing: Writing, plan: NodePlan) -> None:
-    """Plan the services that a node calls."""
-    for client in writing.node.of(Client).values():
-        type_ = writing.known(client.type, InterfaceKind.SERVICE, client.name, client.span)
-        attribute = writing.attributes.new(f"{naming.words(client.name)}_client")
-        class_ = writing.class_of(type_, InterfaceKind.SERVICE)
-        plan.clients.append(ClientPlan(attribute, writing.name(client), class_))
-        for request in client.requests:
-            written = writing.request(type_, request.value, client.span)
-            plan.calls.append(CallPlan(attribute, written))
+def add_client(writing: Writing, plan: NodePlan, client: Client) -> None:
+    """Plan a service that a node calls, with its requests."""
+    type_ = writing.known(client.type, InterfaceKind.SERVICE, client.name, client.span)
+    name = naming.words(client.name)
+    attribute = writing.attributes.new(f"{name}_client")
+    class_ = writing.class_of(type_, InterfaceKind.SERVICE)
+    plan.clients.append(ClientPlan(attribute, writing.name(client), class_))
+    by_rate: dict[Rate | None, list[str]] = defaultdict(list)
+    for request in client.requests:
+        by_rate[request.rate].append(writing.request(type_, request.value, client.span))
+    for rate, requests in by_rate.items():
+        work = WorkPlan(
+            writing.attributes.new(f"call_{name}"),
+            attribute,
+            writing.name(client),
+            naming.label(client.name, "the service"),
+            tuple(requests),
+        )
+        if rate is not None:
+            repeat = writing.attributes.new(f"repeat_{name}")
+            task = writing.attributes.new(f"{name}_calls") if writing.is_rclpy else ""
+            work = work._replace(repeat=repeat, task=task)
+            plan.timers.append(planned_timer(writing, rate, repeat, f"{name}_timer"))
+        plan.works.append(work)

@@ -16,4 +16,4 @@ def add_timers(writing: Writing, plan: NodePlan) -> None:
         assert timer.rate is not None  # statements give one
         planned = planned_timer(writing, timer.rate, timer.name, f"{timer.name}_timer")
         label = naming.label(timer.name, "it")
-        plan.timers.append(planned._replace(label=label))
+        plan.timers.append(planned._replace(label=label, is_function=True))

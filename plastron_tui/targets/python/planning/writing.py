@@ -62,7 +62,9 @@ class Writing:
         self.dialect = dialect
         self.imports = imports
         managed = dialect.managed_names if node.is_managed else ()
-        self.attributes = naming.Scope({*dialect.attribute_names, *managed, *given})
+        self.attributes = naming.Scope(
+            {*dialect.attribute_names, *dialect.task_names, *managed, *given}
+        )
         self.methods: dict[str, MethodPlan] = {}
         self._heard: Sequence[Field] = ()
 
@@ -100,6 +102,12 @@ class Writing:
         """Write a request of a service's type."""
         interface = self.find(type_, InterfaceKind.SERVICE, span)
         class_ = self.dialect.request(type_, self.imports)
+        return f"{class_}({self._arguments(interface, interface.fields, value, span)})"
+
+    def goal(self, type_: InterfaceName, value: MessageValue, span: Span | None) -> str:
+        """Write a goal of an action's type."""
+        interface = self.find(type_, InterfaceKind.ACTION, span)
+        class_ = self.part_of(type_, InterfaceKind.ACTION, "Goal")
         return f"{class_}({self._arguments(interface, interface.fields, value, span)})"
 
     def response(self, type_: InterfaceName, value: MessageValue, span: Span | None) -> str:
@@ -194,7 +202,11 @@ class Writing:
 
     def class_of(self, type_: InterfaceName, kind: InterfaceKind) -> str:
         """Write the class of a type."""
-        return self.imports.use(f"{type_.package}.{kind.value}", type_.name)
+        return self.dialect.class_of(type_, kind, self.imports)
+
+    def part_of(self, type_: InterfaceName, kind: InterfaceKind, part: str) -> str:
+        """Write the class of a part of a service or an action."""
+        return self.dialect.part_of(type_, kind, part, self.imports)
 
     def known(
         self, type_: InterfaceName | None, kind: InterfaceKind, name: str, span: Span | None
