@@ -22,7 +22,6 @@ from plastron_tui.model.kinds import (
 from plastron_tui.model.source import (
     Add,
     Change,
-    EndpointKind,
     FileSet,
     Remove,
     Rename,
@@ -37,7 +36,9 @@ from plastron_tui.targets.base import Target
 from .call_sites import (
     call_sites,
     count_timers,
+    differing,
     has_type,
+    is_shared,
     rates,
     sends,
     shown_lines,
@@ -54,7 +55,7 @@ class Merged(NamedTuple):
         files: the files with the program's changes, None where the merge is refused.
         reason: why it is refused, to follow "the file was changed by hand, and".
         notes: warnings: where program and file now differ, or would.
-        unsent: warnings: what is sent in the program, and not from the file.
+        unsent: warnings: what the program changed, a message for instance, and the file has not.
         lost: warnings: what was written by hand and is gone.
     """
 
@@ -120,13 +121,16 @@ class _Merge:
 
     def result(self) -> Merged:
         """Decide about every endpoint, and edit the file."""
+        if self.base is not None and self.base.is_managed != self.node.is_managed:
+            raise _RefusedError("a managed node is made in another way than others")
         file = call_sites(self.source)
         base = {} if self.base is None else self.base.endpoints
         wanted = self.node.endpoints
         renamed = self._renamed(file, base, wanted)
         for old, new in renamed.items():
             self._rename(old, base[old], wanted[new], file[old][0])
-        for key in dict.fromkeys((*base, *wanted, *(file if self.base is None else ()))):
+        unknown = file if self.base is None else ()
+        for key in dict.fromkeys((*base, *wanted, *(x for x in unknown if is_shared(x[0])))):
             if key not in renamed and key not in renamed.values():
                 self._decide(key, base.get(key), wanted.get(key), file.get(key, []))
         for change in self.updates:
@@ -140,7 +144,7 @@ class _Merge:
             if self._is_untouched(key, base[key]) and not self._sends_past(change, base[key]):
                 sending.append(change)
             elif not self._is_untouched(key, wanted[key]):
-                self._tell_resend(key, found)
+                self._tell_resend(key, differing(base[key], wanted[key]), found)
         files = self._edited([*self.renames, *self.adds, *self.updates, *sending, *self.removes])
         self._check_callbacks(files)
         notes = (*self.notes, *self._orphans(files))
@@ -165,7 +169,7 @@ class _Merge:
             gone = [key for key in base if key[0] is kind and key not in wanted]
             new = [key for key in wanted if key[0] is kind and key not in base]
             said = [(old, key) for old, key in self._said(new) if old in gone]
-            if not said and len(gone) == len(new) == 1:
+            if not said and len(gone) == len(new) == 1 and is_shared(kind):
                 said = [(gone[0], new[0])]
             for old, key in said:
                 found = file.get(old, [])
@@ -245,7 +249,7 @@ class _Merge:
             return
         if base is None:
             raise _RefusedError(f"it has the {shown_name(key)}, which the program does not have")
-        if len(found) > 1:
+        if len(found) > 1 and is_shared(key[0]):
             raise _RefusedError(f"the {shown_name(key)} is created in lines {shown_lines(found)}")
         if not has_type(found[0], base):
             raise _RefusedError(
@@ -282,7 +286,7 @@ class _Merge:
             )
         elif callback_of(wanted) not in {None, callback_of(base), found[0].callback}:
             self._change_callback(key, base, wanted, found)
-        elif sends(wanted) != sends(base):
+        elif differing(base, wanted):
             self.resends[key] = found[0]
 
     def _change_type(
@@ -364,9 +368,12 @@ class _Merge:
                 message = f"`{each.callback}` is kept, but no longer called"
                 yield self._note(message, each, "call it from elsewhere, or remove it by hand")
 
-    def _tell_resend(self, key: EndpointKey, found: SourceEndpoint) -> None:
-        what = "calls" if key[0] is EndpointKind.CLIENT else "messages"
-        message = f"the {what} of the {shown_name(key)} are changed in the program only"
+    def _tell_resend(self, key: EndpointKey, what: list[str], found: SourceEndpoint) -> None:
+        is_one = len(what) == 1 and not what[0].endswith("s")
+        verb = "is" if is_one else "are"
+        message = (
+            f"the {' and '.join(what)} of the {shown_name(key)} {verb} changed in the program only"
+        )
         self.unsent.append(self._note(message, found))
 
     def _tell(self, message: str, found: SourceEndpoint | None = None) -> None:

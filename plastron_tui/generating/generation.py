@@ -277,12 +277,11 @@ class _Creation:
             return Merged(None, "it holds no node that can be read")
         known = self.manifest.bases.get(path.name)
         base, node = None if known is None else recall(known), self.generation.node
-        merged = merge(read.source, base, node, target, catalog)
         made = None if base is None else target.render(base, catalog).files
         if base is None or made is None:
-            return merged
+            return merge(read.source, base, node, target, catalog)
         sides = Sides(path, made, mine, present)
-        return merge_created(merged, sides, (node, base), self.library)
+        return merge_created(read.source, sides, (node, base), self.library)
 
 
 def _other_program(name: str, program: str, manifest: Manifest) -> str | None:
