@@ -40,9 +40,9 @@ def is_shared(kind: EndpointKind) -> bool:
     return kind.facts.interface is not None
 
 
-def has_type(found: SourceEndpoint, endpoint: Endpoint) -> bool:
+def has_type(found: SourceEndpoint, endpoint: Endpoint | None) -> bool:
     """Tell whether a call site may be of an endpoint's type: a type that is not known may be."""
-    return found.type is None or found.type == endpoint.type
+    return found.type is None or (endpoint is not None and found.type == endpoint.type)
 
 
 def with_callback(endpoint: Endpoint, name: str) -> Endpoint:

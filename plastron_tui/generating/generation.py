@@ -18,6 +18,7 @@ from plastron_tui.output.patch_stack import are_untouched
 from .apply_changes import Adaptation, Library
 from .destination import Writing
 from .file_names import is_same_path, refuse_name
+from .merged import Merged
 from .node_diff import changes_of
 from .node_files import NodeFiles, are_recorded, name_of
 from .regenerate import Derivation
@@ -33,7 +34,6 @@ from .user_edits import (
 if TYPE_CHECKING:
     from plastron_tui.sources.base import Language
 
-    from .endpoint_merge import Merged
 
 Notes = tuple[Diagnostic, ...]
 
@@ -265,7 +265,7 @@ class _Creation:
         """Merge what the program changed in a node into a file that was changed by hand."""
         from plastron_tui.targets import read_source
 
-        from .endpoint_merge import Merged, merge
+        from .endpoint_merge import merge
         from .line_merge import Sides, merge_created
 
         seen = read_source(path, present).source

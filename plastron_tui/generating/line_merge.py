@@ -17,9 +17,10 @@ from plastron_tui.model.workspace import Node
 from plastron_tui.output.merge3 import merge_files
 
 from .call_sites import call_sites, is_changed, is_plain, is_shared
-from .endpoint_merge import Merged, merge
+from .endpoint_merge import merge
 from .language_checks import is_worse, mentions
 from .lost_lines import lost_lines, tell_lost
+from .merged import Merged
 
 if TYPE_CHECKING:
     from plastron_tui.targets.base import Target
