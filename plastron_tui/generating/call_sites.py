@@ -22,14 +22,11 @@ from plastron_tui.model.values import computed_in
 def call_sites(source: SourceUnit) -> dict[EndpointKey, list[SourceEndpoint]]:
     """Return the call sites of a file.
 
-    A name from a parameter counts by its default; a timer, which has none, by its callback. So
-    the timers that send messages are there too, which no program says.
+    A name from a parameter counts by its default; a timer, which has none, by its callback.
     """
     found: dict[EndpointKey, list[SourceEndpoint]] = {}
     for endpoint in source.endpoints:
-        name = endpoint.name if endpoint.name is not None else endpoint.default
-        if endpoint.kind is EndpointKind.TIMER:
-            name = endpoint.callback
+        name = endpoint.label if endpoint.label is not None else endpoint.default
         if name is not None and endpoint.kind in EDITABLE:
             found.setdefault((endpoint.kind, name), []).append(endpoint)
     return found

@@ -7,7 +7,15 @@ from functools import cache
 from hypothesis import strategies as st
 
 from plastron_tui.diagnostics import Span
-from plastron_tui.model.kinds import Client, Message, Publication, Publisher, Service, Subscription
+from plastron_tui.model.kinds import (
+    Client,
+    Message,
+    Publication,
+    Publisher,
+    Request,
+    Service,
+    Subscription,
+)
 from plastron_tui.model.values import MessageValue, Value
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
@@ -115,5 +123,5 @@ def nodes(draw: st.DrawFn, library: str, names: st.SearchStrategy[str] = NAMES) 
     for service in draw(some):
         type_ = draw(services)
         requests = draw(st.lists(message(library, type_, InterfaceKind.SERVICE), max_size=2))
-        node.put(Client(service, type_, tuple(requests), SPAN))
+        node.put(Client(service, type_, tuple(map(Request, requests)), SPAN))
     return node
