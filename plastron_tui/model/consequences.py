@@ -9,9 +9,10 @@ from plastron_tui.language.broken_lines import Broken
 from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
 from plastron_tui.ros.names import spelled
 
+from .kinds.facts import NAMES
 from .workspace import Node
 
-_NAMES = (SlotKind.TOPIC, SlotKind.SERVICE, SlotKind.OLD_NAME, SlotKind.NEW_NAME)
+_NAMES = NAMES | {SlotKind.OLD_NAME, SlotKind.NEW_NAME}
 
 
 class Consequences:
@@ -58,13 +59,19 @@ class Consequences:
         return name in self._lines.words
 
     def explains(self, node: Node, name: str) -> bool:
-        """Tell whether what a node has under a name may be so because of an earlier mistake."""
+        """Tell whether what a node has under a name may be so because of an earlier mistake.
+
+        A program writes the private name of a parameter of ROS 1 without what says so.
+        """
         variable, lines = node.variable, self._lines
         return (
-            (variable, name) in self._endpoints
-            or variable in lines.unfinished
+            variable in lines.unfinished
             or "" in lines.unfinished
-            or (variable in lines.words and name in lines.words)
+            or any(
+                (variable, each) in self._endpoints
+                or (variable in lines.words and each in lines.words)
+                for each in (name, name.removeprefix("~/"))
+            )
         )
 
     def may_name(self, file: str, nodes: Mapping[str, Node]) -> bool:
