@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from plastron_tui.model.kinds import (
     EDITABLE,
+    ActionClient,
+    ActionServer,
     Client,
     Endpoint,
     EndpointKey,
@@ -11,48 +13,116 @@ from plastron_tui.model.kinds import (
     Publisher,
     Service,
     Subscription,
+    callback_of,
 )
 from plastron_tui.model.source import SourceEndpoint, SourceUnit
+from plastron_tui.model.values import computed_in
 
 
 def call_sites(source: SourceUnit) -> dict[EndpointKey, list[SourceEndpoint]]:
-    """Return the call sites of a file; a name from a parameter counts by its default."""
+    """Return the call sites of a file.
+
+    A name from a parameter counts by its default; a timer, which has none, by its callback.
+    """
     found: dict[EndpointKey, list[SourceEndpoint]] = {}
     for endpoint in source.endpoints:
-        name = endpoint.name if endpoint.name is not None else endpoint.default
+        name = endpoint.label if endpoint.label is not None else endpoint.default
         if name is not None and endpoint.kind in EDITABLE:
             found.setdefault((endpoint.kind, name), []).append(endpoint)
     return found
 
 
-def has_type(found: SourceEndpoint, endpoint: Endpoint) -> bool:
+def is_shared(kind: EndpointKind) -> bool:
+    """Tell whether others see what a node has of a kind: it has an interface."""
+    return kind.facts.interface is not None
+
+
+def has_type(found: SourceEndpoint, endpoint: Endpoint | None) -> bool:
     """Tell whether a call site may be of an endpoint's type: a type that is not known may be."""
-    return found.type is None or found.type == endpoint.type
+    return found.type is None or (endpoint is not None and found.type == endpoint.type)
 
 
 def with_callback(endpoint: Endpoint, name: str) -> Endpoint:
     """Return an endpoint that calls a function, where it is one that calls any."""
     match endpoint:
-        case Subscription() | Service():
+        case Subscription() | Service() | ActionServer():
             return endpoint._replace(callback=name)
         case _:
             return endpoint
 
 
 def sends(endpoint: Endpoint) -> object:
-    """Return what is sent through an endpoint, and how often, to be compared."""
+    """Return what is sent through an endpoint, and when, to be compared."""
     match endpoint:
         case Publisher(publications=sent):
-            return [(each.rate, each.message.value) for each in sent]
+            return [
+                (each.message.value, each.rate, each.parameter, each.is_once, each.reaction)
+                for each in sent
+            ]
         case Client(requests=sent):
+            return list(sent)
+        case ActionClient(goals=sent):
             return list(sent)
         case _:
             return None
 
 
+_WORDS = {
+    "publications": "messages",
+    "requests": "calls",
+    "goals": "goals",
+    "answer": "answer",
+    "qos": "quality of service",
+    "rate": "rate",
+    "holds": "type",
+    "default": "default",
+    "minimum": "range",
+    "maximum": "range",
+    "description": "description",
+}
+"""The fields of endpoints beside name, type, callback and place, and what they are called."""
+
+
+def differing(one: Endpoint, other: Endpoint) -> list[str]:
+    """Return what differs between two endpoints of a kind, but for names, types and callbacks."""
+    words = [
+        word
+        for field, word in _WORDS.items()
+        if field != "publications" and getattr(one, field, None) != getattr(other, field, None)
+    ]
+    sent = [_WORDS["publications"]] if isinstance(one, Publisher) else []
+    return list(dict.fromkeys((*(sent if sends(one) != sends(other) else ()), *words)))
+
+
+def is_changed(before: Endpoint, now: Endpoint) -> bool:
+    """Tell whether a program asks for something else of an endpoint than before."""
+    is_same = before.type == now.type and callback_of(before) == callback_of(now)
+    return not is_same or bool(differing(before, now))
+
+
+def is_plain(endpoint: Endpoint) -> bool:
+    """Tell whether all of an endpoint is a call, its callback, and what is sent at fixed rates."""
+    match endpoint:
+        case Publisher(publications=sent, qos=None):
+            return all(
+                each.parameter is None
+                and not each.is_once
+                and each.reaction is None
+                and not any(computed_in(each.message.value))
+                for each in sent
+            )
+        case Client(requests=sent):
+            return not any(each.rate or any(computed_in(each.value)) for each in sent)
+        case Subscription(qos=None) | Service(answer=None):
+            return True
+        case _:
+            return False
+
+
 def rates(endpoint: Endpoint) -> set[float]:
     """Return the rates that a publisher sends at, in hertz; a timer each."""
-    return {x.rate for x in endpoint.publications} if isinstance(endpoint, Publisher) else set()
+    sent = endpoint.publications if isinstance(endpoint, Publisher) else ()
+    return {each.rate for each in sent if each.rate}
 
 
 def count_timers(source: SourceUnit) -> int:

@@ -10,19 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
-from plastron_tui.model.kinds import (
-    EDITABLE,
-    Endpoint,
-    EndpointKey,
-    callback_of,
-)
+from plastron_tui.model.kinds import EDITABLE, Endpoint, EndpointKey, callback_of
 from plastron_tui.model.source import (
     Add,
     Change,
-    EndpointKind,
     FileSet,
     Remove,
     Rename,
@@ -37,7 +30,10 @@ from plastron_tui.targets.base import Target
 from .call_sites import (
     call_sites,
     count_timers,
+    differing,
     has_type,
+    is_plain,
+    is_shared,
     rates,
     sends,
     shown_lines,
@@ -45,34 +41,7 @@ from .call_sites import (
     with_callback,
 )
 from .language_checks import definitions, mentions
-
-
-class Merged(NamedTuple):
-    """Merged files, or why there are none.
-
-    Attributes:
-        files: the files with the program's changes, None where the merge is refused.
-        reason: why it is refused, to follow "the file was changed by hand, and".
-        notes: warnings: where program and file now differ, or would.
-        unsent: warnings: what is sent in the program, and not from the file.
-        lost: warnings: what was written by hand and is gone.
-    """
-
-    files: FileSet | None
-    reason: str = ""
-    notes: tuple[Diagnostic, ...] = ()
-    unsent: tuple[Diagnostic, ...] = ()
-    lost: tuple[Diagnostic, ...] = ()
-
-    @property
-    def is_whole(self) -> bool:
-        """Whether nothing was left out, of the program or of the handwork."""
-        return self.files is None or not (self.unsent or self.lost)
-
-    @property
-    def all_notes(self) -> tuple[Diagnostic, ...]:
-        """All warnings."""
-        return (*self.notes, *self.unsent, *self.lost)
+from .merged import Merged
 
 
 class _RefusedError(Exception):
@@ -120,13 +89,16 @@ class _Merge:
 
     def result(self) -> Merged:
         """Decide about every endpoint, and edit the file."""
+        if self.base is not None and self.base.is_managed != self.node.is_managed:
+            raise _RefusedError("a managed node is made in another way than others")
         file = call_sites(self.source)
         base = {} if self.base is None else self.base.endpoints
         wanted = self.node.endpoints
         renamed = self._renamed(file, base, wanted)
         for old, new in renamed.items():
             self._rename(old, base[old], wanted[new], file[old][0])
-        for key in dict.fromkeys((*base, *wanted, *(file if self.base is None else ()))):
+        unknown = file if self.base is None else ()
+        for key in dict.fromkeys((*base, *wanted, *(x for x in unknown if is_shared(x[0])))):
             if key not in renamed and key not in renamed.values():
                 self._decide(key, base.get(key), wanted.get(key), file.get(key, []))
         for change in self.updates:
@@ -140,7 +112,7 @@ class _Merge:
             if self._is_untouched(key, base[key]) and not self._sends_past(change, base[key]):
                 sending.append(change)
             elif not self._is_untouched(key, wanted[key]):
-                self._tell_resend(key, found)
+                self._tell_unsent(key, differing(base[key], wanted[key]), found)
         files = self._edited([*self.renames, *self.adds, *self.updates, *sending, *self.removes])
         self._check_callbacks(files)
         notes = (*self.notes, *self._orphans(files))
@@ -165,17 +137,22 @@ class _Merge:
             gone = [key for key in base if key[0] is kind and key not in wanted]
             new = [key for key in wanted if key[0] is kind and key not in base]
             said = [(old, key) for old, key in self._said(new) if old in gone]
-            if not said and len(gone) == len(new) == 1:
+            if not said and len(gone) == len(new) == 1 and is_shared(kind):
                 said = [(gone[0], new[0])]
             for old, key in said:
                 found = file.get(old, [])
                 is_same = len(found) == 1 and base[old].type == wanted[key].type == found[0].type
-                is_sent = sends(base[old]) != sends(wanted[key]) and not self._is_untouched(
-                    old, base[old]
-                )
-                if is_same and key not in file and not is_sent:
+                if is_same and key not in file and self._may_rename(old, base[old], wanted[key]):
                     renamed[old] = key
         return renamed
+
+    def _may_rename(self, old: EndpointKey, base: Endpoint, wanted: Endpoint) -> bool:
+        """Tell whether nothing else is changed of an endpoint, or what is sent alone."""
+        if not differing(base, wanted):
+            return True
+        return not self._is_of_lines(base, wanted) and (
+            sends(base) == sends(wanted) or self._is_untouched(old, base)
+        )
 
     def _said(self, new: list[EndpointKey]) -> Iterator[tuple[EndpointKey, EndpointKey]]:
         """Yield what the program says that it renames."""
@@ -230,7 +207,9 @@ class _Merge:
         wanted: Endpoint | None,
         found: list[SourceEndpoint],
     ) -> None:
-        if wanted is None:
+        if self._is_of_lines(base, wanted):
+            self._decide_of_lines(key, base, wanted, found)
+        elif wanted is None:
             self._remove(key, base, found)
         elif base is None:
             self._add(key, wanted, found)
@@ -239,13 +218,43 @@ class _Merge:
         else:
             self._update(key, base, wanted, found)
 
+    def _is_of_lines(self, *sides: Endpoint | None) -> bool:
+        """Tell whether an endpoint of a created node is more than the calls that create it.
+
+        Methods, values and conditions belong to it as they are written new: lines bring them.
+        """
+        return self.node.source is None and not all(
+            each is None or is_plain(each) for each in sides
+        )
+
+    def _decide_of_lines(
+        self,
+        key: EndpointKey,
+        base: Endpoint | None,
+        wanted: Endpoint | None,
+        found: list[SourceEndpoint],
+    ) -> None:
+        """Leave an endpoint as the file has it; refuse where it cannot do for the program's."""
+        if base is not None and wanted is not None:
+            if not found:
+                self._tell(f"the {shown_name(key)} was taken out by hand, and stays out")
+                return
+            is_same = base.type == wanted.type and callback_of(base) == callback_of(wanted)
+            if is_same:
+                if differing(base, wanted):
+                    self._tell_unsent(key, differing(base, wanted), found[0])
+                return
+        elif bool(found) == (wanted is not None) and all(has_type(each, wanted) for each in found):
+            return
+        raise _RefusedError(f"the program changes the same lines for the {shown_name(key)}")
+
     def _remove(self, key: EndpointKey, base: Endpoint | None, found: list[SourceEndpoint]) -> None:
         """Take out what the program no longer has, if the file still has it as it was."""
         if not found:
             return
         if base is None:
             raise _RefusedError(f"it has the {shown_name(key)}, which the program does not have")
-        if len(found) > 1:
+        if len(found) > 1 and is_shared(key[0]):
             raise _RefusedError(f"the {shown_name(key)} is created in lines {shown_lines(found)}")
         if not has_type(found[0], base):
             raise _RefusedError(
@@ -282,7 +291,7 @@ class _Merge:
             )
         elif callback_of(wanted) not in {None, callback_of(base), found[0].callback}:
             self._change_callback(key, base, wanted, found)
-        elif sends(wanted) != sends(base):
+        elif differing(base, wanted):
             self.resends[key] = found[0]
 
     def _change_type(
@@ -364,9 +373,12 @@ class _Merge:
                 message = f"`{each.callback}` is kept, but no longer called"
                 yield self._note(message, each, "call it from elsewhere, or remove it by hand")
 
-    def _tell_resend(self, key: EndpointKey, found: SourceEndpoint) -> None:
-        what = "calls" if key[0] is EndpointKind.CLIENT else "messages"
-        message = f"the {what} of the {shown_name(key)} are changed in the program only"
+    def _tell_unsent(self, key: EndpointKey, what: list[str], found: SourceEndpoint) -> None:
+        is_one = len(what) == 1 and not what[0].endswith("s")
+        verb = "is" if is_one else "are"
+        message = (
+            f"the {' and '.join(what)} of the {shown_name(key)} {verb} changed in the program only"
+        )
         self.unsent.append(self._note(message, found))
 
     def _tell(self, message: str, found: SourceEndpoint | None = None) -> None:

@@ -18,6 +18,7 @@ from plastron_tui.output.patch_stack import are_untouched
 from .apply_changes import Adaptation, Library
 from .destination import Writing
 from .file_names import is_same_path, refuse_name
+from .merged import Merged
 from .node_diff import changes_of
 from .node_files import NodeFiles, are_recorded, name_of
 from .regenerate import Derivation
@@ -33,7 +34,6 @@ from .user_edits import (
 if TYPE_CHECKING:
     from plastron_tui.sources.base import Language
 
-    from .endpoint_merge import Merged
 
 Notes = tuple[Diagnostic, ...]
 
@@ -268,7 +268,7 @@ class _Creation:
         """Merge what the program changed in a node into a file that was changed by hand."""
         from plastron_tui.targets import read_source
 
-        from .endpoint_merge import Merged, merge
+        from .endpoint_merge import merge
         from .line_merge import Sides, merge_created
 
         seen = read_source(path, present).source
@@ -280,12 +280,11 @@ class _Creation:
             return Merged(None, "it holds no node that can be read")
         known = self.manifest.bases.get(path.name)
         base, node = None if known is None else recall(known), self.generation.node
-        merged = merge(read.source, base, node, target, catalog)
         made = None if base is None else target.render(base, catalog).files
         if base is None or made is None:
-            return merged
+            return merge(read.source, base, node, target, catalog)
         sides = Sides(path, made, mine, present)
-        return merge_created(merged, sides, (node, base), self.library)
+        return merge_created(read.source, sides, (node, base), self.library)
 
 
 def _other_program(name: str, program: str, manifest: Manifest) -> str | None:

@@ -12,21 +12,24 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from plastron_tui.model.kinds import EDITABLE
-from plastron_tui.model.source import FileSet, SourceUnit
+from plastron_tui.model.source import EndpointKind, FileSet, SourceUnit
 from plastron_tui.model.workspace import Node
 from plastron_tui.output.merge3 import merge_files
 
-from .call_sites import call_sites
-from .endpoint_merge import Merged, merge
+from .call_sites import call_sites, is_changed, is_plain, is_shared
+from .endpoint_merge import merge
 from .language_checks import is_worse, mentions
 from .lost_lines import lost_lines, tell_lost
+from .merged import Merged
 
 if TYPE_CHECKING:
     from plastron_tui.targets.base import Target
 
     from .apply_changes import Library
 
+
+_NAMED_OFTEN = (EndpointKind.PARAMETER,)
+"""The kinds whose name stands wherever one is used, not only where it is made."""
 
 _NAME = re.compile(rb"[A-Za-z_]\w*", re.ASCII)
 
@@ -75,23 +78,44 @@ def merge_lines(
 
 
 def merge_created(
-    merged: Merged, sides: Sides, node: tuple[Node, Node], library: Library
+    source: SourceUnit, sides: Sides, node: tuple[Node, Node], library: Library
 ) -> Merged:
-    """Merge the lines of a created node's file, where endpoints refuse or leave something out.
+    """Merge what the program changed in a created node into its file.
 
-    What is left out all the same is told.
+    Endpoints are merged, and lines where endpoints refuse or leave something out. Where the
+    program changes what is more than calls that create endpoints, lines come first: they are as
+    the node is written. What is left out all the same is told.
 
     Args:
-        merged: what endpoints made of it.
+        source: the file as it is.
         sides: what is merged.
         node: the node as the program has it, and what it had before.
         library: what it is written for.
     """
-    merged = tell_lost_in(merged, sides, library.target)
+    target, catalog = library
+    if _is_more_than_calls(*node):
+        files = merge_lines(sides, [node], target, side_by_side=True)
+        if files is not None and not _has_stray_name(sides, files, target):
+            return Merged(files)
+    merged = merge(source, node[1], node[0], target, catalog)
+    merged = tell_lost_in(merged, sides, target)
     if merged.files is not None and merged.is_whole:
         return merged
-    files = _by_lines(merged, sides, node, library)
-    return merged if files is None else Merged(files, notes=merged.notes)
+    by_lines = _by_lines(merged, sides, node, library)
+    return merged if by_lines is None else Merged(by_lines, notes=merged.notes)
+
+
+def _is_more_than_calls(node: Node, base: Node) -> bool:
+    """Tell whether a program changed what a node does at more places than where it is created."""
+    now, before = node.endpoints, base.endpoints
+    changed = (
+        endpoint
+        for key in dict.fromkeys((*before, *now))
+        if key not in now or key not in before or is_changed(before[key], now[key])
+        for endpoint in (before.get(key), now.get(key))
+        if endpoint is not None
+    )
+    return node.is_managed != base.is_managed or not all(map(is_plain, changed))
 
 
 def tell_lost_in(merged: Merged, sides: Sides, target: Target) -> Merged:
@@ -135,8 +159,8 @@ def _has_stray_name(sides: Sides, files: FileSet, target: Target) -> bool:
 
 
 def _sites(source: SourceUnit | None) -> Counter[tuple[object, ...]]:
-    """Return what a file creates but timers, with types and callbacks."""
-    endpoints = [] if source is None else (x for x in source.endpoints if x.kind in EDITABLE)
+    """Return what a file creates that others see, with types and callbacks."""
+    endpoints = [] if source is None else (x for x in source.endpoints if is_shared(x.kind))
     return Counter((x.kind, x.name, x.expression, x.type, x.callback) for x in endpoints)
 
 
@@ -164,7 +188,11 @@ def _has_what_it_is_to_have(
     has_all = all(key in found or (key in known and key not in there) for key in wanted)
     has_no_more = all(
         (key in wanted or (key in there and key not in known))
-        and len(sites) <= max(len(there.get(key, ())), len(made.get(key, ())))
+        and (
+            key[0] in _NAMED_OFTEN
+            or len(sites) <= max(len(there.get(key, ())), len(made.get(key, ())))
+        )
         for key, sites in found.items()
+        if key[0] is not EndpointKind.TIMER or key in wanted or key in known
     )
     return has_all and has_no_more

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import FileSet
@@ -19,12 +19,9 @@ from plastron_tui.output.patch_stack import Layer, Layers, digest_of
 from .apply_changes import Adaptation
 from .destination import Place, Writing, find_place, found_by
 from .line_merge import Sides, merge_lines, tell_lost_in
+from .merged import Merged
 from .node_files import NodeFiles, are_recorded
 from .user_edits import cover, kept_handwork, of_other_program, unmergeable
-
-if TYPE_CHECKING:
-    from .endpoint_merge import Merged
-
 
 # What an edit leaves behind is told when it is made; who runs the program again knows.
 _ONCE = (
@@ -188,7 +185,7 @@ class Derivation:
 
     def _with_handwork(self, place: Place, known: Layer, before: FileSet, new: Layer) -> Merged:
         """Bring what was changed by hand into what the program makes."""
-        from .endpoint_merge import Merged, merge
+        from .endpoint_merge import merge
 
         mine = new.written
         if self.writing.force or before == known.written:

@@ -37,6 +37,19 @@ def _quoted(kind: SlotKind, text: str) -> str:
     return text
 
 
+def quoted(text: str) -> str:
+    """Return a text as a program writes it."""
+    escapes = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\t": "\\t"}
+    return '"' + "".join(escapes.get(char) or _plain(char) for char in text) + '"'
+
+
+def _plain(character: str) -> str:
+    if character.isprintable() or character == " ":
+        return character
+    units = character.encode("utf-16-be", "surrogatepass").hex()
+    return "".join(f"\\u{units[at : at + 4]}" for at in range(0, len(units), 4))
+
+
 def is_module(text: str) -> bool:
     """Tell whether a file is named without quotes: by a bare name."""
     from .keywords import KEYWORDS

@@ -9,19 +9,10 @@ from plastron_tui.language.broken_lines import Broken
 from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
 from plastron_tui.ros.names import spelled
 
+from .kinds.facts import NAMES
 from .workspace import Node
 
-_NAMES = frozenset(
-    {
-        *(SlotKind.TOPIC, SlotKind.SERVICE, SlotKind.ACTION, SlotKind.PARAMETER, SlotKind.TIMER),
-        *(SlotKind.OLD_NAME, SlotKind.NEW_NAME),
-    }
-)
-
-
-def _plain(name: str) -> str:
-    """Return a name without what makes it private: of a parameter, ROS 1 alone says that."""
-    return spelled(name).removeprefix("~/")
+_NAMES = NAMES | {SlotKind.OLD_NAME, SlotKind.NEW_NAME}
 
 
 class Consequences:
@@ -46,7 +37,7 @@ class Consequences:
         filled = [(slot.kind, getattr(statement, slot.name)) for slot in declaration.slots]
         self._declared.update(text for kind, text in filled if kind.makes is not None)
         self._uncreated.update(text for kind, text in filled if kind is SlotKind.NODE_NAME)
-        names = [_plain(text) for kind, text in filled if kind in _NAMES]
+        names = [spelled(text) for kind, text in filled if kind in _NAMES]
         if names and declaration.undoes is None:
             nodes = [text for kind, text in filled if kind is SlotKind.NODE]
             self._endpoints.update(product(nodes, names))
@@ -68,13 +59,19 @@ class Consequences:
         return name in self._lines.words
 
     def explains(self, node: Node, name: str) -> bool:
-        """Tell whether what a node has under a name may be so because of an earlier mistake."""
-        variable, lines, name = node.variable, self._lines, _plain(name)
+        """Tell whether what a node has under a name may be so because of an earlier mistake.
+
+        A program writes the private name of a parameter of ROS 1 without what says so.
+        """
+        variable, lines = node.variable, self._lines
         return (
-            (variable, name) in self._endpoints
-            or variable in lines.unfinished
+            variable in lines.unfinished
             or "" in lines.unfinished
-            or (variable in lines.words and name in lines.words)
+            or any(
+                (variable, each) in self._endpoints
+                or (variable in lines.words and each in lines.words)
+                for each in (name, name.removeprefix("~/"))
+            )
         )
 
     def may_name(self, file: str, nodes: Mapping[str, Node]) -> bool:

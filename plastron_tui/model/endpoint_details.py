@@ -56,11 +56,14 @@ class TimerDetails(NamedTuple):
         period: in seconds, None where the file does not say it.
         is_oneshot: whether it ticks once.
         is_guess: whether the period is no more than likely, as `ParameterDetails.is_guess`.
+        serves: whether it is a part of another endpoint: its function publishes a message, waits
+            or calls a service as those do that Plastron writes.
     """
 
     period: float | None = None
     is_oneshot: bool = False
     is_guess: bool = False
+    serves: bool = False
 
 
 class ActionDetails(NamedTuple):
@@ -85,12 +88,16 @@ EndpointDetails = ParameterDetails | TimerDetails | ActionDetails
 
 
 def merged(said: Sequence[ParameterDetails]) -> ParameterDetails:
-    """Return what several calls say of one parameter, and nothing of what they disagree about."""
+    """Return what several calls say of one parameter, and nothing of what they disagree about.
+
+    A default that is not known, such as the last good value, is not another one.
+    """
     defaults = [each for each in said if each.default_expression]
-    is_one = len({(each.default, type(each.default)) for each in defaults}) == 1
+    known = [each.default for each in defaults if each.default is not None]
+    is_one = len({(each, type(each)) for each in known}) == 1
     return ParameterDetails(
         type=_agreed(each.type for each in said),
-        default=defaults[0].default if is_one else None,
+        default=known[0] if is_one else None,
         default_expression=defaults[0].default_expression if defaults else "",
         range=_agreed(each.range for each in said),
         description=_agreed(each.description for each in said),

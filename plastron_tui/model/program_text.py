@@ -3,18 +3,26 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
+from types import MappingProxyType
 
 from plastron_tui.language.declaration import DECLARATIONS, SlotKind
 from plastron_tui.language.keywords import KEYWORDS
-from plastron_tui.language.sentence import sentence
-from plastron_tui.language.statements import CreateMessage
-from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.language.sentence import quoted, sentence
+from plastron_tui.language.statements import CreateMessage, HasParameter, Repeats
+from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.names import (
     check_node_name,
+    check_parameter_name,
     mended_node_name,
+    parameter_name,
 )
+from plastron_tui.ros.parameters import ParameterType, Setting, as_setting
+from plastron_tui.ros.qos import DEFAULT, Qos
+from plastron_tui.ros.qos_words import WORDS, text_of
 
+from .endpoint_details import ParameterDetails, TimerDetails
+from .kinds import HIGHEST_RATE, LOWEST_RATE
 from .source import EndpointKind, SourceEndpoint, SourceNode, SourceUnit
 from .unique_names import numbered
 
@@ -38,8 +46,8 @@ class Variables:
 def program_of(source: SourceUnit, ros_version: int) -> str:
     """Return a program of the nodes of a file.
 
-    Every endpoint whose name and type are known is a statement; what has no statement is a
-    comment.
+    Every endpoint of which all is known that its statement says is one; what has no statement is
+    a comment. What is sent, and how often, is not read.
     """
     variables = Variables()
     nodes = source.nodes or ()
@@ -61,9 +69,20 @@ def _node(
     managed = " managed" if node.is_managed else ""
     yield f"create_node '{name}' as {variable}{managed} using {source.library}"
     seen: set[tuple[EndpointKind, str]] = set()
+    parameters = node.parameters
     for endpoint in node.endpoints:
-        statement = _statement(endpoint, variable, variables, ros_version)
-        key = (endpoint.kind, endpoint.name or "")
+        key = (endpoint.kind, endpoint.label or "")
+        details = endpoint.details
+        if isinstance(details, TimerDetails) and details.serves:
+            continue
+        if isinstance(details, ParameterDetails) and endpoint.name is not None:
+            if key in seen:
+                continue
+            statement = _parameter(variable, endpoint.name, parameters[endpoint.name], ros_version)
+        elif isinstance(details, TimerDetails):
+            statement = _timer(variable, endpoint, details)
+        else:
+            statement = _statement(endpoint, variable, variables, ros_version)
         if statement is None:
             yield _comment(endpoint)
         elif key in seen:
@@ -84,9 +103,64 @@ def _statement(
         return None
     if endpoint.kind.facts.check_name(name, ros_version) is not None:
         return None
+    if endpoint.kind.facts.interface is InterfaceKind.ACTION and ros_version == 1:
+        # Code of ROS 1 names the message that all parts of an action are in.
+        type_ = type_._replace(name=type_.name.removesuffix("Action"))
     stem = f"{name.strip('/~').replace('/', '_')}_message"
-    call = _calling(endpoint)
-    return endpoint_statements(endpoint.kind, node, name, type_, lambda: variables.new(stem), call)
+    more = {"function": _calling(endpoint), "qos": _qos(endpoint.qos)}
+    return endpoint_statements(endpoint.kind, node, name, type_, lambda: variables.new(stem), more)
+
+
+def _qos(qos: Qos | None) -> str:
+    """Return the words for a quality of service, "" where it is the usual one, or not known."""
+    if qos is None or None in qos[:3] or qos.over(DEFAULT) == DEFAULT:
+        return ""
+    text = text_of(qos)
+    return text if all(word.split()[0] in WORDS for word in text.split(", ")) else ""
+
+
+def _parameter(
+    node: str, name: str, details: ParameterDetails, ros_version: int
+) -> tuple[str, ...] | None:
+    """Return the statement that gives a node a parameter, None where not all is known of it."""
+    types = {each.value: each for each in ParameterType}
+    type_ = types.get(details.type or "")
+    default = None if type_ is None else as_setting(type_, details.default)
+    written = name.removeprefix("~/")
+    is_own = not written.startswith("/") and parameter_name(written, ros_version) == name
+    if type_ is None or default is None or not is_own:
+        return None
+    if check_parameter_name(written, ros_version) is not None:
+        return None
+    texts = {"node": node, "parameter": written, "type": type_.value, "default": _value(default)}
+    if details.range is not None:
+        low, high, step = details.range
+        if step or not type_.is_number or not low <= float(str(default)) <= high:
+            return None
+        texts |= {"minimum": _value(low), "maximum": _value(high)}
+    if details.description:
+        texts["description"] = quoted(details.description)
+    return (sentence(DECLARATIONS[HasParameter], texts),)
+
+
+def _timer(node: str, endpoint: SourceEndpoint, details: TimerDetails) -> tuple[str, ...] | None:
+    """Return the statement that repeats a function, None where not all is known of it."""
+    function, period = _calling(endpoint), details.period
+    if not function or endpoint.label is None or details.is_guess or not period:
+        return None
+    if not LOWEST_RATE <= 1 / period <= HIGHEST_RATE:
+        return None
+    texts = {"node": node, "function": function, "rate": f"{1 / period:.12g}"}
+    return (sentence(DECLARATIONS[Repeats], texts),)
+
+
+def _value(value: Setting) -> str:
+    """Return a value as a program writes it."""
+    if isinstance(value, tuple):
+        return f"[{', '.join(map(_value, value))}]"
+    if isinstance(value, float):
+        return f"{value:.17g}" if float(f"{value:.15g}") != value else f"{value:.15g}"
+    return quoted(value) if isinstance(value, str) else str(value)
 
 
 def endpoint_statements(
@@ -95,7 +169,7 @@ def endpoint_statements(
     name: str,
     type_: InterfaceName,
     new_message: Callable[[], str],
-    calling: str = "",
+    more: Mapping[str, str] = MappingProxyType({}),
 ) -> tuple[str, ...] | None:
     """Return the statements that give a node an endpoint, None when the language has none.
 
@@ -105,14 +179,12 @@ def endpoint_statements(
         name: its topic or service.
         type_: its type.
         new_message: makes a variable for a message, where one is needed.
-        calling: the function that is called, "" for one that is made.
+        more: what other slots of the statement have; one that has "" is left out.
     """
     editing = kind.facts.editing
     if editing is None:
         return None
-    texts = {"node": node, editing.name_slot: name, "type": str(type_), "input": "none"}
-    if calling:
-        texts["function"] = calling
+    texts = {**more, "node": node, editing.name_slot: name, "type": str(type_), "input": "none"}
     if any(slot.kind is SlotKind.MESSAGE for slot in editing.making.slots):
         texts["message"] = new_message()
         message = {"variable": texts["message"], "type": str(type_), "input": "none"}

@@ -33,8 +33,9 @@ class _Chunk(NamedTuple):
     def side_by_side(self) -> _Lines | None:
         """Return the lines where one side changed the first of them, and the other the rest.
 
-        What is ours has to be other lines instead of some: next to lines that go, or that are
-        new, what is theirs may have been written for them.
+        Lines of theirs may also stand around those that are ours instead of all. What is ours has
+        to be other lines instead of some: next to lines that go, or that are new, what is theirs
+        may have been written for them.
         """
         base, ours, theirs = self
         for cut in range(len(base) + 1):
@@ -47,7 +48,9 @@ class _Chunk(NamedTuple):
                 other, mine = theirs[: len(theirs) - len(tail)], ours[cut:]
                 if mine and other:
                     return other + mine
-        return None
+        starts = range(len(theirs) - len(base) + 1) if base and ours else ()
+        at = next((at for at in starts if theirs[at : at + len(base)] == base), None)
+        return None if at is None else theirs[:at] + ours + theirs[at + len(base) :]
 
 
 class _Match(NamedTuple):

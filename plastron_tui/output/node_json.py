@@ -3,23 +3,29 @@
     {"node": "talker", "library": "rospy", "program": "robot.plastron",
      "publishers": {"chatter": {"type": "std_msgs/String",
                                 "sends": [[10.0, {"std_msgs/String": {"data": "hello"}}]]}},
-     "subscriptions": {"x": {"type": "std_msgs/Int32", "calling": "on_x"}},
+     "subscriptions": {"x": {"type": "std_msgs/Int32", "calling": "on_x", "qos": {"depth": 1}}},
      "services": {"reset": {"type": "std_srvs/Empty"}},
-     "clients": {"stop": {"type": "std_srvs/SetBool", "requests": [{"std_srvs/SetBool": {}}]}}}
+     "clients": {"stop": {"type": "std_srvs/SetBool", "requests": [{"std_srvs/SetBool": {}}]}},
+     "timers": {"blink": {"type": null, "rate": 2.0}},
+     "parameters": {"rate": {"type": null, "holds": "float", "default": 10.0}}}
 
 Of a file that holds several nodes the first that a program loaded is remembered like this, and the
 others in the list `others`; `label` is what each is called in the file. `managed` is there, and
 true, for a lifecycle node.
 
-What is sent at no rate has an object behind its message; values are as `value_json` has them.
+What is sent at another time than at a fixed rate has an object behind its message that says when;
+a rate that a parameter says is a list of its default and its name. Values are as `value_json` has
+them.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from plastron_tui.diagnostics import Span
+from plastron_tui.model.inspection import qos_json
 from plastron_tui.model.kinds import (
     EDITABLE,
     Condition,
@@ -34,7 +40,8 @@ from plastron_tui.model.kinds import (
 from plastron_tui.model.values import OfReceived
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.names import spelled
-from plastron_tui.ros.parameters import ParameterType, Setting
+from plastron_tui.ros.parameters import ParameterType, Setting, as_setting
+from plastron_tui.ros.qos import Qos
 
 from .manifest import Base
 from .value_json import (
@@ -92,7 +99,7 @@ def recall(base: Base, label: str | None = None) -> Node | None:
         node.is_managed = base.get("managed") is True
         for kind in EDITABLE:
             for written, data in base.get(kind.value, {}).items():
-                name = spelled(written)
+                name = written if kind.facts.interface is None else spelled(written)
                 node.put(
                     kind.editing.endpoint(
                         name, type_from_json(data["type"]), **_recalled(kind, data)
@@ -122,8 +129,11 @@ def _remembered(endpoint: Endpoint) -> dict[str, Any]:
 
 def _recalled(kind: EndpointKind, data: Mapping[str, Any]) -> dict[str, Any]:
     """Return the other fields of an endpoint of a kind."""
-    fields = (field for field in kind.editing.endpoint._fields if field in _DETAILS)
-    return {field: _DETAILS[field].read(data.get(_DETAILS[field].key)) for field in fields}
+    fields = [field for field in kind.editing.endpoint._fields if field in _DETAILS]
+    found = {field: _DETAILS[field].read(data.get(_DETAILS[field].key)) for field in fields}
+    if kind is EndpointKind.PARAMETER:
+        _check_parameter(**found)
+    return found
 
 
 def _sending(publication: Publication) -> list[Any]:
@@ -131,6 +141,8 @@ def _sending(publication: Publication) -> list[Any]:
     more: dict[str, Any] = {}
     if publication.parameter is not None:
         more["parameter"] = publication.parameter
+    if publication.is_rate_open:
+        more["open"] = True
     if publication.is_once:
         more["once"] = True
     if publication.reaction is not None:
@@ -144,28 +156,34 @@ def _sending(publication: Publication) -> list[Any]:
 
 def _publication(rate: Any, value: Any, more: Any = None) -> Publication:
     given = more or {}
-    reaction = None
-    if "for_each" in given:
-        condition = None
-        if "when" in given:
-            quantifier, source, operator, compared = given["when"]
-            found = source_from_json(source)
-            if not isinstance(found, OfReceived):
-                raise TypeError
-            condition = Condition(quantifier, found, operator, scalar_from_json(compared))
-        reaction = Reaction(_text(given["for_each"]), condition)
+    reaction = _reaction_from(given) if "for_each" in given else None
     is_once = bool(given.get("once"))
     is_paced = reaction is None and not is_once
-    if not isinstance(rate, (int, float)) or rate < 0 or (is_paced and rate == 0):
+    hertz = _number(rate)
+    if hertz < 0 or (is_paced and hertz == 0):
         raise ValueError
     parameter = given.get("parameter")
     return Publication(
         Message("", message_from_json(value), _NOWHERE),
-        float(rate),
+        float(hertz),
+        is_rate_open=bool(given.get("open")),
         parameter=None if parameter is None else _text(parameter),
         is_once=is_once,
         reaction=reaction,
     )
+
+
+def _reaction_from(given: Mapping[str, Any]) -> Reaction:
+    topic = _text(given["for_each"])
+    if "when" not in given:
+        return Reaction(topic)
+    quantifier, source, operator, compared = given["when"]
+    found = source_from_json(source)
+    if not isinstance(found, OfReceived):
+        raise TypeError
+    if quantifier not in (None, "any", "all") or operator not in ("<", ">", "="):
+        raise ValueError
+    return Reaction(topic, Condition(quantifier, found, operator, scalar_from_json(compared)))
 
 
 def _rate(rate: Rate) -> Any:
@@ -175,8 +193,9 @@ def _rate(rate: Rate) -> Any:
 def _rate_from(value: Any) -> Rate | None:
     if value is None:
         return None
-    hertz, parameter = value if isinstance(value, list) else (value, None)
-    if not isinstance(hertz, (int, float)) or hertz <= 0:
+    given, parameter = value if isinstance(value, list) else (value, None)
+    hertz = _number(given)
+    if hertz <= 0:
         raise ValueError
     return Rate(float(hertz), None if parameter is None else _text(parameter))
 
@@ -199,10 +218,53 @@ def _setting_from(value: Any) -> Setting | None:
     return None if value is None else scalar_from_json(value)
 
 
-def _number_from(value: Any) -> int | float | None:
-    if value is not None and (not isinstance(value, (int, float)) or isinstance(value, bool)):
+def _check_parameter(
+    holds: ParameterType | None,
+    default: Setting | None,
+    minimum: int | float | None,
+    maximum: int | float | None,
+    **_: object,
+) -> None:
+    """Check that a parameter holds what its type does; of one that was read less is known.
+
+    Raises:
+        ValueError: it does not.
+    """
+    given = [each for each in (default, minimum, maximum) if each is not None]
+    if holds is not None and any(as_setting(holds, each) != each for each in given):
+        raise ValueError
+
+
+def _qos_from(value: Any) -> Qos | None:
+    if value is None:
+        return None
+    policies: dict[str, Any] = {
+        policy: math.inf if each == "infinite" else each for policy, each in value.items()
+    }
+    qos = Qos(**policies)
+    if any(
+        isinstance(each, bool) or not isinstance(each, _POLICIES.get(policy, str))
+        for policy, each in qos.known.items()
+    ):
+        raise TypeError
+    return qos
+
+
+_POLICIES: dict[str, Any] = {
+    "depth": int,
+    **dict.fromkeys(("deadline", "lifespan", "lease"), (int, float)),
+}
+"""What the policies are that are no words."""
+
+
+def _number(value: Any) -> int | float:
+    if not isinstance(value, (int, float)) or isinstance(value, bool):
         raise TypeError
     return value
+
+
+def _number_or_none(value: Any) -> int | float | None:
+    return None if value is None else _number(value)
 
 
 def _text(value: Any) -> str:
@@ -240,8 +302,9 @@ _DETAILS = {
         lambda text: None if text is None else ParameterType(text),
     ),
     "default": _Detail("default", lambda value: value, _setting_from),
-    "minimum": _Detail("minimum", lambda value: value, _number_from),
-    "maximum": _Detail("maximum", lambda value: value, _number_from),
+    "minimum": _Detail("minimum", _number, _number_or_none),
+    "maximum": _Detail("maximum", _number, _number_or_none),
     "description": _Detail("description", str, lambda text: _text(text or "")),
+    "qos": _Detail("qos", qos_json, _qos_from),
 }
 """The fields of endpoints beside name, type and place."""

@@ -37,8 +37,8 @@ def value_from_json(value: Any) -> Value:
         ((key, held),) = value.items()
         if key == _COMPUTED:
             source, steps, type_, is_float = held
-            pairs = tuple((_text(sign), _number(number)) for sign, number in steps)
-            return Computed(source_from_json(source), pairs, FieldType(*type_), bool(is_float))
+            pairs = tuple((_operator(sign), _number(number)) for sign, number in steps)
+            return Computed(source_from_json(source), pairs, _field_type(type_), bool(is_float))
         name = type_from_json(key)
         if name is None:
             raise ValueError
@@ -100,6 +100,21 @@ def type_from_json(text: Any) -> InterfaceName | None:
         return None
     package, name = _text(text).split("/")
     return InterfaceName(package, name)
+
+
+def _field_type(value: Any) -> FieldType:
+    name, package, is_array, *limits = value
+    for limit in limits:
+        if limit is not None:
+            _number(limit)
+    package = None if package is None else _text(package)
+    return FieldType(_text(name), package, bool(is_array), *limits)
+
+
+def _operator(value: Any) -> str:
+    if value not in ("+", "-", "*", "/"):
+        raise ValueError
+    return _text(value)
 
 
 def _text(value: Any) -> str:

@@ -12,6 +12,45 @@ MESSAGE = 'create_message m of message_type String and input "hi"\n'
 LISTEN = "subscribe n to 'a' of message_type String\n"
 
 CASES: list[tuple[str, list[str]]] = [
+    # What other statements are for is broken, not missing.
+    *(
+        (f"create_node 'talker' as n using {library}\n{broken}\n{user}\ngenerate_node n\n", [code])
+        for library in ("rospy", "rclpy")
+        for broken, user, code in (
+            (
+                "n has_parameter 'rate' of parameter_type flot with default 1",
+                "n repeats look at parameter 'rate' hz",
+                "unknown-parameter-type",
+            ),
+            (
+                "n has_parameter 'rate' of parameter_type float with defalt 1",
+                "n repeats look at parameter 'rate' hz",
+                "syntax-error",
+            ),
+            (
+                "n has_parameter 'rate' of parameter_type float with default 1 between 3 and 2",
+                "n no_longer_has_parameter 'rate'",
+                "invalid-range",
+            ),
+            ("n repeats look at -2 hz", "n stop_repeating look", "invalid-rate"),
+            (
+                "n provides_action 'do' of action_type LookupTransfrm",
+                "n stop_action 'do'",
+                "unknown-type",
+            ),
+            (
+                "n sends_goal to 'do' of action_type LookupTransfrm with input none",
+                "n renames action 'do' to 'undo'",
+                "unknown-type",
+            ),
+            (
+                "subscribe n to 'scan' of message_type LaserScn",
+                "create_message m of message_type String and input none\n"
+                "n publish m to 'a' of message_type String for_each 'scan'",
+                "unknown-type",
+            ),
+        )
+    ),
     # What a line was to declare is broken, not unknown.
     ("creat_node 'talker' as n\n" + LISTEN + "generate_node n\n", ["unknown-statement"]),
     ("create_node 'talker' is n\n" + LISTEN + "generate_node n\n", ["syntax-error"]),

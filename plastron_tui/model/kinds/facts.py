@@ -23,7 +23,7 @@ INTERFACES = {
 """The slots that name a type, and the kind of interface that it is of."""
 
 
-_NAMES = frozenset(
+NAMES = frozenset(
     {SlotKind.TOPIC, SlotKind.SERVICE, SlotKind.ACTION, SlotKind.PARAMETER, SlotKind.TIMER}
 )
 """The slots that have the name of an endpoint."""
@@ -98,4 +98,4 @@ class Editing(NamedTuple):
 
 @cache
 def _name_slot(statement: type[Statement]) -> str:
-    return next(slot.name for slot in DECLARATIONS[statement].slots if slot.kind in _NAMES)
+    return next(slot.name for slot in DECLARATIONS[statement].slots if slot.kind in NAMES)

@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+from plastron_tui.language.sentence import quoted
 from plastron_tui.model.times import BUILTIN_TIMES
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import (
@@ -158,19 +159,6 @@ def _shown(value: object) -> str:
     if isinstance(value, tuple):
         return f"[{', '.join(map(_shown, value))}]"
     return f'"{value}"' if isinstance(value, str) else str(value)
-
-
-def quoted(text: str) -> str:
-    """Return a text as a program writes it."""
-    escapes = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\t": "\\t"}
-    return '"' + "".join(escapes.get(char) or _plain(char) for char in text) + '"'
-
-
-def _plain(character: str) -> str:
-    if character.isprintable() or character == " ":
-        return character
-    units = character.encode("utf-16-be", "surrogatepass").hex()
-    return "".join(f"\\u{units[at : at + 4]}" for at in range(0, len(units), 4))
 
 
 def written(entry: Entry, text: str) -> str:

@@ -1,0 +1,82 @@
+"""Random programs of one node that has something of every kind, or of some."""
+
+from __future__ import annotations
+
+import re
+
+from hypothesis import strategies as st
+
+SENTENCES = (
+    "n has_parameter '{parameter}' of parameter_type int with default {int}{range}{described}",
+    "n has_parameter '{parameter}' of parameter_type float with default {float}{range}",
+    "n has_parameter '{parameter}' of parameter_type string_list with default [{text}, {text}]",
+    "n has_parameter '{parameter}' of parameter_type bool with default {bool}",
+    "n repeats {function} at {rate} hz",
+    "n publish {string} to '{name}' of message_type String{pace}",
+    "n publish {point} to '{name}' of message_type Point{pace}",
+    "n publish {echo} to '{name}' of message_type Point for_each 'heard'{when}",
+    "subscribe n to '{name}' of message_type {message_type}{calling}",
+    "n provides_service '{name}' of service_type AddTwoInts{answering}",
+    "n client_requests '{name}' of service_type SetBool with input {bool}",
+)
+"""What a program may say of its node; a new kind of endpoint is a line here."""
+
+_ONCE = {
+    "'rate'": "n has_parameter 'rate' of parameter_type float with default 5",
+    "'heard'": "subscribe n to 'heard' of message_type Point",
+}
+"""What others refer to, and what makes that."""
+
+_FILLINGS: dict[str, st.SearchStrategy[str]] = {
+    "int": st.integers(-100, 100).map(str),
+    "float": st.sampled_from(["0", "0.5", "-1.25", "100", "1e-3"]),
+    "bool": st.sampled_from(["True", "False"]),
+    "text": st.sampled_from(['""', '"left"', '"it\'s \\\\"', '"{x} %s é"']),
+    "range": st.sampled_from(["", " between -100 and 100"]),
+    "described": st.sampled_from(["", ' described_as "how \\"fast\\""']),
+    "rate": st.sampled_from(["1", "0.5", "30", "parameter 'rate'"]),
+    "pace": st.sampled_from(
+        ["", " at 2 hz", " at parameter 'rate' hz", " once", " for_each 'heard'"]
+    ),
+    "when": st.sampled_from(["", " when received.x < 0.5", " when received.z = 2"]),
+    "calling": st.sampled_from(["", " calling hear"]),
+    "answering": st.sampled_from(["", " answering sum=received.a * 2", " answering sum=1"]),
+    "message_type": st.sampled_from(["String", "Int32", "geometry_msgs/Twist"]),
+}
+_MESSAGES: dict[str, st.SearchStrategy[str]] = {
+    "string": st.sampled_from(['String and input "hello"', "String and input none"]),
+    "point": st.sampled_from(
+        ["Point and input x=1", "Point and input x=parameter 'rate' / 2, z=parameter 'rate'"]
+    ),
+    "echo": st.sampled_from(["Point and input x=received.y + 1", "Point and input y=2"]),
+}
+
+
+@st.composite
+def random_programs(draw: st.DrawFn) -> str:
+    """Return a program whose node is generated last."""
+    lines: list[str] = []
+    for number, sentence in enumerate(
+        draw(st.lists(st.sampled_from(SENTENCES), min_size=1, max_size=8))
+    ):
+        made: list[str] = []
+
+        def fill(found: re.Match[str], number: int = number, made: list[str] = made) -> str:
+            slot = found[1]
+            if slot == "name":
+                return draw(st.sampled_from([f"e{number}", f"/a/b{number}", f"some_{number}_name"]))
+            if slot == "parameter":
+                return f"p{number}"
+            if slot == "function":
+                return f"look_{number}"
+            if slot in _MESSAGES:
+                value = draw(_MESSAGES[slot])
+                made.append(f"create_message m{number} of message_type {value}")
+                return f"m{number}"
+            return draw(_FILLINGS[slot])
+
+        line = re.sub(r"\{(\w+)\}", fill, sentence)
+        lines += [*made, line]
+    text = "\n".join(lines)
+    needed = [line for name, line in _ONCE.items() if name in text]
+    return "\n".join(["create_node 'robot' as n", *needed, *lines, "generate_node n"]) + "\n"

@@ -1,0 +1,107 @@
+"""What a program says of a node is what is read in the file that is generated of it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from machine import examples
+from random_programs import SENTENCES, random_programs
+
+from plastron_tui.model.endpoint_details import TimerDetails
+from plastron_tui.model.kinds import (
+    EDITABLE,
+    Endpoint,
+    EndpointKey,
+    EndpointKind,
+    Parameter,
+    Publisher,
+    Subscription,
+    Timer,
+)
+from plastron_tui.model.source import SourceNode
+from plastron_tui.model.workspace import Node
+from plastron_tui.ros.qos import DEFAULT
+from plastron_tui.session import Options, Session
+from plastron_tui.targets import find_target
+
+HERE = Path("robot.plastron")
+NOT_WRITTEN_YET = {EndpointKind.ACTION_SERVER, EndpointKind.ACTION_CLIENT}
+
+
+def test_every_kind_is_tried() -> None:
+    missing = {
+        kind
+        for kind in EDITABLE
+        if not any(f" {kind.editing.making.keyword} " in f" {each}" for each in SENTENCES)
+    }
+    assert missing == NOT_WRITTEN_YET
+
+
+def facts(endpoint: Endpoint, library: str) -> dict[str, Any]:
+    """Return what a file says of an endpoint, as far as the program asks for it."""
+    found: dict[str, Any] = {"type": endpoint.type}
+    match endpoint:
+        case Publisher(qos=qos) | Subscription(qos=qos) if qos is not None:
+            found["qos"] = qos.over(DEFAULT)
+        case Timer(rate=rate) if rate is not None and rate.parameter is None:
+            found["period"] = pytest.approx(1 / rate.hertz)
+        case Parameter() if endpoint.holds is not None:
+            found |= {"holds": endpoint.holds.value, "default": endpoint.default}
+            if endpoint.minimum is not None and library == "rclpy":
+                found["range"] = (endpoint.minimum, endpoint.maximum)
+    callback = getattr(endpoint, "callback", None)
+    return found if callback is None else {**found, "callback": callback}
+
+
+def facts_read(node: SourceNode) -> dict[EndpointKey, dict[str, Any]]:
+    """Return what a file says of each endpoint; timers go by their callbacks."""
+    found: dict[EndpointKey, dict[str, Any]] = {}
+    for each in node.endpoints:
+        is_timer = isinstance(each.details, TimerDetails)
+        name = each.callback if is_timer else each.name
+        if name is None or each.kind is EndpointKind.PARAMETER:
+            continue
+        assert is_timer or (each.kind, name) not in found, name
+        found[each.kind, name] = {"type": each.type, "callback": each.callback, "period": None}
+        if each.qos is not None:
+            found[each.kind, name]["qos"] = each.qos.over(DEFAULT)
+        if isinstance(each.details, TimerDetails):
+            found[each.kind, name]["period"] = each.details.period
+    for name, details in node.parameters.items():
+        limits = None if details.range is None else details.range[:2]
+        read = {"type": None, "holds": details.type, "default": details.default, "range": limits}
+        found[EndpointKind.PARAMETER, name] = read
+    return found
+
+
+def check_read(node: Node, read: SourceNode, library: str) -> None:
+    """Check that a file has what a node has, and nothing else that others see."""
+    found = facts_read(read)
+    assert (read.name, read.is_managed) == (node.name, node.is_managed)
+    for key, endpoint in node.endpoints.items():
+        said = facts(endpoint, library)
+        assert {each: found[key].get(each) for each in said} == said
+    # The timers that send messages are no statement's.
+    kinds = [kind for kind in EDITABLE if kind is not EndpointKind.TIMER]
+    assert {key for key in found if key[0] in kinds} <= node.endpoints.keys()
+
+
+@pytest.mark.parametrize("library", ["rospy", "rclpy"])
+@settings(max_examples=examples(200), deadline=None)
+@given(random_programs())
+def test_generated_is_read_again(library: str, text: str) -> None:
+    session = Session(text.encode(), HERE, Options(library), environ={})
+    assert session.diagnostics == (), text
+    (generation,) = session.workspace.generations
+    target = find_target(library)
+    assert target is not None
+    rendered = target.render(generation.node, session.catalog(target.ros_version))
+    assert rendered.files is not None, text
+    compile(rendered.files.main, "node.py", "exec")
+    source = target.read(Path("node.py"), rendered.files).source
+    assert source is not None
+    (read,) = source.nodes
+    check_read(generation.node, read, library)
