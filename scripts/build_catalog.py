@@ -79,14 +79,23 @@ FILLER = "structure_needs_at_least_one_member"
 NEWER_THAN_HUMBLE = {"GetLoggerLevels", "SetLoggerLevels"}
 
 ADD_TWO_INTS = "int64 a\nint64 b\n---\nint64 sum\n"
+FIBONACCI = "int32 order\n---\nint32[] sequence\n---\nint32[] sequence\n"
 SHARED_EXAMPLES = {
     "mavros_msgs/WaypointClear": "---\nbool success\n",
     "mavros_msgs/WaypointPull": "---\nbool success\nuint32 wp_received\n",
     "basics/WordCount": "string words\n---\nuint32 count\n",
 }
 EXAMPLES = {
-    1: {"beginner_tutorials/AddTwoInts": ADD_TWO_INTS, **SHARED_EXAMPLES},
-    2: {"example_interfaces/AddTwoInts": ADD_TWO_INTS, **SHARED_EXAMPLES},
+    1: {
+        "beginner_tutorials/AddTwoInts": ADD_TWO_INTS,
+        "actionlib_tutorials/Fibonacci": FIBONACCI,
+        **SHARED_EXAMPLES,
+    },
+    2: {
+        "example_interfaces/AddTwoInts": ADD_TWO_INTS,
+        "example_interfaces/Fibonacci": FIBONACCI,
+        **SHARED_EXAMPLES,
+    },
 }
 
 Found = dict[tuple[InterfaceKind, InterfaceName], tuple[Interface, str]]
@@ -106,12 +115,15 @@ def main() -> None:
 
 
 def examples(ros_version: int) -> Found:
-    """Return the services that are written down in this script."""
+    """Return the services and actions that are written down in this script."""
     found: Found = {}
     for full_name, text in EXAMPLES[ros_version].items():
         name = InterfaceName(*full_name.split("/"))
-        interface = parsed(text, name, InterfaceKind.SERVICE, ros_version)
-        found[InterfaceKind.SERVICE, name] = (interface, "the package's public definition")
+        kind = InterfaceKind.ACTION if text is FIBONACCI else InterfaceKind.SERVICE
+        found[kind, name] = (
+            parsed(text, name, kind, ros_version),
+            "the package's public definition",
+        )
     return found
 
 

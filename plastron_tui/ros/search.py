@@ -76,7 +76,7 @@ class _Entry:
 def _known(kind: InterfaceKind) -> Mapping[InterfaceName, tuple[int, str, str]]:
     """Return of each type that is described: its place, its line, the words that lead to it."""
     known = {}
-    for place, (full_name, text) in enumerate(purposes().get(kind.value, {}).items()):
+    for place, (full_name, text) in enumerate(purposes()[kind.value].items()):
         line, _, words = text.partition(" | ")
         known[InterfaceName(*full_name.split("/"))] = (place, line, words)
     return known
