@@ -12,9 +12,9 @@ from plastron_tui.language.expectations import Expectation
 from plastron_tui.language.keywords import BY_KEYWORD
 from plastron_tui.model.kinds import INTERFACES
 from plastron_tui.model.rename import RENAMED
-from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.interfaces import Interface, InterfaceKind
 from plastron_tui.ros.parameters import ParameterType
-from plastron_tui.ros.qos_words import possible_words
+from plastron_tui.ros.qos_words import offered_words
 from plastron_tui.session import Session
 from plastron_tui.targets import LIBRARIES, languages, ros_version
 
@@ -128,7 +128,7 @@ def _of_slot(
         case SlotKind.RATE:
             yield from rates(expected, vocabulary)
         case SlotKind.QOS:
-            yield from _qos_words(expected, ros_version(_library(expected, vocabulary, session)))
+            yield from _qos_words(expected, vocabulary, session)
         case SlotKind.NAMED:
             yield from (Candidate(word) for word in vocabulary.renamable(_node_of(expected)))
         case SlotKind.OLD_NAME:
@@ -179,14 +179,18 @@ def _graph_names(
         yield Candidate(f"'{name}'", type_, after)
 
 
-def _qos_words(expected: Expectation, version: int) -> Iterator[Candidate]:
+def _qos_words(
+    expected: Expectation, vocabulary: Vocabulary, session: Session
+) -> Iterator[Candidate]:
     """Offer the words of quality of service that go with those that are there."""
     written = expected.written
     if written and written[-1] != ",":
         return
-    for word in possible_words(written):
-        if word.is_ros1 or version != 1:
-            yield Candidate(word.word, word.summary, " " if word.number else "")
+    catalog = _catalog(expected, vocabulary, session)
+    found = resolver(catalog).resolve(expected.filled.get("type", ""), InterfaceKind.MESSAGE)
+    type_ = found.name if isinstance(found, Interface) else None
+    for word in offered_words(written, catalog.ros_version, type_):
+        yield Candidate(word.word, word.summary, " " if word.number else "")
 
 
 def _node_of(expected: Expectation) -> str:
@@ -203,12 +207,9 @@ def _other_names(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Cand
     yield from (Candidate(f"'{name}'", type_) for name, type_ in known.items() if name not in own)
 
 
-def _library(expected: Expectation, vocabulary: Vocabulary, session: Session) -> str:
-    return vocabulary.library(_node_of(expected)) or session.library
-
-
 def _catalog(expected: Expectation, vocabulary: Vocabulary, session: Session) -> Catalog:
-    return session.catalog(ros_version(_library(expected, vocabulary, session)))
+    library = vocabulary.library(_node_of(expected)) or session.library
+    return session.catalog(ros_version(library))
 
 
 def _types(
