@@ -78,7 +78,7 @@ def _for_purpose(catalog: Catalog, words: str) -> list[str]:
         return []
     found = [
         (f"{each.package}/{kind.value}/{each.name.name}", each.line)
-        for kind in (InterfaceKind.MESSAGE, InterfaceKind.SERVICE)
+        for kind in InterfaceKind
         for each in search_types(catalog, kind, words, is_lenient=False)
     ]
     width = max((len(name) for name, _ in found), default=0)

@@ -22,8 +22,7 @@ from .tokens import COMMENT_KINDS, UNCLOSED_STRING, UNKNOWN, Token, tokens_of
 
 _COMMENTS = COMMENT_KINDS | {"unclosed_comment"}
 _JOINTS = frozenset({"/", "."})
-_GOING_ON = frozenset({",", ".", "=", "<", ">"})
-"""What does not end a condition, or words of quality of service."""
+_COMPARING = frozenset({"=", "<", ">"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,6 +61,7 @@ class Expectation:
         filled: the text of the slots before the place, by their names.
         values: where among the values the place is, for the slot of an input.
         starts_line: whether a statement begins there.
+        written: what stands before the place, word by word, in the slot that may be filled.
     """
 
     span: Span
@@ -73,6 +73,7 @@ class Expectation:
     filled: Mapping[str, str] = field(default_factory=dict)
     values: ValuePlace | None = None
     starts_line: bool = False
+    written: tuple[str, ...] = ()
 
 
 NODE_OF_STATEMENT = next(
@@ -166,6 +167,7 @@ def _expected(
     match = _NO_MATCH if declaration is None else match_sentence(declaration, before)
     slot = match.wanted if isinstance(match.wanted, Slot) else None
     keywords = tuple(clause.keyword for clause in match.optional)
+    written = tuple([token.text for token in before[match.end :]])
     values = None
     if not before:
         slot, keywords = NODE_OF_STATEMENT, FIRST_WORDS
@@ -175,10 +177,12 @@ def _expected(
         values, is_over = _place_in_values(before[match.end :], word)
         is_first = len(before) == match.end and slot.kind.form is Form.VALUES
         keywords = keywords if is_over else ("none",) if is_first and not values.is_text else ()
-    elif slot is not None and slot.kind.form.is_open and len(before) > match.end:
-        keywords = () if before[-1].text in _GOING_ON else keywords
-    elif len(before) > match.end:
+    elif slot is not None and slot.kind.form.is_open and written:
+        keywords = keywords if _is_over(slot.kind.form, written) else ()
+    elif written:
         return None
+    elif _wants_parameter(match, before):
+        slot, keywords, written = match.slots[-1].slot, (), ("parameter",)
     elif isinstance(match.wanted, str):
         keywords = (*keywords, match.wanted)
     return Expectation(
@@ -195,7 +199,23 @@ def _expected(
         },
         values,
         starts_line=not before,
+        written=written,
     )
+
+
+def _wants_parameter(match: SentenceMatch, before: Sequence[Token]) -> bool:
+    """Tell whether a rate is only the word `parameter` so far."""
+    if not match.slots or match.slots[-1].slot.kind.form is not Form.RATE:
+        return False
+    _, first, end = match.slots[-1]
+    return end == match.end and [token.text for token in before[first:]] == ["parameter"]
+
+
+def _is_over(form: Form, written: Sequence[str]) -> bool:
+    """Tell whether a condition, or words of quality of service, may end behind some words."""
+    if form is Form.CONDITION:
+        return written[-1] not in _COMPARING and not _COMPARING.isdisjoint(written)
+    return written[-1] != ","
 
 
 def _place_in_values(tokens: Sequence[Token], word: Token | None) -> tuple[ValuePlace, bool]:

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 
 from plastron_tui.diagnostics.suggest import did_you_mean
 
+from .interfaces import InterfaceName
 from .qos import DEFAULT, PROFILES, Qos
 
 MOST_SECONDS = 2.0**31 - 1
@@ -192,6 +193,46 @@ def possible_words(said: Sequence[str]) -> tuple[QosWord, ...]:
         for word in WORDS.values()
         if word not in there and not any(_contradict(word, each) for each in there)
     )
+
+
+SENSOR_TYPES = frozenset(
+    f"sensor_msgs/{name}"
+    for name in (
+        "CameraInfo",
+        "CompressedImage",
+        "FluidPressure",
+        "Illuminance",
+        "Image",
+        "Imu",
+        "LaserScan",
+        "MagneticField",
+        "MultiEchoLaserScan",
+        "NavSatFix",
+        "PointCloud",
+        "PointCloud2",
+        "Range",
+        "RelativeHumidity",
+        "Temperature",
+    )
+)
+"""The types of readings, of which the newest counts."""
+
+
+def is_sensor_type(type_: InterfaceName | None) -> bool:
+    """Tell whether messages of a type are the readings of a sensor."""
+    return str(type_) in SENSOR_TYPES
+
+
+def offered_words(
+    said: Sequence[str], ros_version: int, type_: InterfaceName | None
+) -> tuple[QosWord, ...]:
+    """Return the words that may follow others for a type, the ones that fit it best first.
+
+    Only those are among them that mean something in a generation of ROS.
+    """
+    found = [each for each in possible_words(said) if each.is_ros1 or ros_version != 1]
+    is_sensor = is_sensor_type(type_)
+    return tuple(sorted(found, key=lambda each: (each.word == "sensor_data") is not is_sensor))
 
 
 def words_of(qos: Qos) -> tuple[Said, ...]:

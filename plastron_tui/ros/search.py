@@ -43,8 +43,10 @@ class FoundType:
         written: the shortest way in which a program names it: without the package where no other
             package has a type of the name.
         line: one line about it, for people; not empty.
-        fields: the names and types of its fields; of a service those of the request.
-        answer: of a service the names and types of the response, else empty.
+        fields: the names and types of its fields; of a service those of the request, of an
+            action those of the goal.
+        answer: of a service the names and types of the response, of an action those of the
+            result; empty for a message.
     """
 
     name: InterfaceName
@@ -93,7 +95,7 @@ def search_types(
 
     Args:
         catalog: the types of a distribution; the first search reads all of them.
-        kind: messages or services.
+        kind: messages, services or actions.
         query: a name, a part of one, or words of purpose, such as `distance` or `on/off`.
         is_lenient: where nothing is found, look for what most of the words lead to, and for the
             nearest known words.
@@ -164,7 +166,7 @@ def _entry(catalog: Catalog, interface: Interface, actions: frozenset[InterfaceN
     name, kind = interface.name, interface.kind
     place, line, purpose = _known(kind).get(name, (len(_known(kind)), "", ""))
     is_alone = len(catalog.candidates(name.name, kind)) == 1
-    answer = interface.response.fields if kind is InterfaceKind.SERVICE else ()
+    answer = () if kind is InterfaceKind.MESSAGE else interface.response.fields
     found = FoundType(
         name,
         name.name if is_alone else str(name),

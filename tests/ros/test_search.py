@@ -76,7 +76,7 @@ def test_every_type_is_found_by_its_names_and_has_a_line(
 
 
 def test_what_is_described_exists_somewhere_and_once() -> None:
-    for kind in (MESSAGE, SERVICE):
+    for kind in InterfaceKind:
         names = {str(name) for each in DISTRIBUTIONS for name in Catalog(each).names(kind)}
         described = purposes()[kind.value]
         assert set(described) <= names
@@ -90,7 +90,7 @@ def test_what_is_described_exists_somewhere_and_once() -> None:
 def test_every_type_that_comes_along_is_described(distribution: str) -> None:
     catalog = Catalog(distribution)
     actions = {str(name) for name in catalog.names(InterfaceKind.ACTION)}
-    for kind in (MESSAGE, SERVICE):
+    for kind in InterfaceKind:
         missing = {str(name) for name in catalog.names(kind)} - set(purposes()[kind.value])
         assert all(any(name.startswith(action) for action in actions) for name in missing), missing
 

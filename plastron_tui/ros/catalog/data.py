@@ -57,7 +57,7 @@ def definitions(distribution: str, package: str) -> Definitions:
 
 @cache
 def purposes() -> Mapping[str, Mapping[str, str]]:
-    """Return what types are for: by kind (`msg`, `srv`) and full name a line, ` | `, and words.
+    """Return what types are for, by kind (`msg`, …) and full name: a line, ` | `, and words.
 
     The types that people want most often come first.
     """

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
 from itertools import islice
 from pathlib import PurePath
 from typing import TYPE_CHECKING
@@ -12,14 +11,18 @@ from plastron_tui.language import SlotKind
 from plastron_tui.language.expectations import Expectation
 from plastron_tui.language.keywords import BY_KEYWORD
 from plastron_tui.model.kinds import INTERFACES
-from plastron_tui.ros.interfaces import Field, InterfaceKind
+from plastron_tui.model.rename import RENAMED
+from plastron_tui.ros.interfaces import Interface, InterfaceKind
+from plastron_tui.ros.parameters import ParameterType
+from plastron_tui.ros.qos_words import offered_words
 from plastron_tui.session import Session
 from plastron_tui.targets import LIBRARIES, languages, ros_version
 
+from .candidate import Candidate
+from .value_completion import conditions, default_values, rates, resolver, values
 from .vocabulary import Vocabulary
 
 if TYPE_CHECKING:
-    from plastron_tui.model.types import TypeResolver
     from plastron_tui.ros.catalog import Catalog
 
 MOST_OFFERED = 200
@@ -28,18 +31,15 @@ _MOST_BY_PURPOSE = 20
 _LEAST_PURPOSE = 4
 """Letters from which on a type is looked for by what it is for."""
 
+_MEETINGS = {
+    SlotKind.TOPIC: (InterfaceKind.MESSAGE, "message_type"),
+    SlotKind.SERVICE: (InterfaceKind.SERVICE, "service_type"),
+    SlotKind.ACTION: (InterfaceKind.ACTION, "action_type"),
+}
+"""What meets by a name, and the word before its type."""
 
-@dataclass(frozen=True, slots=True)
-class Candidate:
-    """Something that completion offers.
-
-    `text` is what is written, `after` what follows it where the line ends there, `detail` what is
-    said beside it.
-    """
-
-    text: str
-    detail: str = ""
-    after: str = ""
+_MET = ("topic", "service", "action")
+"""The slots that have such a name."""
 
 
 def candidates(expected: Expectation, vocabulary: Vocabulary, session: Session) -> list[Candidate]:
@@ -106,12 +106,29 @@ def _of_slot(
             yield from (Candidate(*entry) for entry in vocabulary.messages.items())
         case SlotKind.NEW_NODE | SlotKind.NEW_MESSAGE:
             yield from _variable(expected, vocabulary)
-        case SlotKind.TOPIC:
-            yield from _graph_names(expected, vocabulary, vocabulary.topics, "message_type")
-        case SlotKind.SERVICE:
-            yield from _graph_names(expected, vocabulary, vocabulary.services, "service_type")
-        case SlotKind.MESSAGE_TYPE | SlotKind.SERVICE_TYPE:
+        case SlotKind.TOPIC | SlotKind.SERVICE | SlotKind.ACTION:
+            yield from _graph_names(kind, expected, vocabulary)
+        case SlotKind.TRIGGER:
+            heard = vocabulary.heard(_node_of(expected))
+            yield from (
+                Candidate(f"'{name}'", str(each.type or "")) for name, each in heard.items()
+            )
+        case SlotKind.PARAMETER:
+            yield from (
+                Candidate(f"'{name.removeprefix('~/')}'") for name in _ended(expected, vocabulary)
+            )
+        case SlotKind.TIMER:
+            yield from (Candidate(name) for name in _ended(expected, vocabulary))
+        case SlotKind.MESSAGE_TYPE | SlotKind.SERVICE_TYPE | SlotKind.ACTION_TYPE:
             yield from _types(expected, vocabulary, session, INTERFACES[kind])
+        case SlotKind.PARAMETER_TYPE:
+            yield from (Candidate(each.value, "", " with default ") for each in ParameterType)
+        case SlotKind.DEFAULT:
+            yield from default_values(expected)
+        case SlotKind.RATE:
+            yield from rates(expected, vocabulary)
+        case SlotKind.QOS:
+            yield from _qos_words(expected, vocabulary, session)
         case SlotKind.NAMED:
             yield from (Candidate(word) for word in vocabulary.renamable(_node_of(expected)))
         case SlotKind.OLD_NAME:
@@ -123,8 +140,10 @@ def _of_slot(
             yield from (Candidate(name, f"ROS {ros_version(name)}") for name in LIBRARIES)
         case SlotKind.FILE:
             yield from _files(session)
-        case SlotKind.INPUT:
-            yield from _values(expected, vocabulary, session)
+        case SlotKind.INPUT | SlotKind.ANSWER:
+            yield from values(expected, vocabulary, _catalog(expected, vocabulary, session))
+        case SlotKind.CONDITION:
+            yield from conditions(expected, vocabulary, _catalog(expected, vocabulary, session))
 
 
 def _variable(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate]:
@@ -136,21 +155,42 @@ def _variable(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candida
         yield Candidate(name)
 
 
+def _ended(expected: Expectation, vocabulary: Vocabulary) -> list[str]:
+    """Return what a statement that takes something away from a node may name."""
+    keyword = expected.declaration.keyword if expected.declaration is not None else ""
+    return list(vocabulary.endpoints(_node_of(expected), keyword))
+
+
 def _graph_names(
-    expected: Expectation, vocabulary: Vocabulary, names: Mapping[str, str], word: str
+    kind: SlotKind, expected: Expectation, vocabulary: Vocabulary
 ) -> Iterator[Candidate]:
-    declaration = expected.declaration
-    keyword = declaration.keyword if declaration is not None else ""
-    used = list(vocabulary.endpoints(expected.filled.get("node", ""), keyword))
+    interface, word = _MEETINGS[kind]
+    names = vocabulary.meetings(interface)
+    used = _ended(expected, vocabulary)
     if used:
         yield from (Candidate(f"'{name}'", names.get(name, "")) for name in used)
         return
+    declaration = expected.declaration
     wants_type = declaration is not None and word in declaration.elements
     message = vocabulary.messages.get(expected.filled.get("message", ""))
     # Those of the type that the message has come first.
     for name, type_ in sorted(names.items(), key=lambda entry: entry[1] != message):
         after = f" of {word} {type_}" if wants_type and type_ else ""
         yield Candidate(f"'{name}'", type_, after)
+
+
+def _qos_words(
+    expected: Expectation, vocabulary: Vocabulary, session: Session
+) -> Iterator[Candidate]:
+    """Offer the words of quality of service that go with those that are there."""
+    written = expected.written
+    if written and written[-1] != ",":
+        return
+    catalog = _catalog(expected, vocabulary, session)
+    found = resolver(catalog).resolve(expected.filled.get("type", ""), InterfaceKind.MESSAGE)
+    type_ = found.name if isinstance(found, Interface) else None
+    for word in offered_words(written, catalog.ros_version, type_):
+        yield Candidate(word.word, word.summary, " " if word.number else "")
 
 
 def _node_of(expected: Expectation) -> str:
@@ -161,13 +201,14 @@ def _node_of(expected: Expectation) -> str:
 def _other_names(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate]:
     """Offer the names at which others may be met, but for those that the node has itself."""
     what = expected.filled.get("what", "")
-    known = {"topic": vocabulary.topics, "service": vocabulary.services}.get(what, {})
+    interface = next((kind.facts.interface for kind in RENAMED.get(what, ())), None)
+    known = vocabulary.meetings(interface)
     own = vocabulary.named(_node_of(expected), what)
     yield from (Candidate(f"'{name}'", type_) for name, type_ in known.items() if name not in own)
 
 
 def _catalog(expected: Expectation, vocabulary: Vocabulary, session: Session) -> Catalog:
-    library = vocabulary.library(expected.filled.get("node", "")) or session.library
+    library = vocabulary.library(_node_of(expected)) or session.library
     return session.catalog(ros_version(library))
 
 
@@ -176,31 +217,24 @@ def _types(
 ) -> Iterator[Candidate]:
     catalog = _catalog(expected, vocabulary, session)
     filled = expected.filled
-    first = (
-        vocabulary.topics.get(filled.get("topic", "").strip("'"))
-        or vocabulary.services.get(filled.get("service", "").strip("'"))
-        or vocabulary.messages.get(filled.get("message", ""))
+    name = next((filled[word] for word in _MET if word in filled), "")
+    first = vocabulary.meetings(kind).get(name.strip("'")) or vocabulary.messages.get(
+        filled.get("message", "")
     )
     fields = described_type(first, kind, catalog) if first else ""
     if first and fields:
         yield Candidate(first, fields)
     qualified = "/" in expected.prefix
-    for name in catalog.names(kind):
-        alone = not qualified and len(catalog.candidates(name.name, kind)) == 1
-        text = name.name if alone and catalog.candidates(name.name, kind)[0] == name else str(name)
+    for each in catalog.names(kind):
+        alone = not qualified and len(catalog.candidates(each.name, kind)) == 1
+        text = each.name if alone and catalog.candidates(each.name, kind)[0] == each else str(each)
         if text != first:
             yield Candidate(text, "")
 
 
-def _resolver(catalog: Catalog) -> TypeResolver:
-    from plastron_tui.model.types import TypeResolver
-
-    return TypeResolver(catalog)
-
-
 def described_type(text: str, kind: InterfaceKind, catalog: Catalog) -> str:
     """Return the fields of a type, for what is shown beside it; empty for one that is unknown."""
-    found = _resolver(catalog).resolve(text, kind)
+    found = resolver(catalog).resolve(text, kind)
     fields = getattr(found, "fields", None)
     if fields is None:
         return ""
@@ -235,59 +269,3 @@ def _files(session: Session) -> Iterator[Candidate]:
                 seen.add(stem)
                 text = stem if stem.isidentifier() and stem[0].isalpha() else f"'{name}'"
                 yield Candidate(text, f"in {folder.name}")
-
-
-def _values(expected: Expectation, vocabulary: Vocabulary, session: Session) -> Iterator[Candidate]:
-    place, declaration = expected.values, expected.declaration
-    if place is None or place.is_text or declaration is None:
-        return
-    catalog = _catalog(expected, vocabulary, session)
-    is_message = SlotKind.MESSAGE_TYPE in (slot.kind for slot in declaration.slots)
-    kind = InterfaceKind.MESSAGE if is_message else InterfaceKind.SERVICE
-    found = _resolver(catalog).resolve(expected.filled.get("type", ""), kind)
-    fields: tuple[Field, ...] | None = getattr(found, "fields", None)
-    is_array = False
-    for key in place.path:
-        if is_array and isinstance(key, int):
-            # An element of the array, which has the fields that are known already.
-            is_array = False
-            continue
-        field = _field(fields, key, catalog)
-        is_array = field is not None and field.type.is_array
-        fields = _fields_in(field, catalog)
-    if fields is None:
-        return
-    if place.name is not None or place.is_list:
-        field = _field(fields, place.name, catalog) if place.name is not None else None
-        if field is not None and field.type.name == "bool":
-            yield from (Candidate("True"), Candidate("False"))
-        return
-    *parents, _ = expected.prefix.split(".")
-    if parents:
-        fields = _fields_in(_field(fields, ".".join(parents), catalog), catalog) or ()
-    elif not place.used and [field.type.name for field in fields[place.index :][:1]] == ["bool"]:
-        yield from (Candidate("True"), Candidate("False"))
-    start = "".join(f"{parent}." for parent in parents)
-    for field in fields:
-        if start + field.name not in place.used:
-            yield Candidate(f"{start}{field.name}", str(field.type), "=")
-
-
-def _field(
-    fields: tuple[Field, ...] | None, key: str | int | None, catalog: Catalog
-) -> Field | None:
-    if fields is None or key is None:
-        return None
-    if isinstance(key, int):
-        return fields[key] if key < len(fields) else None
-    found: Field | None = None
-    for name in key.split("."):
-        found = next((field for field in fields or () if field.name == name), None)
-        fields = _fields_in(found, catalog)
-    return found
-
-
-def _fields_in(field: Field | None, catalog: Catalog) -> tuple[Field, ...] | None:
-    message = field.type.message if field is not None else None
-    found = catalog.find(message, InterfaceKind.MESSAGE) if message is not None else None
-    return found.fields if found is not None else None

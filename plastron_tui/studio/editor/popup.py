@@ -12,7 +12,7 @@ from rich.segment import Segment
 from textual.geometry import Offset, Region, Size
 from textual.strip import Strip
 
-from .completion import Candidate
+from .candidate import Candidate
 from .palette import Palette
 
 _MOST_ROWS = 8

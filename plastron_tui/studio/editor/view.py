@@ -12,7 +12,7 @@ from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
 from . import motions
-from .completion import Candidate
+from .candidate import Candidate
 from .geometry import Geometry, scrolled_to
 from .history import Selection
 from .marks import Marks

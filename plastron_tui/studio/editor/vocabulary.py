@@ -4,16 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from plastron_tui.language import Program
 from plastron_tui.language import statements as st
-from plastron_tui.model.kinds import EDITABLE
+from plastron_tui.model.kinds import EDITABLE, EndpointKind, Parameter, Subscription
 from plastron_tui.model.rename import RENAMED
-from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+from plastron_tui.ros.names import spelled
 
 if TYPE_CHECKING:
     from plastron_tui.model.workspace import Workspace
+
+_MADE: dict[Any, EndpointKind] = {
+    kind.editing.made_by: kind for kind in EDITABLE if kind.facts.interface is not None
+}
+"""The statements that name what nodes meet at, and its type."""
 
 
 class Vocabulary:
@@ -24,13 +30,10 @@ class Vocabulary:
         self._workspace = workspace
 
     @cached_property
-    def _names(self) -> Mapping[str, dict[str, str]]:
+    def _variables(self) -> Mapping[str, dict[str, str]]:
         nodes: dict[str, str] = {}
         messages: dict[str, str] = {}
-        topics: dict[str, str] = {}
-        services: dict[str, str] = {}
         libraries: dict[str, str] = {}
-        known_topics, known_services = self._known
         for statement in self._program.statements:
             match statement:
                 case st.CreateNode(name=name, variable=variable, library=library):
@@ -41,60 +44,55 @@ class Vocabulary:
                     nodes[variable] = f"node from {source}"
                 case st.CreateMessage(variable=variable, type=type_):
                     messages[variable] = type_
-                case st.Subscribe(topic=topic, type=type_) | st.Publish(topic=topic, type=type_):
-                    if _agrees(type_, known_topics.get(topic)):
-                        topics.setdefault(topic, type_)
-                case (
-                    st.ProvidesService(service=service, type=type_)
-                    | st.ClientRequests(service=service, type=type_)
-                ):
-                    if _agrees(type_, known_services.get(service)):
-                        services.setdefault(service, type_)
-        topics = {**known_topics, **topics}
-        services = {**known_services, **services}
-        return {
-            "nodes": nodes,
-            "messages": messages,
-            "topics": topics,
-            "services": services,
-            "libraries": libraries,
-        }
+        return {"nodes": nodes, "messages": messages, "libraries": libraries}
+
+    @cached_property
+    def _meetings(self) -> Mapping[InterfaceKind, dict[str, str]]:
+        known = self._known
+        written: dict[InterfaceKind, dict[str, str]] = {each: {} for each in InterfaceKind}
+        for statement in self._program.statements:
+            kind = _MADE.get(type(statement))
+            if kind is None or kind.facts.interface is None:
+                continue
+            interface = kind.facts.interface
+            made: Any = statement
+            name = getattr(made, kind.editing.name_slot)
+            if _agrees(made.type, known[interface].get(name)):
+                written[interface].setdefault(name, made.type)
+        return {each: {**known[each], **written[each]} for each in InterfaceKind}
 
     @property
-    def _known(self) -> tuple[dict[str, str], dict[str, str]]:
-        """The topics and the services that have effect, by their full types."""
-        topics: dict[str, str] = {}
-        services: dict[str, str] = {}
+    def _known(self) -> dict[InterfaceKind, dict[str, str]]:
+        """What nodes meet at and has effect, by their kinds of interface, with the full types."""
+        found: dict[InterfaceKind, dict[str, str]] = {each: {} for each in InterfaceKind}
         for node in self._workspace.nodes.values():
-            for kind, found in node.by_kind.items():
-                known = topics if kind.facts.interface is InterfaceKind.MESSAGE else services
-                for name, endpoint in found.items():
-                    known.setdefault(name, str(endpoint.type or ""))
-        return topics, services
+            for kind, endpoints in node.by_kind.items():
+                if kind.facts.interface is not None:
+                    known = found[kind.facts.interface]
+                    for name, endpoint in endpoints.items():
+                        known.setdefault(name, str(endpoint.type or ""))
+        return found
 
     @property
     def nodes(self) -> dict[str, str]:
         """The variables of nodes, and what each is."""
-        return self._names["nodes"]
+        return self._variables["nodes"]
 
     @property
     def messages(self) -> dict[str, str]:
         """The variables of messages, and the type of each as it is written."""
-        return self._names["messages"]
+        return self._variables["messages"]
 
-    @property
-    def topics(self) -> dict[str, str]:
-        """The topics, and the type of each as it is written, empty where it is unknown."""
-        return self._names["topics"]
+    def meetings(self, interface: InterfaceKind | None) -> dict[str, str]:
+        """Return the topics, services or actions, and the type of each as it is written.
 
-    @property
-    def services(self) -> dict[str, str]:
-        """The services, and the type of each as it is written, empty where it is unknown."""
-        return self._names["services"]
+        A type is empty where it is unknown.
+        """
+        return {} if interface is None else self._meetings[interface]
 
     def library(self, variable: str) -> str | None:
         """Return the client library that a node names."""
-        return self._names["libraries"].get(variable)
+        return self._variables["libraries"].get(variable)
 
     def endpoints(self, variable: str, keyword: str) -> Iterable[str]:
         """Return what a statement that takes something away from a node may name."""
@@ -103,6 +101,38 @@ class Vocabulary:
             return ()
         ended = (kind for kind in EDITABLE if kind.editing.ending.keyword == keyword)
         return next((node.by_kind[kind] for kind in ended), ())
+
+    def parameters(self, variable: str | None) -> dict[str, Parameter]:
+        """Return the parameters of a node, of all nodes for None, by the names programs write."""
+        nodes = self._workspace.nodes
+        found = [nodes[variable]] if variable in nodes else []
+        if variable is None:
+            found = list(nodes.values())
+        return {
+            name.removeprefix("~/"): each
+            for node in found
+            for name, each in node.of(Parameter).items()
+        }
+
+    def heard(self, variable: str) -> Mapping[str, Subscription]:
+        """Return what a node listens to, by its topic."""
+        node = self._workspace.nodes.get(variable)
+        return {} if node is None else node.of(Subscription)
+
+    def heard_with(self, message: str) -> tuple[InterfaceName, ...]:
+        """Return the types that a message may be made of when it is sent.
+
+        They are those of the topics that it is sent for; of all topics that nodes listen to where
+        it is sent for none.
+        """
+        sent = [
+            self.heard(each.node).get(spelled(each.trigger))
+            for each in self._program.statements
+            if isinstance(each, st.Publish) and each.message == message and each.trigger
+        ]
+        everything = (each for node in self._workspace.nodes for each in self.heard(node).values())
+        types = (each.type for each in [*filter(None, sent)] or everything)
+        return tuple(dict.fromkeys(each for each in types if each is not None))
 
     def named(self, variable: str, word: str) -> list[str]:
         """Return the names that a node has of what a word of `renames` says."""

@@ -7,11 +7,21 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from plastron_tui.language import Slot, SlotKind
+from plastron_tui.model.kinds import INTERFACES
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.targets import LIBRARIES
 
 from .context import Meeting, Scene
 from .form import Cell, Cells, Form
+
+MEETINGS = {
+    SlotKind.TOPIC: InterfaceKind.MESSAGE,
+    SlotKind.SERVICE: InterfaceKind.SERVICE,
+    SlotKind.ACTION: InterfaceKind.ACTION,
+}
+"""The slots that name what nodes meet at, and its kind of interface."""
+
+_INTERFACES = {**INTERFACES, **MEETINGS}
 
 
 class Trial(NamedTuple):
@@ -19,7 +29,7 @@ class Trial(NamedTuple):
 
     Attributes:
         reason: why it cannot be, None when it can.
-        lonely: how many topics and services lack a side then.
+        lonely: how many topics, services and actions lack a side then.
         slot: the slot that the reason is about, "" where it is about something else.
     """
 
@@ -107,15 +117,15 @@ class Ask:
 
     @property
     def interface(self) -> InterfaceKind:
-        """Whether the statement is about messages or services."""
-        services = (SlotKind.SERVICE, SlotKind.SERVICE_TYPE)
-        is_service = self.form.slot_of(*services) is not None
-        return InterfaceKind.SERVICE if is_service else InterfaceKind.MESSAGE
+        """Whether the statement is about messages, services or actions."""
+        slots = self.form.declaration.slots
+        found = (_INTERFACES[slot.kind] for slot in slots if slot.kind in _INTERFACES)
+        return next(found, InterfaceKind.MESSAGE)
 
     @property
     def meeting(self) -> Meeting | None:
-        """The topic or service that the statement names, None where nobody is there yet."""
-        name = self.text(SlotKind.TOPIC, SlotKind.SERVICE)
+        """The topic, service or action that the statement names, None where nobody is there yet."""
+        name = self.text(*MEETINGS)
         if not name:
             return None
         return self.scene.meeting(self.interface, self.node, name, self.version)

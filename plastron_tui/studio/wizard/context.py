@@ -7,7 +7,9 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
+from plastron_tui.language.declaration import Statement
 from plastron_tui.language.keywords import KEYWORDS
+from plastron_tui.model.kinds import EDITABLE, Parameter, Subscription
 from plastron_tui.model.types import TypeResolver
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
@@ -18,12 +20,12 @@ from plastron_tui.targets import ros_version
 
 @dataclass(slots=True)
 class Meeting:
-    """A topic or a service: where nodes meet.
+    """A topic, a service or an action: where nodes meet.
 
     Attributes:
         name: its name, as a statement would write it.
         type: its type, None where nothing says it.
-        senders: the nodes that publish, or that call.
+        senders: the nodes that publish, or that call, or that send goals.
         takers: the nodes that subscribe, or that provide.
     """
 
@@ -111,7 +113,8 @@ class Scene:
 
         for variable, node in self.workspace.nodes.items():
             for (kind, name), endpoint in node.endpoints.items():
-                assert kind.facts.interface is not None
+                if kind.facts.interface is None:
+                    continue
                 full = resolved_name(node.name, name)
                 known = found.setdefault((kind.facts.interface, self.version_of(variable)), {})
                 is_full = name.startswith("~") or "{" in name
@@ -121,7 +124,7 @@ class Scene:
         return found
 
     def meetings(self, kind: InterfaceKind, version: int) -> dict[str, Meeting]:
-        """Return the topics (or the services) of a generation of ROS, by their full names."""
+        """Return the topics, services or actions of a generation of ROS, by their full names."""
         return self._meetings.get((kind, version), {})
 
     def meeting(
@@ -134,15 +137,28 @@ class Scene:
 
     @cached_property
     def lonely(self) -> int:
-        """How many topics and services lack a side."""
+        """How many topics, services and actions lack a side."""
         return sum(each.is_lonely for known in self._meetings.values() for each in known.values())
 
-    def endpoints(self, variable: str) -> list[str]:
-        """Return the names of all that a node sends to, hears, asks and answers."""
+    def ended_by(self, variable: str, statement: type[Statement]) -> list[str]:
+        """Return the names of what a statement may take away from a node."""
         node = self.workspace.nodes.get(variable)
         if node is None:
             return []
-        return list(dict.fromkeys(name for _, name in node.endpoints))
+        kinds = (kind for kind in EDITABLE if kind.editing.ended_by is statement)
+        return [name.removeprefix("~/") for kind in kinds for name in node.names(kind)]
+
+    def parameters(self, variable: str) -> dict[str, Parameter]:
+        """Return the parameters of a node, by the names that programs write."""
+        node = self.workspace.nodes.get(variable)
+        found = {} if node is None else node.of(Parameter)
+        return {name.removeprefix("~/"): each for name, each in found.items()}
+
+    def heard(self, variable: str) -> dict[str, InterfaceName | None]:
+        """Return the types of what a node listens to, by topic."""
+        node = self.workspace.nodes.get(variable)
+        found = {} if node is None else node.of(Subscription)
+        return {name: each.type for name, each in found.items()}
 
 
 def free_name(wanted: str, taken: Iterable[str]) -> str:

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from plastron_tui.language import Slot, SlotKind
+from plastron_tui.language.declaration import Form as Written
 from plastron_tui.model.kinds import INTERFACES
 
 from .ask import Ask, Choice, Trial
 from .context import Scene
-from .form import NEW, Cell, Cells, Form, laid_out
+from .form import NEW, Cell, Cells, Form, excluded_by, laid_out
 from .goals import maker_of
 from .kinds import KINDS
 from .program_trial import Finding, Placed, check
@@ -55,7 +56,7 @@ class Filled:
     @property
     def text(self) -> str:
         """The statement."""
-        texts = {name: cell.text for name, cell in self.cells.items()}
+        texts = {name: cell.in_program for name, cell in self.cells.items()}
         return laid_out(self.form.declaration, texts)
 
     @property
@@ -109,29 +110,34 @@ class Filler:
         fixed = kind.fixed(ask)
         if fixed is not None:
             return fixed
-        if slot.kind is SlotKind.INPUT:
+        if slot.kind.form is Written.VALUES:
             return self._values(filled, ask)
         text = form.entered.get(slot.name)
         if text is None:
-            text = kind.suggest(ask)
-        return Cell("", is_new=True) if text == NEW else Cell(text)
+            others = excluded_by(form.declaration, slot.name)
+            text = "" if any(map(form.entered.get, others)) else kind.suggest(ask)
+        if text == NEW:
+            return Cell("", is_new=True)
+        return Cell(text, written=kind.written(ask, text) if text else None)
 
     def _values(self, filled: Filled, ask: Ask) -> Cell:
         type_ = ask.text(*INTERFACES)
         found = ask.scene.resolve(type_, ask.interface, ask.version)
         if found is None:
-            return Cell("none")
-        filled.entries = entries_of(found, ask.scene.catalog(ask.version))
+            return Cell("" if ask.slot.kind is SlotKind.ANSWER else "none")
+        is_answer = ask.slot.kind is SlotKind.ANSWER
+        section = found.response if is_answer else found.sections[0]
+        filled.entries = entries_of(found, ask.scene.catalog(ask.version), section)
         entries = [each for each in filled.entries if isinstance(each, Entry)]
         filled.given = {entry.path: "" for entry in entries}
-        if len(filled.entries) == 1 and entries:
+        if len(filled.entries) == 1 and entries and not is_answer:
             entry = entries[0]
             if entry.python is not None and not entry.type.is_array:
                 filled.given[entry.path] = _EXAMPLES[entry.python]
         filled.given.update((path, text) for path, text in filled.form.values.items()
                             if path in filled.given)  # fmt: skip
         text, filled.used = input_text(filled.entries, filled.given)
-        return Cell(text)
+        return Cell("" if is_answer and not filled.used else text)
 
     def _make(self, filled: Filled, slot: Slot, depth: int) -> None:
         """Fill the form of what a slot names and nobody has made yet."""
@@ -157,6 +163,7 @@ class Filler:
     def _find_problems(self, filled: Filled, depth: int) -> None:
         form = filled.form
         optional = form.optional
+        filled.problems += _clause_problems(filled)
         for slot in form.declaration.slots:
             cell = filled.cells[slot.name]
             if cell.is_new or cell.reason or (slot.name in optional and not cell.text):
@@ -165,7 +172,7 @@ class Filler:
             problem = KINDS[slot.kind].problem(ask, cell.text)
             if problem is not None:
                 filled.problems.append(Finding(form, slot.name, problem))
-            if slot.kind is SlotKind.INPUT:
+            if slot.kind.form is Written.VALUES:
                 for entry in filled.used:
                     problem = problem_of(entry, filled.given[entry.path], ask.version)
                     if problem is not None:
@@ -222,6 +229,27 @@ class Filler:
         if not outcome.findings:
             return Trial(None, lonely)
         return Trial(outcome.findings[0].words, lonely, outcome.findings[0].slot)
+
+
+def _clause_problems(filled: Filled) -> Iterator[Finding]:
+    """Find what is missing in a clause that is begun, and clauses that exclude each other."""
+    form, cells = filled.form, filled.cells
+    for clause in form.declaration.clauses:
+        slots = [slot.name for slot in clause.slots]
+        given = [name for name in slots if cells[name].text]
+        for name in slots if given else ():
+            if not cells[name].text:
+                words = f"it is needed along with `{given[0]}`: give both, or leave both out"
+                yield Finding(form, name, words)
+    passed: list[str] = []
+    for slot in form.declaration.slots:
+        others = excluded_by(form.declaration, slot.name)
+        other = next((name for name in passed if name in others), None)
+        if other is not None and cells[slot.name].text:
+            words = f"it does not go with `{other}`: leave one of them out"
+            yield Finding(form, slot.name, words)
+        if cells[slot.name].text:
+            passed.append(slot.name)
 
 
 def _needs(form: Form, slot: Slot) -> bool:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from plastron_tui.language import Declaration, Document, Slot, SlotKind, format_document
+from plastron_tui.language.declaration import Clause
 from plastron_tui.language.sentence import sentence
 
 from .values import Path
@@ -47,6 +49,13 @@ class Form:
         """The slots that may be left out."""
         return frozenset(slot.name for clause in self.declaration.clauses for slot in clause.slots)
 
+    def enter(self, slot: str, text: str) -> None:
+        """Take what the user wrote; what another clause in its brackets has gives way."""
+        self.entered[slot] = text
+        if text:
+            for other in excluded_by(self.declaration, slot):
+                self.entered.pop(other, None)
+
     def trial(self, slot: str, text: str, cells: Cells) -> Form:
         """Return a form in which something else was entered; this one stays as it is.
 
@@ -59,11 +68,12 @@ class Form:
         }
         other = Form(
             self.declaration,
-            {**self.entered, **kept, slot: text},
+            {**self.entered, **kept},
             dict(self.values),
             self.parent,
             dict(self.given),
         )
+        other.enter(slot, text)
         for name, maker in self.makers.items():
             copy = Form(maker.declaration, dict(maker.entered), dict(maker.values), (other, name))
             other.makers[name] = copy
@@ -75,17 +85,52 @@ class Cell:
     """What is in a slot.
 
     Attributes:
-        text: as the program has it, without quotes; "" for a slot that is left out.
+        text: as it is shown; "" for a slot that is left out.
         reason: why it is that and nothing else; "" where it can be chosen.
         is_new: whether it names something that a form of its own makes.
+        written: as the program has it, without the quotes of a name, where that is another text.
     """
 
     text: str = ""
     reason: str = ""
     is_new: bool = False
+    written: str | None = None
+
+    @property
+    def in_program(self) -> str:
+        """What the program has, without the quotes of a name."""
+        return self.text if self.written is None else self.written
 
 
 Cells = dict[str, Cell]
+
+
+def excluded_by(declaration: Declaration, slot: str) -> frozenset[str]:
+    """Return the slots of the clauses that cannot stand beside the one that has a slot."""
+    own = next(
+        (
+            each
+            for each in declaration.elements
+            if isinstance(each, Clause) and slot in _names(each)
+        ),
+        None,
+    )
+    return frozenset(
+        name
+        for each in declaration.elements
+        if own is not None and isinstance(each, Clause)
+        if each is not own and each.bracket == own.bracket
+        for name in _names(each)
+    )
+
+
+def _names(clause: Clause) -> Iterator[str]:
+    """Yield the slots in a clause, those of clauses within it too."""
+    for element in clause.elements:
+        if isinstance(element, Clause):
+            yield from _names(element)
+        elif not isinstance(element, str):
+            yield element.name
 
 
 def laid_out(declaration: Declaration, texts: dict[str, str]) -> str:

@@ -17,6 +17,7 @@ from textual.widgets import Label, OptionList
 from textual.widgets.option_list import Option
 
 from plastron_tui.language import Slot, SlotKind
+from plastron_tui.language.declaration import Form as Written
 
 from .ask import Choice
 from .filling import Filled
@@ -297,12 +298,13 @@ def _specs(filled: Filled) -> list[_Spec]:
     optional = filled.form.optional
     for slot in filled.form.declaration.slots:
         cell = filled.cells[slot.name]
-        if slot.kind is SlotKind.INPUT:
+        if slot.kind.form is Written.VALUES:
             specs += _value_specs(slot, filled)
             continue
         text = new_words(slot) if cell.is_new else cell.text
         label = slot.name.replace("_", " ")
-        placeholder = "left out" if slot.name in optional else ""
+        is_flag = slot.kind.form is Written.FLAG
+        placeholder = "left out" if slot.name in optional and not is_flag else ""
         is_fixed = bool(cell.reason)
         note = cell.reason
         if slot.kind is SlotKind.LIBRARY:

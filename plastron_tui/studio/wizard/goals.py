@@ -19,7 +19,9 @@ class Aim(Enum):
 
 
 MORE_TITLE = "give a node something more to do"
-MORE_ABOUT = "Let a node of the program send, listen, ask or answer; or let it do so no longer."
+MORE_ABOUT = (
+    "Let a node of the program send, listen, ask, answer, and more; or let it do so no longer."
+)
 
 
 def aim_of(declaration: Declaration) -> Aim:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from plastron_tui.language import Slot, SlotKind
+from plastron_tui.language.declaration import Form as Written
 
 from .ask import Ask
 from .filling import Filled
@@ -18,11 +19,11 @@ def helps_of(filled: Filled, ask: Callable[[Slot], Ask]) -> dict[tuple[str, Path
     said: dict[tuple[str, Path | None], str] = {}
     for slot in filled.form.declaration.slots:
         said[slot.name, None] = slot.help
-        if slot.kind is SlotKind.SERVICE:
+        if slot.kind in (SlotKind.SERVICE, SlotKind.ACTION):
             said[slot.name, None] += unanswered(ask(slot))
         if slot.kind is SlotKind.LIBRARY:
             said[slot.name, None] = explained(ask(slot))
-        if slot.kind is SlotKind.INPUT:
+        if slot.kind.form is Written.VALUES:
             for each in filled.entries:
                 if isinstance(each, Entry):
                     about = f": {each.comment}" if each.comment else ""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from plastron_tui.ros.names import NameProblem
+
 from .ask import Ask, Choice
 from .form import Cell
 
@@ -21,6 +23,18 @@ class Kind:
         """Return what can be taken; `query` is what was written."""
         return []
 
+    def written(self, ask: Ask, text: str) -> str:
+        """Return a text as the program has it, without the quotes of a name."""
+        return text
+
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell why a text cannot stand in the slot, as far as the slot itself knows."""
         return None
+
+
+def name_problem(problem: NameProblem | None) -> str | None:
+    """Say what is wrong with a name of ROS, and which one would do."""
+    if problem is None:
+        return None
+    better = f": write {problem.suggestion}" if problem.suggestion else ""
+    return problem.message + better

@@ -6,11 +6,12 @@ from collections.abc import Mapping, Sequence
 from pathlib import PurePath
 
 from plastron_tui.language import SlotKind
+from plastron_tui.language import statements as st
 from plastron_tui.language.keywords import KEYWORDS
-from plastron_tui.model.kinds import HIGHEST_RATE, LOWEST_RATE, Publisher
+from plastron_tui.model.graph import NOUNS
+from plastron_tui.model.kinds import Publisher
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.names import (
-    NameProblem,
     check_node_name,
     check_service_name,
     check_topic_name,
@@ -21,11 +22,14 @@ from .ask import Ask, Choice
 from .context import Meeting, free_name
 from .form import NEW, is_variable
 from .goals import maker_of
-from .kind import Kind
+from .kind import Kind, name_problem
 from .libraries import LibraryKind
 from .node_files import FileKind, NodeOfFileKind
+from .parameter_kinds import BoundKind, DefaultKind, ParameterKind, ParameterTypeKind, TextKind
 from .rename_kinds import NamedKind, NewNameKind, OldNameKind
-from .type_kinds import TypeKind, name_for_type
+from .sending_kinds import ConditionKind, FlagKind, QosKind, RateKind, TriggerKind
+from .taken_back import nothing_to_take, taken_back
+from .type_kinds import NAMES, TypeKind, name_for_type
 
 MOST_TRIALS = 12
 """So many choices are tried out before they are offered; the rest is checked when it is taken."""
@@ -47,14 +51,7 @@ class NodeNameKind(Kind):
         """Tell why a text cannot stand there."""
         if not text:
             return "a node needs a name, such as `talker`"
-        return _name_problem(check_node_name(text, ask.version))
-
-
-def _name_problem(problem: NameProblem | None) -> str | None:
-    if problem is None:
-        return None
-    better = f": write {problem.suggestion}" if problem.suggestion else ""
-    return problem.message + better
+        return name_problem(check_node_name(text, ask.version))
 
 
 class NewVariableKind(Kind):
@@ -199,7 +196,7 @@ class MessageKind(Kind):
 
 
 class MeetingKind(Kind):
-    """The name of a topic or of a service."""
+    """The name of a topic, of a service or of an action."""
 
     def _names(self, ask: Ask) -> list[Meeting]:
         """Return what can be named, the lonely ones first."""
@@ -209,7 +206,7 @@ class MeetingKind(Kind):
     def suggest(self, ask: Ask) -> str:
         """Return what fits the rest of the form and of the program."""
         if ask.form.declaration.undoes is not None:
-            return next((each.text for each in self._taken_back(ask) if not each.closed), "")
+            return next((each.text for each in taken_back(ask) if not each.closed), "")
         # Who sends something of its own seeks who lacks it; who takes it, what there is.
         sends = ask.form.slot_of(SlotKind.MESSAGE, SlotKind.INPUT) is not None
         held = ask.held
@@ -229,19 +226,10 @@ class MeetingKind(Kind):
         wanted = name_for_type(ask.interface, None if message is None else message.value.type)
         return free_name(wanted, {name.strip("/") for name in (*known, *held)})
 
-    def _taken_back(self, ask: Ask) -> list[Choice]:
-        """Return what the node has of the kind that the statement takes away."""
-        found = []
-        for name in ask.scene.endpoints(ask.node):
-            tried = ask.try_out(name)
-            if tried.slot != ask.slot.name:
-                found.append(Choice(name, closed=tried.reason or ""))
-        return found
-
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return what there is, and what is closed."""
         if ask.form.declaration.undoes is not None:
-            return self._taken_back(ask)
+            return taken_back(ask)
         found = []
         names = self._names(ask)
         reasons = closed_by(ask, [each.name for each in names])
@@ -253,30 +241,24 @@ class MeetingKind(Kind):
 
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell why a text cannot stand there."""
-        is_service = ask.slot.kind is SlotKind.SERVICE
         if not text:
             if ask.form.declaration.undoes is not None:
-                for choice in (each for each in self._taken_back(ask) if each.closed):
-                    return f"`{choice.text}` has to stay: {choice.closed}"
-                slot = ask.form.slot_of(SlotKind.NODE)
-                is_asked = slot is not None and slot.name in {
-                    **ask.form.entered,
-                    **ask.form.given,
-                }
-                if not is_asked:
-                    return "no node does that, so there is nothing to take away"
-                return f"`{ask.node}` does not do that, so there is nothing to take away"
-            what, example = ("service", "switch") if is_service else ("topic", "chatter")
-            return f"a {what} needs a name, such as `{example}`"
-        check = check_service_name if is_service else check_topic_name
-        return _name_problem(check(text, ask.version))
+                return nothing_to_take(ask)
+            what = NOUNS[ask.interface]
+            article = "an" if what[0] in "aeiou" else "a"
+            return f"{article} {what} needs a name, such as `{NAMES[ask.interface]}`"
+        is_topic = ask.slot.kind is SlotKind.TOPIC
+        check = check_topic_name if is_topic else check_service_name
+        return name_problem(check(text, ask.version))
 
 
 def unanswered(ask: Ask) -> str:
-    """Return what is said of a service that would be asked and that nobody answers, or ""."""
+    """Return what is said of a service or an action that would be asked and nobody has, or ""."""
     meeting = ask.meeting
     if ask.form.slot_of(SlotKind.INPUT) is None or (meeting is not None and meeting.takers):
         return ""
+    if ask.interface is InterfaceKind.ACTION:
+        return "; no node of the program does it yet: let another one do the task"
     return "; no node of the program answers it yet: let another one answer questions"
 
 
@@ -287,35 +269,6 @@ def _who(meeting: Meeting) -> str:
     if meeting.takers:
         parts.append(f"to {', '.join(meeting.takers)}")
     return " ".join(parts)
-
-
-class RateKind(Kind):
-    """How often something is sent."""
-
-    def suggest(self, ask: Ask) -> str:
-        """Return what fits the rest of the form and of the program."""
-        return "10"
-
-    def choices(self, ask: Ask, query: str) -> list[Choice]:
-        """Return what there is, and what is closed."""
-        return [
-            Choice("1", "once a second"),
-            Choice("2", "twice a second"),
-            Choice("10", "ten times a second"),
-            Choice("30", "as often as a camera"),
-        ]
-
-    def problem(self, ask: Ask, text: str) -> str | None:
-        """Tell why a text cannot stand there."""
-        try:
-            rate = float(text) if text.isascii() and "_" not in text else 0.0
-        except ValueError:
-            return "it is a number of times a second, such as 10 or 0.5"
-        if rate <= 0 or rate > HIGHEST_RATE:
-            return "it is more than 0, and at most a million, times a second"
-        if rate < LOWEST_RATE:
-            return "so seldom that it would never be: it is once in thirty years at least"
-        return None
 
 
 class FunctionKind(Kind):
@@ -330,8 +283,30 @@ class FunctionKind(Kind):
         return None
 
 
+class TimerKind(FunctionKind):
+    """A function that is called again and again."""
+
+    def suggest(self, ask: Ask) -> str:
+        """Return a name for it; of those that are to end, the first."""
+        if ask.form.declaration.undoes is not None:
+            return next((each.text for each in taken_back(ask) if not each.closed), "")
+        return free_name("tick", ask.scene.ended_by(ask.node, st.StopRepeating))
+
+    def choices(self, ask: Ask, query: str) -> list[Choice]:
+        """Return those that are called already, for one that is to end."""
+        return taken_back(ask) if ask.form.declaration.undoes is not None else []
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text cannot stand there."""
+        if text:
+            return super().problem(ask, text)
+        if ask.form.declaration.undoes is not None:
+            return nothing_to_take(ask)
+        return "a function is needed, such as `tick`"
+
+
 class InputKind(Kind):
-    """The values of a message or a request; they have a form of their own."""
+    """The values of a message, a request or an answer; they have a form of their own."""
 
 
 KINDS: Mapping[SlotKind, Kind] = {
@@ -342,11 +317,25 @@ KINDS: Mapping[SlotKind, Kind] = {
     SlotKind.MESSAGE: MessageKind(),
     SlotKind.TOPIC: MeetingKind(),
     SlotKind.SERVICE: MeetingKind(),
+    SlotKind.ACTION: MeetingKind(),
+    SlotKind.PARAMETER: ParameterKind(),
     SlotKind.MESSAGE_TYPE: TypeKind(),
     SlotKind.SERVICE_TYPE: TypeKind(),
+    SlotKind.ACTION_TYPE: TypeKind(),
+    SlotKind.PARAMETER_TYPE: ParameterTypeKind(),
     SlotKind.INPUT: InputKind(),
+    SlotKind.ANSWER: InputKind(),
+    SlotKind.DEFAULT: DefaultKind(),
+    SlotKind.BOUND: BoundKind(),
     SlotKind.RATE: RateKind(),
+    SlotKind.ONCE: FlagKind(),
+    SlotKind.MANAGED: FlagKind(),
+    SlotKind.TRIGGER: TriggerKind(),
+    SlotKind.CONDITION: ConditionKind(),
+    SlotKind.QOS: QosKind(),
+    SlotKind.TEXT: TextKind(),
     SlotKind.FUNCTION: FunctionKind(),
+    SlotKind.TIMER: TimerKind(),
     SlotKind.LIBRARY: LibraryKind(),
     SlotKind.FILE: FileKind(),
     SlotKind.NODE_OF_FILE: NodeOfFileKind(),

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from plastron_tui.diagnostics import Diagnostic, Edit, Severity, Span, codes
 from plastron_tui.language import SlotKind
+from plastron_tui.language.declaration import Form as Written
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.inputs import COMMENTS
 from plastron_tui.language.keywords import KEYWORDS
@@ -205,7 +206,7 @@ def _finding(diagnostic: Diagnostic, placed: Placed, statement: Statement | None
         if child is None or not child.start_byte <= at < child.end_byte:
             continue
         path = None
-        if slot.kind is SlotKind.INPUT:
+        if slot.kind.form is Written.VALUES:
             values = [each for each in child.named_children if each.kind_id not in COMMENTS]
             for entry, value in zip(placed.entries, values, strict=False):
                 if value.start_byte <= at < value.end_byte:

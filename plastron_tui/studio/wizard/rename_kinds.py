@@ -6,13 +6,10 @@ from plastron_tui.diagnostics.wording import listed
 from plastron_tui.language import SlotKind
 from plastron_tui.model.kinds import EndpointKind
 from plastron_tui.model.rename import RENAMED
-from plastron_tui.ros.interfaces import InterfaceKind
 
 from .ask import Ask, Choice
 from .context import Meeting, free_name
 from .kind import Kind
-
-_MEETINGS = {"topic": InterfaceKind.MESSAGE, "service": InterfaceKind.SERVICE}
 
 
 def _kinds(ask: Ask) -> tuple[EndpointKind, ...]:
@@ -23,7 +20,8 @@ def _names(ask: Ask, kinds: tuple[EndpointKind, ...]) -> list[str]:
     node = ask.scene.workspace.nodes.get(ask.node)
     if node is None:
         return []
-    return list(dict.fromkeys(name for kind in kinds for name in node.names(kind)))
+    names = (name.removeprefix("~/") for kind in kinds for name in node.names(kind))
+    return list(dict.fromkeys(names))
 
 
 class NamedKind(Kind):
@@ -74,7 +72,7 @@ class NewNameKind(Kind):
         return lonely or free_name(ask.text(SlotKind.OLD_NAME) or "name", taken)
 
     def _others(self, ask: Ask) -> list[Meeting]:
-        interface = _MEETINGS.get(ask.text(SlotKind.NAMED))
+        interface = next((kind.facts.interface for kind in _kinds(ask)), None)
         if interface is None:
             return []
         known = ask.scene.meetings(interface, ask.version).values()

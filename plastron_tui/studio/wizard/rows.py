@@ -13,6 +13,7 @@ from textual.widget import Widget
 from textual.widgets import Checkbox, Input, Label
 
 from plastron_tui.language import Slot
+from plastron_tui.language.declaration import Form
 
 from .values import Entry, Path
 
@@ -131,7 +132,16 @@ class Row(Horizontal):
     @property
     def is_switch(self) -> bool:
         """Whether it is either true or false."""
-        return self.entry is not None and self.entry.is_switch
+        return self._is_flag or (self.entry is not None and self.entry.is_switch)
+
+    @property
+    def _is_flag(self) -> bool:
+        """Whether it is a word that stands there or not."""
+        return self.entry is None and self.slot.kind.form is Form.FLAG
+
+    @property
+    def _is_on(self) -> bool:
+        return self._text == (self.slot.kind.placeholder if self._is_flag else "True")
 
     def compose(self) -> ComposeResult:
         """Make the name, the box and the note."""
@@ -139,7 +149,7 @@ class Row(Horizontal):
         if self.is_fixed:
             yield Label(self._text, classes="wizard-fixed", markup=False)
         elif self.is_switch:
-            yield ValueTurn(self._switch_words, self._text == "True", compact=True)
+            yield ValueTurn(self._switch_words, self._is_on, compact=True)
         else:
             yield TextBox(self._text, compact=True, placeholder=self._placeholder,
                           select_on_focus=True, classes="wizard-box")  # fmt: skip
@@ -148,10 +158,15 @@ class Row(Horizontal):
 
     @property
     def _switch_words(self) -> str:
+        if self._is_flag:
+            return "yes" if self._is_on else "no"
         return self._text or f"{self._placeholder} (default)"
 
     def turn(self) -> None:
-        """Go on to the next of: no value, true, false."""
+        """Go on to the next of: no value, true, false; or to yes or no."""
+        if self._is_flag:
+            self.take("" if self._is_on else self.slot.kind.placeholder)
+            return
         self.take({"": "True", "True": "False"}.get(self._text, ""))
 
     @property
@@ -173,7 +188,7 @@ class Row(Horizontal):
         box = self.box
         with box.prevent(Input.Changed, Checkbox.Changed):
             if isinstance(box, Checkbox):
-                box.value = text == "True"
+                box.value = self._is_on
                 box.label = self._switch_words
             elif isinstance(box, Input):
                 box.value = text

@@ -177,7 +177,7 @@ class Wizard(Frame):
 
         def do() -> None:
             if path is None:
-                form.entered[slot.name] = text
+                form.enter(slot.name, text)
             else:
                 form.values[path] = text
 

@@ -1,4 +1,4 @@
-"""The type of a topic, a message or a service."""
+"""The type of a topic, a message, a service or an action."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from plastron_tui.language import SlotKind
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.search import FoundType, search_types
 
-from .ask import Ask, Choice
+from .ask import MEETINGS, Ask, Choice
 from .form import Cell
 from .kind import Kind
 
@@ -17,8 +17,17 @@ MOST_TYPES = 80
 
 _MOST_SHOWN = 6
 
-_DEFAULTS = {InterfaceKind.MESSAGE: "String", InterfaceKind.SERVICE: "SetBool"}
-_NAMES = {InterfaceKind.MESSAGE: "chatter", InterfaceKind.SERVICE: "switch"}
+_DEFAULTS = {
+    InterfaceKind.MESSAGE: "String",
+    InterfaceKind.SERVICE: "SetBool",
+    InterfaceKind.ACTION: "Fibonacci",
+}
+NAMES = {
+    InterfaceKind.MESSAGE: "chatter",
+    InterfaceKind.SERVICE: "switch",
+    InterfaceKind.ACTION: "count",
+}
+"""What is an example of a name, for each kind of interface."""
 
 # The names that most robots use for what they send (ROS REP 105 and the packages' own defaults).
 _USUAL = {
@@ -39,9 +48,9 @@ _USUAL = {
 
 
 def name_for_type(kind: InterfaceKind, type_: InterfaceName | None) -> str:
-    """Return what a topic or a service of a type is usually called."""
+    """Return what a topic, a service or an action of a type is usually called."""
     if type_ is None:
-        return _NAMES[kind]
+        return NAMES[kind]
     usual = (name for name, full in _USUAL.items() if full == str(type_))
     return next(usual, _snake(type_.name))
 
@@ -74,7 +83,7 @@ class TypeKind(Kind):
 
     def suggest(self, ask: Ask) -> str:
         """Return the type that a topic of the name usually has, or a simple one."""
-        name = ask.text(SlotKind.TOPIC, SlotKind.SERVICE).rpartition("/")[2]
+        name = ask.text(*MEETINGS).rpartition("/")[2]
         default = _DEFAULTS[ask.interface]
         usual = _USUAL.get(name) if ask.interface is InterfaceKind.MESSAGE else None
         if usual is None:
@@ -111,7 +120,7 @@ class TypeKind(Kind):
 
 
 def _fields(found: FoundType) -> str:
-    """Return the fields of a type on a line; of a service those of its answer, too."""
+    """Return the fields of a type on a line; of a service or an action those of its answer, too."""
     told = _listed(found.fields)
     return f"{told} → {_listed(found.answer)}" if found.answer else told
 

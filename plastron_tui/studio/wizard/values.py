@@ -35,6 +35,11 @@ _NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 _TEXT = re.compile(r'"(?:[^"\\]|\\.)*"')
 _LONGEST_SHOWN = 40
 _PIECE = re.compile(r'\s*("(?:[^"\\]|\\.)*"|(?:[^\s,]+(?:\s+[^\s,]+)*)?)\s*(?:,|$)')
+_COMPUTED = re.compile(
+    r"(parameter '[^']+'|received(\.[A-Za-z]\w*)+(\[\d+\])?)"
+    rf"(\s*[-+*/]\s*({_NUMBER.pattern}))*",
+    re.ASCII,
+)
 _TRUE = frozenset({"true", "yes", "on", "1"})
 _FALSE = frozenset({"false", "no", "off", "0"})
 
@@ -81,9 +86,11 @@ class Heading:
     note: str
 
 
-def entries_of(interface: Interface, catalog: Catalog) -> list[Entry | Heading]:
-    """Return the form of a message, or of the request of a service."""
-    section = interface.sections[0]
+def entries_of(
+    interface: Interface, catalog: Catalog, section: Section | None = None
+) -> list[Entry | Heading]:
+    """Return the form of a section: of a message, or of a request or a goal where none is named."""
+    section = section or interface.sections[0]
     is_message = interface.kind is InterfaceKind.MESSAGE
     found: list[Entry | Heading] = []
     for each in _entries(section, (), catalog, is_message):
@@ -163,6 +170,8 @@ def _shown(value: object) -> str:
 
 def written(entry: Entry, text: str) -> str:
     """Return what was entered as a program writes it; what fits no field is left as it is."""
+    if is_computed(text):
+        return text.strip()
     if entry.python is None:
         inner = text.strip()
         return inner if inner.startswith("[") else f"[{inner}]"
@@ -190,7 +199,14 @@ def pieces(text: str) -> list[str]:
     return found
 
 
+def is_computed(text: str) -> bool:
+    """Tell whether a value is computed when it is sent: of a parameter, or of what is received."""
+    return _COMPUTED.fullmatch(text.strip()) is not None
+
+
 def _scalar(entry: Entry, text: str, *, is_item: bool = False) -> str:
+    if is_computed(text):
+        return text.strip()
     if entry.python is str:
         is_quoted = is_item and len(text) > 1 and text[0] == text[-1] == '"'
         return text if is_quoted else quoted(text)
@@ -204,8 +220,11 @@ def _scalar(entry: Entry, text: str, *, is_item: bool = False) -> str:
 def problem_of(entry: Entry, text: str, ros_version: int) -> str | None:
     """Tell why what was entered does not fit its field, None where it does, as far as is known.
 
-    Of messages within an array only the parentheses are looked at here.
+    Of messages within an array only the parentheses are looked at here, and nothing of what is
+    computed when it is sent: the statement says that.
     """
+    if is_computed(text):
+        return None
     if entry.python is None:
         return _parentheses_problem(text)
     if not entry.type.is_array:
@@ -243,6 +262,8 @@ def _parentheses_problem(text: str) -> str | None:
 def _scalar_problem(entry: Entry, text: str, ros_version: int) -> str | None:
     plain = text.strip()
     value: bool | int | float | str
+    if is_computed(plain):
+        return None
     if entry.python is bool:
         if plain.lower() not in _TRUE | _FALSE:
             return "it is either True or False"

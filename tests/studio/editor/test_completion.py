@@ -8,7 +8,8 @@ from textual.geometry import Offset
 
 from plastron_tui.language.expectations import expected_at
 from plastron_tui.session import Session
-from plastron_tui.studio.editor.completion import Candidate, candidates, detail_of
+from plastron_tui.studio.editor.candidate import Candidate
+from plastron_tui.studio.editor.completion import candidates, detail_of
 from plastron_tui.studio.editor.vocabulary import Vocabulary
 
 PROGRAM = """\
@@ -73,6 +74,102 @@ def texts(line: str) -> list[str]:
 )
 def test_offered(line: str, first: list[str]) -> None:
     assert texts(line)[: len(first)] == first
+
+
+ROBOT = """\
+create_node 'robot' as robot using rclpy
+create_node 'old' as old using rospy
+robot has_parameter 'speed' of parameter_type float with default 0.5
+robot has_parameter 'frame' of parameter_type string with default "map"
+robot has_parameter 'quiet' of parameter_type bool with default True
+old has_parameter 'pace' of parameter_type int with default 5
+subscribe robot to 'scan' of message_type sensor_msgs/LaserScan
+subscribe robot to 'go' of message_type Bool
+create_message stop of message_type Twist and input none
+robot repeats blink at 2 hz
+robot provides_action 'count' of action_type Fibonacci
+"""
+STOP = "robot publish stop to 'x' of message_type Twist "
+
+
+@pytest.mark.parametrize(
+    ("line", "found"),
+    [
+        ("old sends_goal to ", ["'count'"]),
+        ("robot sends_goal to 'count' of action_type ", ["Fibonacci"]),
+        ("robot sends_goal to 'c' of action_type Fibonacci with input ", ["order"]),
+        ("robot stop_action ", ["'count'"]),
+        ("robot has_parameter 'p' of parameter_type ", ["bool", "int", "float", "string"]),
+        ("robot has_parameter 'p' of parameter_type bool with default ", ["True", "False"]),
+        ("robot has_parameter 'p' of parameter_type bool_list with default [", ["True", "False"]),
+        ("robot no_longer_has_parameter ", ["'speed'", "'frame'", "'quiet'"]),
+        ("old no_longer_has_parameter ", ["'pace'"]),
+        ("robot stop_repeating ", ["blink"]),
+        (STOP, ["at", "once", "for_each", "with"]),
+        (STOP + "at ", ["parameter 'speed'"]),
+        (STOP + "at par", ["parameter 'speed'"]),
+        (STOP + "at parameter ", ["'speed'"]),
+        ("old repeats tick at ", ["parameter 'pace'"]),
+        (STOP + "for_each ", ["'scan'", "'go'"]),
+        (STOP + "for_each 'sc", ["'scan'"]),
+        (STOP + "for_each 'go' when ", ["any", "all", "received.data"]),
+        (STOP + "for_each 'scan' when any ", ["received.header", "received.ranges"]),
+        (STOP + "for_each 'scan' when received.angle", ["received.angle_min"]),
+        (STOP + "for_each 'scan' when received.header.", ["received.header.stamp"]),
+        (STOP + "for_each 'scan' when any received.ranges ", ["<", "=", ">"]),
+        (STOP + "for_each 'scan' when any received.ranges < 5 ", ["with"]),
+        (STOP + "with qos ", ["system_default", "latched", "reliable", "sensor_data"]),
+        ("subscribe robot to 'x' of message_type Imu with qos ", ["sensor_data", "reliable"]),
+        (STOP + "with qos reliable, ", ["system_default", "volatile", "sensor_data"]),
+        (STOP + "with qos depth 5, reliable, d", ["deadline"]),
+        ("subscribe old to 'x' of message_type Bool with qos ", ["latched", "depth"]),
+        ("create_message m of message_type Twist and input linear.x=par", ["parameter 'speed'"]),
+        ("create_message m of message_type Twist and input linear.x=parameter ", ["'speed'"]),
+        ("create_message m of message_type Twist and input linear.x=received.d", ["received.data"]),
+        ("robot provides_service 'a' of service_type AddTwoInts answering ", ["sum", "none"]),
+        (
+            "robot provides_service 'a' of service_type AddTwoInts answering sum=received.",
+            ["received.a", "received.b"],
+        ),
+        ("old renames ", ["parameter"]),
+        ("robot renames parameter ", ["'speed'", "'frame'", "'quiet'"]),
+        ("create_node 'arm' as arm ", ["managed", "using"]),
+    ],
+)
+def test_offered_for_what_else_a_node_does(line: str, found: list[str]) -> None:
+    texts = [candidate.text for candidate in offered(line, ROBOT)]
+    places = [texts.index(text) for text in found]
+    assert places == sorted(places)
+    assert texts[0] == found[0]
+
+
+@pytest.mark.parametrize(
+    ("line", "missing"),
+    [
+        (STOP + "with qos reliable, ", "best_effort"),
+        (STOP + "with qos latched, ", "transient_local"),
+        ("subscribe old to 'x' of message_type Bool with qos ", "reliable"),
+        (STOP + "for_each 'scan' when received.", "received.ranges"),
+        (STOP + "for_each 'scan' when all received.", "received.angle_min"),
+        (STOP + "at ", "parameter 'frame'"),
+        (STOP + "at ", "parameter 'pace'"),
+        (STOP + "once ", "at"),
+        (STOP + "for_each 'scan' when any ", "with"),
+        ("create_message m of message_type Twist and input linear.x=5 ", "parameter 'speed'"),
+    ],
+)
+def test_what_would_be_wrong_is_not_offered(line: str, missing: str) -> None:
+    assert missing not in [candidate.text for candidate in offered(line, ROBOT)]
+
+
+def test_a_message_that_is_sent_for_a_topic_takes_what_arrives_there() -> None:
+    sent = ROBOT + "robot publish m to 'y' of message_type Twist for_each 'go'\n"
+    line = "create_message m of message_type Twist and input linear.x=received."
+    assert [each.text for each in offered(line, sent)] == ["received.data"]
+
+
+def test_words_of_quality_of_service_say_what_they_mean() -> None:
+    assert all(each.detail for each in offered(STOP + "with qos ", ROBOT))
 
 
 @pytest.mark.parametrize(

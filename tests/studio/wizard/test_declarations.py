@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from _pytest.mark import ParameterSet
 from wizard_courses import (
     CHANGE,
     MORE,
@@ -23,6 +24,7 @@ from wizard_driver import way_to
 
 from plastron_tui.diagnostics import codes
 from plastron_tui.language import DECLARATIONS, Declaration, SlotKind, Statement
+from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import slot, statement
 from plastron_tui.model.interpreter import HANDLERS
 from plastron_tui.session import Session
@@ -34,6 +36,15 @@ from plastron_tui.studio.wizard.goals import Aim, aim_of, declarations_of
 from plastron_tui.studio.wizard.kinds import KINDS
 
 ALL = list(DECLARATIONS.values())
+
+MORE_TO_DO = """\
+talker has_parameter 'speed' of parameter_type float with default 0.5
+talker repeats blink at 2 hz
+talker provides_action 'fetch' of action_type Fibonacci
+talker sends_goal to 'carry' of action_type Fibonacci with input 5
+generate_node talker
+"""
+EVERYTHING = TWO_NODES.replace("generate_node talker\n", MORE_TO_DO)
 
 
 def keyword(declaration: Declaration) -> str:
@@ -61,7 +72,7 @@ def test_every_statement_is_built_of_suggestions_alone(
     declaration: Declaration, tmp_path: Path
 ) -> None:
     (tmp_path / "sonar.py").write_text(NODE_FILE)
-    text = TWO_NODES
+    text = EVERYTHING
     if declaration.undoes is not None:
         # Something is left for each node to do.
         text = text.replace("generate_node", "// generate_node")
@@ -82,7 +93,17 @@ def test_every_statement_is_built_of_suggestions_alone(
     assert formatted(after) == after
 
 
-@pytest.mark.parametrize("declaration", declarations_of(Aim.MORE), ids=keyword)
+NOT_IN_FILES = (st.actions, st.parameters, st.timers)
+"""The statements of these have no effect on a file that is loaded yet."""
+
+
+def for_files(declaration: Declaration) -> ParameterSet:
+    is_written = declaration.type.__module__ not in [each.__name__ for each in NOT_IN_FILES]
+    mark = pytest.mark.xfail(not is_written, reason="a file is not changed so yet", strict=True)
+    return pytest.param(declaration, id=keyword(declaration), marks=mark)
+
+
+@pytest.mark.parametrize("declaration", [*map(for_files, declarations_of(Aim.MORE))])
 def test_a_file_that_is_loaded_can_be_changed_in_every_way(
     declaration: Declaration, tmp_path: Path
 ) -> None:

@@ -9,11 +9,14 @@ from wizard_courses import (
     ANSWER,
     ASK,
     CHANGE,
+    DO,
+    HAVE,
     MAKE,
     MESSAGE,
     MORE,
     NODE_FILE,
     REACT,
+    REPEAT,
     SEND,
     TWO_NODES,
     choose,
@@ -60,6 +63,19 @@ REFUSED = [
     ([MORE, ASK], "service", "", "a service needs a name, such as `switch`"),
     ([MORE, ASK], "type", "String", "`String` is a message type"),
     ([MORE, ANSWER], "service", "switch", "provides `switch` already"),
+    ([MORE, SEND], "rate", "parameter 'speed'", "`listener` has no parameter `speed`"),
+    ([MORE, SEND], "qos", "relaible", "did you mean `reliable`?"),
+    ([MORE, SEND], "qos", "depth", "`depth` lacks its number"),
+    ([MORE, SEND], "qos", "depth 5, depth 6", "`depth` is there twice"),
+    ([MORE, HAVE], "parameter", "", "a parameter needs a name, such as `speed`"),
+    ([MORE, HAVE], "type", "double", "no such type: choose one of the list"),
+    ([MORE, HAVE], "default", "fast", "default takes a number, such as 0.5"),
+    ([MORE, HAVE], "default", "", "a value is needed, such as 0.5"),
+    ([MORE, REPEAT], "function", "", "a function is needed, such as `tick`"),
+    ([MORE, REPEAT], "function", "a b", "and no space"),
+    ([MORE, REPEAT], "rate", "", "a number of times a second"),
+    ([MORE, DO], "action", "", "an action needs a name, such as `count`"),
+    ([MORE, DO], "type", "String", "`String` is a message type"),
     ([MESSAGE], "variable", "talker", "a node is called `talker` already"),
     ([MESSAGE], "type", "SetBool", "`SetBool` is a service type"),
     ([CHANGE], "source", "", "write the path of one"),
@@ -79,6 +95,38 @@ def test_what_cannot_be_is_refused_with_the_reason(
     choose(it, *ways)
     assert it.page.form is not None and it.blocking(it.look()) == ()
     it.page.form.entered[slot] = text
+    found = it.blocking(it.look())
+    assert [each.slot for each in found] == [slot]
+    assert words in found[0].words
+
+
+TOGETHER = [
+    ([MORE, HAVE], {"minimum": "0"}, "maximum", "it is needed along with `minimum`"),
+    ([MORE, HAVE], {"maximum": "1"}, "minimum", "it is needed along with `maximum`"),
+    ([MORE, HAVE], {"minimum": "low", "maximum": "1"}, "minimum", "minimum takes a number"),
+    ([MORE, HAVE], {"minimum": "2", "maximum": "1"}, "minimum", "2 is greater than 1"),
+    ([MORE, HAVE], {"minimum": "1", "maximum": "2"}, "default", "not between"),
+    ([MORE, SEND], {"rate": "5", "once": "once"}, "once", "it does not go with `rate`"),
+    ([MORE, SEND], {"rate": "5", "trigger": "chatter"}, "trigger", "does not go with `rate`"),
+    ([MORE, SEND], {"once": "once", "trigger": "chatter"}, "trigger", "does not go with `once`"),
+    ([MORE, SEND], {"trigger": "scan"}, "trigger", "does not listen to `scan`, but to chatter"),
+    (
+        [MORE, SEND],
+        {"node": "talker", "trigger": "scan"},
+        "trigger",
+        "`talker` listens to no topic",
+    ),
+    ([MORE, SEND], {"trigger": "chatter", "condition": "data"}, "condition", "compares a field of"),
+]
+
+
+@pytest.mark.parametrize(("ways", "entered", "slot", "words"), TOGETHER)
+def test_what_does_not_go_together_is_refused(
+    ways: list[str], entered: dict[str, str], slot: str, words: str
+) -> None:
+    it = course(TWO_NODES)
+    form = form_after(it, *ways)
+    form.entered.update(entered)
     found = it.blocking(it.look())
     assert [each.slot for each in found] == [slot]
     assert words in found[0].words

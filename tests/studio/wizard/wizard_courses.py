@@ -18,6 +18,9 @@ SEND = "send something, again and again"
 REACT = "react to what others send"
 ASK = "ask a question and wait for the answer"
 ANSWER = "answer questions"
+HAVE = "have a value that can be set from outside"
+REPEAT = "do something, again and again"
+DO = "do a task that takes its time"
 CHANGE = "change a node file that exists"
 
 TWO_NODES = """\

@@ -1,0 +1,224 @@
+"""What completion offers among values: fields, parameters, and parts of what is received."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from plastron_tui.language import SlotKind
+from plastron_tui.language.expectations import Expectation, ValuePlace
+from plastron_tui.model.kinds import INTERFACES
+from plastron_tui.ros.interfaces import Field, Interface, InterfaceKind
+
+from .candidate import Candidate
+from .vocabulary import Vocabulary
+
+if TYPE_CHECKING:
+    from plastron_tui.model.types import TypeResolver
+    from plastron_tui.ros.catalog import Catalog
+
+_RECEIVED = "received."
+_OPERATORS = frozenset({"<", "=", ">"})
+_BEFORE_VALUE = frozenset({"=", ",", "(", "["})
+_TRUTH = (Candidate("True"), Candidate("False"))
+
+
+def resolver(catalog: Catalog) -> TypeResolver:
+    """Return what looks types up."""
+    from plastron_tui.model.types import TypeResolver
+
+    return TypeResolver(catalog)
+
+
+# Parameters.
+
+
+def rates(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate]:
+    """Offer the parameters of the node that say how often, which are numbers."""
+    own = vocabulary.parameters(expected.filled.get("node", ""))
+    numbers = [
+        name for name, each in own.items() if each.holds is not None and each.holds.is_number
+    ]
+    yield from _parameters(numbers, expected.written, " hz")
+
+
+def _parameters(
+    names: Iterable[str], written: Sequence[str], after: str = ""
+) -> Iterator[Candidate]:
+    before = "" if written[-1:] == ("parameter",) else "parameter "
+    for name in names:
+        yield Candidate(f"{before}'{name}'", "", after)
+
+
+def default_values(expected: Expectation) -> Iterator[Candidate]:
+    """Offer what a parameter may hold where that is either this or that."""
+    is_first = not expected.written or expected.written[-1] in _BEFORE_VALUE
+    if is_first and expected.filled.get("type", "").startswith("bool"):
+        yield from _TRUTH
+
+
+# What is received.
+
+
+def conditions(
+    expected: Expectation, vocabulary: Vocabulary, catalog: Catalog
+) -> Iterator[Candidate]:
+    """Offer the parts of a condition: whether of a list any or all, a field, and an operator."""
+    written, filled = expected.written, expected.filled
+    last = written[-1] if written else ""
+    if not _OPERATORS.isdisjoint(written):
+        return
+    if last.startswith(_RECEIVED) or last == "]":
+        yield from map(Candidate, sorted(_OPERATORS))
+        return
+    if not written:
+        yield Candidate("any", "one element of a list at least", " ")
+        yield Candidate("all", "every element of a list", " ")
+    subscription = vocabulary.heard(filled.get("node", "")).get(
+        filled.get("trigger", "").strip("'")
+    )
+    if subscription is None or subscription.type is None:
+        return
+    found = catalog.find(subscription.type, InterfaceKind.MESSAGE)
+    fields = () if found is None else found.fields
+    is_list = last in ("any", "all")
+    for each in _received(fields, expected.prefix, catalog):
+        if each.field.type.is_array is is_list or each.field.type.message is not None:
+            yield each.candidate
+
+
+class _Part:
+    """A field of what is received, by its whole path."""
+
+    def __init__(self, path: str, field: Field) -> None:
+        self.field = field
+        is_whole = field.type.message is not None and not field.type.is_array
+        self.candidate = Candidate(path, str(field.type), "." if is_whole else "")
+
+
+def _received(fields: Sequence[Field], prefix: str, catalog: Catalog) -> Iterator[_Part]:
+    """Yield the fields that go on from what is written."""
+    _, *parents, _ = prefix.split(".") if prefix.startswith(_RECEIVED) else ("", "")
+    inner: Sequence[Field] = fields
+    if parents:
+        inner = _fields_in(_field(tuple(fields), ".".join(parents), catalog), catalog) or ()
+    start = "".join(f"{parent}." for parent in parents)
+    for field in inner:
+        yield _Part(f"{_RECEIVED}{start}{field.name}", field)
+
+
+def _heard_fields(
+    expected: Expectation, vocabulary: Vocabulary, catalog: Catalog
+) -> Iterator[Field]:
+    """Yield the fields of all that what is written may be received with."""
+    slot, filled = expected.slot, expected.filled
+    found: list[object] = []
+    if slot is not None and slot.kind is SlotKind.ANSWER:
+        found = [resolver(catalog).resolve(filled.get("type", ""), InterfaceKind.SERVICE)]
+    elif "variable" in filled:
+        types = vocabulary.heard_with(filled["variable"])
+        found = [catalog.find(type_, InterfaceKind.MESSAGE) for type_ in types]
+    fields = [field for each in found if isinstance(each, Interface) for field in each.fields]
+    yield from {field.name: field for field in fields}.values()
+
+
+# Values.
+
+
+def values(expected: Expectation, vocabulary: Vocabulary, catalog: Catalog) -> Iterator[Candidate]:
+    """Offer names of fields, and what can be a value."""
+    place = expected.values
+    if place is None or place.is_text:
+        return
+    written = expected.written
+    if written and written[-1] == "parameter":
+        yield from _parameters(_all_parameters(expected, vocabulary), written)
+        return
+    if written and written[-1] not in _BEFORE_VALUE:
+        return
+    heard = list(_heard_fields(expected, vocabulary, catalog))
+    if expected.prefix.startswith(_RECEIVED):
+        yield from (each.candidate for each in _received(heard, expected.prefix, catalog))
+        return
+    fields = _fields_at(place, _own_fields(expected, catalog), catalog)
+    if fields is None:
+        return
+    yield from _of_fields(place, fields, expected.prefix, catalog)
+    # Where a name may come, few want anything else.
+    is_value = place.name is not None or place.is_list or expected.prefix
+    if is_value and "." not in expected.prefix:
+        yield from _parameters(_all_parameters(expected, vocabulary), written)
+        if heard:
+            yield Candidate("received", "what arrives", ".")
+
+
+def _all_parameters(expected: Expectation, vocabulary: Vocabulary) -> Iterable[str]:
+    """Return the parameters of the node; where none is named, as with a message, of all nodes."""
+    return vocabulary.parameters(expected.filled.get("node"))
+
+
+def _own_fields(expected: Expectation, catalog: Catalog) -> tuple[Field, ...] | None:
+    """Return the fields that get the values, None where the type is not known."""
+    if expected.declaration is None or expected.slot is None:
+        return None
+    kinds = (INTERFACES.get(slot.kind) for slot in expected.declaration.slots)
+    kind = next((each for each in kinds if each is not None), InterfaceKind.MESSAGE)
+    found = resolver(catalog).resolve(expected.filled.get("type", ""), kind)
+    if not isinstance(found, Interface):
+        return None
+    return found.response.fields if expected.slot.kind is SlotKind.ANSWER else found.fields
+
+
+def _fields_at(
+    place: ValuePlace, fields: tuple[Field, ...] | None, catalog: Catalog
+) -> tuple[Field, ...] | None:
+    """Return the fields of the message within the message that a place is in."""
+    is_array = False
+    for key in place.path:
+        if is_array and isinstance(key, int):
+            # An element of the array, which has the fields that are known already.
+            is_array = False
+            continue
+        field = _field(fields, key, catalog)
+        is_array = field is not None and field.type.is_array
+        fields = _fields_in(field, catalog)
+    return fields
+
+
+def _of_fields(
+    place: ValuePlace, fields: tuple[Field, ...], prefix: str, catalog: Catalog
+) -> Iterator[Candidate]:
+    if place.name is not None or place.is_list:
+        field = _field(fields, place.name, catalog) if place.name is not None else None
+        if field is not None and field.type.name == "bool":
+            yield from _TRUTH
+        return
+    *parents, _ = prefix.split(".")
+    if parents:
+        fields = _fields_in(_field(fields, ".".join(parents), catalog), catalog) or ()
+    elif not place.used and [field.type.name for field in fields[place.index :][:1]] == ["bool"]:
+        yield from _TRUTH
+    start = "".join(f"{parent}." for parent in parents)
+    for field in fields:
+        if start + field.name not in place.used:
+            yield Candidate(f"{start}{field.name}", str(field.type), "=")
+
+
+def _field(
+    fields: tuple[Field, ...] | None, key: str | int | None, catalog: Catalog
+) -> Field | None:
+    if fields is None or key is None:
+        return None
+    if isinstance(key, int):
+        return fields[key] if key < len(fields) else None
+    found: Field | None = None
+    for name in key.split("."):
+        found = next((field for field in fields or () if field.name == name), None)
+        fields = _fields_in(found, catalog)
+    return found
+
+
+def _fields_in(field: Field | None, catalog: Catalog) -> tuple[Field, ...] | None:
+    message = field.type.message if field is not None else None
+    found = catalog.find(message, InterfaceKind.MESSAGE) if message is not None else None
+    return found.fields if found is not None else None

@@ -1,0 +1,195 @@
+"""When something is sent, and how: the rate, once, for what arrives, the quality of service."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+from plastron_tui.diagnostics import listed
+from plastron_tui.language import SlotKind
+from plastron_tui.model.kinds import HIGHEST_RATE, INTERFACES, LOWEST_RATE
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import Field, InterfaceKind, InterfaceName
+from plastron_tui.ros.primitives import primitive
+from plastron_tui.ros.qos_words import Said, is_sensor_type, offered_words, parse_words
+
+from .ask import Ask, Choice
+from .form import Cell
+from .kind import Kind
+
+_DEEPEST = 3
+_CONDITION = re.compile(
+    r"((any|all) )?received(\.[A-Za-z]\w*)+(\[\d+\])?\s*[<>=]\s*\S.*", re.ASCII | re.DOTALL
+)
+_PARAMETER = re.compile(r"parameter\s*'([^']*)'")
+
+
+class RateKind(Kind):
+    """How often something is sent, or done."""
+
+    def suggest(self, ask: Ask) -> str:
+        """Return a rate, or nothing for what is usually done once: a request."""
+        is_request = ask.form.slot_of(SlotKind.INPUT) is not None
+        return "" if is_request and ask.slot.name in ask.form.optional else "10"
+
+    def choices(self, ask: Ask, query: str) -> list[Choice]:
+        """Return usual rates, and the parameters of the node that can say it."""
+        parameters = ask.scene.parameters(ask.node).items()
+        return [
+            Choice("1", "once a second"),
+            Choice("2", "twice a second"),
+            Choice("10", "ten times a second"),
+            Choice("30", "as often as a camera"),
+            *(
+                Choice(f"parameter '{name}'", "as often as that says")
+                for name, each in parameters
+                if each.holds is not None and each.holds.is_number
+            ),
+        ]
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text cannot stand there."""
+        named = _PARAMETER.fullmatch(text)
+        if named is not None:
+            known = ask.scene.parameters(ask.node)
+            return None if named[1] in known else f"`{ask.node}` has no parameter `{named[1]}`"
+        try:
+            rate = float(text) if text.isascii() and "_" not in text else 0.0
+        except ValueError:
+            return "it is a number of times a second, such as 10 or 0.5"
+        if rate <= 0 or rate > HIGHEST_RATE:
+            return "it is more than 0, and at most a million, times a second"
+        if rate < LOWEST_RATE:
+            return "so seldom that it would never be: it is once in thirty years at least"
+        return None
+
+
+class FlagKind(Kind):
+    """A word that stands there or not."""
+
+
+class TriggerKind(Kind):
+    """The topic for each message of which something is sent."""
+
+    def fixed(self, ask: Ask) -> Cell | None:
+        """Return that there is none where the node listens to nothing."""
+        is_open = ask.scene.heard(ask.node) or ask.form.entered.get(ask.slot.name)
+        return None if is_open else Cell("", _deaf(ask))
+
+    def choices(self, ask: Ask, query: str) -> list[Choice]:
+        """Return what the node listens to."""
+        heard = ask.scene.heard(ask.node).items()
+        return [Choice(name, "" if type_ is None else str(type_)) for name, type_ in heard]
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text cannot stand there."""
+        heard = ask.scene.heard(ask.node)
+        if text in heard:
+            return None
+        if not heard:
+            return _deaf(ask)
+        return f"`{ask.node}` does not listen to `{text}`, but to {listed(list(heard))}"
+
+
+def _deaf(ask: Ask) -> str:
+    who = f"`{ask.node}`" if ask.node else "the node"
+    return f"{who} listens to no topic yet"
+
+
+class ConditionKind(Kind):
+    """What must hold of what arrives."""
+
+    def fixed(self, ask: Ask) -> Cell | None:
+        """Return that there is none where nothing has to arrive."""
+        has_trigger = bool(ask.text(SlotKind.TRIGGER))
+        return None if has_trigger else Cell("", "only with a trigger")
+
+    def choices(self, ask: Ask, query: str) -> list[Choice]:
+        """Return a condition for each field of what arrives."""
+        type_ = ask.scene.heard(ask.node).get(ask.text(SlotKind.TRIGGER))
+        catalog = ask.scene.catalog(ask.version)
+        found = None if type_ is None else catalog.find(type_, InterfaceKind.MESSAGE)
+        fields = () if found is None else found.fields
+        return [Choice(text, note) for text, note in _conditions(fields, "received", catalog, 0)]
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text is no condition."""
+        if _CONDITION.fullmatch(text):
+            return None
+        return "it compares a field of what arrives, such as `received.data > 5`"
+
+
+def _conditions(
+    fields: Sequence[Field], before: str, catalog: Catalog, depth: int
+) -> Iterator[tuple[str, str]]:
+    """Yield a condition for each field that can be compared, and the type of the field."""
+    for field in fields:
+        path, message = f"{before}.{field.name}", field.type.message
+        if message is not None:
+            inner = catalog.find(message, InterfaceKind.MESSAGE)
+            if inner is not None and not field.type.is_array and depth < _DEEPEST:
+                yield from _conditions(inner.fields, path, catalog, depth + 1)
+            continue
+        known = primitive(field.type.name, catalog.ros_version)
+        if known is None or known.parts:
+            continue
+        words = {bool: "= True", str: '= ""', float: "< 0.5"}.get(known.kind, "> 5")
+        start = "any " if field.type.is_array else ""
+        yield f"{start}{path} {words}", str(field.type)
+
+
+class QosKind(Kind):
+    """How messages are to arrive."""
+
+    def suggest(self, ask: Ask) -> str:
+        """Return the words for readings of sensors, where those are what is sent."""
+        word = "sensor_data"
+        if ask.is_trial or ask.version == 1 or not is_sensor_type(_type_of(ask)):
+            return ""
+        return word if ask.try_out(word).reason is None else ""
+
+    def choices(self, ask: Ask, query: str) -> list[Choice]:
+        """Return the words that may follow those that are written."""
+        said = _words(query)
+        if said and parse_words(said)[1]:
+            said = said[:-1]
+        before = "".join(f"{_text(each)}, " for each in said)
+        found = [] if said else [Choice("", "all messages, the last 10 kept", label="leave it out")]
+        words = offered_words([word for word, _ in said], ask.version, _type_of(ask))
+        for word in words:
+            example = {"depth": " 5", "": ""}.get(word.number, " 0.5")
+            found.append(Choice(f"{before}{word.word}{example}", word.summary))
+        return found
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell what is wrong with words."""
+        problems = parse_words(_words(text))[1]
+        if not problems:
+            return None
+        first = problems[0]
+        return f"{first.message} ({first.help})" if first.help else first.message
+
+
+def _type_of(ask: Ask) -> InterfaceName | None:
+    found = ask.scene.resolve(ask.text(*INTERFACES), ask.interface, ask.version)
+    return None if found is None else found.name
+
+
+def _words(text: str) -> list[Said]:
+    """Return the words that are written, with their numbers."""
+    return [_said(each.split()) for each in text.split(",") if each.strip()]
+
+
+def _said(parts: list[str]) -> Said:
+    word, *rest = parts
+    if not rest:
+        return word, None
+    try:
+        return word, float(" ".join(rest))
+    except ValueError:
+        return " ".join(parts), None
+
+
+def _text(said: Said) -> str:
+    word, number = said
+    return word if number is None else f"{word} {number:.15g}"

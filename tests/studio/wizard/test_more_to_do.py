@@ -1,0 +1,195 @@
+"""The forms of what else a node does: what is entered, and the statement that comes of it."""
+
+from __future__ import annotations
+
+import pytest
+from wizard_courses import (
+    ANSWER,
+    ASK,
+    DO,
+    HAVE,
+    MAKE,
+    MORE,
+    REACT,
+    REPEAT,
+    SEND,
+    choose,
+    course,
+    form_after,
+)
+
+from plastron_tui.studio.wizard.flow import Course
+from plastron_tui.studio.wizard.form import NEW, Form
+
+ROBOT = """\
+create_node 'robot' as robot using rclpy
+robot has_parameter 'speed' of parameter_type float with default 0.5
+robot has_parameter 'frame' of parameter_type string with default "map"
+subscribe robot to 'scan' of message_type LaserScan
+subscribe robot to 'go' of message_type Bool
+create_message hello of message_type String and input "hello"
+"""
+GOAL = "have a task done, and hear how it goes"
+GO = "publish hello to 'scan_2' of message_type String"
+
+
+def written(it: Course) -> str:
+    """The last statement that a form comes to, which is right."""
+    look = it.look()
+    assert look.problems == () and look.outcome is not None
+    return look.filled[-1].text
+
+
+def choices(it: Course, form: Form, slot: str, query: str = "") -> list[str]:
+    filled = it.look().of(form)
+    assert filled is not None
+    return [each.text for each in it.choices(filled, slot, None, query)]
+
+
+ENTERED = [
+    (HAVE, {"type": "string", "default": "map"}, 'parameter_type string with default "map"'),
+    (HAVE, {"type": "string", "default": 'a "b"'}, 'default "a \\"b\\""'),
+    (HAVE, {"type": "bool", "default": "no"}, "parameter_type bool with default False"),
+    (HAVE, {"type": "int_list", "default": "1, 2"}, "int_list with default [1, 2]"),
+    (HAVE, {"type": "string_list", "default": "a, b"}, 'with default ["a", "b"]'),
+    (HAVE, {"minimum": "0", "maximum": "2"}, "with default 0.5 between 0 and 2"),
+    (HAVE, {"description": "how fast"}, 'with default 0.5 described_as "how fast"'),
+    (SEND, {"message": "hello", "rate": "5"}, " at 5 hz"),
+    (SEND, {"message": "hello", "rate": "parameter 'speed'"}, " at parameter 'speed' hz"),
+    (SEND, {"message": "hello", "once": "once"}, "of message_type String once"),
+    (SEND, {"message": "hello", "trigger": "go"}, "of message_type String for_each 'go'"),
+    (
+        SEND,
+        {"message": "hello", "trigger": "go", "condition": "received.data = True"},
+        "for_each 'go' when received.data=True",
+    ),
+    (
+        SEND,
+        {"message": "hello", "trigger": "scan", "condition": "any received.ranges < 0.5"},
+        "for_each 'scan' when any received.ranges < 0.5",
+    ),
+    (SEND, {"message": "hello", "qos": "reliable, depth 5"}, " with qos reliable, depth 5"),
+    (SEND, {"message": "hello", "once": "once", "qos": "latched"}, " once with qos latched"),
+    (REACT, {"topic": "laser", "type": "LaserScan"}, "LaserScan with qos sensor_data"),
+    (REACT, {"topic": "laser", "type": "String"}, "of message_type String"),
+    (REACT, {"topic": "laser", "type": "LaserScan", "qos": ""}, "of message_type LaserScan"),
+    (REPEAT, {"function": "blink", "rate": "2"}, "robot repeats blink at 2 hz"),
+    (ASK, {}, "with input True"),
+    (ASK, {"rate": "1"}, "with input True at 1 hz"),
+    (DO, {}, "robot provides_action 'count' of action_type Fibonacci"),
+    (GOAL, {}, "robot sends_goal to 'count' of action_type Fibonacci with input 5"),
+    (ANSWER, {}, "robot provides_service 'switch' of service_type SetBool"),
+]
+
+
+@pytest.mark.parametrize(("way", "entered", "end"), ENTERED)
+def test_what_is_entered_is_written(way: str, entered: dict[str, str], end: str) -> None:
+    it = course(ROBOT)
+    form = form_after(it, MORE, way)
+    for slot, text in entered.items():
+        form.enter(slot, text)
+    assert written(it).endswith(end)
+
+
+ANSWERS = [
+    ({}, "of service_type AddTwoInts"),
+    ({("sum",): "5"}, "of service_type AddTwoInts answering 5"),
+    ({("sum",): "received.a + 1"}, "of service_type AddTwoInts answering received.a + 1"),
+]
+
+
+@pytest.mark.parametrize(("values", "end"), ANSWERS)
+def test_an_answer_is_left_out_until_a_value_is_entered(
+    values: dict[tuple[str, ...], str], end: str
+) -> None:
+    it = course(ROBOT)
+    form = form_after(it, MORE, ANSWER)
+    form.enter("type", "AddTwoInts")
+    form.values.update(values)
+    assert written(it).endswith(end)
+
+
+def test_values_may_come_of_parameters() -> None:
+    it = course(ROBOT)
+    form = form_after(it, MORE, SEND)
+    form.enter("message", NEW)
+    form.enter("type", "Float64")
+    (maker,) = it.look().filled[0].makers
+    maker.form.values["data",] = "parameter 'speed' * 2"
+    look = it.look()
+    assert look.problems == ()
+    assert look.filled[0].makers[0].text.endswith("and input parameter 'speed' * 2")
+
+
+@pytest.mark.parametrize("last", ["rate", "once", "trigger"])
+def test_of_clauses_that_exclude_each_other_the_last_one_that_is_entered_stays(last: str) -> None:
+    it = course(ROBOT)
+    form = form_after(it, MORE, SEND)
+    entered = {"rate": "5", "once": "once", "trigger": "go"}
+    for slot in (*(each for each in entered if each != last), last):
+        form.enter(slot, entered[slot])
+    look = it.look()
+    assert look.problems == ()
+    filled = look.filled[0].cells
+    assert [slot for slot in entered if filled[slot].text] == [last]
+
+
+def test_a_clause_that_is_given_up_lets_the_suggestion_come_back() -> None:
+    it = course(ROBOT)
+    form = form_after(it, MORE, SEND)
+    form.enter("once", "once")
+    assert it.look().filled[0].cells["rate"].text == ""
+    form.enter("once", "")
+    assert it.look().filled[0].cells["rate"].text == "10"
+
+
+CHOICES = [
+    (HAVE, {}, "type", "", ["bool", "int", "float", "string"]),
+    (HAVE, {"type": "bool"}, "default", "", ["True", "False"]),
+    (SEND, {}, "rate", "parameter", ["parameter 'speed'"]),
+    (SEND, {}, "trigger", "", ["scan", "go"]),
+    (SEND, {"trigger": "go"}, "condition", "", ["received.data = True"]),
+    (SEND, {"trigger": "scan"}, "condition", "ranges", ["any received.ranges < 0.5"]),
+    (SEND, {"type": "String"}, "qos", "", ["", "system_default", "latched", "reliable"]),
+    (SEND, {"type": "Imu"}, "qos", "", ["", "sensor_data", "system_default"]),
+    (SEND, {"type": "Imu"}, "qos", "reliable", ["reliable, sensor_data", "reliable, volatile"]),
+    (SEND, {}, "qos", "reliable, dep", ["reliable, depth 5"]),
+    (DO, {}, "type", "", ["Fibonacci"]),
+]
+
+
+@pytest.mark.parametrize(("way", "entered", "slot", "query", "expected"), CHOICES)
+def test_choices_that_work(
+    way: str, entered: dict[str, str], slot: str, query: str, expected: list[str]
+) -> None:
+    it = course(ROBOT)
+    form = form_after(it, MORE, way)
+    form.enter("message", NEW)
+    for name, text in entered.items():
+        form.enter(name, text)
+    found = choices(it, form, slot, query)
+    places = [found.index(text) for text in expected]
+    assert places == sorted(places) and places[0] == 0
+    for text in found:
+        form.enter(slot, text)
+        assert it.blocking(it.look()) == (), text
+
+
+FIXED = [
+    (ROBOT, [MORE, HAVE], {"type": "string"}, "minimum", "only a number has a range"),
+    (ROBOT, [MORE, SEND], {}, "condition", "only with a trigger"),
+    ("", [MAKE, SEND], {}, "trigger", "`talker` listens to no topic yet"),
+]
+
+
+@pytest.mark.parametrize(("program", "ways", "entered", "slot", "reason"), FIXED)
+def test_what_cannot_be_entered_says_why(
+    program: str, ways: list[str], entered: dict[str, str], slot: str, reason: str
+) -> None:
+    it = course(program)
+    choose(it, *ways)
+    form = it.main_form
+    assert form is not None
+    form.entered.update(entered)
+    filled = it.look().of(form)
+    assert filled is not None and filled.cells[slot].reason == reason
