@@ -56,11 +56,14 @@ class TimerDetails(NamedTuple):
         period: in seconds, None where the file does not say it.
         is_oneshot: whether it ticks once.
         is_guess: whether the period is no more than likely, as `ParameterDetails.is_guess`.
+        serves: whether it is a part of another endpoint: its function publishes a message, waits
+            or calls a service as those do that Plastron writes.
     """
 
     period: float | None = None
     is_oneshot: bool = False
     is_guess: bool = False
+    serves: bool = False
 
 
 class ActionDetails(NamedTuple):

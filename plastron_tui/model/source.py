@@ -11,7 +11,7 @@ from plastron_tui.diagnostics import Span
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.qos import Qos
 
-from .endpoint_details import EndpointDetails, ParameterDetails, merged
+from .endpoint_details import EndpointDetails, ParameterDetails, TimerDetails, merged
 from .kinds import Endpoint
 from .kinds import EndpointKind as EndpointKind
 
@@ -122,6 +122,18 @@ class SourceEndpoint(NamedTuple):
     qos: Qos | None = None
     details: EndpointDetails | None = None
     transition: str | None = None
+
+    @property
+    def label(self) -> str | None:
+        """What statements call it, None where they cannot: its name; a timer's is its function.
+
+        A timer that ticks once, or serves another endpoint, is nothing that a node repeats.
+        """
+        if self.kind is not EndpointKind.TIMER:
+            return self.name
+        details = self.details
+        is_part = isinstance(details, TimerDetails) and (details.serves or details.is_oneshot)
+        return None if is_part else self.callback
 
 
 class SourceNode(NamedTuple):

@@ -16,7 +16,8 @@ from .calls import Argument
 from .constants import Known
 from .creation import Removal, line_of
 from .emptied_blocks import emptied_blocks
-from .generated import is_calling_function, is_own_call, is_publishing_function
+from .generated import is_calling_function, is_own_call, is_publishing_function, serves
+from .rates import is_once
 from .references import (
     Reference,
     Use,
@@ -42,8 +43,17 @@ _DESTROYING = frozenset(
 def find_sites(analysis: Analysis, change: Remove | Update | Rename) -> list[Site]:
     """Return the call sites of the endpoint that a change names."""
     of_kind = [site for site in analysis.sites if site.endpoint.kind is change.kind]
+    if change.kind is EndpointKind.TIMER:
+        return [each for each in of_kind if _is_repeating(analysis, each, change.name)]
     named = [site for site in of_kind if site.endpoint.name == change.name]
     return named or [site for site in of_kind if site.endpoint.default == change.name]
+
+
+def _is_repeating(analysis: Analysis, site: Site, function: str) -> bool:
+    """Whether a timer repeats a function, for no other endpoint."""
+    if site.endpoint.callback != function or is_once(site):
+        return False
+    return not serves(analysis, callback_scope(analysis, site))
 
 
 def waits(analysis: Analysis, sites: Iterable[Site]) -> dict[str | None, list[tuple[Node, Node]]]:
