@@ -84,10 +84,10 @@ def _is_idle(
 def _logs_text(analysis: Analysis, call: Node, text: str) -> bool:
     """Whether a call logs a text, as often as a timer's stub does."""
     given = parts_of(call.child_by_field_name("arguments")) if call.type == "call" else []
+    logger = analysis.syntax.called_name(call).removesuffix("_throttle") if given else ""
     return (
         bool(given)
-        and _LOGGERS.fullmatch(analysis.syntax.called_name(call).removesuffix("_throttle"))
-        is not None
+        and _LOGGERS.fullmatch(logger) is not None
         and any(_content(analysis, each) == text for each in given)
     )
 
