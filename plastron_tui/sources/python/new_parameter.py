@@ -62,25 +62,37 @@ def parameter_place(node: Analysis, place: Place | None) -> Place | None:
         place: where an endpoint would go.
     """
     for site in reversed(node.sites):
-        is_alike = site.endpoint.kind is EndpointKind.PARAMETER
-        if not is_alike or _DECLARING.isdisjoint(site.shape.callees) or site.passes:
-            continue
-        around = statement_of(site.call).parent
-        function = site.scope.enclosing("function")
-        makes = any(
-            (each.scope.enclosing("function") or each.scope) is (function or site.scope)
-            or (each.owner is not None and function is not None and function.parent is each.owner)
-            for each in node.nodes
-        )
-        is_block = around is not None and around.parent is not None
-        in_function = is_block and (function is None or around.parent.id == function.node.id)
-        is_setup = function is None or function.name in ("__init__", "main")
-        if makes and in_function and is_setup and (found := beside(node, site)) is not None:
+        is_alike = site.endpoint.kind is EndpointKind.PARAMETER and not site.passes
+        is_alike = is_alike and not _DECLARING.isdisjoint(site.shape.callees)
+        found = beside(node, site) if is_alike and _is_setup(node, site) else None
+        if found is not None:
             return found
+    if place is not None and place.owner is not None and not node.library.node_classes:
+        # What an object reads is its own, wherever the node is named.
+        return place
     for each in node.nodes:
         if (found := behind_node(node, each)) is not None:
             return found
     return place or find_place(node, EndpointKind.PARAMETER)
+
+
+def _is_setup(node: Analysis, site: Site) -> bool:
+    """Whether a call runs for sure when the node is set up, where that is made."""
+    function = site.scope.enclosing("function")
+    block = statement_of(site.call).parent
+    if block is None or (function is not None and function.name not in ("__init__", "main")):
+        return False
+    if function is not None and (block.parent is None or block.parent.id != function.node.id):
+        return False
+    if function is None and block.type != "module":
+        return False
+    if function is not None and function.self_name and not node.library.node_classes:
+        return True
+    owners = [function.parent] if function is not None else []
+    return any(
+        each.scope.enclosing("function") is function or (each.owner and each.owner in owners)
+        for each in node.nodes
+    )
 
 
 def declare(added: Addition, parameter: Parameter) -> list[str]:

@@ -31,8 +31,9 @@ _DEPTH = 10
 
 def asked_qos(endpoint: Endpoint) -> Qos | None:
     """Return the quality of service that a program asks for, None where it asks for none."""
-    is_of_topic = isinstance(endpoint, Publisher | Subscription)
-    return endpoint.qos if is_of_topic and endpoint.span is not None else None
+    if not isinstance(endpoint, Publisher | Subscription) or endpoint.span is None:
+        return None
+    return endpoint.qos
 
 
 def profile(qos: Qos, use: Callable[[str, str], str]) -> str:

@@ -66,6 +66,5 @@ def provide(name, type_="std_srvs/Trigger", handler=None):
 
 
 def request(name, type_, **fields):
-    return Add(
-        Client(name, interface(type_), [Request(MessageValue(interface(type_), fields))], AT)
-    )
+    value = MessageValue(interface(type_), fields)
+    return Add(Client(name, interface(type_), [Request(value)], AT))
