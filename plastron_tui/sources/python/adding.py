@@ -23,7 +23,7 @@ from plastron_tui.ros.interfaces import Interface
 
 from .addition import Addition
 from .analysis import Analysis, Site
-from .by_hand import refuse_by_hand
+from .by_hand import refuse_answer, refuse_by_hand
 from .conventions import (
     callback_naming,
     target_name,
@@ -246,6 +246,7 @@ def callback_for(added: Addition, interface: Interface | None) -> str:
     wanted = callback_of(endpoint)
     existing = existing_callback(added, wanted) if wanted is not None else None
     if existing is not None:
+        refuse_answer(endpoint)
         return existing
     name = wanted or added.free_name(callback_naming(added.analysis, added.kind).name(added.name))
     added.writer.names.add(name)
@@ -295,5 +296,10 @@ def _stub(added: Addition, name: str, interface: Interface) -> list[str]:
         lines.append(f'\t"""{does}"""')
     lines.append("\t" + added.log("info", names[0]))
     if added.kind is EndpointKind.SERVICE:
-        lines.append(f"\treturn {names[1] if added.is_rclpy else response}")
+        answer = added.endpoint.answer if isinstance(added.endpoint, Service) else None
+        returned = names[1] if added.is_rclpy else response
+        if answer is not None:
+            messages.answer_to(names[0], interface.fields)
+            returned = messages.filled_response(interface, answer)
+        lines.append(f"\treturn {returned}")
     return lines

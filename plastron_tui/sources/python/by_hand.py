@@ -62,11 +62,6 @@ def _reasons(endpoint: Endpoint) -> Iterator[_Reason]:
                 f"call `{name}` by hand in a function, and let the node repeat that: "
                 "`NODE repeats FUNCTION at RATE hz`",
             )
-        case Service(answer=answer) if answer is not None:
-            yield _Reason(
-                f"the answer of `{name}` is not written into a loaded file",
-                "leave out `answering`, and fill in the response by hand in its function",
-            )
         case ActionServer():
             yield _Reason(
                 f"the server of the action `{name}` is not written into a loaded file",
@@ -81,6 +76,18 @@ def _reasons(endpoint: Endpoint) -> Iterator[_Reason]:
             )
         case Timer(rate=rate) if rate is not None and rate.parameter is not None:
             yield _parameter_rate(f"the rate of `{name}`", rate.parameter)
+
+
+def refuse_answer(endpoint: Endpoint) -> None:
+    """Refuse to write an answer into a function that the file has.
+
+    Raises:
+        CannotAddError: the function is to be changed by hand.
+    """
+    if isinstance(endpoint, Service) and endpoint.answer is not None:
+        message = f"the answer of `{endpoint.name}` is not written into a function that is there"
+        remedy = "leave out `answering`, and fill in the response by hand in its function"
+        raise CannotAddError(codes.EDIT_REFUSED, message, endpoint.span, remedy)
 
 
 def _parameter_rate(what: str, parameter: str) -> _Reason:

@@ -26,7 +26,7 @@ from plastron_tui.ros.interfaces import InterfaceName
 from .adding import plan_addition
 from .aligning import realigned
 from .analysis import Analysis
-from .by_hand import refuse_by_hand
+from .by_hand import refuse_answer, refuse_by_hand
 from .creation import Removal
 from .dialect import Dialect
 from .existing_callbacks import NotCallableError
@@ -203,6 +203,7 @@ class Edits:
             return
         refuse_passes(change, find_sites(part_of(self.analysis, change.node), change))
         refuse_by_hand(change.endpoint)
+        refuse_answer(change.endpoint)
         try:
             if isinstance(change.endpoint, Parameter | Timer):
                 self._update_calls(change)
