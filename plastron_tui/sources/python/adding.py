@@ -42,6 +42,7 @@ from .removal import callback_scope
 from .repeating import repeat, tick_stub
 from .scopes import Scope
 from .sending import add_calls, add_publishing, keep_running
+from .sending_once import check_kept
 from .shared_names import shared_name
 from .signatures import parameter_names, signatures_of
 from .surroundings import (
@@ -159,7 +160,10 @@ def _check_methods(added: Addition) -> None:
 
 def _use_present(added: Addition, node: Analysis, present: list[Site]) -> None:
     """Send through an endpoint that the file has: behind the last of its like, or behind it."""
+    sent = added.endpoint.publications if isinstance(added.endpoint, Publisher) else ()
     for site in present:
+        if any(each.is_once for each in sent):
+            check_kept(added, site)
         place = beside(added.analysis, site)
         variable = target_name(added.analysis, site)
         if place is not None and variable is not None:

@@ -27,12 +27,17 @@ _POLICIES = {
 }
 _FIELDS = {"lease": "liveliness_lease_duration"}
 _DEPTH = 10
+# What is sent once is kept for those who listen later.
+_KEPT = Qos(durability="transient_local", depth=1)
 
 
 def asked_qos(endpoint: Endpoint) -> Qos | None:
     """Return the quality of service that a program asks for, None where it asks for none."""
     if not isinstance(endpoint, Publisher | Subscription) or endpoint.span is None:
         return None
+    sent = endpoint.publications if isinstance(endpoint, Publisher) else ()
+    if any(each.is_once for each in sent):
+        return (endpoint.qos or Qos()).over(_KEPT)
     return endpoint.qos
 
 

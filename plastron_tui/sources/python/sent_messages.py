@@ -87,6 +87,8 @@ def _uses(update: Replacement) -> tuple[Variable, Removal]:
 def _publish(update: Replacement, variable: Variable, publications: Sequence[Publication]) -> bool:
     """Publish other messages in the lines that publish, at other rates where those may change."""
     added, analysis = update.added, update.analysis
+    if any(each.is_once for each in publications):
+        return False
     # What is sent at one rate stands together.
     rates = list(dict.fromkeys(each.rate for each in publications))
     publications = sorted(publications, key=lambda each: rates.index(each.rate))
