@@ -35,6 +35,7 @@ from .lost import Exchange, or_renames
 from .messages import CannotAddError
 from .nodes import group, labels_of, part_of
 from .other_updates import is_as_asked, plan_other
+from .qos_arguments import has_policies
 from .refusals import RefusedError, in_use, not_named, not_there, refuse_passes
 from .removal import find_sites
 from .removal_plan import plan_removal
@@ -199,8 +200,10 @@ class Edits:
     def _update(self, change: Update) -> None:
         """Change an endpoint in place; take it out and write it anew where that cannot be."""
         before, expected = self.analysis, self.expected.copy()
-        if self._differs_in_name(change) and self._has_renamed(change):
-            return
+        if self._differs_in_name_alone(change):
+            is_same = change.endpoint.name == change.name
+            if is_same or self._has_renamed(change):
+                return
         refuse_passes(change, find_sites(part_of(self.analysis, change.node), change))
         refuse_by_hand(change.endpoint)
         refuse_answer(change.endpoint)
@@ -224,13 +227,18 @@ class Edits:
                 for site in sites:
                     self.notes += lost_of_site(before, site, new, change.name, self.catalog.find)
 
-    def _differs_in_name(self, change: Update) -> bool:
-        """Whether all call sites of an endpoint are as it shall be, but for the name."""
+    def _differs_in_name_alone(self, change: Update) -> bool:
+        """Whether all call sites of an endpoint are as it shall be, but for the name at most."""
         endpoint, callback = change.endpoint, callback_of(change.endpoint)
         sites = find_sites(part_of(self.analysis, change.node), change)
+        qos, version = asked_qos(endpoint), self.analysis.library.ros_version
         return (
-            endpoint.name != change.name
-            and not is_sending(endpoint)
+            not is_sending(endpoint)
+            and not isinstance(endpoint, Parameter | Timer)
+            and not (isinstance(endpoint, Service) and endpoint.answer is not None)
+            and (
+                qos is None or all(has_policies(qos, site.endpoint.qos, version) for site in sites)
+            )
             and all(site.endpoint.type == endpoint.type for site in sites)
             and all(callback in (None, site.endpoint.callback) for site in sites)
         )

@@ -71,8 +71,11 @@ def _policy(name: str, value: str | float, use: Callable[[str, str], str]) -> st
     return f"{duration}(seconds={literals.number(int(value) if value % 1 == 0 else value)})"
 
 
-def has_policies(asked: Qos, found: Qos | None, version: int) -> bool:
+def has_policies(endpoint: Endpoint, found: Qos | None, version: int) -> bool:
     """Tell whether a call gives all policies that are asked for, those of its ROS at least."""
+    asked = asked_qos(endpoint)
+    if asked is None:
+        return True
     there = found or Qos()
     wanted = asked.over(DEFAULT).known if asked.history == "keep_all" else asked.known
     if version == 1:
@@ -101,7 +104,7 @@ def requalify(update: Replacement) -> None:
     """
     added, site = update.added, update.site
     qos = asked_qos(added.endpoint)
-    if qos is None or has_policies(qos, site.endpoint.qos, added.dialect.ros_version):
+    if qos is None or has_policies(added.endpoint, site.endpoint.qos, added.dialect.ros_version):
         return
     places = site.shape.qos
     if places is None or site.arguments.is_open:

@@ -34,6 +34,11 @@ from .syntax import parts_of
 
 # What ends an endpoint: its own methods, and those of an rclpy node.
 _ENDING = frozenset({"destroy", "shutdown", "unregister"})
+# What makes an action ready, and is of no use without it.
+_READYING = {
+    EndpointKind.ACTION_SERVER: "start",
+    EndpointKind.ACTION_CLIENT: "wait_for_server",
+}
 _DESTROYING = frozenset(
     {"destroy_client", "destroy_publisher", "destroy_service", "destroy_subscription"}
     | {"destroy_lifecycle_publisher", "destroy_timer"}
@@ -103,6 +108,7 @@ def remove_uses(
             publishing.append(reference)
         elif (
             reference.use is Use.BARE
+            or _readies(analysis, reference, sites[0].endpoint.kind)
             or is_own_call(analysis, reference)
             or _ends_endpoint(analysis, reference)
         ):
@@ -145,6 +151,17 @@ def _is_guard(reference: Reference) -> bool:
         is_none = len(parts) == 2 and parts[1].type == "none"
         return is_none and parts[0].id == asked.id
     return condition.id == asked.id
+
+
+def _readies(analysis: Analysis, reference: Reference, kind: EndpointKind) -> bool:
+    """Whether a statement does nothing but make an endpoint ready: it starts it, or waits."""
+    parent = reference.node.parent
+    call = parent.parent if parent is not None else None
+    if parent is None or call is None or call.type != "call" or len(parts_of(call.parent)) != 1:
+        return False
+    name = parent.child_by_field_name("attribute")
+    is_statement = call.parent is not None and call.parent.id == reference.statement.id
+    return is_statement and name is not None and analysis.syntax.slice(name) == _READYING.get(kind)
 
 
 def _ends_endpoint(analysis: Analysis, reference: Reference) -> bool:
