@@ -231,14 +231,14 @@ class Edits:
         """Whether all call sites of an endpoint are as it shall be, but for the name at most."""
         endpoint, callback = change.endpoint, callback_of(change.endpoint)
         sites = find_sites(part_of(self.analysis, change.node), change)
-        qos, version = asked_qos(endpoint), self.analysis.library.ros_version
+        is_more = is_sending(endpoint) or isinstance(endpoint, Parameter | Timer)
+        if isinstance(endpoint, Service) and endpoint.answer is not None:
+            is_more = True
+        version = self.analysis.library.ros_version
         return (
-            not is_sending(endpoint)
-            and not isinstance(endpoint, Parameter | Timer)
-            and not (isinstance(endpoint, Service) and endpoint.answer is not None)
-            and (
-                qos is None or all(has_policies(qos, site.endpoint.qos, version) for site in sites)
-            )
+            bool(sites)
+            and not is_more
+            and all(has_policies(endpoint, site.endpoint.qos, version) for site in sites)
             and all(site.endpoint.type == endpoint.type for site in sites)
             and all(callback in (None, site.endpoint.callback) for site in sites)
         )
