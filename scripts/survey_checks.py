@@ -185,7 +185,7 @@ def _is_gone_timer(key: Key, after: Text) -> bool:
 
 def _words(text: Text, change: Remove) -> set[bytes]:
     """Return what a piece of text that goes with an endpoint must hold one of."""
-    found = {change.name.encode(), b"import"}
+    found = {change.name.encode(), change.name.rpartition(".")[2].encode(), b"import"}
     for node in text.source.nodes:
         for endpoint in node.of_kind(change.kind):
             if endpoint.name != change.name or endpoint.span is None:

@@ -127,14 +127,14 @@ class Adaptation:
             # The program changes another node of the file for the first time.
             base = Node(node.name, "", node.span, node.library)
             for each in node.source.endpoints:
-                if each.name is not None:
-                    add_found(base, each, each.name)
+                if each.label is not None:
+                    add_found(base, each, each.label)
         if base is None or original is None or node.source is None:
             return base
         names = names_in(original.only(label))
         for each in node.source.endpoints:
-            if each.name is not None and each.name not in names[each.kind]:
-                add_found(base, each, each.name)
+            if each.label is not None and each.label not in names[each.kind]:
+                add_found(base, each, each.label)
         return base
 
 
@@ -153,6 +153,6 @@ def _own_node(node: Node, original: SourceUnit) -> Node:
         elif name not in names[kind]:
             own.take(kind, name)
     for each in original.endpoints:
-        if (each.kind, each.name) not in asked and each.name is not None:
-            call_again(own, each, each.name)
+        if (each.kind, each.label) not in asked and each.label is not None:
+            call_again(own, each, each.label)
     return own

@@ -7,8 +7,10 @@ from collections.abc import Iterator, Mapping
 
 from plastron_tui.model.kinds import (
     EDITABLE,
+    ActionServer,
     Endpoint,
     EndpointKind,
+    Parameter,
     Service,
     Subscription,
     callback_of,
@@ -45,7 +47,13 @@ def changes_of(node: Node) -> tuple[Change, ...]:
     changed = (
         change for kind in EDITABLE for change in _changes(node, node.source, kind, present[kind])
     )
-    return (*renames, *changed)
+    # Values of parameters are used by what else is new.
+    ordered = sorted(changed, key=lambda each: not _is_new_parameter(each))
+    return (*renames, *ordered)
+
+
+def _is_new_parameter(change: Change) -> bool:
+    return isinstance(change, Add | Update) and isinstance(change.endpoint, Parameter)
 
 
 def _renames(node: Node, source: SourceUnit) -> list[Rename]:
@@ -67,9 +75,10 @@ def _changes(
     if gone:
         names = {old: name for name, old in present.items()}
         for each in source.of_kind(kind):
-            if (name := names.get(each.name or "")) in gone:
+            if (name := names.get(each.label or "")) in gone:
                 gone[name].append(each)
-    same = _same(gone, new) if gone and new else {}
+    # What is of no type may be anything under another name.
+    same = _same(gone, new) if gone and new and kind.facts.interface is not None else {}
     for name, endpoint in wanted.items():
         was = same.get(name, name)
         if endpoint.span is not None and was in present:
@@ -108,13 +117,13 @@ def names_in(source: SourceUnit) -> dict[EndpointKind, set[str]]:
     """Return the names that a file says, by kind."""
     names: dict[EndpointKind, set[str]] = {kind: set() for kind in EndpointKind}
     for endpoint in source.endpoints:
-        if endpoint.name is not None:
-            names[endpoint.kind].add(endpoint.name)
+        if endpoint.label is not None:
+            names[endpoint.kind].add(endpoint.label)
     return names
 
 
 def call_again(node: Node, found: SourceEndpoint, name: str) -> None:
     """Let an endpoint of a node call the function that it calls in a file."""
     endpoint = node.endpoints.get((found.kind, name))
-    if isinstance(endpoint, Subscription | Service):
+    if isinstance(endpoint, Subscription | Service | ActionServer):
         node.put(endpoint._replace(callback=found.callback))

@@ -5,9 +5,11 @@ from __future__ import annotations
 from plastron_tui.diagnostics import Diagnostic, codes, guess, write
 from plastron_tui.diagnostics.wording import listed
 from plastron_tui.language.statements import Load
+from plastron_tui.ros.parameters import ParameterType, as_setting
 from plastron_tui.ros.qos import common
 
-from .kinds import Publisher, Subscription
+from .endpoint_details import ParameterDetails, TimerDetails
+from .kinds import EndpointKind, Parameter, Publisher, Rate, Subscription, Timer
 from .source import SourceEndpoint, SourceUnit
 from .workspace import Node
 
@@ -65,8 +67,8 @@ def loaded_node(source: SourceUnit, statement: Load) -> Node:
         is_managed=is_managed,
     )
     for endpoint in source.endpoints:
-        if endpoint.name is not None:
-            add_found(loaded, endpoint, endpoint.name)
+        if endpoint.label is not None:
+            add_found(loaded, endpoint, endpoint.label)
     return loaded
 
 
@@ -79,8 +81,36 @@ def add_found(node: Node, found: SourceEndpoint, name: str) -> None:
     if there is not None:
         if isinstance(there, Publisher | Subscription):
             node.put(there._replace(qos=common((there.qos, found.qos))))
+        elif isinstance(there, Parameter) and isinstance(found.details, ParameterDetails):
+            node.put(_agreed(there, _parameter(name, found.details)))
+        return
+    match found.details:
+        case ParameterDetails() as details:
+            node.put(_parameter(name, details))
+            return
+        case TimerDetails(period=period):
+            node.put(Timer(name, None, Rate(1 / period) if period else None))
+            return
+    if found.kind in (EndpointKind.PARAMETER, EndpointKind.TIMER):
+        node.put(editing.endpoint(name))
         return
     given: dict[str, object] = {"callback": found.callback} if found.kind.facts.calls_back else {}
     if found.qos is not None:
         given["qos"] = found.qos
     node.put(editing.endpoint(name, found.type, **given))
+
+
+def _parameter(name: str, details: ParameterDetails) -> Parameter:
+    types = {each.value: each for each in ParameterType}
+    type_ = types.get(details.type or "")
+    default = None if type_ is None else as_setting(type_, details.default)
+    low, high = (None, None) if details.range is None else details.range[:2]
+    return Parameter(name, None, type_, default, low, high, details.description or "")
+
+
+def _agreed(one: Parameter, other: Parameter) -> Parameter:
+    """Return what two calls say of a parameter, and nothing of what they disagree about."""
+    pairs = zip(one, other, strict=True)
+    found = (a if b in (None, "") else b if a in (None, "", b) else None for a, b in pairs)
+    agreed = Parameter._make(found)
+    return agreed._replace(description=agreed.description or "")

@@ -8,9 +8,11 @@ from plastron_tui.diagnostics import codes
 from plastron_tui.model.kinds import (
     Client,
     Endpoint,
+    Parameter,
     Publisher,
     Service,
     Subscription,
+    Timer,
     callback_of,
     is_sending,
     kind_of,
@@ -21,6 +23,7 @@ from plastron_tui.ros.interfaces import Interface
 
 from .addition import Addition
 from .analysis import Analysis, Site
+from .by_hand import refuse_answer, refuse_by_hand
 from .conventions import (
     callback_naming,
     target_name,
@@ -33,10 +36,13 @@ from .insertion_point import find_place, once_named, running_place
 from .lifecycle import destroy_created, is_transition
 from .messages import CannotAddError
 from .new_call import CLASSES, METHODS, arguments_of, callee_of
+from .new_parameter import declare, parameter_place
 from .place import Place, beside
 from .removal import callback_scope
+from .repeating import repeat, tick_stub
 from .scopes import Scope
 from .sending import add_calls, add_publishing, keep_running
+from .sending_once import check_kept
 from .shared_names import shared_name
 from .signatures import parameter_names, signatures_of
 from .surroundings import (
@@ -72,25 +78,34 @@ def plan_addition(
     Raises:
         CannotAddError: the file has no place for it, or its type is not known.
     """
+    refuse_by_hand(endpoint)
     kind, name = kind_of(type(endpoint)), endpoint.name
     present = [
         site for site in node.sites if site.endpoint.kind is kind and site.endpoint.name == name
     ]
     is_calling = isinstance(endpoint, Client) and is_sending(endpoint)
     place = find_place(node, kind, needs_function=is_calling)
+    if isinstance(endpoint, Parameter):
+        place = parameter_place(node, place)
     if place is None:
         message = f"the file has no line behind which it could create `{name}` once, as it starts"
         remedy = "add it to the file that makes the node"
         raise CannotAddError(codes.EDIT_REFUSED, message, endpoint.span, remedy)
-    if callback_of(endpoint) is None:
+    if callback_of(endpoint) is None and not isinstance(endpoint, Parameter):
         # A callback that the file has may use what it waits for.
         place = Waits(node).step_before(place, kind)
-    if is_sending(endpoint):
+    if is_sending(endpoint) or isinstance(endpoint, Timer):
         place = running_place(node, place)
     added = Addition.at(place, analysis, kind, endpoint, catalog, dialect)
     writer = added.writer
     lines: list[str] = []
-    if present:
+    if isinstance(endpoint, Parameter):
+        lines = declare(added, endpoint)
+    elif isinstance(endpoint, Timer):
+        callback = callback_for(added, None)
+        check_parameters(added, callback)
+        lines = repeat(added, endpoint, callback)
+    elif present:
         _use_present(added, node, present)
     else:
         lines = _create(added)
@@ -145,7 +160,10 @@ def _check_methods(added: Addition) -> None:
 
 def _use_present(added: Addition, node: Analysis, present: list[Site]) -> None:
     """Send through an endpoint that the file has: behind the last of its like, or behind it."""
+    sent = added.endpoint.publications if isinstance(added.endpoint, Publisher) else ()
     for site in present:
+        if any(each.is_once for each in sent):
+            check_kept(added, site)
         place = beside(added.analysis, site)
         variable = target_name(added.analysis, site)
         if place is not None and variable is not None:
@@ -224,19 +242,21 @@ def _variable(added: Addition, model: Site | None) -> str:
     return f"{added.place.self_name}.{name}" if is_attribute else name
 
 
-def callback_for(added: Addition, interface: Interface) -> str:
+def callback_for(added: Addition, interface: Interface | None) -> str:
     """Return the source of the callback; one that the file does not have is written."""
     endpoint = added.endpoint
-    if not isinstance(endpoint, Subscription | Service):
+    if not isinstance(endpoint, Subscription | Service | Timer):
         return ""
     wanted = callback_of(endpoint)
     existing = existing_callback(added, wanted) if wanted is not None else None
     if existing is not None:
+        refuse_answer(endpoint)
         return existing
     name = wanted or added.free_name(callback_naming(added.analysis, added.kind).name(added.name))
     added.writer.names.add(name)
     added.stand(is_nested=False)
-    added.writer.function(callback_place(added), _stub(added, name, interface))
+    stub = tick_stub(added, name) if interface is None else _stub(added, name, interface)
+    added.writer.function(callback_place(added), stub)
     added.stand(is_nested=True)
     return f"{added.place.self_name}.{name}" if added.place.owner is not None else name
 
@@ -280,5 +300,10 @@ def _stub(added: Addition, name: str, interface: Interface) -> list[str]:
         lines.append(f'\t"""{does}"""')
     lines.append("\t" + added.log("info", names[0]))
     if added.kind is EndpointKind.SERVICE:
-        lines.append(f"\treturn {names[1] if added.is_rclpy else response}")
+        answer = added.endpoint.answer if isinstance(added.endpoint, Service) else None
+        returned = names[1] if added.is_rclpy else response
+        if answer is not None:
+            messages.answer_to(names[0], interface.fields)
+            returned = messages.filled_response(interface, answer)
+        lines.append(f"\treturn {returned}")
     return lines

@@ -8,12 +8,13 @@ from itertools import chain
 
 from tree_sitter import Node
 
+from plastron_tui.diagnostics import codes
 from plastron_tui.model.kinds import Endpoint
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.model.unique_names import numbered
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface
-from plastron_tui.ros.names import name_as_written
+from plastron_tui.ros.names import name_as_written, parameter_name
 
 from . import literals, naming
 from .analysis import Analysis
@@ -22,7 +23,8 @@ from .conventions import conventions_of
 from .dialect import Dialect
 from .handed_on import HandedOn
 from .loggers import Filling, filling_of, own_logger, prints
-from .messages import Messages
+from .messages import CannotAddError, Messages
+from .parameter_calls import parameter_call
 from .place import Place
 from .references import identifiers
 from .scopes import Scope
@@ -30,6 +32,7 @@ from .typeimports import FileImports
 from .writing import Writer
 
 # What is called otherwise may be made anew in each call.
+_LITERALS = frozenset({"integer", "float", "string", "true", "false", "unary_operator", "list"})
 _NAME = re.compile(r"[\w.]+")
 
 
@@ -72,8 +75,37 @@ class Addition:
         added = cls(
             analysis, kind, endpoint, endpoint.name, place, writer, imports, messages, dialect
         )
+        messages.read_by(added._read_parameter)
         added.stand(is_nested=True)
         return added
+
+    def _read_parameter(self, name: str) -> tuple[str, bool]:
+        """Write what reads a parameter of the node, and tell whether it may be an integer.
+
+        Raises:
+            CannotAddError: rospy is to read it with a default, which the file does not say.
+        """
+        version = self.dialect.ros_version
+        whole = parameter_name(name, version)
+        sites = [
+            each
+            for each in self.analysis.sites
+            if each.endpoint.kind is EndpointKind.PARAMETER and each.endpoint.name == whole
+        ]
+        found = (parameter_call(self.analysis, each).default for each in sites)
+        default = next((each for each in found if each is not None), None)
+        is_float = default is not None and default.type == "float"
+        self.writer.endpoints.append((EndpointKind.PARAMETER, whole, "None", ""))
+        written = self.writer.conventions.string(name_as_written(whole, version))
+        if self.is_rclpy:
+            receiver = self.receiver_in_callback() or self.place.receiver
+            return f"{receiver}.get_parameter({written}).value", not is_float
+        if default is None or default.type not in _LITERALS:
+            message = f"the file does not say the default of `{name}` in one place"
+            remedy = f"publish by hand what is computed from `{name}`"
+            raise CannotAddError(codes.EDIT_REFUSED, message, self.endpoint.span, remedy)
+        value = self.analysis.syntax.slice(default)
+        return f"{self.rospy('get_param', in_callback=True)}({written}, {value})", not is_float
 
     def interface(self) -> Interface:
         """Return the type of the endpoint."""

@@ -10,6 +10,7 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 
 from .analysis import Analysis, Site
+from .parameter_calls import VALUE_FIELDS, item_of
 from .references import Reference, Use, Variable, references, statement_of, variable_of
 from .splices import Splice, delete_item
 from .syntax import parts_of
@@ -17,6 +18,8 @@ from .syntax import parts_of
 _USED_AT_ONCE = {
     EndpointKind.PUBLISHER: frozenset({"publish"}),
 }
+# What reads the value of a parameter of rclpy.
+_READ = frozenset({"value", "get_parameter_value", *VALUE_FIELDS})
 _SEQUENCES = frozenset({"pattern_list", "tuple_pattern", "list_pattern"})
 
 
@@ -54,7 +57,15 @@ def parameters_in(analysis: Analysis, gone: Iterable[Splice]) -> list[Site]:
 
 def remove_creation(analysis: Analysis, site: Site, removal: Removal) -> list[Variable]:
     """Remove the statement that creates an endpoint; return the variables that hold it."""
+    if any(each.start_byte <= site.call.start_byte < each.end_byte for each in removal.statements):
+        # As `set_param('~x', get_param('~x', 1))`.
+        return []
     value, parent = site.call, site.call.parent
+    if site.endpoint.kind is EndpointKind.PARAMETER:
+        if (listed := item_of(analysis, site)) is not None:
+            return _remove_listed(analysis, listed, removal)
+        value = _value_read(analysis, site.call)
+        parent = value.parent
     while parent is not None and parent.type == "parenthesized_expression":
         value, parent = parent, parent.parent
     if parent is None:
@@ -73,6 +84,39 @@ def remove_creation(analysis: Analysis, site: Site, removal: Removal) -> list[Va
         return _remove_append(analysis, parent, removal)
     removal.lines.add(line_of(site.call))
     return []
+
+
+def _remove_listed(analysis: Analysis, item: Node, removal: Removal) -> list[Variable]:
+    """Remove one parameter of a list that is declared at once, or the call of the last."""
+    assert item.parent is not None
+    items = parts_of(item.parent)
+    if len(items) > 1:
+        removal.splices.append(delete_item(analysis.syntax.text, items, item))
+        return []
+    statement = statement_of(item)
+    if statement.type == "expression_statement":
+        removal.statements.append(statement)
+    else:
+        removal.lines.add(line_of(item))
+    return []
+
+
+def _value_read(analysis: Analysis, call: Node) -> Node:
+    """Return the expression that is the value of a parameter: `get_parameter('x').value`."""
+    value = call
+    while (parent := value.parent) is not None:
+        if parent.type == "attribute":
+            name = parent.child_by_field_name("attribute")
+            if name is None or analysis.syntax.slice(name) not in _READ:
+                return value
+        elif parent.type == "call":
+            callee = parent.child_by_field_name("function")
+            if callee is None or callee.id != value.id:
+                return value
+        else:
+            return value
+        value = parent
+    return value
 
 
 def _chain(analysis: Analysis, site: Site, attribute: Node) -> Node | None:

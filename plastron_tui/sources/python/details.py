@@ -8,7 +8,9 @@ from plastron_tui.model.source import EndpointKind, SourceEndpoint
 from .action_callbacks import action_details
 from .analysis import Analysis, Site
 from .evaluation import Evaluator
+from .generated import serves
 from .parameter_details import parameter_details
+from .removal import callback_scope
 from .runs import EVERYWHERE
 from .timers import timer_details
 from .transitions import Transitions
@@ -38,7 +40,9 @@ class Details:
             case EndpointKind.PARAMETER:
                 return parameter_details(self._analysis, site, self._evaluator)
             case EndpointKind.TIMER:
-                return timer_details(self._analysis, site, self._evaluator)
+                found = timer_details(self._analysis, site, self._evaluator)
+                function = callback_scope(self._analysis, site)
+                return found._replace(serves=serves(self._analysis, function))
             case EndpointKind.ACTION_SERVER | EndpointKind.ACTION_CLIENT:
                 self._actions += 1
                 return action_details(self._analysis, site, self._actions <= _MOST_ACTIONS)

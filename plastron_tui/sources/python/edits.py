@@ -11,9 +11,11 @@ from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.kinds import (
     Client,
     Endpoint,
+    Parameter,
     Publisher,
     Service,
     Subscription,
+    Timer,
     callback_of,
     is_sending,
 )
@@ -24,6 +26,7 @@ from plastron_tui.ros.interfaces import InterfaceName
 from .adding import plan_addition
 from .aligning import realigned
 from .analysis import Analysis
+from .by_hand import refuse_answer, refuse_by_hand
 from .creation import Removal
 from .dialect import Dialect
 from .existing_callbacks import NotCallableError
@@ -31,6 +34,8 @@ from .imports import unused_imports
 from .lost import Exchange, or_renames
 from .messages import CannotAddError
 from .nodes import group, labels_of, part_of
+from .other_updates import is_as_asked, plan_other
+from .qos_arguments import has_policies
 from .refusals import RefusedError, in_use, not_named, not_there, refuse_passes
 from .removal import find_sites
 from .removal_plan import plan_removal
@@ -195,11 +200,18 @@ class Edits:
     def _update(self, change: Update) -> None:
         """Change an endpoint in place; take it out and write it anew where that cannot be."""
         before, expected = self.analysis, self.expected.copy()
-        if self._differs_in_name(change) and self._has_renamed(change):
-            return
+        if self._differs_in_name_alone(change):
+            is_same = change.endpoint.name == change.name
+            if is_same or self._has_renamed(change):
+                return
         refuse_passes(change, find_sites(part_of(self.analysis, change.node), change))
+        refuse_by_hand(change.endpoint)
+        refuse_answer(change.endpoint)
         try:
-            self._update_in_place(change)
+            if isinstance(change.endpoint, Parameter | Timer):
+                self._update_calls(change)
+            else:
+                self._update_in_place(change)
         except NotCallableError:
             raise
         except (CannotAddError, NotInPlaceError):
@@ -215,13 +227,18 @@ class Edits:
                 for site in sites:
                     self.notes += lost_of_site(before, site, new, change.name, self.catalog.find)
 
-    def _differs_in_name(self, change: Update) -> bool:
-        """Whether all call sites of an endpoint are as it shall be, but for the name."""
+    def _differs_in_name_alone(self, change: Update) -> bool:
+        """Whether all call sites of an endpoint are as it shall be, but for the name at most."""
         endpoint, callback = change.endpoint, callback_of(change.endpoint)
         sites = find_sites(part_of(self.analysis, change.node), change)
+        is_more = is_sending(endpoint) or isinstance(endpoint, Parameter | Timer)
+        if isinstance(endpoint, Service) and endpoint.answer is not None:
+            is_more = True
+        version = self.analysis.library.ros_version
         return (
-            endpoint.name != change.name
-            and not is_sending(endpoint)
+            bool(sites)
+            and not is_more
+            and all(has_policies(endpoint, site.endpoint.qos, version) for site in sites)
             and all(site.endpoint.type == endpoint.type for site in sites)
             and all(callback in (None, site.endpoint.callback) for site in sites)
         )
@@ -250,6 +267,28 @@ class Edits:
             self._take_out(removal)
         for _ in sites if callback is None and sites else [change]:
             self._update_site(change)
+
+    def _update_calls(self, change: Update) -> None:
+        """Change what the calls say of a parameter, or of a timer."""
+        before = self.analysis
+        sites = find_sites(part_of(before, change.node), change)
+        plan = plan_other(before, sites, change, self.catalog, self.dialect)
+        text = apply(before.syntax.text, plan.all_splices())
+        self._read(text)
+        after = analyze_again(before, text)
+        found = find_sites(part_of(after, change.node), change)
+        expected = self.expected.copy()
+        for analysis, each, count in ((before, sites, -1), (after, found, 1)):
+            labels = labels_of(analysis)
+            for site in each:
+                expected[labels.get(site, ""), key_of(site.endpoint)] += count
+        is_worse = after.syntax.errors > before.syntax.errors
+        if is_worse or len(found) != len(sites) or endpoints_of(after) != +expected:
+            raise NotInPlaceError
+        if not is_as_asked(after, found, change):
+            raise NotInPlaceError
+        self.analysis, self.expected = after, expected
+        self.notes += plan.notes
 
     def _update_site(self, change: Update) -> None:
         before = self.analysis

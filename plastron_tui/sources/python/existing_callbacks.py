@@ -80,7 +80,8 @@ def misfit(added: Addition, callback: str) -> str | None:
     """Return why the file's function cannot be called, None where it can, as far as is known.
 
     rospy calls a callback with a message or a request; rclpy calls that of a service with a
-    response besides, and that of a subscription with a `MessageInfo` besides where it takes two.
+    response besides, that of a subscription with a `MessageInfo` besides where it takes two, and
+    that of a timer with nothing.
     """
     function = _function(added, callback)
     counts = _parameters(added, function) if function is not None else None
@@ -89,6 +90,8 @@ def misfit(added: Addition, callback: str) -> str | None:
     least, most = counts
     given = 2 if added.is_rclpy and added.kind is EndpointKind.SERVICE else 1
     ways = {given, 2} if added.is_rclpy else {given}
+    if added.is_rclpy and added.kind is EndpointKind.TIMER:
+        given, ways = 0, {0}
     given += len(added.handed)
     if any(least <= each + len(added.handed) <= most for each in ways):
         return None

@@ -57,13 +57,17 @@ def is_stub(analysis: Analysis, function: Scope, site: Site) -> bool:
         return False
     parameters = [name for name in function.bindings if name != function.self_name]
     return all(
-        _is_idle(analysis, statement, parameters, site.endpoint.kind)
+        _is_idle(analysis, statement, parameters, site.endpoint.kind, function.name)
         for statement in body_of(function)
     )
 
 
 def _is_idle(
-    analysis: Analysis, statement: Node, parameters: list[str], kind: EndpointKind
+    analysis: Analysis,
+    statement: Node,
+    parameters: list[str],
+    kind: EndpointKind,
+    function: str,
 ) -> bool:
     if statement.type == "pass_statement":
         return True
@@ -72,7 +76,20 @@ def _is_idle(
         return not children or _is_default_response(analysis, children[0], parameters, kind)
     if statement.type != "expression_statement" or len(children) != 1:
         return False
+    if kind is EndpointKind.TIMER and _logs_text(analysis, children[0], function):
+        return True
     return children[0].type == "ellipsis" or _is_log(analysis, children[0], parameters)
+
+
+def _logs_text(analysis: Analysis, call: Node, text: str) -> bool:
+    """Whether a call logs a text, as often as a timer's stub does."""
+    given = parts_of(call.child_by_field_name("arguments")) if call.type == "call" else []
+    logger = analysis.syntax.called_name(call).removesuffix("_throttle") if given else ""
+    return (
+        bool(given)
+        and _LOGGERS.fullmatch(logger) is not None
+        and any(_content(analysis, each) == text for each in given)
+    )
 
 
 def _is_default_response(
@@ -160,6 +177,34 @@ def _fills_message(analysis: Analysis, statement: Node) -> bool:
         "message",
         "message.header.stamp",
     )
+
+
+_SERVING = re.compile(r"_?(publish|call|send|repeat|await|follow)(_|[A-Z])")
+# What the functions say that Plastron lets timers call for something else.
+_SERVING_SUMMARIES = re.compile(
+    r"Publish to |Call |Send |Warn as long as |Start timers anew|Ask again|.* once it is there"
+)
+
+
+def serves(analysis: Analysis, function: Scope | None) -> bool:
+    """Whether a timer's function is a part of something else that Plastron writes."""
+    if function is None or _SERVING.match(function.name) is None:
+        return False
+    block = function.node.child_by_field_name("body")
+    first = next(iter(parts_of(block)), None) if block is not None else None
+    if first is not None and is_docstring(first):
+        text = analysis.syntax.slice(first).lstrip("rub'\"")
+        return _SERVING_SUMMARIES.match(text) is not None
+    statements = body_of(function)
+    return bool(statements) and all(
+        _fills_message(analysis, each) or _publishes(analysis, each) for each in statements
+    )
+
+
+def _publishes(analysis: Analysis, statement: Node) -> bool:
+    call = next(iter(statement.named_children), None)
+    is_call = statement.type == "expression_statement" and call is not None and call.type == "call"
+    return is_call and call is not None and analysis.syntax.called_name(call) == "publish"
 
 
 _CALLING = frozenset(

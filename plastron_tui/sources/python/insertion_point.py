@@ -43,7 +43,7 @@ def find_place(
     callbacks = _callbacks(analysis)
     starting, waits = Starting(analysis), Waits(analysis)
     last: dict[tuple[bool, bool, bool, bool, When], Place] = {}
-    has_class = any(node.owner and _behind_node(analysis, node) for node in analysis.nodes)
+    has_class = any(node.owner and behind_node(analysis, node) for node in analysis.nodes)
     for site in reversed(analysis.sites):
         if site.endpoint.kind not in KINDS or not _is_setup(analysis, site, callbacks):
             continue
@@ -60,7 +60,7 @@ def find_place(
     if ready:
         found = once_named(analysis, last[min(ready)])
         is_tried = is_guarded(found.statement)
-        nodes = (_behind_node(analysis, node) for node in analysis.nodes if is_tried)
+        nodes = (behind_node(analysis, node) for node in analysis.nodes if is_tried)
         safe = (each for each in nodes if each is not None and each.scope is found.scope)
         return next((each for each in safe if not is_guarded(each.statement)), found)
     later = sorted(last, key=lambda rank: (rank[-1], *rank[:-1]))
@@ -69,7 +69,7 @@ def find_place(
         if made is not None:
             return made
     for node in analysis.nodes:
-        behind = _behind_node(analysis, node)
+        behind = behind_node(analysis, node)
         if behind is not None:
             return behind
     return last[later[0]] if later and later[0][-1] < When.ON_DEMAND else None
@@ -89,7 +89,7 @@ def _in_constructor(analysis: Analysis, place: Place, starting: Starting) -> Pla
         return None
     for node in analysis.nodes:
         if node.call is not None and node.scope.enclosing("function") is made:
-            return _behind_node(analysis, node)
+            return behind_node(analysis, node)
     holder, _, name = place.receiver.partition(".")
     if place.receiver and (holder != place.self_name or not _is_set_in(made, name)):
         return None
@@ -122,7 +122,7 @@ def once_named(analysis: Analysis, place: Place) -> Place:
             node.call is not None
             and (node.scope.enclosing("function") or node.scope) is place.scope
         ):
-            behind = _behind_node(analysis, node)
+            behind = behind_node(analysis, node)
             if behind is not None and place.offset < behind.offset:
                 return replace(behind, beside=place.beside)
     return place
@@ -134,7 +134,7 @@ def running_place(analysis: Analysis, place: Place) -> Place:
         return place
     for node in analysis.nodes:
         if node.call is not None and node.scope.enclosing("function") is not None:
-            return _behind_node(analysis, node) or place
+            return behind_node(analysis, node) or place
     return place
 
 
@@ -181,7 +181,8 @@ def _is_in_callback(site: Site, callbacks: set[int]) -> bool:
     return False
 
 
-def _behind_node(analysis: Analysis, node: NodeSite) -> Place | None:
+def behind_node(analysis: Analysis, node: NodeSite) -> Place | None:
+    """Return the place behind what makes a node, None where there is none."""
     if node.call is not None:
         statement = statement_of(node.call)
         scope = analysis.scopes.at(node.call.start_byte)

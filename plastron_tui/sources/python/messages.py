@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from typing import NoReturn
 
 from plastron_tui.diagnostics import Code, Diagnostic, Span, codes
-from plastron_tui.model.values import MessageValue, Value
+from plastron_tui.model.kinds.computed import what_received
+from plastron_tui.model.values import Computed, MessageValue, OfParameter, Value
 from plastron_tui.ros.catalog import Catalog, moved
-from plastron_tui.ros.interfaces import FieldType, Interface, InterfaceKind, InterfaceName
+from plastron_tui.ros.interfaces import Field, FieldType, Interface, InterfaceKind, InterfaceName
 
+from . import literals
 from .conventions import Conventions
 from .dialect import Dialect
 from .typeimports import FileImports
+
+ReadParameter = Callable[[str], tuple[str, bool]]
+"""Writes what reads a parameter, and tells whether that may be an integer."""
 
 _HEADER = InterfaceName("std_msgs", "Header")
 
@@ -40,6 +46,16 @@ class Messages:
         self._imports = imports
         self._conventions = conventions
         self._span = span
+        self._read: ReadParameter | None = None
+        self._received: tuple[str, Sequence[Field]] = ("received", ())
+
+    def read_by(self, read: ReadParameter) -> None:
+        """Say how the value of a parameter is written where messages are."""
+        self._read = read
+
+    def answer_to(self, name: str, fields: Sequence[Field]) -> None:
+        """Say what holds the message that those to come answer, and what it has."""
+        self._received = name, fields
 
     def interface(self, type_: InterfaceName | None, kind: InterfaceKind, name: str) -> Interface:
         """Return an interface of the distribution, under its new name where it has one."""
@@ -78,6 +94,11 @@ class Messages:
         """Return the class of a service's requests."""
         return self._dialect.request(interface.name, self._imports)
 
+    def filled_response(self, interface: Interface, value: MessageValue) -> str:
+        """Write a response of a service that has values."""
+        class_ = self._dialect.response(interface.name, self._imports).removesuffix("()")
+        return f"{class_}({self._written(interface.response.fields, interface, value)})"
+
     def response(self, interface: Interface) -> str:
         """Write the default response of a service."""
         return self._dialect.response(interface.name, self._imports)
@@ -92,7 +113,10 @@ class Messages:
         )
 
     def _arguments(self, interface: Interface, value: MessageValue) -> str:
-        types = {field.name: field.type for field in interface.fields}
+        return self._written(interface.fields, interface, value)
+
+    def _written(self, fields: Sequence[Field], interface: Interface, value: MessageValue) -> str:
+        types = {field.name: field.type for field in fields}
         written = []
         for name, each in value.fields.items():
             if name not in types:
@@ -104,6 +128,8 @@ class Messages:
         return ", ".join(written)
 
     def _value(self, type_: FieldType, value: Value) -> str:
+        if isinstance(value, Computed):
+            return self._computed(value)
         if type_.is_array and isinstance(value, tuple):
             element = type_._replace(is_array=False, length=None, bound=None)
             return f"[{', '.join(self._value(element, each) for each in value)}]"
@@ -112,6 +138,23 @@ class Messages:
         if isinstance(value, str):
             return self._conventions.string(value)
         return self._dialect.scalar(type_, value, self._imports)
+
+    def _computed(self, value: Computed) -> str:
+        """Write a value that is known when it is sent."""
+        source = value.source
+        if isinstance(source, OfParameter):
+            assert self._read is not None, "whoever writes messages says how parameters are read"
+            written, is_whole = self._read(source.name)
+        else:
+            holder, fields = self._received
+            path = ".".join(map(self._dialect.field, source.path))
+            position = "" if source.position is None else f"[{source.position}]"
+            written = f"{holder}.{path}{position}"
+            where = self._span or Span(0, 0)
+            is_whole = what_received(source, fields, self._catalog, where).kind is int
+        for operator, number in value.steps:
+            written += f" {operator} {literals.number(number)}"
+        return self._dialect.as_field(value, written, is_whole=is_whole and not value.is_float)
 
     def _refuse(self, code: Code, message: str) -> NoReturn:
         raise CannotAddError(code, message, self._span)

@@ -12,6 +12,7 @@ from plastron_tui.ros.names import name_as_written
 from .addition import Addition
 from .analysis import Site
 from .calls import Argument, CallShape
+from .qos_arguments import creation_qos
 
 METHODS = {
     EndpointKind.PUBLISHER: "create_publisher",
@@ -55,7 +56,8 @@ def arguments_of(added: Addition, model: Site | None, class_: str, callback: str
     shape = _shape(added)
     given = ((shape.name, topic), (shape.type, class_), (shape.callback, callback))
     values = {argument: value for argument, value in given if argument is not None and value}
-    queue = _queue(added, model)
+    asked = creation_qos(added)
+    queue = "" if asked else _queue(added, model)
     parts = []
     is_keyword = model is None and _spells_keywords(added)
     equals = " = " if model is not None and _has_spaced_keywords(model) else "="
@@ -71,6 +73,9 @@ def arguments_of(added: Addition, model: Site | None, class_: str, callback: str
         if model is not None and keyword in model.arguments.keywords:
             is_named = True
         parts.append(f"{keyword}{equals}{queue}" if is_named else queue)
+    for keyword, value in asked:
+        is_named = is_keyword or not added.is_rclpy
+        parts.append(f"{keyword}{equals}{value}" if is_named else value)
     if group := added.callback_group(added.kind):
         parts.append(f"callback_group{equals}{group}")
     is_tight = model is not None and _COMMA.search(_written(model)) is None

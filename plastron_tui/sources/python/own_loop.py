@@ -12,7 +12,7 @@ from plastron_tui.model.source import EndpointKind
 from .addition import Addition
 from .analysis import Analysis, Site
 from .generated import is_named_as_own
-from .rates import loop_rate, timer_rate
+from .rates import is_once, loop_rate, timer_rate
 from .references import statement_of
 from .removal import callback_scope, function_uses
 from .run_order import Starting, is_sure
@@ -77,15 +77,6 @@ def _timer_block(added: Addition, timer: Site, starting: Starting) -> OwnBlock |
     if any(word in (body.text or b"") for word in ends) or not _runs_through(analysis, body):
         return None
     return OwnBlock(body, timer_rate(analysis, timer))
-
-
-def is_once(timer: Site) -> bool:
-    """Whether a timer may run once, or not before something starts it."""
-    keywords, positional = timer.arguments.keywords, timer.arguments.positional
-    if "create_timer" in timer.shape.callees:
-        return "autostart" in keywords
-    given = keywords.get("oneshot") or next(iter(positional[2:]), None)
-    return given is not None and given.type != "false"
 
 
 def is_loop(added: Addition, node: Node) -> bool:

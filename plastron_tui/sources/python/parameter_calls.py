@@ -78,14 +78,22 @@ def parameter_call(analysis: Analysis, site: Site) -> ParameterCall:
 
 def _listed(analysis: Analysis, site: Site) -> list[Node]:
     """Return what stands behind the name of a call site in the list of `declare_parameters`."""
+    item = item_of(analysis, site)
+    return [] if item is None else parts_of(item)[1:]
+
+
+def item_of(analysis: Analysis, site: Site) -> Node | None:
+    """Return the part of the list of `declare_parameters` that is a parameter, None for none."""
+    if "declare_parameters" not in site.shape.callees:
+        return None
     listed = site.arguments.get(site.shape.name)
     if listed is None or listed.named_child_count > _MOST_LISTED:
-        return []
+        return None
     for item in parts_of(listed):
         parts = parts_of(item) if item.type == "tuple" else []
         if parts and analysis.syntax.slice(parts[0]) == site.endpoint.expression:
-            return parts[1:]
-    return []
+            return item
+    return None
 
 
 def _alternative(analysis: Analysis, site: Site) -> ParameterCall:

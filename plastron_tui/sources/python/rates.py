@@ -90,6 +90,15 @@ def timer_pace(analysis: Analysis, site: Site) -> Pace | None:
     return Pace(given, site.scope, is_period=True) if given is not None else None
 
 
+def is_once(timer: Site) -> bool:
+    """Whether a timer may run once, or not before something starts it."""
+    keywords, positional = timer.arguments.keywords, timer.arguments.positional
+    if "create_timer" in timer.shape.callees:
+        return "autostart" in keywords
+    given = keywords.get("oneshot") or next(iter(positional[2:]), None)
+    return given is not None and given.type != "false"
+
+
 def loop_rate(analysis: Analysis, loop: Node) -> float | None:
     """Return the rate of a loop in Hz, None where it is not literal or it sleeps twice."""
     pace = loop_pace(analysis, loop)

@@ -16,7 +16,8 @@ from .calls import Argument
 from .constants import Known
 from .creation import Removal, line_of
 from .emptied_blocks import emptied_blocks
-from .generated import is_calling_function, is_own_call, is_publishing_function
+from .generated import is_calling_function, is_own_call, is_publishing_function, serves
+from .rates import is_once
 from .references import (
     Reference,
     Use,
@@ -33,6 +34,11 @@ from .syntax import parts_of
 
 # What ends an endpoint: its own methods, and those of an rclpy node.
 _ENDING = frozenset({"destroy", "shutdown", "unregister"})
+# What makes an action ready, and is of no use without it.
+_READYING = {
+    EndpointKind.ACTION_SERVER: "start",
+    EndpointKind.ACTION_CLIENT: "wait_for_server",
+}
 _DESTROYING = frozenset(
     {"destroy_client", "destroy_publisher", "destroy_service", "destroy_subscription"}
     | {"destroy_lifecycle_publisher", "destroy_timer"}
@@ -42,8 +48,17 @@ _DESTROYING = frozenset(
 def find_sites(analysis: Analysis, change: Remove | Update | Rename) -> list[Site]:
     """Return the call sites of the endpoint that a change names."""
     of_kind = [site for site in analysis.sites if site.endpoint.kind is change.kind]
+    if change.kind is EndpointKind.TIMER:
+        return [each for each in of_kind if _is_repeating(analysis, each, change.name)]
     named = [site for site in of_kind if site.endpoint.name == change.name]
     return named or [site for site in of_kind if site.endpoint.default == change.name]
+
+
+def _is_repeating(analysis: Analysis, site: Site, function: str) -> bool:
+    """Whether a timer repeats a function, for no other endpoint."""
+    if site.endpoint.callback != function or is_once(site):
+        return False
+    return not serves(analysis, callback_scope(analysis, site))
 
 
 def waits(analysis: Analysis, sites: Iterable[Site]) -> dict[str | None, list[tuple[Node, Node]]]:
@@ -93,6 +108,7 @@ def remove_uses(
             publishing.append(reference)
         elif (
             reference.use is Use.BARE
+            or _readies(analysis, reference, sites[0].endpoint.kind)
             or is_own_call(analysis, reference)
             or _ends_endpoint(analysis, reference)
         ):
@@ -135,6 +151,17 @@ def _is_guard(reference: Reference) -> bool:
         is_none = len(parts) == 2 and parts[1].type == "none"
         return is_none and parts[0].id == asked.id
     return condition.id == asked.id
+
+
+def _readies(analysis: Analysis, reference: Reference, kind: EndpointKind) -> bool:
+    """Whether a statement does nothing but make an endpoint ready: it starts it, or waits."""
+    parent = reference.node.parent
+    call = parent.parent if parent is not None else None
+    if parent is None or call is None or call.type != "call" or len(parts_of(call.parent)) != 1:
+        return False
+    name = parent.child_by_field_name("attribute")
+    is_statement = call.parent is not None and call.parent.id == reference.statement.id
+    return is_statement and name is not None and analysis.syntax.slice(name) == _READYING.get(kind)
 
 
 def _ends_endpoint(analysis: Analysis, reference: Reference) -> bool:

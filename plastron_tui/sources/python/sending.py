@@ -23,6 +23,7 @@ from .lifecycle import is_transition
 from .loggers import own_logger
 from .own_loop import is_sleep, own_block, statements_of, woken_loop
 from .removal import callback_scope
+from .sending_once import send_when_heard
 from .signatures import parameter_names, signatures_of
 from .splices import line_end, line_start
 from .surroundings import holds_handles
@@ -32,10 +33,30 @@ def add_publishing(added: Addition, publisher: Publisher) -> list[str]:
     """Publish a publisher's messages; return the lines that follow its creation."""
     if not publisher.publications:
         return []
+    once = [each for each in publisher.publications if each.is_once]
+    again = [each for each in publisher.publications if not each.is_once]
+    return [*_again(added, again), *_once(added, once)]
+
+
+def _once(added: Addition, publications: Sequence[Publication]) -> list[str]:
+    """Return the lines that send some messages once, behind the publisher's creation."""
+    if not publications:
+        return []
+    added.stand(is_nested=added.is_nested)
+    lines = []
+    for each in publications:
+        lines += _sending(added, each, f"{naming.words(added.name)}_message", False)
+    return send_when_heard(added, lines) if added.is_rclpy else lines
+
+
+def _again(added: Addition, sent: Sequence[Publication]) -> list[str]:
+    """Publish some messages again and again; return the lines that follow the creation."""
+    if not sent:
+        return []
     block = own_block(added)
     fitting: list[Publication] = []
     by_rate: dict[float, list[Publication]] = defaultdict(list)
-    for publication in publisher.publications:
+    for publication in sent:
         is_fitting = block is not None and _fits(publication, block.rate)
         (fitting if is_fitting else by_rate[publication.rate]).append(publication)
     if block is not None and fitting:

@@ -67,12 +67,12 @@ def lost_sending(
     lines = sorted({line_of(each.statement) for each in publishing})
     if lines and values and not is_in_place:
         rates = dict.fromkeys(each.rate for each in values if not each.is_rate_open)
-        often = " and ".join(f"{rate:g}" for rate in rates)
+        often = " and ".join(f"{rate:g} times a second" if rate else "once" for rate in rates)
         numbers = listed(map(str, lines))
         is_one = len(lines) == 1
         who = f"line {numbers} no longer decides" if is_one else f"lines {numbers} no longer decide"
         message = f"{who} when `{new.name}` is sent"
-        message += f": that is {often} times a second" if often else ""
+        message += f": that is {often}" if often else ""
         yield written_anew(message, new, old)
 
 

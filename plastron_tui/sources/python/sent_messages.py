@@ -17,8 +17,8 @@ from .analysis import Analysis, Site
 from .creation import Removal, parameters_in, remove_creation
 from .generated import is_docstring, is_named_as_own, is_own_call
 from .leftovers import remove_idle
-from .own_loop import is_loop, is_once, is_sleep
-from .rates import Pace, is_shared, loop_pace, timer_pace
+from .own_loop import is_loop, is_sleep
+from .rates import Pace, is_once, is_shared, loop_pace, timer_pace
 from .references import Reference, Variable, references
 from .removal import remove_uses, timers_of
 from .removal_plan import remove_what_served
@@ -87,6 +87,8 @@ def _uses(update: Replacement) -> tuple[Variable, Removal]:
 def _publish(update: Replacement, variable: Variable, publications: Sequence[Publication]) -> bool:
     """Publish other messages in the lines that publish, at other rates where those may change."""
     added, analysis = update.added, update.analysis
+    if any(each.is_once for each in publications):
+        return False
     # What is sent at one rate stands together.
     rates = list(dict.fromkeys(each.rate for each in publications))
     publications = sorted(publications, key=lambda each: rates.index(each.rate))

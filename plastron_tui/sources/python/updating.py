@@ -22,6 +22,7 @@ from .leftovers import stub_callbacks
 from .lost import written_anew
 from .message_filters import hands_on, takers
 from .place import beside
+from .qos_arguments import requalify
 from .removal import callback_scope
 from .renaming import NotNamedError, plan_names
 from .replacing import NotInPlaceError, Replacement
@@ -68,6 +69,7 @@ def plan_update(
     if is_lost and site.endpoint.callback is not None:
         _tell_lost(update, interface)
     added.writer.endpoints.append((change.kind, name, str(interface.name), callback or ""))
+    requalify(update)
     resend(update, interface)
     return update
 

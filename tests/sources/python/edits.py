@@ -7,7 +7,15 @@ from pathlib import Path
 from file_sets import one
 
 from plastron_tui.diagnostics import Span
-from plastron_tui.model.kinds import Client, Message, Publication, Publisher, Service, Subscription
+from plastron_tui.model.kinds import (
+    Client,
+    Message,
+    Publication,
+    Publisher,
+    Request,
+    Service,
+    Subscription,
+)
 from plastron_tui.model.source import Add, EndpointKind
 from plastron_tui.model.values import MessageValue
 from plastron_tui.ros.catalog import Catalog
@@ -58,4 +66,5 @@ def provide(name, type_="std_srvs/Trigger", handler=None):
 
 
 def request(name, type_, **fields):
-    return Add(Client(name, interface(type_), [MessageValue(interface(type_), fields)], AT))
+    value = MessageValue(interface(type_), fields)
+    return Add(Client(name, interface(type_), [Request(value)], AT))

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from file_sets import one
 
-from plastron_tui.model.kinds import EDITABLE
+from plastron_tui.model.kinds import EDITABLE, EndpointKind
 from plastron_tui.sources.python import read_python
 
 HEAD = "import sys\nimport rospy\nfrom std_msgs.msg import Int8, String\n"
@@ -20,7 +20,7 @@ def names(body: str) -> list[str | None]:
     return [
         each.name if each.default is None else f"[{each.default}]"
         for each in source.endpoints
-        if each.kind in EDITABLE
+        if each.kind in EDITABLE and each.kind is not EndpointKind.PARAMETER
     ]
 
 
