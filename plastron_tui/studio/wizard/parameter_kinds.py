@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from plastron_tui.language import SlotKind
+from plastron_tui.language.sentence import quoted
 from plastron_tui.ros.interfaces import FieldType
 from plastron_tui.ros.names import check_parameter_name
 from plastron_tui.ros.parameters import ParameterType
@@ -12,7 +13,7 @@ from .context import free_name
 from .form import Cell
 from .kind import Kind, name_problem
 from .taken_back import nothing_to_take, taken_back
-from .values import Entry, Python, problem_of, quoted, written
+from .values import Entry, Python, problem_of, written
 
 _TYPES: dict[ParameterType, tuple[str, Python]] = {
     ParameterType.BOOL: ("bool", bool),
