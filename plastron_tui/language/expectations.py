@@ -22,7 +22,7 @@ from .tokens import COMMENT_KINDS, UNCLOSED_STRING, UNKNOWN, Token, tokens_of
 
 _COMMENTS = COMMENT_KINDS | {"unclosed_comment"}
 _JOINTS = frozenset({"/", "."})
-_GOING_ON = frozenset({",", ".", "=", "<", ">"})
+_GOING_ON = frozenset({",", ".", "=", "<", ">", "any", "all"})
 """What does not end a condition, or words of quality of service."""
 
 
@@ -167,10 +167,14 @@ def _expected(
     slot = match.wanted if isinstance(match.wanted, Slot) else None
     keywords = tuple(clause.keyword for clause in match.optional)
     values = None
+    rate = match.slots[-1].slot if match.slots else None
     if not before:
         slot, keywords = NODE_OF_STATEMENT, FIRST_WORDS
     elif len(before) == 1 and before[0].text not in BY_KEYWORD:
         keywords = VERBS
+    elif rate is not None and rate.kind.form is Form.RATE and before[-1].text == "parameter":
+        # Its name is still to come.
+        slot, keywords, match = rate, (), match._replace(wanted=rate)
     elif slot is not None and slot.kind.form in (Form.VALUE, Form.VALUES):
         values, is_over = _place_in_values(before[match.end :], word)
         is_first = len(before) == match.end and slot.kind.form is Form.VALUES

@@ -236,7 +236,7 @@ class Checks:
             if self._consequences.explains(node, name):
                 raise Mistake
             where = statement.span_of(slot)
-            names = node.by_kind[kind]
+            names = [*node.by_kind[kind]]
             if kind is EndpointKind.PARAMETER:
                 name, *names = (each.removeprefix("~/") for each in (name, *names))
             is_quoted = kind.facts.named is not None
