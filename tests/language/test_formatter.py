@@ -20,8 +20,6 @@ TABLE = {
     "n publish m to 'a' of message_type T for_each 'b' when received.x[0]=5 with qos depth  5 ,a":
         "n publish m to 'a' of message_type T for_each 'b' when received.x[0] = 5"
         " with qos depth 5, a\n",
-    "n publish m to 'a' of message_type T for_each 'b' when  any received.x<-.5  once":
-        "n publish m to 'a' of message_type T for_each 'b' when  any received.x<-.5  once\n",
     "n publish m to 'a' of message_type T for_each 'b' when  any received.x<-.5":
         "n publish m to 'a' of message_type T for_each 'b' when any received.x < -.5\n",
     "n has_parameter 'a' of parameter_type int_list with default [ 1,2 ]  described_as  \"x\"":
