@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes, write
+from plastron_tui.diagnostics.suggest import nearest
 
 from .declaration import Declaration, Form, SlotKind
 from .keywords import BY_KEYWORD, FIRST_WORDS, KEYWORDS, VERBS
@@ -23,6 +24,12 @@ _TYPE = re.compile(r"[A-Za-z]\w*(/(msg/|srv/)?[A-Za-z]\w*)?", re.ASCII)
 _QUOTES = {"‘": ("’", "'"), "’": ("’", "'"), "“": ("”", '"'), "”": ("”", '"'), "„": ("“”", '"')}
 
 _SECONDS = {"ms": 0.001, "s": 1, "sec": 1, "second": 1, "seconds": 1, "min": 60, "minutes": 60}
+
+_MOST_PARTS = max(word.count("_") for word in KEYWORDS) + 1
+"""How many words the longest keyword is made of."""
+
+_COMPUTED = frozenset({Form.VALUES, Form.VALUE, Form.RATE, Form.CONDITION})
+"""The forms in which what is computed can stand."""
 
 # What a word is made of where only one of these numbers begins it.
 _PREFIXES = {SlotKind.NEW_MESSAGE: "message", SlotKind.MESSAGE: "message", SlotKind.FUNCTION: "on"}
@@ -216,6 +223,11 @@ def _quoted(place: Place, found: Diagnostic) -> Diagnostic | None:
     if wanted is None or (token.kind not in QUOTED_KINDS and token.kind != "string"):
         return None
     text = token.text[1:-1]
+    if wanted.form is Form.RATE:
+        right = f"parameter '{text}'"
+        return _mended(found, "a rate has the word `parameter` before the name", token.span, right)
+    if wanted.form is Form.TEXT:
+        return _mended(found, "a text is in double quotes", token.span, f'"{text}"')
     if wanted.form is Form.FILE:
         right = f"'{text}'"
         return found._replace(
@@ -227,7 +239,9 @@ def _quoted(place: Place, found: Diagnostic) -> Diagnostic | None:
         return None
     pattern = _TYPE if wanted.form is Form.TYPE else _WORD
     if pattern.fullmatch(text) and text not in KEYWORDS:
-        return _mended(found, f"{wanted.words} has no quotes", token.span, text)
+        what = wanted.words.partition(",")[0]
+        verb = "have" if wanted.form is Form.QOS else "has"
+        return _mended(found, f"{what} {verb} no quotes", token.span, text)
     if wanted is SlotKind.MESSAGE:
         return found._replace(help="make a message first, with `create_message`, and name it here")
     return None
@@ -271,6 +285,47 @@ def _period(place: Place, found: Diagnostic) -> Diagnostic | None:
     return _mended(found, "how often is said in hertz", span, rate)
 
 
+def _two_words(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `for each`, and a verb of several words."""
+    tokens = place.tokens
+    for first in (place.at, place.at + 1) if place.at == 0 else (place.at,):
+        for end in range(first + _MOST_PARTS, first + 1, -1):
+            words = [token.text for token in tokens[first:end]]
+            right = "_".join(words)
+            if len(words) == end - first and right in KEYWORDS:
+                span = Span(tokens[first].start, tokens[end - 1].end)
+                return _mended(found, f"`{right}` is written as one word", span, right)
+    return None
+
+
+def _comparison(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `==`, and comparisons that there are not."""
+    token, before = place.token, text_at(place.tokens, place.at - 1)
+    if token.text != "=" or before not in ("=", "<", ">") or not is_glued(place.tokens, place.at):
+        return None
+    span = Span(place.tokens[place.at - 1].start, token.end)
+    if before == "=":
+        return _mended(found, "one `=` says that two are equal", span, "=")
+    return found._replace(message=f"expected `<`, `>` or `=`, not `{before}=`", span=span)
+
+
+def _misspelt_source(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `recieved.x`, and `parameters 'x'`."""
+    token, wanted = place.token, place.wanted
+    following = place.tokens[place.at + 1] if place.at + 1 < len(place.tokens) else None
+    if following is None or token.kind not in WORD_KINDS:
+        return None
+    if wanted is not None and wanted.form not in _COMPUTED:
+        return None
+    right = "parameter" if following.kind in QUOTED_KINDS else "received"
+    if right == "received" and following.text != ".":
+        return None
+    if token.text == right or nearest(token.text, [right]) is None:
+        return None
+    fix = write(right, token.span)
+    return found._replace(help=f"did you mean `{right}`?", fix=fix)
+
+
 _SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
     _comment,
     _quotes,
@@ -282,4 +337,7 @@ _SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
     _quoted,
     _swapped,
     _period,
+    _two_words,
+    _comparison,
+    _misspelt_source,
 )

@@ -183,6 +183,7 @@ def _expected(
         return None
     elif _wants_parameter(match, before):
         slot, keywords, written = match.slots[-1].slot, (), ("parameter",)
+        match = match._replace(wanted=slot)
     elif isinstance(match.wanted, str):
         keywords = (*keywords, match.wanted)
     return Expectation(

@@ -16,8 +16,8 @@ from .tokens import leaves
 _MARK = b"\xef\xbb\xbf"
 """The byte order mark that some editors put before a text; it stays."""
 
-_TIGHT_BEFORE = frozenset({",", ")", "]", ".", "=", "/"})
-_TIGHT_AFTER = frozenset({"(", "[", ".", "=", "/"})
+_TIGHT_BEFORE = frozenset({",", ")", "]", ".", "=", "/", "index"})
+_TIGHT_AFTER = frozenset({"(", "[", ".", "=", "/", "index"})
 
 
 def format_document(document: Document) -> bytes:
@@ -73,8 +73,20 @@ def _lay_out(source: bytes, nodes: list[Node]) -> bytes:
     parts: list[bytes] = []
     before = ""
     for word in words:
-        if before and word.type not in _TIGHT_BEFORE and before not in _TIGHT_AFTER:
+        kind = _kind(word)
+        if parts and kind not in _TIGHT_BEFORE and before not in _TIGHT_AFTER:
             parts.append(b" ")
         parts.append(source[word.start_byte : word.end_byte].rstrip())
-        before = word.type
+        before = kind
     return b"".join(parts)
+
+
+def _kind(word: Node) -> str:
+    """Return what a word is for the space around it."""
+    if word.type in ("=", "[") and word.parent is not None:
+        match word.parent.type:
+            case "condition":
+                return "operator"
+            case "element":
+                return "index"
+    return word.type

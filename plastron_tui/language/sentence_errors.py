@@ -27,6 +27,7 @@ _KINDS = {
 
 _MOST_TYPE_PARTS = 3
 _OPERATORS = frozenset({"+", "-", "*", "/"})
+_GOING_ON = frozenset({",", "=", ".", "(", "["})
 _TRUTHS = frozenset({"True", "False"})
 _AFTER_IN_QOS = {
     "word": frozenset({"number", ","}),
@@ -85,7 +86,7 @@ class SentenceErrors:
             case Slot(kind=kind):
                 mistake = self._in_open(kind, self._tokens[match.end :])
                 if mistake is not None:
-                    return mistake
+                    return self._in_clause(match, mistake) or mistake
                 token = None
             case str() as word:
                 return self._not_the_word(word, token)
@@ -101,8 +102,23 @@ class SentenceErrors:
         if clause is not None and token.kind in WORD_KINDS:
             return self._not_the_word(clause, token)
         if token.text in match.passed:
-            return self._error(f"`{token.text}` cannot stand here any more", token.span)
+            return self._no_more(token)
         return self._error(f"unexpected `{_shown(token.text)}`", token.span)
+
+    def _in_clause(self, match: SentenceMatch, mistake: Diagnostic) -> Diagnostic | None:
+        """Explain a mistake in what is open that was to begin the clause after it."""
+        for before, token in pairwise(self._tokens[match.end :]):
+            if token.span != mistake.span or before.text in _GOING_ON:
+                continue
+            if token.text in match.passed:
+                return self._no_more(token)
+            clause = nearest(token.text, [clause.keyword for clause in match.optional])
+            if token.kind in WORD_KINDS and clause is not None:
+                return self._not_the_word(clause, token)
+        return None
+
+    def _no_more(self, token: Token) -> Diagnostic:
+        return self._error(f"`{token.text}` cannot stand here any more", token.span)
 
     def _not_the_word(self, word: str, token: Token | None) -> Diagnostic:
         if token is not None and token.kind in WORD_KINDS and nearest(token.text, [word]):
@@ -167,8 +183,11 @@ class SentenceErrors:
                 return self._in_condition(tokens)
         mistake = self._in_values(tokens)
         if mistake is None and kind.form is Form.VALUE:
-            second = next((token for token in _outermost(tokens) if token.text == ","), None)
-            return None if second is None else self._error("this takes one value", second.span)
+            mark = next((token for token in _outermost(tokens) if token.text in ",="), None)
+            if mark is not None:
+                what = "this takes one value" + ("" if mark.text == "," else ", which has no name")
+                return self._error(what, mark.span)
+            return None
         return mistake
 
     def _in_qos(self, tokens: Sequence[Token]) -> Diagnostic | None:
@@ -203,6 +222,10 @@ class SentenceErrors:
     def _in_received(self, tokens: Sequence[Token], first: int, end: int) -> Diagnostic | None:
         """Look at `received.FIELD` and `received.FIELD[INDEX]`, which ends where it breaks off."""
         follows = text_at(tokens, end)
+        if text_at(tokens, end - 1) == "]":
+            is_over = follows not in (".", "[")
+            what = "an element is taken as a whole"
+            return None if is_over else self._error(what, tokens[end].span)
         if follows == "." or end == first + 1:
             return self._expected(
                 "a field of what is received", token_at(tokens, end + (follows == "."))
@@ -282,6 +305,9 @@ class SentenceErrors:
         if last is not None and last.text == ".":
             what = f"expected `=` after `{_shown(text)}`"
             return None if is_named else self._error(what, token.span)
+        if text in _OPERATORS and not values.wants_value:
+            what = "only `parameter` and `received` are calculated with, before a number"
+            return self._error(what, token.span)
         if kind in (UNKNOWN, UNCLOSED_STRING):
             return _broken_text(token, following)
         if kind in _CLOSED_BY.values() and last is not None and last.kind not in (",", "="):

@@ -5,7 +5,18 @@ from __future__ import annotations
 from hypothesis import strategies as st
 
 from plastron_tui.language import DECLARATIONS, Document, Program, lower
-from plastron_tui.language.inputs import Argument, ListValue, Literal, NamedArgument
+from plastron_tui.language.inputs import (
+    Argument,
+    Calculation,
+    Condition,
+    ListValue,
+    Literal,
+    NamedArgument,
+    NestedValue,
+    ParameterValue,
+    QosWord,
+    Received,
+)
 from plastron_tui.language.keywords import KEYWORDS
 
 variables = st.from_regex(r"[A-Za-z][A-Za-z0-9_]{0,8}", fullmatch=True).filter(
@@ -27,7 +38,33 @@ def _values(inner: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
     return lists | nested
 
 
-values = st.recursive(numbers | texts | st.sampled_from(["True", "False"]), _values, max_leaves=6)
+received = st.tuples(fields, st.sampled_from(["", "[0]", "[12]"])).map(
+    lambda parts: f"received.{parts[0]}{parts[1]}"
+)
+parameters = names.map("parameter {}".format)
+steps = st.lists(
+    st.tuples(st.sampled_from("+-*/"), numbers).map(" {0[0]} {0[1]}".format), max_size=2
+)
+computed = st.tuples(received | parameters, steps.map("".join)).map("".join)
+rates = (numbers | parameters).map(" at {} hz".format)
+literals = numbers | texts | st.sampled_from(["True", "False"])
+conditions = st.builds(
+    "{}{} {} {}".format,
+    st.sampled_from(["", "any ", "all "]),
+    received,
+    st.sampled_from("<>="),
+    literals,
+)
+qos = st.lists(
+    st.tuples(
+        st.sampled_from(["reliable", "depth", "managed", "qos"]),
+        st.just("") | numbers.map(" {}".format),
+    ).map("".join),
+    min_size=1,
+    max_size=3,
+).map(lambda words: f" with qos {', '.join(words)}")
+
+values = st.recursive(literals | computed, _values, max_leaves=6)
 inputs = st.just("none") | st.lists(
     values | st.tuples(fields, values).map("=".join), min_size=1, max_size=4
 ).map(", ".join)
@@ -40,22 +77,47 @@ def statements(draw: st.DrawFn) -> str:
     type_ = draw(types)
     using = draw(st.sampled_from(["", " using rospy", " using rclpy"]))
     calling = draw(st.sampled_from(["", f" calling {other}", " calling _handle"]))
-    rate = draw(st.just("") | numbers.map(" at {} hz".format))
+    managed = draw(st.sampled_from(["", " managed"]))
+    rate = draw(st.just("") | rates)
+    quality = draw(st.just("") | qos)
+    when = draw(st.just("") | conditions.map(" when {}".format))
+    sent = draw(st.sampled_from([rate, " once", f" for_each {name}{when}"]))
+    limits = draw(st.sampled_from(["", f" between {draw(numbers)} and {draw(numbers)}"]))
+    described = draw(st.just("") | texts.map(" described_as {}".format))
+    answering = draw(st.just("") | inputs.map(" answering {}".format))
+
+    def any_order(*clauses: str) -> str:
+        return "".join(draw(st.permutations(clauses)))
+
     return draw(
         st.sampled_from(
             [
-                f"create_node {name} as {node}{using}",
+                f"create_node {name} as {node}{any_order(using, managed)}",
                 f"load {other} as {node}",
+                f"load {other} node {name} as {node}",
                 f"load 'nodes/{other}.py' as {node}",
                 f"create_message {node} of message_type {type_} and input {draw(inputs)}",
-                f"subscribe {node} to {name} of message_type {type_}{calling}",
+                f"subscribe {node} to {name} of message_type {type_}{any_order(quality, calling)}",
                 f"unsubscribe {node} from {name}",
-                f"{node} publish {other} to {name} of message_type {type_}{rate}",
+                f"{node} publish {other} to {name} of message_type {type_}"
+                f"{any_order(sent, quality)}",
                 f"{node} stop_publishing to {name}",
-                f"{node} client_requests {name} of service_type {type_} with input {draw(inputs)}",
+                f"{node} client_requests {name} of service_type {type_} with input {draw(inputs)}"
+                f"{rate}",
                 f"{node} stop_request {name}",
-                f"{node} provides_service {name} of service_type {type_}{calling}",
+                f"{node} provides_service {name} of service_type {type_}"
+                f"{any_order(answering, calling)}",
                 f"{node} stop_service {name}",
+                f"{node} provides_action {name} of action_type {type_}{calling}",
+                f"{node} stop_action {name}",
+                f"{node} sends_goal to {name} of action_type {type_} with input {draw(inputs)}",
+                f"{node} stop_goal to {name}",
+                f"{node} has_parameter {name} of parameter_type {other} with default"
+                f" {draw(values)}{any_order(limits, described)}",
+                f"{node} no_longer_has_parameter {name}",
+                f"{node} repeats {other}{draw(rates)}",
+                f"{node} stop_repeating {other}",
+                f"{node} renames {other} {name} to {name}",
                 f"generate_node {node}{using}",
             ]
         )
@@ -105,15 +167,35 @@ def shape(program: Program) -> list[object]:
 
 
 def _shape_of(value: object) -> object:
-    return tuple(map(argument, value)) if isinstance(value, tuple) else value
+    match value:
+        case Condition(quantifier, received, operator, compared):
+            return quantifier, argument(received), operator, argument(compared)
+        case (QosWord(), *_):
+            return " ".join(f"{each.word} {each.number}" for each in value)
+        case tuple() if not hasattr(value, "syntax"):
+            return tuple(map(argument, value))
+        case tuple():
+            return argument(value)  # type: ignore[arg-type]
+        case _:
+            return value
 
 
 def argument(value: Argument) -> object:
     """Return what a value says, without where it says it."""
-    if isinstance(value, NamedArgument):
-        return ".".join(value.path), "=", argument(value.value)
-    if isinstance(value, Literal):
-        return repr(value.value)
-    if isinstance(value, ListValue):
-        return ["list", *map(argument, value.items)]
-    return ["nested", *map(argument, value.arguments)]
+    match value:
+        case NamedArgument(path, inner):
+            return ".".join(path), "=", argument(inner)
+        case Literal(known):
+            return repr(known)
+        case ListValue(items):
+            return ["list", *map(argument, items)]
+        case NestedValue(arguments):
+            return ["nested", *map(argument, arguments)]
+        case ParameterValue(name):
+            return f"parameter {name}"
+        case Received(path, position):
+            return f"received {'.'.join(path)}{'' if position is None else f'[{position}]'}"
+        case Calculation(first, steps):
+            return " ".join(
+                [str(argument(first)), *(f"{step.operator} {step.number}" for step in steps)]
+            )

@@ -13,6 +13,18 @@ TABLE = {
     "": "",
     "\n\n": "",
     "create_node   'a'\tas n": "create_node 'a' as n\n",
+    "create_message m of message_type B and input received . a [ 1 ]*5 ,x=received.b+ -1/2":
+        "create_message m of message_type B and input received.a[1] * 5, x=received.b + -1 / 2\n",
+    "create_message m of message_type B and input x=parameter   'p'-1, received . a = [ [1] ]":
+        "create_message m of message_type B and input x=parameter 'p' - 1, received.a=[[1]]\n",
+    "n publish m to 'a' of message_type T for_each 'b' when received.x[0]=5 with qos depth  5 ,a":
+        "n publish m to 'a' of message_type T for_each 'b' when received.x[0] = 5"
+        " with qos depth 5, a\n",
+    "n publish m to 'a' of message_type T for_each 'b' when  any received.x<-.5":
+        "n publish m to 'a' of message_type T for_each 'b' when any received.x < -.5\n",
+    "n has_parameter 'a' of parameter_type int_list with default [ 1,2 ]  described_as  \"x\"":
+        "n has_parameter 'a' of parameter_type int_list with default [1, 2] described_as \"x\"\n",
+    "n repeats  f at  parameter 'a'  hz": "n repeats f at parameter 'a' hz\n",
     "  create_node 'a' as n  ": "create_node 'a' as n\n",
     "create_message m of message_type a/msg/B and input 1 ,2,  -3":
         "create_message m of message_type a/msg/B and input 1, 2, -3\n",

@@ -14,8 +14,10 @@ from plastron_tui.language.inputs import DEEPEST_NESTING, Literal
 from plastron_tui.language.statements import CreateMessage
 
 CASES = {
-    "create_node 'talker' as n": ("CreateNode", "talker", "n", None),
-    "create_node 'talker' as n using rclpy": ("CreateNode", "talker", "n", "rclpy"),
+    "create_node 'talker' as n": ("CreateNode", "talker", "n", False, None),
+    "create_node 'talker' as n using rclpy": ("CreateNode", "talker", "n", False, "rclpy"),
+    "create_node 'talker' as n managed": ("CreateNode", "talker", "n", True, None),
+    "create_node 'talker' as n using rclpy managed": ("CreateNode", "talker", "n", True, "rclpy"),
     "load talker_pub as n": ("Load", "talker_pub", None, "n"),
     "load two node 'a' as n": ("Load", "two", "a", "n"),
     "load 'a b/c.py' as n": ("Load", "a b/c.py", None, "n"),
@@ -32,16 +34,46 @@ CASES = {
         "a/msg/B",
         (("x", "=", "1"),),
     ),
-    "subscribe n to '/a/b' of message_type String": ("Subscribe", "n", "/a/b", "String", None),
+    "subscribe n to '/a/b' of message_type String": (
+        "Subscribe",
+        "n",
+        "/a/b",
+        "String",
+        None,
+        None,
+    ),
+    "subscribe n to 'a' of message_type String calling f with qos depth 5, reliable": (
+        *("Subscribe", "n", "a", "String", "depth 5 reliable None", "f"),
+    ),
     "subscribe n to '~a' of message_type String calling _f": (
         "Subscribe",
         "n",
         "~a",
         "String",
+        None,
         "_f",
     ),
     "unsubscribe n from 'a'": ("Unsubscribe", "n", "a"),
-    "n publish m to 'a' of message_type String": ("Publish", "n", "m", "a", "String", None),
+    "n publish m to 'a' of message_type String": (
+        *("Publish", "n", "m", "a", "String", None, False, None, None, None),
+    ),
+    "n publish m to 'a' of message_type String at parameter 'r' hz": (
+        *("Publish", "n", "m", "a", "String", "parameter r", False, None, None, None),
+    ),
+    "n publish m to 'a' of message_type String with qos latched once": (
+        *("Publish", "n", "m", "a", "String", None, True, None, None, "latched None"),
+    ),
+    "n publish m to 'a' of message_type String for_each 'b' with qos depth 2": (
+        *("Publish", "n", "m", "a", "String", None, False, "b", None, "depth 2"),
+    ),
+    "n publish m to 'a' of message_type String for_each 'b' when any received.x.y < 0.5": (
+        *("Publish", "n", "m", "a", "String", None, False, "b"),
+        *(("any", "received x.y", "<", "0.5"), None),
+    ),
+    "n publish m to 'a' of message_type String for_each 'b' when received.any[1] = \"x\"": (
+        *("Publish", "n", "m", "a", "String", None, False, "b"),
+        *((None, "received any[1]", "=", "'x'"), None),
+    ),
     "n publish m to 'a' of message_type String at 2.5 hz": (
         "Publish",
         "n",
@@ -49,6 +81,10 @@ CASES = {
         "a",
         "String",
         2.5,
+        False,
+        None,
+        None,
+        None,
     ),
     "n stop_publishing to 'a'": ("StopPublishing", "n", "a"),
     "n client_requests 's' of service_type T with input 1, True": (
@@ -57,6 +93,10 @@ CASES = {
         "s",
         "T",
         ("1", "True"),
+        None,
+    ),
+    "n client_requests 's' of service_type T with input at=1, 2 at parameter 'r' hz": (
+        *("ClientRequests", "n", "s", "T", (("at", "=", "1"), "2"), "parameter r"),
     ),
     "n client_requests 's' of service_type T with input none": (
         "ClientRequests",
@@ -64,17 +104,54 @@ CASES = {
         "s",
         "T",
         (),
+        None,
+    ),
+    "n client_requests 's' of service_type T with input none at 2 hz": (
+        *("ClientRequests", "n", "s", "T", (), 2),
     ),
     "n stop_request 's'": ("StopRequest", "n", "s"),
-    "n provides_service 's' of service_type T": ("ProvidesService", "n", "s", "T", None),
+    "n provides_service 's' of service_type T": ("ProvidesService", "n", "s", "T", None, None),
+    "n provides_service 's' of service_type T answering none": (
+        *("ProvidesService", "n", "s", "T", (), None),
+    ),
+    "n provides_service 's' of service_type T calling f answering a=received.b + 1, 2": (
+        *("ProvidesService", "n", "s", "T", (("a", "=", "received b + 1"), "2"), "f"),
+    ),
     "n provides_service 's' of service_type T calling f": (
         "ProvidesService",
         "n",
         "s",
         "T",
+        None,
         "f",
     ),
     "n stop_service 's'": ("StopService", "n", "s"),
+    "n provides_action 'a' of action_type T": ("ProvidesAction", "n", "a", "T", None),
+    "n provides_action 'a' of action_type p/action/T calling f": (
+        *("ProvidesAction", "n", "a", "p/action/T", "f"),
+    ),
+    "n stop_action 'a'": ("StopAction", "n", "a"),
+    "n sends_goal to 'a' of action_type T with input x=parameter 'p' * 2": (
+        *("SendsGoal", "n", "a", "T", (("x", "=", "parameter p * 2"),)),
+    ),
+    "n sends_goal to 'a' of action_type T with input none": ("SendsGoal", "n", "a", "T", ()),
+    "n stop_goal to 'a'": ("StopGoal", "n", "a"),
+    "n has_parameter 'p' of parameter_type float with default -0.5": (
+        *("HasParameter", "n", "p", "float", "-0.5", None, None, None),
+    ),
+    "n has_parameter 'p' of parameter_type int with default 1 between -1 and +2": (
+        *("HasParameter", "n", "p", "int", "1", -1, 2, None),
+    ),
+    "n has_parameter 'p' of parameter_type int_list with default [1] described_as \"x\"": (
+        *("HasParameter", "n", "p", "int_list", ["list", "1"], None, None, "x"),
+    ),
+    "n has_parameter 'p' of parameter_type int with default 1 described_as \"x\" between 0 and 2": (
+        *("HasParameter", "n", "p", "int", "1", 0, 2, "x"),
+    ),
+    "n no_longer_has_parameter 'p'": ("NoLongerHasParameter", "n", "p"),
+    "n repeats f at 2 hz": ("Repeats", "n", "f", 2),
+    "repeats repeats _f at parameter 'r' hz": ("Repeats", "repeats", "_f", "parameter r"),
+    "n stop_repeating f": ("StopRepeating", "n", "f"),
     "n renames topic 's' to 'a/s'": ("Rename", "n", "topic", "s", "a/s"),
     "generate_node n": ("GenerateNode", "n", None),
     "generate_node n using rospy": ("GenerateNode", "n", "rospy"),
@@ -223,6 +300,30 @@ SHAPES = {
         ("publish.x", "=", "4"),
     ],
     "a /* c */ . /* d */ b = /* e */ [ /* f */ 1 /* g */ ]": [("a.b", "=", ["list", "1"])],
+    "parameter 'p', [parameter '~q'], (x=parameter 'r')": [
+        "parameter p",
+        ["list", "parameter ~q"],
+        ["nested", ("x", "=", "parameter r")],
+    ],
+    "received.a, received.b.to[3], x = received . none": [
+        "received a",
+        "received b.to[3]",
+        ("x", "=", "received none"),
+    ],
+    "received.a-1, received.a - -1, received.a * 2 + .5 / 3": [
+        "received a - 1",
+        "received a - -1",
+        "received a * 2 + 0.5 / 3",
+    ],
+    "received /* c */ . /* d */ a /* e */ [ /* f */ 1 ] /* g */ * /* h */ 2": ["received a[1] * 2"],
+    "parameter=1, received=2, received.x=3, parameter.x=4, x.received=5, x.parameter=6": [
+        ("parameter", "=", "1"),
+        ("received", "=", "2"),
+        ("received.x", "=", "3"),
+        ("parameter.x", "=", "4"),
+        ("x.received", "=", "5"),
+        ("x.parameter", "=", "6"),
+    ],
 }
 
 

@@ -5,6 +5,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from machine import examples, mostly_long
 from plastron_programs import EXAMPLES, broken_lines, read
+from wrong_clauses import CLAUSES, SENTENCE
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.language import DECLARATIONS, Document, lower
@@ -13,7 +14,6 @@ from plastron_tui.language.keywords import KEYWORDS
 from plastron_tui.language.syntax_errors import MOST_BROKEN_LINES
 
 M = "create_message m of message_type T and input"
-SENTENCE = "the sentence is: "
 
 # A line, the code, the text of the span, what the message says, what the help says.
 TABLE: list[tuple[str, str, str, str, str | None]] = [
@@ -163,6 +163,8 @@ TABLE: list[tuple[str, str, str, str, str | None]] = [
     ("create_node 'a' as n create_node 'b' as m", "syntax-error", "create_node", "unexp", SENTENCE),
 ]
 
+LINES = [*TABLE, *CLAUSES]
+
 
 def spanned(text: str, found: Diagnostic) -> str:
     assert found.span is not None
@@ -170,7 +172,7 @@ def spanned(text: str, found: Diagnostic) -> str:
 
 
 @pytest.mark.parametrize("ending", ["", "\n", "\r\n"], ids=["end", "lf", "crlf"])
-@pytest.mark.parametrize("case", TABLE, ids=[case[0] for case in TABLE])
+@pytest.mark.parametrize("case", LINES, ids=[case[0] for case in LINES])
 def test_a_wrong_line_is_explained(
     case: tuple[str, str, str, str, str | None], ending: str
 ) -> None:
@@ -181,7 +183,7 @@ def test_a_wrong_line_is_explained(
     assert remedy is None or remedy in (found.help or "")
 
 
-@pytest.mark.parametrize("case", TABLE, ids=[case[0] for case in TABLE])
+@pytest.mark.parametrize("case", LINES, ids=[case[0] for case in LINES])
 def test_a_wrong_line_is_alone_with_its_mistake(
     case: tuple[str, str, str, str, str | None],
 ) -> None:
@@ -237,7 +239,7 @@ def test_a_comment_that_joins_lines_hides_no_second_statement() -> None:
     ]
 
 
-@pytest.mark.parametrize("case", TABLE, ids=[case[0] for case in TABLE])
+@pytest.mark.parametrize("case", LINES, ids=[case[0] for case in LINES])
 def test_a_fix_brings_the_line_further(case: tuple[str, str, str, str, str | None]) -> None:
     line = case[0].encode()
     (found,) = lower(Document(line)).diagnostics

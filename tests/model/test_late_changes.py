@@ -50,6 +50,14 @@ n stop_request 'c'
 n provides_service 't' of service_type Trigger
 n stop_service 's'
 n renames topic 'b' to 'e'
+n provides_action 'w' of action_type Fibonacci
+n stop_action 'v'
+n sends_goal to 'y' of action_type Fibonacci with input none
+n stop_goal to 'x'
+n repeats g at 1 hz
+n stop_repeating f
+n has_parameter 'h' of parameter_type int with default 1
+n no_longer_has_parameter 'i'
 """
 
 
@@ -58,6 +66,10 @@ def test_every_statement_that_changes_a_node_may_come_too_late() -> None:
 {EARS}{MESSAGE}n publish m to 'p' of message_type String
 n client_requests 'c' of service_type Trigger with input none
 n provides_service 's' of service_type Trigger
+n provides_action 'v' of action_type Fibonacci
+n sends_goal to 'x' of action_type Fibonacci with input none
+n repeats f at 1 hz
+n has_parameter 'i' of parameter_type int with default 1
 {GENERATE}{CHANGES}"""
     found = run(program).diagnostics
     assert {each.code for each in found} == {"changed-after-generating"}

@@ -22,6 +22,11 @@ o publish m to 'text' of message_type String
 subscribe n to 'heard' of message_type String calling hear
 n publish m to 'sent' of message_type String
 n provides_service 'given' of service_type Trigger calling give
+n has_parameter 'speed' of parameter_type float with default 1
+n has_parameter 'names' of parameter_type string_list with default ["a"]
+n repeats tick at 1 hz
+n provides_action 'acts' of action_type Fibonacci calling act
+n sends_goal to 'done' of action_type Fibonacci with input none
 load driver as t
 """
 
@@ -85,6 +90,88 @@ SLOTS: dict[str, dict[str, list[str]]] = {
         "String": ["Sting", "Int32"],
         "1": ["0"],
     },
+    "{} client_requests {} of service_type SetBool with input True at {} hz": {
+        "n": ["x"],
+        "'a'": ["'a b'"],
+        "1": ["0", "parameter 'sped'", "parameter 'names'"],
+    },
+    "{} publish m to {} of message_type String at parameter {} hz": {
+        "n": ["x"],
+        "'a'": ["'a b'", "'sent'"],
+        "'speed'": ["'sped'", "'names'"],
+    },
+    "{} publish m to {} of message_type String for_each {} with qos {}": {
+        "n": ["x"],
+        "'a'": ["'a b'", "'sent'"],
+        "'heard'": ["'herd'"],
+        "depth 5": ["dept 5", "depth"],
+    },
+    "{} publish m to {} of message_type String for_each 'heard' when {}": {
+        "n": ["x"],
+        "'a'": ["'a b'"],
+        'received.data = "a"': [
+            "received.dat = 1",
+            "received.data < 1",
+            "any received.data = 1",
+        ],
+    },
+    "subscribe {} to {} of message_type {} with qos {}": {
+        "n": ["x"],
+        "'a'": ["'a b'", "'heard'"],
+        "String": ["Sting"],
+        "latched": ["lached", "depth -1"],
+    },
+    "{} provides_service {} of service_type {} answering {} calling f": {
+        "n": ["x"],
+        "'a'": ["'a b'", "'given'"],
+        "Trigger": ["Sting"],
+        'message="a"': [],
+    },
+    "n provides_service {} of service_type SetBool answering {}, {}": {
+        "'a'": ["'a b'", "'given'"],
+        "success=received.data": ["success=1", "succes=True"],
+        'message="a"': ["message=1", 'massage="a"'],
+    },
+    "{} provides_action {} of action_type {} calling {}": {
+        "n": ["x"],
+        "'a'": ["'a b'", "'acts'"],
+        "Fibonacci": ["Fibonaci"],
+        "f": ["class", "hear"],
+    },
+    "{} sends_goal to {} of action_type {} with input none": {
+        "n": ["x"],
+        "'a'": ["'a b'"],
+        "Fibonacci": ["Fibonaci"],
+    },
+    "{} sends_goal to {} of action_type Fibonacci with input {}": {
+        "n": ["x"],
+        "'a'": ["'a b'"],
+        "order=1": ["order=True", "odder=1"],
+    },
+    "{} has_parameter {} of parameter_type {} with default 1": {
+        "n": ["x"],
+        "'a'": ["'a b'", "'speed'"],
+        "float": ["flot"],
+    },
+    "{} has_parameter {} of parameter_type int with default {}": {
+        "n": ["x"],
+        "'a'": ["'a b'", "'speed'"],
+        "1": ["True", "1.5", "[1]"],
+    },
+    "{} has_parameter {} of parameter_type int with default 1 between {}": {
+        "n": ["x"],
+        "'a'": ["'a b'", "'speed'"],
+        "0 and 2": ["2 and 0", "0.5 and 2"],
+    },
+    "{} repeats {} at {} hz": {
+        "n": ["x"],
+        "f": ["class", "tick", "hear"],
+        "1": ["0", "-1", "parameter 'sped'", "parameter 'names'"],
+    },
+    "create_node {} as {} managed using rclpy": {
+        "'new'": ["'a b'", "'node'"],
+        "k": ["n", "_k"],
+    },
     "{} renames {} {} to {}": {
         "t": ["x"],
         "topic": ["thing"],
@@ -98,6 +185,14 @@ FOLLOWING = {
     frozenset({"x", "'heard'"}), frozenset({"x", "'given'"}), frozenset({"x", "'sent'"}),
     frozenset({"y", "'sent'"}), frozenset({"y", "Int32"}), frozenset({"x", "give"}),
     frozenset({"x", "hear"}), frozenset({"x", "'nope'"}), frozenset({"thing", "'nope'"}),
+    # What a node has is not known of one that is not there.
+    *(
+        frozenset({"x", each})
+        for each in (
+            "parameter 'sped'", "parameter 'names'", "'sped'", "'names'", "'herd'", "'acts'",
+            "'speed'", "tick", "received.dat = 1", "received.data < 1", "any received.data = 1",
+        )
+    ),
 }  # fmt: skip
 
 
