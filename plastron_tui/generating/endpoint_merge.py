@@ -87,10 +87,17 @@ class _Merge:
     lost: tuple[Diagnostic, ...] = ()
     cut: list[SourceEndpoint] = field(default_factory=list)
 
+    def _check_managed(self) -> None:
+        """Refuse what changes more of a file than its endpoints: whether its node is managed."""
+        is_managed, base = self.node.is_managed, self.base
+        is_there = any(node.is_managed for node in self.source.nodes)
+        if base is not None and is_managed not in (base.is_managed, is_there):
+            now = "is managed now" if is_managed else "is no longer managed"
+            raise _RefusedError(f"its node {now}")
+
     def result(self) -> Merged:
         """Decide about every endpoint, and edit the file."""
-        if self.base is not None and self.base.is_managed != self.node.is_managed:
-            raise _RefusedError("a managed node is made in another way than others")
+        self._check_managed()
         file = call_sites(self.source)
         base = {} if self.base is None else self.base.endpoints
         wanted = self.node.endpoints

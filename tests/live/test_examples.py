@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -14,10 +15,13 @@ from processes import PLASTRON, Process, generate, own_tracebacks
 
 pytestmark = pytest.mark.live
 
-# An example that loads a file has nodes of that file's generation only.
+# An example that loads a file has nodes of that file's generation only, and managed ones are
+# nodes of ROS 2.
 FOLDER = Path(__file__).parents[2] / "examples"
 EXAMPLES = sorted(
-    path for path in FOLDER.glob("*.plastron") if "\nload " not in path.read_text(encoding="utf-8")
+    path
+    for path in FOLDER.glob("*.plastron")
+    if not re.search(r"^load | managed ", path.read_text(encoding="utf-8"), re.MULTILINE)
 )
 
 QUICK = {"service_and_client"}

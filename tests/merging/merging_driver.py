@@ -73,10 +73,12 @@ class Folder:
 
     def __init__(self, path: Path, library: str, program: str = "robot.plastron") -> None:
         self.path, self.library, self.program = path, library, program
+        self.is_managed = False
 
     def generate(self, *statements: str, force: bool = False) -> Outcome:
         lines = "\n".join(statements)
-        text = f"{MESSAGES}create_node 'robot' as n\n{lines}\ngenerate_node n\n"
+        managed = " managed" if self.is_managed else ""
+        text = f"{MESSAGES}create_node 'robot' as n{managed}\n{lines}\ngenerate_node n\n"
         options = Options(self.library, self.path / "output", force=force)
         session = Session(text.encode(), self.path / self.program, options, environ={})
         assert session.diagnostics == ()

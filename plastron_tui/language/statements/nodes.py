@@ -6,7 +6,7 @@ from ..declaration import SlotKind, Statement, slot, statement
 from .shared import LIBRARY_HELP
 
 NAME_HELP = "what the node is called in the ROS graph"
-MANAGED_HELP = "started, stopped and ended from outside (ROS 2)"
+MANAGED_HELP = "configured, activated and stopped from outside (ROS 2)"
 
 
 @statement(

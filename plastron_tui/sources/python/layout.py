@@ -126,11 +126,22 @@ def _break(parts: list[_Part], margin: str, tail: str, style: Brackets) -> list[
     assert isinstance(group, _Group)
     head = margin + _flat(parts[:at]) + group.opening
     foot = _CLOSING[group.opening] + _flat(parts[at + 1 :]) + tail
+    value = _value_of(parts) if width(head) > style.limit and style.is_closed_apart else []
+    if value:
+        inner = _break(value, margin + style.indent, "", style)
+        return [f"{margin}{_flat(parts[: -len(value)])}(", *inner, f"{margin}){tail}"]
     if style.is_visual and (lines := _align(group, head, foot, style)):
         return lines
     if style.is_closed_apart:
         return [head, *_break_items(group, margin + style.indent, "", style), margin + foot]
     return [head, *_break_items(group, margin + style.indent, foot, style)]
+
+
+def _value_of(parts: list[_Part]) -> list[_Part]:
+    """Return what an assignment assigns; nothing where there is none, or parentheses are there."""
+    ends = [i for i in range(2, len(parts)) if parts[i - 2 : i + 1] == [" ", "=", " "]]
+    value = parts[ends[0] + 1 :] if ends else []
+    return value if len(value) > 1 else []
 
 
 def _break_items(group: _Group, margin: str, foot: str, style: Brackets) -> list[str]:
