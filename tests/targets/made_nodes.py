@@ -7,11 +7,25 @@ from functools import cache
 from hypothesis import strategies as st
 
 from plastron_tui.diagnostics import Span
-from plastron_tui.model.kinds import Client, Message, Publication, Publisher, Service, Subscription
+from plastron_tui.model.kinds import (
+    ActionClient,
+    ActionServer,
+    Client,
+    Message,
+    Parameter,
+    Publication,
+    Publisher,
+    Rate,
+    Request,
+    Service,
+    Subscription,
+    callback_of,
+)
 from plastron_tui.model.values import MessageValue, Value
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Field, FieldType, InterfaceKind, InterfaceName
+from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.ros.primitives import primitive
 
 SPAN = Span(0, 0)
@@ -91,10 +105,17 @@ def message(
     )
 
 
+OFTEN = "~/often"
+"""The parameter that says a rate."""
+
+RATES = st.sampled_from([None, Rate(10.0), Rate(0.5), Rate(1 / 3), Rate(5.0, OFTEN)])
+
+
 @st.composite
 def nodes(draw: st.DrawFn, library: str, names: st.SearchStrategy[str] = NAMES) -> Node:
     messages = st.sampled_from(catalog(library).names(InterfaceKind.MESSAGE))
     services = st.sampled_from(catalog(library).names(InterfaceKind.SERVICE))
+    actions = st.sampled_from(catalog(library).names(InterfaceKind.ACTION))
     functions = st.none() | WORDS.map(lambda word: f"on_my_{word}")
     node = Node(draw(names), "node", SPAN)
     some = st.lists(names, max_size=3, unique=True)
@@ -112,8 +133,23 @@ def nodes(draw: st.DrawFn, library: str, names: st.SearchStrategy[str] = NAMES) 
         node.put(Subscription(topic, draw(messages), draw(functions), SPAN))
     for service in draw(some):
         node.put(Service(service, draw(services), None, SPAN))
+    rates = set()
     for service in draw(some):
         type_ = draw(services)
-        requests = draw(st.lists(message(library, type_, InterfaceKind.SERVICE), max_size=2))
+        request = st.builds(Request, message(library, type_, InterfaceKind.SERVICE), RATES)
+        requests = draw(st.lists(request, max_size=2))
+        rates |= {each.rate for each in requests}
         node.put(Client(service, type_, tuple(requests), SPAN))
+    if Rate(5.0, OFTEN) in rates:
+        node.put(Parameter(OFTEN, None, ParameterType.FLOAT, 5.0, 0.5, 10.0, span=SPAN))
+    for action in draw(some):
+        executor = draw(st.none() | WORDS.map(lambda word: f"work_on_{word}_{len(word)}"))
+        if all(
+            executor is None or executor != each.callback for each in node.of(ActionServer).values()
+        ):
+            node.put(ActionServer(action, draw(actions), executor, SPAN))
+    for action in draw(some):
+        type_ = draw(actions)
+        goals = draw(st.lists(message(library, type_, InterfaceKind.ACTION), max_size=2))
+        node.put(ActionClient(action, type_, tuple(goals), SPAN))
     return node
