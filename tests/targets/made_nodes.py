@@ -143,10 +143,8 @@ def nodes(draw: st.DrawFn, library: str, names: st.SearchStrategy[str] = NAMES) 
     if Rate(5.0, OFTEN) in rates:
         node.put(Parameter(OFTEN, None, ParameterType.FLOAT, 5.0, 0.5, 10.0, span=SPAN))
     for action in draw(some):
-        executor = draw(st.none() | WORDS.map(lambda word: f"work_on_{word}_{len(word)}"))
-        if all(
-            executor is None or executor != each.callback for each in node.of(ActionServer).values()
-        ):
+        executor = draw(st.none() | WORDS.map(lambda word: f"work_on_{word}"))
+        if executor is None or executor not in map(callback_of, node.endpoints.values()):
             node.put(ActionServer(action, draw(actions), executor, SPAN))
     for action in draw(some):
         type_ = draw(actions)
