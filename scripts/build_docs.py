@@ -123,6 +123,7 @@ else is installed, and all of them run ([how](commands.md#plastron-run)):
 | `Point`, `Vector3`, `Quaternion`, `Pose2D`, `Pose`, `Twist` | `geometry_msgs` | `geometry_msgs` |
 | `Empty`, `SetBool`, `Trigger` (services) | `std_srvs` | `std_srvs` |
 | `AddTwoInts` | `beginner_tutorials` | `example_interfaces` |
+| `Fibonacci` (action) | `actionlib_tutorials` | `example_interfaces` |
 | `WaypointClear`, `WaypointPull` | `mavros_msgs` | `mavros_msgs` |
 | `WordCount` | `basics` | `basics` |
 

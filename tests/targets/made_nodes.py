@@ -25,6 +25,7 @@ from plastron_tui.model.values import MessageValue, Value
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Field, FieldType, InterfaceKind, InterfaceName
+from plastron_tui.ros.names import parameter_name
 from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.ros.primitives import primitive
 
@@ -105,12 +106,6 @@ def message(
     )
 
 
-OFTEN = "~/often"
-"""The parameter that says a rate."""
-
-RATES = st.sampled_from([None, Rate(10.0), Rate(0.5), Rate(1 / 3), Rate(5.0, OFTEN)])
-
-
 @st.composite
 def nodes(draw: st.DrawFn, library: str, names: st.SearchStrategy[str] = NAMES) -> Node:
     messages = st.sampled_from(catalog(library).names(InterfaceKind.MESSAGE))
@@ -133,15 +128,16 @@ def nodes(draw: st.DrawFn, library: str, names: st.SearchStrategy[str] = NAMES) 
         node.put(Subscription(topic, draw(messages), draw(functions), SPAN))
     for service in draw(some):
         node.put(Service(service, draw(services), None, SPAN))
-    rates = set()
+    often = parameter_name("often", catalog(library).ros_version)
+    follows = Rate(5.0, often)
+    rates = st.sampled_from([None, Rate(10.0), Rate(0.5), Rate(1 / 3), follows])
     for service in draw(some):
         type_ = draw(services)
-        request = st.builds(Request, message(library, type_, InterfaceKind.SERVICE), RATES)
+        request = st.builds(Request, message(library, type_, InterfaceKind.SERVICE), rates)
         requests = draw(st.lists(request, max_size=2))
-        rates |= {each.rate for each in requests}
         node.put(Client(service, type_, tuple(requests), SPAN))
-    if Rate(5.0, OFTEN) in rates:
-        node.put(Parameter(OFTEN, None, ParameterType.FLOAT, 5.0, 0.5, 10.0, span=SPAN))
+    if any(r.rate == follows for each in node.of(Client).values() for r in each.requests):
+        node.put(Parameter(often, None, ParameterType.FLOAT, 5.0, 0.5, 10.0, span=SPAN))
     for action in draw(some):
         executor = draw(st.none() | WORDS.map(lambda word: f"work_on_{word}"))
         if executor is None or executor not in map(callback_of, node.endpoints.values()):
