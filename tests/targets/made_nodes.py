@@ -8,18 +8,25 @@ from hypothesis import strategies as st
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.kinds import (
+    ActionClient,
+    ActionServer,
     Client,
     Message,
+    Parameter,
     Publication,
     Publisher,
+    Rate,
     Request,
     Service,
     Subscription,
+    callback_of,
 )
 from plastron_tui.model.values import MessageValue, Value
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Field, FieldType, InterfaceKind, InterfaceName
+from plastron_tui.ros.names import parameter_name
+from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.ros.primitives import primitive
 
 SPAN = Span(0, 0)
@@ -103,6 +110,7 @@ def message(
 def nodes(draw: st.DrawFn, library: str, names: st.SearchStrategy[str] = NAMES) -> Node:
     messages = st.sampled_from(catalog(library).names(InterfaceKind.MESSAGE))
     services = st.sampled_from(catalog(library).names(InterfaceKind.SERVICE))
+    actions = st.sampled_from(catalog(library).names(InterfaceKind.ACTION))
     functions = st.none() | WORDS.map(lambda word: f"on_my_{word}")
     node = Node(draw(names), "node", SPAN)
     some = st.lists(names, max_size=3, unique=True)
@@ -120,8 +128,22 @@ def nodes(draw: st.DrawFn, library: str, names: st.SearchStrategy[str] = NAMES) 
         node.put(Subscription(topic, draw(messages), draw(functions), SPAN))
     for service in draw(some):
         node.put(Service(service, draw(services), None, SPAN))
+    often = parameter_name("often", catalog(library).ros_version)
+    follows = Rate(5.0, often)
+    rates = st.sampled_from([None, Rate(10.0), Rate(0.5), Rate(1 / 3), follows])
     for service in draw(some):
         type_ = draw(services)
-        requests = draw(st.lists(message(library, type_, InterfaceKind.SERVICE), max_size=2))
-        node.put(Client(service, type_, tuple(map(Request, requests)), SPAN))
+        request = st.builds(Request, message(library, type_, InterfaceKind.SERVICE), rates)
+        requests = draw(st.lists(request, max_size=2))
+        node.put(Client(service, type_, tuple(requests), SPAN))
+    if any(r.rate == follows for each in node.of(Client).values() for r in each.requests):
+        node.put(Parameter(often, None, ParameterType.FLOAT, 5.0, 0.5, 10.0, span=SPAN))
+    for action in draw(some):
+        executor = draw(st.none() | WORDS.map(lambda word: f"work_on_{word}"))
+        if executor is None or executor not in map(callback_of, node.endpoints.values()):
+            node.put(ActionServer(action, draw(actions), executor, SPAN))
+    for action in draw(some):
+        type_ = draw(actions)
+        goals = draw(st.lists(message(library, type_, InterfaceKind.ACTION), max_size=2))
+        node.put(ActionClient(action, type_, tuple(goals), SPAN))
     return node

@@ -6,6 +6,7 @@ import ast
 import subprocess
 import sys
 import tempfile
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
@@ -15,7 +16,17 @@ from hypothesis import strategies as st
 from machine import examples
 from made_nodes import EVIL, SPAN, catalog, nodes
 
-from plastron_tui.model.kinds import Client, Message, Publication, Publisher, Service, Subscription
+from plastron_tui.model.kinds import (
+    ActionClient,
+    ActionServer,
+    Client,
+    Message,
+    Parameter,
+    Publication,
+    Publisher,
+    Service,
+    Subscription,
+)
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.model.values import MessageValue, Value
 from plastron_tui.model.workspace import Node
@@ -123,15 +134,30 @@ def tame(node: Node) -> Node:
     for service in node.of(Service).values():
         tame_node.put(service._replace(name=words(service.name)))
     for client in node.of(Client).values():
-        requests = tuple(each._replace(value=tamed(each.value)) for each in client.requests)
+        requests = tuple(each._replace(value=tame_value(each.value)) for each in client.requests)
         name = words(client.name)
         tame_node.put(client._replace(name=name, requests=requests))
+    for parameter in node.of(Parameter).values():
+        tame_node.put(parameter)
+    for server in node.of(ActionServer).values():
+        tame_node.put(server._replace(name=words(server.name)))
+    for sender in node.of(ActionClient).values():
+        goals = tuple(map(tame_value, sender.goals))
+        tame_node.put(sender._replace(name=words(sender.name), goals=goals))
     return tame_node
+
+
+def tame_value(value: MessageValue) -> MessageValue:
+    tame = tamed(value)
+    assert isinstance(tame, MessageValue)
+    return tame
 
 
 def is_separable(node: Node) -> bool:
     """Tell whether no two names of a kind make the same Python name."""
-    kinds = (node.of(Publisher), node.of(Subscription), node.of(Service), node.of(Client))
+    kinds: list[Mapping[str, object]] = [node.of(Publisher), node.of(Subscription)]
+    kinds += [node.of(Service), node.of(ActionServer)]
+    kinds.append({**node.of(Client), **node.of(ActionClient)})
     return all(len({words(name) for name in kind}) == len(kind) for kind in kinds)
 
 
@@ -152,6 +178,10 @@ def test_no_string_becomes_code(library: str, data: st.DataObject) -> None:
     for client in node.of(Client).values():
         for request in client.requests:
             expected += strings_of(request.value)
+    expected += [*node.of(ActionServer), *node.of(ActionClient)]
+    for sender in node.of(ActionClient).values():
+        for goal in sender.goals:
+            expected += strings_of(goal)
     for text in expected:
         strings.remove(text)
 
@@ -169,6 +199,13 @@ def test_a_string_is_exactly_what_was_written(library: str, text: str) -> None:
         each for each in ast.walk(tree) if isinstance(each, ast.keyword) and each.arg == "data"
     ]
     assert [ast.literal_eval(each.value) for each in found] == [text]
+
+
+def action_class(library: str, type_: InterfaceName | None) -> InterfaceName | None:
+    """Return an action's type as a file has it: rospy's has a message of another name."""
+    if type_ is None or library == "rclpy":
+        return type_
+    return type_._replace(name=f"{type_.name}Action")
 
 
 @pytest.mark.parametrize("library", LIBRARIES)
@@ -189,7 +226,17 @@ def test_what_is_written_reads_as_the_same_node(library: str, data: st.DataObjec
         ],
         EndpointKind.SERVICE: [(each.name, each.type) for each in node.of(Service).values()],
         EndpointKind.CLIENT: [(each.name, each.type) for each in node.of(Client).values()],
+        EndpointKind.ACTION_SERVER: [
+            (each.name, action_class(library, each.type)) for each in node.of(ActionServer).values()
+        ],
+        EndpointKind.ACTION_CLIENT: [
+            (each.name, action_class(library, each.type)) for each in node.of(ActionClient).values()
+        ],
     }
+    # A file of ROS 1 sets and gets a parameter.
+    assert {each.name for each in read.of_kind(EndpointKind.PARAMETER)} == set(node.of(Parameter))
+    timers = {each.callback for each in read.of_kind(EndpointKind.TIMER)}
+    assert None not in timers, "what waits is no timer of the node"
     for kind, endpoints in expected.items():
         assert [(each.name, each.type) for each in read.of_kind(kind)] == endpoints
 

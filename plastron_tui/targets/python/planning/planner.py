@@ -161,8 +161,8 @@ def _symbols(dialect: Dialect, plan: NodePlan) -> tuple[Symbol, ...]:
     return symbols
 
 
-_MOST_SAID = 4
-"""How much of what a node does is said: it has to go on one line."""
+_LONGEST = 78
+"""How long what a node does may be said, in characters: it has to go on one line."""
 
 
 def _summary(node: Node) -> str:
@@ -178,7 +178,14 @@ def _summary(node: Node) -> str:
         ("has parameters", node.of(Parameter)),
     ]
     does = [text for text, has in parts if has] or ["does nothing yet"]
-    if len(does) > _MOST_SAID:
-        does = [*does[: _MOST_SAID - 1], "more"]
+    said = len(does)
+    text = _sentence(does)
+    while len(text) > _LONGEST:
+        said -= 1
+        text = _sentence([*does[:said], "more"])
+    return text
+
+
+def _sentence(does: list[str]) -> str:
     text = does[0] if len(does) == 1 else f"{', '.join(does[:-1])} and {does[-1]}"
     return f"{text[0].upper()}{text[1:]}."
