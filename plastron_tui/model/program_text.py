@@ -78,7 +78,9 @@ def _node(
         if isinstance(details, ParameterDetails) and endpoint.name is not None:
             if key in seen:
                 continue
-            statement = _parameter(variable, endpoint.name, parameters[endpoint.name], ros_version)
+            statement = parameter_statement(
+                variable, endpoint.name, parameters[endpoint.name], ros_version
+            )
         elif isinstance(details, TimerDetails):
             statement = _timer(variable, endpoint, details)
         else:
@@ -119,7 +121,7 @@ def _qos(qos: Qos | None) -> str:
     return text if all(word.split()[0] in WORDS for word in text.split(", ")) else ""
 
 
-def _parameter(
+def parameter_statement(
     node: str, name: str, details: ParameterDetails, ros_version: int
 ) -> tuple[str, ...] | None:
     """Return the statement that gives a node a parameter, None where not all is known of it."""

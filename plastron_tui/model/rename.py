@@ -6,9 +6,10 @@ from collections.abc import Iterable
 
 from plastron_tui.diagnostics import Diagnostic, Label, codes, guess
 from plastron_tui.language import statements as st
-from plastron_tui.ros.names import spelled
+from plastron_tui.ros.names import parameter_name, spelled
 
 from .kinds import EndpointKind, kind_of
+from .kinds.needs import rename_uses
 from .mistake import Mistake
 from .run import Run
 from .workspace import Node
@@ -25,27 +26,38 @@ def rename(run: Run, statement: st.Rename) -> None:
     node = run.checks.node(statement)
     kinds, version = kinds_of(statement), run.checks.version_of(node)
     new = run.name(statement, "new", version, kinds[0].facts.check_name)
-    old = _old_name(statement, node, kinds)
+    old = _old_name(statement, node, kinds, version)
+    if kinds == (EndpointKind.PARAMETER,) and old not in (statement.old, spelled(statement.old)):
+        new = parameter_name(statement.new, version)
     having = kinds_having(run, statement, node, kinds)
-    _check_free(run, statement, node, having)
-    _move(run, statement, node, having, old)
+    _check_free(run, statement, node, having, new)
+    _move(run, statement, node, having, (old, new))
     for kind in having:
         node.rename(kind, old, new, statement.span)
+        rename_uses(node, kind, old, new)
 
 
-def _old_name(statement: st.Rename, node: Node, kinds: Iterable[EndpointKind]) -> str:
+def _old_name(
+    statement: st.Rename, node: Node, kinds: Iterable[EndpointKind], ros_version: int
+) -> str:
     """Return the name that something of a node has.
 
-    A parameter of rclpy has no sign for what is private: `~rate` is its whole name.
+    A parameter of rclpy has no sign for what is private: `~rate` is its whole name. One of a
+    created node of ROS 1 is private without a sign.
     """
-    is_whole = any(statement.old in node.names(kind) for kind in kinds)
-    return statement.old if is_whole else spelled(statement.old)
+    old = statement.old
+    names = {name for kind in kinds for name in node.names(kind)}
+    is_own = EndpointKind.PARAMETER in kinds and node.source is None
+    own = parameter_name(old, ros_version) if is_own else old
+    return next((each for each in (old, spelled(old), own) if each in names), spelled(old))
 
 
-def _move(run: Run, statement: st.Rename, node: Node, kinds: list[EndpointKind], old: str) -> None:
+def _move(
+    run: Run, statement: st.Rename, node: Node, kinds: list[EndpointKind], names: tuple[str, str]
+) -> None:
     """Let a node use the new name instead of the old one, if that is of the same type to all."""
     version, agreements = run.checks.version_of(node), run.agreements
-    new = spelled(statement.new)
+    old, new = names
     found = (node.by_kind.get(kind, {}).get(old) for kind in kinds)
     typed = [each for each in found if each is not None and each.type is not None]
     for each in typed:
@@ -82,7 +94,7 @@ def kinds_having(
     run: Run, statement: st.Rename, node: Node, kinds: tuple[EndpointKind, ...]
 ) -> list[EndpointKind]:
     """Return the kinds of which a node has something of the old name."""
-    old = _old_name(statement, node, kinds)
+    old = _old_name(statement, node, kinds, run.checks.version_of(node))
     having = [kind for kind in kinds if old in node.names(kind)]
     if having:
         return having
@@ -95,9 +107,10 @@ def kinds_having(
     raise Mistake(Diagnostic(codes.NOTHING_TO_RENAME, message, where, help=remedy, fix=fix))
 
 
-def _check_free(run: Run, statement: st.Rename, node: Node, kinds: list[EndpointKind]) -> None:
+def _check_free(
+    run: Run, statement: st.Rename, node: Node, kinds: list[EndpointKind], new: str
+) -> None:
     """Check that a node has nothing of the new name and the same kind."""
-    new = spelled(statement.new)
     taken = next((kind for kind in kinds if new in node.names(kind)), None)
     if taken is None:
         return

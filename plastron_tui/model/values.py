@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from plastron_tui.ros.interfaces import FieldType, InterfaceName
@@ -77,6 +77,20 @@ def computed_in(value: Value) -> Iterator[Computed]:
         case tuple():
             for each in value:
                 yield from computed_in(each)
+
+
+def with_source(value: Value, old: OfParameter, new: OfParameter) -> Value:
+    """Return a value in which what was computed from one parameter is so from another."""
+    match value:
+        case Computed(source=source):
+            return replace(value, source=new) if source == old else value
+        case MessageValue(fields=fields):
+            made = {name: with_source(each, old, new) for name, each in fields.items()}
+            return replace(value, fields=made)
+        case tuple():
+            return tuple(with_source(each, old, new) for each in value)
+        case _:
+            return value
 
 
 Value: TypeAlias = "bool | int | float | str | MessageValue | Computed | tuple[Value, ...]"

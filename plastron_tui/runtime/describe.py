@@ -9,18 +9,21 @@ import struct
 import subprocess
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import chain
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
 from plastron_tui.diagnostics import Diagnostic, Severity, codes
+from plastron_tui.model.endpoint_details import ParameterDetails, Range
 from plastron_tui.model.kinds import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceName
 
+from .action_topics import Endpoint, with_actions
 from .environment import LOOPBACK, Environment, node_environ
 from .master import DEFAULT_PORT, MasterError, call
+from .private_parameters import private_parameters, setting, type_of_setting
 
 _GRAPH = Path(__file__).with_name("observers") / "graph.py"
 _DISCOVERY_LIMIT = 10.0
@@ -33,8 +36,6 @@ _INFRASTRUCTURE_NODES = frozenset({"/rosout"})
 _INFRASTRUCTURE_PACKAGES = frozenset({"rcl_interfaces", "type_description_interfaces"})
 _ROSCPP_SERVICES = ("/get_loggers", "/set_logger_level")
 
-Endpoint = tuple[str, InterfaceName | None]
-
 
 @dataclass(frozen=True, slots=True)
 class DescribedNode:
@@ -42,17 +43,19 @@ class DescribedNode:
 
     Attributes:
         name: its full name, such as `/arm/talker`.
-        by_kind: the names of its endpoints and their types, None where nobody knows the type.
-            ROS 1 does not know which services a node calls.
+        by_kind: the names of its endpoints that others see and their types, None where nobody
+            knows the type. ROS 1 does not know which services a node calls.
+        parameters: what is known of its own parameters; the default of each is its present value.
     """
 
     name: str
     by_kind: Mapping[EndpointKind, tuple[Endpoint, ...]] = field(default_factory=dict)
+    parameters: Mapping[str, ParameterDetails] = field(default_factory=dict)
 
     @property
     def is_idle(self) -> bool:
         """Whether it has no endpoint beside those that every node has."""
-        return not any(self.by_kind.values())
+        return not any(self.by_kind.values()) and not self.parameters
 
     @property
     def endpoints(self) -> Iterator[Endpoint]:
@@ -101,7 +104,12 @@ def describe_ros1(uri: str) -> Described:
         _collect(nodes, EndpointKind.SERVICE, services, service_types.get)
         alive = dict(zip(nodes, pool.map(lambda name: _answers(uri, name), nodes), strict=True))
     gone = [name for name, is_alive in alive.items() if not is_alive]
-    kept = [node for name, node in nodes.items() if alive[name]]
+    own = private_parameters(_tree(uri), nodes)
+    kept = [
+        replace(node, by_kind=with_actions(node.by_kind), parameters=own.get(name, {}))
+        for name, node in nodes.items()
+        if alive[name]
+    ]
     return Described(_shown(kept), tuple(_gone(name) for name in gone))
 
 
@@ -157,14 +165,31 @@ def _of_report(report: Mapping[str, Any]) -> DescribedNode:
         found = report[kind.value]
         return tuple((name, interface_name(types[0])) for name, types in found if types)
 
-    kinds = (kind for kind in EndpointKind if kind.value in report)
-    return DescribedNode(report["name"], {kind: endpoints(kind) for kind in kinds})
+    shared = (kind for kind in EndpointKind if kind.facts.interface is not None)
+    return DescribedNode(
+        report["name"],
+        {kind: endpoints(kind) for kind in shared},
+        {each["name"]: _parameter(each) for each in report["parameters"]},
+    )
+
+
+def _parameter(report: Mapping[str, Any]) -> ParameterDetails:
+    """Return what a node of ROS 2 says of a parameter."""
+    default = setting(report["value"])
+    limits = report["range"]
+    return ParameterDetails(
+        type=type_of_setting(default),
+        default=default,
+        range=None if limits is None else Range(*limits),
+        description=report["description"],
+        is_read_only=report["read_only"],
+    )
 
 
 def _shown(nodes: Iterable[DescribedNode]) -> tuple[DescribedNode, ...]:
     """Return the nodes by name, without what is infrastructure."""
     kept = [
-        DescribedNode(node.name, {kind: _own(found) for kind, found in node.by_kind.items()})
+        replace(node, by_kind={kind: _own(found) for kind, found in node.by_kind.items()})
         for node in nodes
         if node.name not in _INFRASTRUCTURE_NODES and not _is_hidden(node.name)
     ]
@@ -187,6 +212,14 @@ def _own(endpoints: tuple[Endpoint, ...]) -> tuple[Endpoint, ...]:
 def _is_hidden(name: str) -> bool:
     # A part that starts with `_` is hidden (ROS 2 design, "Topic and Service names").
     return "/_" in name or name.startswith("/plastron_watch_")
+
+
+def _tree(uri: str) -> object:
+    """Return all parameters of a master, as the server keeps them: a tree by name."""
+    try:
+        return call(uri, "getParam", "/")
+    except MasterError:
+        return {}
 
 
 def _answers(uri: str, node: str) -> bool:

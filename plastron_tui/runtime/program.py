@@ -4,19 +4,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from functools import partial
 from itertools import chain
 
 from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.model.kinds import EndpointKind
-from plastron_tui.model.program_text import Variables, endpoint_statements
+from plastron_tui.model.program_text import Variables, endpoint_statements, parameter_statement
 from plastron_tui.model.unique_names import numbered
 from plastron_tui.ros.names import check_node_name
 
-from .describe import DescribedNode, Endpoint
+from .action_topics import Endpoint
+from .describe import DescribedNode
 
 _HEAD = """\
-// The graph does not show what messages and requests hold, nor how often they are sent:
+// The graph does not show what messages, requests and goals hold, nor how often they are sent:
 // `input none` and the rate of 10 hz stand for what is not known.
 """
 _TYPE = re.compile(r"[A-Za-z]\w*/[A-Za-z]\w*", re.ASCII)
@@ -45,7 +47,7 @@ def to_program(
     blocks = [
         _unnamed(node)
         if check_node_name(name, ros_version) is not None
-        else _node(node, name, variables, library, comments)
+        else _node(node, name, variables, library, comments, ros_version)
         for node, name, comments in zip(listed, _names(listed), odd, strict=True)
     ]
     if not blocks:
@@ -72,9 +74,7 @@ def _named(node: DescribedNode, ros_version: int) -> DescribedNode:
             if kind.facts.check_name(name, ros_version) is None
         )
 
-    return DescribedNode(
-        node.name, {kind: kept(kind, found) for kind, found in node.by_kind.items()}
-    )
+    return replace(node, by_kind={kind: kept(kind, found) for kind, found in node.by_kind.items()})
 
 
 def _odd(node: DescribedNode, kept: DescribedNode) -> list[str]:
@@ -88,16 +88,24 @@ def _unnamed(node: DescribedNode) -> str:
 
 
 def _node(
-    node: DescribedNode, name: str, variables: Variables, library: str | None, odd: list[str]
+    node: DescribedNode,
+    name: str,
+    variables: Variables,
+    library: str | None,
+    odd: list[str],
+    ros_version: int,
 ) -> str:
     shown = visible(node.name)
     lines = [] if node.name == f"/{name}" else [f"// {shown}"]
-    if not any(type_ is not None for _, type_ in node.endpoints):
+    if not any(type_ is not None for _, type_ in node.endpoints) and not node.parameters:
         lines.append(f"// {shown} has no topic or service that a program can name")
         return "\n".join([*lines[-1:], *_unknown(node), *odd]) + "\n"
     variable = variables.new(name)
     using = f" using {library}" if library else ""
     lines.append(f"create_node '{name}' as {variable}{using}")
+    for written, details in node.parameters.items():
+        made = parameter_statement(variable, written, details, ros_version)
+        lines += made or (f"// {visible(written)}: no statement gives a node this parameter",)
     for kind, endpoints in node.by_kind.items():
         for full, type_ in endpoints:
             message = partial(variables.new, f"{variable}_{_last(full)}")

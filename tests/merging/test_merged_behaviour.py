@@ -31,6 +31,9 @@ CHANGES = {
     "range": (SPEED, SPEED.replace("and 2", "and 3")),
     "type of a parameter": (PACE, PACE.replace("float", "int")),
     "parameter renamed": (SPEED, SPEED.replace("speed", "haste")),
+    "parameter that the program renames": (
+        f"{SPEED}\n{MADE}", f"{SPEED}\n{MADE}\nn renames parameter 'speed' to 'haste'",
+    ),
     "timer added": ("", REPEAT),
     "another timer added": (REPEAT, TWICE),
     "timer removed": (REPEAT, ""),

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 from workspaces import MESSAGE, NODE, FakeReader, codes, endpoint, marked, run, source, workspace
 
 from plastron_tui.model.kinds import EndpointKind, Publisher, Subscription
+from plastron_tui.model.workspace import Node
 
 LISTEN = "subscribe n to 'a' of message_type String calling f\n"
 LOADED = source(
@@ -124,3 +127,31 @@ def test_the_name_of_a_parameter(name: str, version: str, is_right: bool) -> Non
     text = f"load driver as d\nd renames parameter 'x' to '{name}'\n"
     found = codes(text, version, FakeReader({"driver": there}))
     assert found == ([] if is_right else ["invalid-name"])
+
+
+USING = """\
+create_node 'robot' as n using {library}
+n has_parameter 'speed' of parameter_type float with default 2
+subscribe n to 'scan' of message_type Point calling hear
+create_message m of message_type Point and input x=parameter 'speed' * 2
+n publish m to 'a' of message_type Point at parameter 'speed' hz
+n publish m to 'b' of message_type Point for_each 'scan' when received.x < 1
+n client_requests 'c' of service_type SetBool with input True at parameter 'speed' hz
+n provides_service 's' of service_type AddTwoInts answering sum=received.a
+n repeats look at parameter 'speed' hz
+"""
+RENAMES = "n renames parameter 'speed' to 'haste'\nn renames topic 'scan' to 'points'\n"
+
+
+@pytest.mark.parametrize("library", ["rospy", "rclpy"])
+def test_what_uses_it_uses_it_by_its_new_name(library: str) -> None:
+    made = USING.replace("{library}", library)
+    renamed = workspace(made + RENAMES).nodes["n"]
+    named = workspace(made.replace("'speed'", "'haste'").replace("'scan'", "'points'")).nodes["n"]
+    assert _without_spans(renamed) == _without_spans(named)
+    used = made + RENAMES + "n no_longer_has_parameter 'haste'\n"
+    assert codes(used) == codes(made + "n no_longer_has_parameter 'speed'\n") != []
+
+
+def _without_spans(node: Node) -> str:
+    return re.sub(r"Span\(start=\d+, end=\d+\)", "Span", repr(node.endpoints))

@@ -2,10 +2,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from plastron_tui.model.endpoint_details import ParameterDetails, Range
 from plastron_tui.model.kinds import EndpointKind, Publisher, Service, Subscription
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.interfaces import InterfaceName
-from plastron_tui.runtime.describe import DescribedNode, Endpoint
+from plastron_tui.runtime.action_topics import Endpoint, with_actions
+from plastron_tui.runtime.describe import DescribedNode
+from plastron_tui.runtime.private_parameters import private_parameters
 from plastron_tui.runtime.program import to_program
 from plastron_tui.session import Session
 
@@ -106,3 +109,83 @@ def test_names_that_are_none_are_comments_that_do_nothing() -> None:
     shown = "/a'\\ngenerate_node x\\x1b[2J"
     assert program.count(f"// {shown}: no program can name it\n") == 2
     assert f"// {shown}: no program can name this node\n" in program
+
+
+def test_parameters_and_actions_are_statements() -> None:
+    fibonacci = InterfaceName("example_interfaces", "Fibonacci")
+    node = DescribedNode(
+        "/robot",
+        {
+            EndpointKind.ACTION_SERVER: (("/count", fibonacci),),
+            EndpointKind.ACTION_CLIENT: (("/other", fibonacci),),
+        },
+        {
+            "speed": ParameterDetails("float", 0.5, range=Range(0, 2), description='how "fast"'),
+            "names": ParameterDetails("string_list", ("a", "b")),
+            "odd": ParameterDetails("byte_list", None),
+        },
+    )
+    assert to_program([node], "rclpy", 2).splitlines()[3:] == [
+        "create_node 'robot' as robot using rclpy",
+        "robot has_parameter 'speed' of parameter_type float with default 0.5 between 0 and 2"
+        ' described_as "how \\"fast\\""',
+        'robot has_parameter \'names\' of parameter_type string_list with default ["a", "b"]',
+        "// odd: no statement gives a node this parameter",
+        "robot provides_action '/count' of action_type example_interfaces/Fibonacci",
+        "robot sends_goal to '/other' of action_type example_interfaces/Fibonacci with input none",
+        "generate_node robot",
+    ]
+
+
+def _of_action(name: str, *parts: str) -> tuple[Endpoint, ...]:
+    types = {
+        "goal": InterfaceName("actionlib", "TestActionGoal"),
+        "feedback": InterfaceName("actionlib", "TestActionFeedback"),
+        "result": InterfaceName("actionlib", "TestActionResult"),
+        "cancel": InterfaceName("actionlib_msgs", "GoalID"),
+        "status": InterfaceName("actionlib_msgs", "GoalStatusArray"),
+    }
+    return tuple((f"{name}/{part}", types[part]) for part in parts)
+
+
+def test_topics_of_an_action_are_the_action() -> None:
+    told, asked = ("status", "feedback", "result"), ("goal", "cancel")
+    chatter = ("/chatter", STRING)
+    found = with_actions(
+        {
+            EndpointKind.PUBLISHER: (
+                *_of_action("/do", *told),
+                chatter,
+                *_of_action("/a/b", *asked),
+            ),
+            EndpointKind.SUBSCRIPTION: (*_of_action("/do", *asked), *_of_action("/a/b", *told)),
+        }
+    )
+    test = InterfaceName("actionlib", "Test")
+    assert found == {
+        EndpointKind.PUBLISHER: (chatter,),
+        EndpointKind.SUBSCRIPTION: (),
+        EndpointKind.ACTION_SERVER: (("/do", test),),
+        EndpointKind.ACTION_CLIENT: (("/a/b", test),),
+    }
+
+
+def test_some_topics_of_an_action_are_topics() -> None:
+    listener = {EndpointKind.SUBSCRIPTION: _of_action("/do", "status", "feedback", "result")}
+    assert with_actions(listener) == listener
+
+
+def test_private_parameters_are_those_below_a_node() -> None:
+    tree = {
+        "robot": {"speed": 0.5, "arm": {"reach": 2}, "names": ["a"], "gripper": {"mood": "x"}},
+        "speed": 3,
+    }
+    found = private_parameters(tree, ["/robot", "/robot/gripper", "/gone"])
+    assert found == {
+        "/robot": {
+            "~/speed": ParameterDetails("float", 0.5),
+            "~/arm/reach": ParameterDetails("int", 2),
+            "~/names": ParameterDetails("string_list", ("a",)),
+        },
+        "/robot/gripper": {"~/mood": ParameterDetails("string", "x")},
+    }

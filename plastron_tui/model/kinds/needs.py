@@ -6,8 +6,18 @@ from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Span
 
-from ..values import OfParameter, Value, computed_in
-from . import ActionClient, Client, EndpointKind, Publisher, Service, Timer
+from ..values import MessageValue, OfParameter, Value, computed_in, with_source
+from . import (
+    ActionClient,
+    Client,
+    Endpoint,
+    EndpointKind,
+    Publisher,
+    Rate,
+    Request,
+    Service,
+    Timer,
+)
 
 if TYPE_CHECKING:
     from ..workspace import Node
@@ -33,6 +43,69 @@ def users_of(node: Node, kind: EndpointKind, name: str) -> list[Span]:
         case _:
             found = []
     return [span for span in found if span is not None]
+
+
+def rename_uses(node: Node, kind: EndpointKind, old: str, new: str) -> None:
+    """Let what needs a part of a node need it by its new name."""
+    for endpoint in list(node.endpoints.values()):
+        match kind:
+            case EndpointKind.SUBSCRIPTION:
+                now = _of_topic(endpoint, old, new)
+            case EndpointKind.PARAMETER:
+                now = _of_parameter(endpoint, old, new)
+            case _:
+                return
+        if now is not endpoint:
+            node.put(now)
+
+
+def _of_topic(endpoint: Endpoint, old: str, new: str) -> Endpoint:
+    if not isinstance(endpoint, Publisher):
+        return endpoint
+    sent = tuple(
+        each._replace(reaction=each.reaction._replace(topic=new))
+        if each.reaction is not None and each.reaction.topic == old
+        else each
+        for each in endpoint.publications
+    )
+    return endpoint if sent == endpoint.publications else endpoint._replace(publications=sent)
+
+
+def _of_parameter(endpoint: Endpoint, old: str, new: str) -> Endpoint:
+    def message(value: MessageValue) -> MessageValue:
+        before, after = (OfParameter(each.removeprefix("~/")) for each in (old, new))
+        found = with_source(value, before, after)
+        assert isinstance(found, MessageValue)
+        return found
+
+    def rate(given: Rate | None) -> Rate | None:
+        is_meant = given is not None and given.parameter == old
+        return given._replace(parameter=new) if given is not None and is_meant else given
+
+    match endpoint:
+        case Publisher(publications=sent):
+            now: Endpoint = endpoint._replace(
+                publications=tuple(
+                    each._replace(
+                        message=each.message._replace(value=message(each.message.value)),
+                        parameter=new if each.parameter == old else each.parameter,
+                    )
+                    for each in sent
+                )
+            )
+        case Client(requests=sent):
+            now = endpoint._replace(
+                requests=tuple(Request(message(each.value), rate(each.rate)) for each in sent)
+            )
+        case ActionClient(goals=sent):
+            now = endpoint._replace(goals=tuple(map(message, sent)))
+        case Service(answer=answer) if answer is not None:
+            now = endpoint._replace(answer=message(answer))
+        case Timer():
+            now = endpoint._replace(rate=rate(endpoint.rate))
+        case _:
+            return endpoint
+    return endpoint if now == endpoint else now
 
 
 def rates_of(node: Node) -> set[str]:

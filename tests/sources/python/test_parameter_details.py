@@ -304,8 +304,9 @@ MERGED = [
      ParameterDetails("int", None, "1")),
     ([ParameterDetails("int", 1, "1"), ParameterDetails("float", 1.0, "1.0")],
      ParameterDetails(None, None, "1")),
+    # What is not known, such as the last good value, is no other default.
     ([ParameterDetails("int", 1, "1"), ParameterDetails(None, None, "x")],
-     ParameterDetails("int", None, "1")),
+     ParameterDetails("int", 1, "1")),
     ([ParameterDetails(range=Range(0, 1)), ParameterDetails(is_read_only=True)],
      ParameterDetails(range=Range(0, 1), is_read_only=True)),
 ]  # fmt: skip

@@ -6,6 +6,7 @@ from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.qos import DEFAULT, Qos
 from plastron_tui.sources.python.analysis import NodeSite, Site
 from plastron_tui.sources.python.arguments import Arguments
 from plastron_tui.sources.python.calls import Argument
@@ -257,8 +258,18 @@ def _depth(work: Work, site: Site, argument: Argument) -> str | None:
     work.freed.update(work.slice(each) for each in walk(given) if each.type == "identifier")
     if depth is not None:
         return work.text(depth)
+    if site.endpoint.kind is EndpointKind.PUBLISHER and _is_latched(site.endpoint.qos):
+        assert site.endpoint.qos is not None
+        return f"{site.endpoint.qos.depth}, latch=True"
     work.mark(site.call, "quality of service", _REMEDIES["rclpy.qos"])
     return None
+
+
+def _is_latched(qos: Qos | None) -> bool:
+    """Tell whether a quality of service is that of `latch`: the last messages are kept."""
+    if qos is None or qos.depth is None:
+        return False
+    return qos.over(DEFAULT) == DEFAULT._replace(durability="transient_local", depth=qos.depth)
 
 
 def _response(work: Work, site: Site) -> str:
