@@ -42,7 +42,7 @@ def command(
     target: str | None,
     format_: str,
 ) -> None:
-    """Show the nodes of programs, and the topics and services that join them.
+    """Show the nodes of programs, and the topics, services and actions that join them.
 
     Several programs give one graph. Of a program with mistakes, what is right is shown. With names
     as `plastron run` takes them, it is the graph of such a run.

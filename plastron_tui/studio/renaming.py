@@ -1,21 +1,29 @@
-"""Renaming a node, a message, a topic or a service everywhere in a program."""
+"""Renaming a node, a message, a parameter, or what nodes meet at, everywhere in a program."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
+from typing import Any
 
-from plastron_tui.diagnostics import Edit
+from tree_sitter import Query, QueryCursor
+
+from plastron_tui.diagnostics import Edit, Span
 from plastron_tui.language import DECLARATIONS, Document, Program, SlotKind
+from plastron_tui.language.declaration import Statement
+from plastron_tui.language.grammar import LANGUAGE
 from plastron_tui.language.sentence import sentence
-from plastron_tui.language.statements import CreateNode
-from plastron_tui.model.kinds import EDITABLE, Endpoint, EndpointKind
+from plastron_tui.language.statements import CreateMessage, CreateNode, Publish, Rename
+from plastron_tui.model.kinds import Endpoint, EndpointKind, Parameter
 from plastron_tui.model.workspace import Node, Workspace
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.names import (
     check_node_name,
+    check_parameter_name,
     check_service_name,
     check_topic_name,
+    parameter_name,
     resolved_name,
     spelled,
 )
@@ -24,12 +32,23 @@ from plastron_tui.targets import ros_version
 from .analysis import Analysis
 from .editor.names import wrong_name as wrong_variable
 from .insertion_point import placed
-from .panels.entry import Entry, Subject
+from .panels.entry import HUBS, Entry, Subject
 
-_TOPICS = (
-    Subject.TOPIC,
-    *(kind for kind in EDITABLE if kind.facts.interface is InterfaceKind.MESSAGE),
-)
+_SLOTS = {
+    InterfaceKind.MESSAGE: (SlotKind.TOPIC, SlotKind.TRIGGER),
+    InterfaceKind.SERVICE: (SlotKind.SERVICE,),
+    InterfaceKind.ACTION: (SlotKind.ACTION,),
+}
+"""The slots that have the name of what nodes meet at."""
+
+
+def _interface_of(entry: Entry) -> InterfaceKind:
+    """Return the kind of interface of what an entry about a meeting is about."""
+    subject = entry.subject
+    if isinstance(subject, EndpointKind):
+        assert subject.facts.interface is not None
+        return subject.facts.interface
+    return next(interface for interface, each in HUBS.items() if each is subject)
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,8 +81,11 @@ def renamed(analysis: Analysis, entry: Entry, new: str) -> Renamed:
         return Renamed(tuple(_node(analysis, node, new)))
     if entry.subject is Subject.MESSAGE:
         return Renamed(tuple(_variable(program, old, new)))
-    edits = tuple(_written(program, entry, old, new))
-    more, files = _in_files(analysis, entry.subject in _TOPICS, old, entry.node, new)
+    if entry.subject is EndpointKind.PARAMETER:
+        return Renamed(tuple(_parameter(analysis, entry.node or "", old, new)))
+    interface = _interface_of(entry)
+    edits = tuple(_written(program, entry, interface, old, new))
+    more, files = _in_files(analysis, interface, old, entry.node, new)
     return Renamed((*edits, *more), files)
 
 
@@ -85,18 +107,79 @@ def _variable(program: Program, old: str, new: str) -> Iterator[Edit]:
                 yield Edit(statement.span_of(slot.name), new)
 
 
-def _written(program: Program, entry: Entry, old: str, new: str) -> Iterator[Edit]:
-    """Rename a topic or a service: by its full name, and by its name as it is written."""
-    kind = SlotKind.TOPIC if entry.subject in _TOPICS else SlotKind.SERVICE
+def _parameter(analysis: Analysis, variable: str, old: str, new: str) -> Iterator[Edit]:
+    """Rename a parameter of a node, and of those that send the same messages with it."""
+    program, workspace = analysis.program, analysis.workspace
+    nodes, messages = _sharing(program, variable, old)
+    for each in nodes:
+        node = workspace.nodes.get(each)
+        found = None if node is None else node.of(Parameter).get(_own_name(analysis, node, old))
+        if node is not None and found is not None and found.span is None:
+            # Its file has it.
+            renames = DECLARATIONS[Rename]
+            texts = {"node": each, "what": "parameter", "old": old, "new": new}
+            yield placed(analysis.ground, each, [sentence(renames, texts)]).edit
+    for statement in program.statements:
+        is_own = getattr(statement, "node", None) in nodes
+        if is_own or (isinstance(statement, CreateMessage) and statement.variable in messages):
+            yield from (Edit(span, f"'{new}'") for span in _parameter_spans(statement, old))
+
+
+def _own_name(analysis: Analysis, node: Node, name: str) -> str:
+    return parameter_name(name, ros_version(node.library or analysis.session.library))
+
+
+def _sharing(program: Program, variable: str, name: str) -> tuple[set[str], set[str]]:
+    """Return the nodes that have a parameter by one name, and the messages that say it."""
+    using = {
+        each.variable
+        for each in program.statements
+        if isinstance(each, CreateMessage) and any(_parameter_spans(each, name))
+    }
+    sent = [
+        (each.node, each.message)
+        for each in program.statements
+        if isinstance(each, Publish) and each.message in using
+    ]
+    nodes, messages, count = {variable}, set[str](), 0
+    while count < len(nodes):
+        count = len(nodes)
+        messages |= {message for node, message in sent if node in nodes}
+        nodes |= {node for node, message in sent if message in messages}
+    return nodes, messages
+
+
+@cache
+def _parameters() -> Query:
+    return Query(LANGUAGE, "(parameter name: (_) @name)")
+
+
+def _parameter_spans(statement: Statement, name: str) -> Iterator[Span]:
+    """Yield where a statement has the name of a parameter: as a slot, and in values."""
+    type_: Any = type(statement)  # which mypy takes for not hashable
+    for slot in DECLARATIONS[type_].slots:
+        if slot.kind is SlotKind.PARAMETER and getattr(statement, slot.name) == name:
+            yield statement.span_of(slot.name)
+    for node in QueryCursor(_parameters()).captures(statement.syntax).get("name", []):
+        if node.text == f"'{name}'".encode():
+            yield Span(node.start_byte, node.end_byte).moved(statement.shift)
+
+
+def _written(
+    program: Program, entry: Entry, interface: InterfaceKind, old: str, new: str
+) -> Iterator[Edit]:
+    """Rename what nodes meet at: by its full name, and by its name as it is written."""
+    kinds = _SLOTS[interface]
     same = {old, old.lstrip("/"), resolved_name(entry.node or "", old)}
     for statement in program.statements:
         for slot in DECLARATIONS[type(statement)].slots:
-            if slot.kind is kind and spelled(getattr(statement, slot.name)) in same:
+            name = getattr(statement, slot.name) if slot.kind in kinds else None
+            if name is not None and spelled(name) in same:
                 yield Edit(statement.span_of(slot.name), f"'{new}'")
 
 
 def _in_files(
-    analysis: Analysis, is_topic: bool, old: str, of: str | None, new: str
+    analysis: Analysis, interface: InterfaceKind, old: str, of: str | None, new: str
 ) -> tuple[list[Edit], tuple[str, ...]]:
     """Rename what loaded files have: by a statement that ends it and one that makes it anew."""
     full = resolved_name(of or "", old)
@@ -107,7 +190,7 @@ def _in_files(
             continue
         lines: list[str] = []
         for (kind, name), endpoint in node.endpoints.items():
-            if endpoint.span is not None or (kind in _TOPICS) != is_topic:
+            if endpoint.span is not None or kind.facts.interface is not interface:
                 continue
             if resolved_name(node.name, name) != full:
                 continue
@@ -154,7 +237,11 @@ def wrong_name(analysis: Analysis, entry: Entry, new: str) -> str | None:
         if any(each.name == new for each in nodes.values()):
             return f"a node `{new}` exists already"
         problem = check_node_name(new, version)
+    elif entry.subject is EndpointKind.PARAMETER:
+        if node is not None and parameter_name(new, version) in node.of(Parameter):
+            return f"`{entry.node}` has a parameter `{new}` already"
+        problem = check_parameter_name(new, version)
     else:
-        check = check_topic_name if entry.subject in _TOPICS else check_service_name
-        problem = check(new, version)
+        is_topic = _interface_of(entry) is InterfaceKind.MESSAGE
+        problem = (check_topic_name if is_topic else check_service_name)(new, version)
     return None if problem is None else problem.message

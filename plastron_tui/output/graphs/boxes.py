@@ -11,11 +11,13 @@ from typing import NamedTuple
 from .layers import Columns, Link
 
 PAIR = 4.5
-"""How far the request and the response of a service run from the middle of their lane."""
+"""How far the request and the response of a call run from the middle of their lane."""
 STUB = 12.0
 """The least length of the level piece at the end of a line, which the arrow head needs."""
 CUT = 14.0
 """How far the points of a service's hexagon stand out."""
+BEVEL = 9.0
+"""How much of each side the corners of an action's octagon take."""
 
 LANE = {False: 13.0, True: 21.0}
 """How much of a box's side a line takes, and a pair of lines."""
@@ -27,6 +29,7 @@ class Shape(Enum):
     NODE = "node"
     TOPIC = "topic"
     SERVICE = "service"
+    ACTION = "action"
 
 
 class Point(NamedTuple):
@@ -63,12 +66,15 @@ def inset(shape: Shape, height: float, dy: float) -> float:
         return 0.0
     if shape is Shape.SERVICE:
         return CUT * min(abs(dy) / half, 1.0)
+    if shape is Shape.ACTION:
+        return min(max(abs(dy) - half + BEVEL, 0.0), BEVEL)
     return half - sqrt(max(half * half - dy * dy, 0.0))
 
 
 def is_pair(boxes: Mapping[int, Box], link: Link) -> bool:
     """Tell whether a link is drawn as two lines: a request and its response."""
-    return Shape.SERVICE in (boxes[link.tail].shape, boxes[link.head].shape)
+    shapes = {boxes[link.tail].shape, boxes[link.head].shape}
+    return not shapes.isdisjoint((Shape.SERVICE, Shape.ACTION))
 
 
 _Slot = tuple[int, bool, Link | bool]
@@ -77,8 +83,8 @@ _Slot = tuple[int, bool, Link | bool]
 class Ports:
     """Where lines reach their boxes: in the order of what they lead to, so that none cross there.
 
-    At a node each line has a port of its own; at a topic or service all lines of one direction
-    share one.
+    At a node each line has a port of its own; at a topic, service or action all lines of one
+    direction share one.
     """
 
     def __init__(

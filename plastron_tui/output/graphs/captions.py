@@ -14,6 +14,7 @@ from plastron_tui.model.kinds import (
     callback_of,
 )
 from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.ros.qos_words import text_of
 
 
 def missing_text(missing: EndpointKind | None) -> str:
@@ -41,7 +42,7 @@ def node_text(node: GraphNode) -> str:
 
 
 def hub_text(hub: Hub) -> str:
-    """Return the caption of a topic or service: its type, and how often it is published if once."""
+    """Return the caption of a topic, service or action: its type, and its rate if there is one."""
     rates = {sending.pace for end in hub.tails for sending in end.sendings}
     rate = f" · {rates.pop()}" if len(rates) == 1 else ""
     return f"{type_text(hub.types)}{rate}"
@@ -58,12 +59,13 @@ def sendings_text(sendings: Iterable[Sending]) -> str:
 
 
 def ends_of(hub: Hub) -> list[tuple[GraphNode, str, str]]:
-    """Return who meets at a topic or service: the node, what it does, and the details."""
+    """Return who meets at a topic, service or action: the node, what it does, and the details."""
     return [(end.node, end.kind.facts.does, _with_guess(end)) for end in hub.ends]
 
 
 def _with_guess(end: End) -> str:
-    return ", ".join(filter(None, (_details(end), "a guess" if end.is_guess else "")))
+    qos = "" if end.qos is None else text_of(end.qos)
+    return ", ".join(filter(None, (_details(end), qos, "a guess" if end.is_guess else "")))
 
 
 def _details(end: End) -> str:

@@ -16,12 +16,13 @@ _NODE = 'shape=box, style="rounded,filled", fillcolor="#dbe7fb", color="#3b6fc4"
 _HUBS = {
     InterfaceKind.MESSAGE: 'shape=ellipse, style=filled, fillcolor="#d9f0e3", color="#2c8a5a"',
     InterfaceKind.SERVICE: 'shape=hexagon, style=filled, fillcolor="#fbe6cf", color="#b8691b"',
+    InterfaceKind.ACTION: 'shape=octagon, style=filled, fillcolor="#e9e0fa", color="#7a52c7"',
 }
 _MISSING = 'style="filled,dashed", color="#c0392b"'
 
 
 def render(graph: Graph) -> str:
-    """Return a digraph: nodes are boxes, topics ellipses, services hexagons."""
+    """Return a digraph: nodes are boxes, topics ellipses, services hexagons, actions octagons."""
     return "".join(f"{line}\n" for line in _lines(graph))
 
 

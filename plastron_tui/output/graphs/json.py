@@ -33,19 +33,22 @@ def render(graph: Graph) -> str:
            "subscribers": [{"node", "variable", "written", "type", "span", "callback"}]}],
          "services": [{"name", "type", "types", "missing",
            "providers": [{"node", "variable", "written", "type", "span", "handler"}],
-           "clients": [{"node", "variable", "written", "type", "span", "requests"}]}]}
+           "clients": [{"node", "variable", "written", "type", "span", "requests"}]}],
+         "actions": [{"name", "type", "types", "missing",
+           "action_servers": [{"node", "variable", "written", "type", "span", "handler"}],
+           "action_clients": [{"node", "variable", "written", "type", "span", "goals"}]}]}
 
-    A `name` of a topic or service is its full name, `written` what the program says; `node` is a
-    node's name, in a namespace its full one, and `variable` tells two of one name apart. `type` is
-    `package/Name` or null, `types` all that are in use. `missing` is the side that nobody takes
-    (`publisher`, `subscriber`, `provider`, `client`), or null. `managed` is there, and true, for a
-    lifecycle node. `rate` is in hertz. A `span` is
-    `[start, end]` in bytes of the program, null for what was read from a file. `guess` is there,
-    and true, where the name or the type that a file has is no more than likely. `qos` is there
-    where something is known of the quality of service: its policies by name, those that are known;
-    durations in seconds, or `infinite`. A request is an object of its fields; what is not there
-    keeps its default. `library`, `file`, `callback` and
-    `handler` are null where the program does not say.
+    A `name` of a topic, service or action is its full name, `written` what the program says; `node`
+    is a node's name, in a namespace its full one, and `variable` tells two of one name apart.
+    `type` is `package/Name` or null, `types` all that are in use. `missing` is the side that nobody
+    takes (`publisher`, `subscriber`, `provider`, `client`, …), or null. `managed` is there, and true,
+    for a lifecycle node. `rate` is in hertz. A
+    `span` is `[start, end]` in bytes of the program, null for what was read from a file. `guess` is
+    there, and true, where the name or the type that a file has is no more than likely. `qos` is
+    there where something is known of the quality of service: its policies by name, those that are
+    known; durations in seconds, or `infinite`. A request is an object of its fields; what is not
+    there keeps its default. `library`, `file`, `callback` and `handler` are null where the program
+    does not say.
     """
     document = {
         "nodes": [_node(node) for node in graph.nodes],
@@ -73,7 +76,7 @@ def _hub(hub: Hub) -> dict[str, Any]:
         "types": [str(type_) for type_ in hub.types],
         "missing": None if hub.missing is None else hub.missing.facts.role,
         **{
-            f"{kind.facts.role}s": [_end(end) for end in hub.of(kind)]
+            f"{kind.facts.role}s".replace(" ", "_"): [_end(end) for end in hub.of(kind)]
             for kind in KINDS_AT[hub.interface]
         },
     }

@@ -13,11 +13,15 @@ from .captions import hub_text, missing_text, node_text
 from .identifiers import edges_of, identified
 
 _PLAIN = frozenset(" /_-.,()")
-_SHAPES = {InterfaceKind.MESSAGE: ("([", "])"), InterfaceKind.SERVICE: ("{{", "}}")}
+_SHAPES = {
+    InterfaceKind.MESSAGE: ("([", "])"),
+    InterfaceKind.SERVICE: ("{{", "}}"),
+    InterfaceKind.ACTION: ("[[", "]]"),
+}
 
 
 def render(graph: Graph) -> str:
-    """Return a flowchart: nodes are boxes, topics rounded, services hexagons."""
+    """Return a flowchart: nodes are boxes, topics rounded, services hexagons, actions barred."""
     return "".join(f"{line}\n" for line in _lines(graph))
 
 
@@ -48,6 +52,7 @@ def _lines(graph: Graph) -> Iterator[str]:
     yield "  classDef node fill:#dbe7fb,stroke:#3b6fc4,color:#12233f"
     yield "  classDef topic fill:#d9f0e3,stroke:#2c8a5a,color:#0f2c1e"
     yield "  classDef service fill:#fbe6cf,stroke:#b8691b,color:#3b2208"
+    yield "  classDef action fill:#e9e0fa,stroke:#7a52c7,color:#291650"
     yield "  classDef missing fill:#fff,stroke:#c0392b,color:#5c1710,stroke-dasharray:5 4"
 
 

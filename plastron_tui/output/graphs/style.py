@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from plastron_tui.model.graph import Graph
+from plastron_tui.ros.interfaces import InterfaceKind
 
 from .widths import FONT, text_width
 
@@ -24,11 +25,14 @@ text{{font-family:{FONT};text-anchor:middle}}
 .node .shape{{fill:#e3ecfa;stroke:#4a78c2}}
 .topic .shape{{fill:#def3e7;stroke:#38946a}}
 .service .shape{{fill:#fdebd3;stroke:#c07a2b}}
+.action .shape{{fill:#ece4fb;stroke:#7a52c7}}
 .missing .shape{{stroke:#c9473a;stroke-dasharray:5 3.5}}
-.message,.request,.response{{fill:none;stroke-width:1.5}}
+.message,.request,.response,.goal,.result{{fill:none;stroke-width:1.5}}
 .message{{stroke:#5fa886}} .message-head{{fill:#38946a}}
 .request{{stroke:#cf9550}} .request-head{{fill:#c07a2b}}
 .response{{stroke:#cf9550;stroke-dasharray:3 3}} .response-head{{fill:#c07a2b}}
+.goal{{stroke:#9a7ad6}} .goal-head{{fill:#7a52c7}}
+.result{{stroke:#9a7ad6;stroke-dasharray:3 3}} .result-head{{fill:#7a52c7}}
 .edge:hover path{{stroke-width:2.6}}
 @media (prefers-color-scheme:dark){{
 .name{{fill:#e8edf3}} .caption,.key{{fill:#9dabba}} .alarm{{fill:#ff8f80}}
@@ -36,11 +40,16 @@ text{{font-family:{FONT};text-anchor:middle}}
 .node .shape{{fill:#1d3154;stroke:#6c9be6}}
 .topic .shape{{fill:#173c2c;stroke:#54bd8c}}
 .service .shape{{fill:#463013;stroke:#e0a052}}
+.action .shape{{fill:#33254f;stroke:#b08cf0}}
 .missing .shape{{stroke:#ff7b6b}}
 .message{{stroke:#4a9b75}} .message-head{{fill:#54bd8c}}
 .request,.response{{stroke:#b9853f}} .request-head,.response-head{{fill:#e0a052}}
+.goal,.result{{stroke:#8a6bc4}} .goal-head,.result-head{{fill:#b08cf0}}
 }}
 </style>"""
+
+
+_PAIRS = {"calls": ("request", "response"), "goals": ("goal", "result")}
 
 
 def number(value: float) -> str:
@@ -56,6 +65,8 @@ def _entries(graph: Graph) -> list[tuple[str, str]]:
         entries.append(("topic", "topic"))
     if graph.services:
         entries += [("service", "service"), ("calls", "request and response")]
+    if graph.at[InterfaceKind.ACTION]:
+        entries += [("action", "action"), ("goals", "goal and result")]
     if any(hub.missing for hub in graph.hubs):
         entries.append(("missing", "nobody at the other end"))
     return entries or [("", "nothing here yet")]
@@ -83,14 +94,20 @@ def legend(graph: Graph, top: float) -> Iterator[str]:
 
 def _sample(kind: str, x: float, middle: float) -> Iterator[str]:
     left, top = number(x), number(middle - 6)
-    if kind == "calls":
+    if kind in _PAIRS:
+        there, back = _PAIRS[kind]
         upper, lower = number(middle - 3), number(middle + 3)
-        yield f'<path class="request" d="M{left} {upper}h22"/>'
-        yield f'<path class="response" d="M{left} {lower}h22"/>'
+        yield f'<path class="{there}" d="M{left} {upper}h22"/>'
+        yield f'<path class="{back}" d="M{left} {lower}h22"/>'
     elif kind == "service":
         yield (
             f'<g class="service"><path class="shape" d="M{left} {number(middle)}'
             'l5 -6h12l5 6l-5 6h-12z"/></g>'
+        )
+    elif kind == "action":
+        yield (
+            f'<g class="action"><path class="shape" d="M{number(x + 4)} {top}'
+            'h14l4 4v4l-4 4h-14l-4 -4v-4z"/></g>'
         )
     elif kind:
         shape = "topic missing" if kind == "missing" else kind

@@ -8,8 +8,9 @@ from xml.sax.saxutils import escape
 
 from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.model.graph import NOUNS, Graph, Hub
+from plastron_tui.ros.interfaces import InterfaceKind
 
-from .boxes import CUT, Box, Point, Shape, inset
+from .boxes import BEVEL, CUT, Box, Point, Shape, inset
 from .captions import ends_of, hub_text, missing_text, node_text, type_text
 from .identifiers import Edge, edges_of, identified
 from .layers import Link
@@ -21,8 +22,8 @@ _ROOM = 230.0
 _NAME_SIZE = 13.0
 _CAPTION_SIZE = 10.5
 _LEADING = {_NAME_SIZE: 17.0, _CAPTION_SIZE: 14.0}
-_PADDING = {Shape.NODE: 14.0, Shape.TOPIC: 6.0, Shape.SERVICE: 8.0}
-_NARROWEST = {Shape.NODE: 96.0, Shape.TOPIC: 84.0, Shape.SERVICE: 84.0}
+_PADDING = {Shape.NODE: 14.0, Shape.TOPIC: 6.0, Shape.SERVICE: 8.0, Shape.ACTION: 8.0}
+_NARROWEST = {Shape.NODE: 96.0, Shape.TOPIC: 84.0, Shape.SERVICE: 84.0, Shape.ACTION: 84.0}
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +51,7 @@ class _Label:
 
 
 def render(graph: Graph) -> str:
-    """Return a picture: nodes, topics and services in columns, messages from left to right.
+    """Return a picture: boxes in columns, messages from left to right.
 
     It is the same for the same graph, has its own background in light and in dark, and says
     everything in `title` and `desc` elements too.
@@ -179,13 +180,20 @@ def _outline(box: Box) -> str:
         )
         points = " ".join(f"{number(one)},{number(other)}" for one, other in corners)
         return f'<polygon class="shape" points="{points}"/>'
+    if box.shape is Shape.ACTION:
+        across, down = number(box.width - 2 * BEVEL), number(box.height - 2 * BEVEL)
+        corner = number(BEVEL)
+        return (
+            f'<path class="shape" d="M{number(box.x + BEVEL)} {y}h{across}l{corner} {corner}v{down}'
+            f'l-{corner} {corner}h-{across}l-{corner} -{corner}v-{down}z"/>'
+        )
     radius = number(box.height / 2 if box.shape is Shape.TOPIC else 8.0)
     return f'<rect class="shape" x="{x}" y="{y}" width="{width}" height="{height}" rx="{radius}"/>'
 
 
 def _edge(graph: Graph, edge: Edge, lines: tuple[tuple[Point, ...], ...]) -> Iterator[str]:
     title = f"{graph.nodes[edge.node].name} {edge.kind.facts.does} {edge.hub_in(graph).name}"
-    kinds = ("message",) if len(lines) == 1 else ("request", "response")
+    kinds = _LINES[edge.hub_in(graph).interface]
     start, end = edge.ends
     yield f'<g class="edge" data-from="{start}" data-to="{end}">'
     yield f"<title>{_escaped(title)}</title>"
@@ -193,6 +201,13 @@ def _edge(graph: Graph, edge: Edge, lines: tuple[tuple[Point, ...], ...]) -> Ite
         yield f'<path class="{kind}" d="{_path(line)}"/>'
         yield f'<path class="head {kind}-head" d="{_head(line)}"/>'
     yield "</g>"
+
+
+_LINES = {
+    InterfaceKind.MESSAGE: ("message",),
+    InterfaceKind.SERVICE: ("request", "response"),
+    InterfaceKind.ACTION: ("goal", "result"),
+}
 
 
 def _path(line: tuple[Point, ...]) -> str:

@@ -17,7 +17,7 @@ _THEMED: Mapping[str, tuple[str, str]] = {
     "keyword": ("primary", ""),
     "variable": ("", ""),
     "type": ("success", ""),
-    "type.builtin": ("success", ""),
+    "type.builtin": ("success", "italic"),
     "module": ("success", "dim"),
     "function": ("warning", ""),
     "property": ("warning", ""),

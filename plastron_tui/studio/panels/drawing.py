@@ -86,13 +86,13 @@ DETAILS = (
 
 @dataclass(frozen=True, slots=True)
 class Label:
-    """What a box says: a node, a topic or a service.
+    """What a box says: a node, a topic, a service or an action.
 
     Attributes:
         name: its name.
         caption: more about it.
         tone: the tone of its frame.
-        is_hub: whether it is a topic or a service.
+        is_hub: whether it is a topic, a service or an action.
         warning: what is wrong with it.
     """
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from plastron_tui.diagnostics import Edit, Span
 from plastron_tui.language.sentence import sentence
 from plastron_tui.model.kinds import EDITABLE, EndpointKind
+from plastron_tui.ros.interfaces import InterfaceKind
 
 if TYPE_CHECKING:
     from plastron_tui.ros.interfaces import InterfaceName
@@ -22,6 +23,7 @@ class Subject(Enum):
     NODE = "node"
     TOPIC = "topic"
     SERVICE_NAME = "service name"
+    ACTION_NAME = "action name"
     MESSAGE = "message"
     PROBLEM = "problem"
     OTHER = "other"
@@ -36,10 +38,19 @@ SIGNS: dict[Subject | EndpointKind, tuple[str, str]] = {
     Subject.NODE: ("●", "primary"),
     Subject.TOPIC: ("≈", "success"),
     Subject.SERVICE_NAME: ("◆", "warning"),
+    Subject.ACTION_NAME: ("★", "warning"),
     Subject.MESSAGE: ("✉", "accent"),
     **{kind: (kind.facts.sign, kind.facts.tone) for kind in EDITABLE},
 }
 """The character before the name, and its tone."""
+
+
+HUBS = {
+    InterfaceKind.MESSAGE: Subject.TOPIC,
+    InterfaceKind.SERVICE: Subject.SERVICE_NAME,
+    InterfaceKind.ACTION: Subject.ACTION_NAME,
+}
+"""What an entry is about that stands for what nodes meet at."""
 
 
 class Entry(NamedTuple):
@@ -56,8 +67,8 @@ class Entry(NamedTuple):
         span: the statement that it comes from, None for what was read from a file.
         subject: what it is about; of an endpoint its kind.
         node: the variable of the node that it belongs to.
-        name: the topic, service or variable as the program has it; of a problem in another file
-            that file and the line.
+        name: the topic, service, action, parameter, function or variable as the program has it; of
+            a problem in another file that file and the line.
         edits: a fix that can be applied.
         is_branch: whether entries below belong to it.
     """

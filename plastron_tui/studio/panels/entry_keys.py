@@ -8,12 +8,12 @@ from textual.binding import Binding, BindingType
 from textual.message import Message
 from textual.widget import Widget
 
-from plastron_tui.model.kinds import EDITABLE
+from plastron_tui.model.kinds import EDITABLE, EndpointKind
 
-from .entry import Entry, Subject
+from .entry import HUBS, Entry, Subject
 
 _NODE_PARTS = (Subject.NODE, *EDITABLE)
-_NAMED = (*_NODE_PARTS, Subject.TOPIC, Subject.SERVICE_NAME, Subject.MESSAGE)
+_NAMED = {*_NODE_PARTS, *HUBS.values(), Subject.MESSAGE} - {EndpointKind.TIMER}
 
 
 class EntryMessage(Message):

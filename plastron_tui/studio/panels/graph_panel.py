@@ -267,10 +267,10 @@ GRAPH = Panel(
     title="Graph",
     dock="result",
     keys="alt+6",
-    summary="Nodes, topics and services as boxes and arrows.",
+    summary="Nodes, topics, services and actions as boxes and arrows.",
     about=(
-        "Nodes are boxes with corners, topics and services have round ones. The arrows go from who "
-        "speaks to who listens. Arrow keys scroll, Ctrl-T enlarges."
+        "Nodes are boxes with corners, topics, services and actions have round ones. The arrows go "
+        "from who speaks to who listens. Arrow keys scroll, Ctrl-T enlarges."
     ),
     widget=GraphPanel,
     make=_picture,

@@ -1,11 +1,12 @@
-"""Topics and services as entries, each with the nodes that meet there."""
+"""Topics, services and actions as entries, each with the nodes that meet there."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from .entry import SIGNS, Entry, Subject, type_text
+from .endpoint_text import noted
+from .entry import HUBS, SIGNS, Entry, type_text
 
 if TYPE_CHECKING:
     from plastron_tui.model.graph import Hub
@@ -13,9 +14,10 @@ if TYPE_CHECKING:
     from plastron_tui.ros.interfaces import InterfaceKind
 
 
-def hub_entries(hubs: Iterable[Hub], subject: Subject) -> Iterator[Entry]:
-    """Yield the entries of topics, or of services."""
+def hub_entries(hubs: Iterable[Hub]) -> Iterator[Entry]:
+    """Yield the entries of what nodes meet at."""
     for hub in hubs:
+        subject = HUBS[hub.interface]
         yield Entry(
             f"{subject.value} {hub.name}",
             hub.name,
@@ -31,7 +33,7 @@ def hub_entries(hubs: Iterable[Hub], subject: Subject) -> Iterator[Entry]:
             yield Entry(
                 f"{end.kind.word} {end.node.variable} {end.written}",
                 end.node.name,
-                end.kind.word + (" (a guess)" if end.is_guess else ""),
+                noted(end.kind.word, end.qos, is_guess=end.is_guess),
                 *SIGNS[end.kind],
                 depth=1,
                 span=end.span,
@@ -42,7 +44,7 @@ def hub_entries(hubs: Iterable[Hub], subject: Subject) -> Iterator[Entry]:
 
 
 def count_hubs(workspace: Workspace, interface: InterfaceKind) -> int:
-    """Return how many topics, or services, there are; the graph would take longer."""
+    """Return how many topics, services or actions there are; the graph would take longer."""
     from plastron_tui.ros.names import resolved_name
 
     return len({

@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from .entry import SIGNS, Entries, Entry, Subject, type_text
+from plastron_tui.model.kinds import EndpointKind
+
+from .endpoint_text import endpoint_text
+from .entry import SIGNS, Entries, Entry, Subject
 from .panel import Panel
 from .program_panel import ProgramPanel
 
@@ -58,13 +61,14 @@ def _endpoints(variable: str, node: Node) -> Iterator[Entry]:
     guesses = node.guesses
     for kind, endpoints in node.by_kind.items():
         word, (sign, tone) = kind.word, SIGNS[kind]
-        for name, endpoint in endpoints.items():
-            is_guess = (kind, name) in guesses
+        for written, endpoint in endpoints.items():
+            is_guess = (kind, written) in guesses
+            name = written.removeprefix("~/") if kind is EndpointKind.PARAMETER else written
             # In order and not by name: there may be thousands, and all are made at every key.
             yield Entry(
                 f"{word} {variable} {name}",
                 name,
-                type_text(endpoint.type) + (" (a guess)" if is_guess else ""),
+                endpoint_text(endpoint, is_guess=is_guess),
                 sign,
                 tone,
                 "",
@@ -81,10 +85,11 @@ NODES = Panel(
     title="Nodes",
     dock="outline",
     keys="alt+1",
-    summary="The nodes, each with what it speaks and hears.",
+    summary="The nodes, each with what it speaks and hears, its timers and its parameters.",
     about=(
-        "Each node with its publishers ↑, subscriptions ↓, services ◆ and clients ◇. Enter goes to "
-        "the statement; Delete writes the one that ends it."
+        "Each node with its publishers ↑, subscriptions ↓, services ◆ and clients ◇, actions that "
+        "it does ★ and wants done ☆, timers ↻ and parameters =. Enter goes to the statement; "
+        "Delete writes the one that ends it."
     ),
     widget=ProgramPanel,
     make=_entries,

@@ -12,7 +12,7 @@ from rich.cells import cell_len
 from plastron_tui.diagnostics import Span
 
 from .drawing import DETAILS, Label, Place, Plan
-from .entry import Entry, Subject
+from .entry import HUBS, SIGNS, Entry, Subject
 from .styles import Line, Lines, Piece
 
 if TYPE_CHECKING:
@@ -215,12 +215,12 @@ class _Boxes:
                     subject=Subject.NODE, node=node.variable, name=node.variable,
                 )
             )  # fmt: skip
-        for topic in graph.topics:
-            self._add_hub(topic, Subject.TOPIC, "success", numbers)
-        for service in graph.services:
-            self._add_hub(service, Subject.SERVICE_NAME, "warning", numbers)
+        for hub in graph.hubs:
+            self._add_hub(hub, numbers)
 
-    def _add_hub(self, hub: Hub, subject: Subject, tone: str, numbers: dict[str, int]) -> None:
+    def _add_hub(self, hub: Hub, numbers: dict[str, int]) -> None:
+        subject = HUBS[hub.interface]
+        _, tone = SIGNS[subject]
         at = len(self.labels)
         warning = "" if hub.missing is None else f"no {hub.missing.facts.role}"
         kind = hub.type.name if hub.type is not None else "type unknown"

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from plastron_tui.ros.interfaces import InterfaceKind
 
-from .entry import Entries, Subject
+from .entry import Entries
 from .hubs import count_hubs, hub_entries
 from .panel import Panel
 from .program_panel import ProgramPanel
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def _entries(analysis: Analysis, _: object) -> Entries:
-    found = hub_entries(analysis.graph.topics, Subject.TOPIC)
+    found = hub_entries(analysis.graph.topics)
     return Entries(found, "no topics yet\ntalker publish … to 'chatter' …")
 
 

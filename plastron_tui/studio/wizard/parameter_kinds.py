@@ -28,10 +28,10 @@ _ABOUT = {
     ParameterType.INT: "a whole number",
     ParameterType.FLOAT: "a number",
     ParameterType.STRING: "a text",
-    ParameterType.BOOL_LIST: "several of yes or no",
-    ParameterType.INT_LIST: "several whole numbers",
-    ParameterType.FLOAT_LIST: "several numbers",
-    ParameterType.STRING_LIST: "several texts",
+    ParameterType.BOOL_LIST: "a list of yes or no",
+    ParameterType.INT_LIST: "a list of whole numbers",
+    ParameterType.FLOAT_LIST: "a list of numbers",
+    ParameterType.STRING_LIST: "a list of texts",
 }
 _USUAL = {
     ParameterType.BOOL: "True",

@@ -161,6 +161,10 @@ class QosKind(Kind):
             found.append(Choice(f"{before}{word.word}{example}", word.summary))
         return found
 
+    def written(self, ask: Ask, text: str) -> str:
+        """Return the words without what is around them."""
+        return text.strip().rstrip(",")
+
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell what is wrong with words."""
         problems = parse_words(_words(text))[1]

@@ -23,5 +23,8 @@ def nothing_to_take(ask: Ask) -> str:
         return f"`{choice.text}` has to stay: {choice.closed}"
     slot = ask.form.slot_of(SlotKind.NODE)
     if slot is None or slot.name not in {**ask.form.entered, **ask.form.given}:
+        ended_by, nodes = ask.form.declaration.type, ask.scene.workspace.nodes
+        if any(ask.scene.ended_by(each, ended_by) for each in nodes):
+            return "all that there is of it is needed, and has to stay"
         return "no node does that, so there is nothing to take away"
     return f"`{ask.node}` does not do that, so there is nothing to take away"

@@ -6,7 +6,8 @@ import pytest
 from editor_host import PROGRAM, editing
 from textual.color import Color
 
-from plastron_tui.studio.editor.palette import contrast
+from plastron_tui.language.grammar import highlights_query
+from plastron_tui.studio.editor.palette import ansi_palette, contrast
 
 
 async def test_the_editor_follows_the_theme() -> None:
@@ -62,3 +63,10 @@ async def test_without_colours_all_is_told_apart_by_how_it_is_written(
         written = {name: (look.bold, look.underline, look.reverse) for name, look in looks.items()}
         assert written["selection"] != written["match"] != written["text"] != written["error"]
         assert all(look.color is None for look in palette.captures.values())
+
+
+def test_every_part_of_a_program_has_its_look() -> None:
+    """Words that are captured and have no look stay as pale as what is not understood."""
+    query = highlights_query()
+    captured = {query.capture_name(at) for at in range(query.capture_count)}
+    assert captured <= set(ansi_palette().captures)

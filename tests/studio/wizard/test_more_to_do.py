@@ -69,6 +69,8 @@ ENTERED = [
         "for_each 'scan' when any received.ranges < 0.5",
     ),
     (SEND, {"message": "hello", "qos": "reliable, depth 5"}, " with qos reliable, depth 5"),
+    (SEND, {"message": "hello", "qos": " "}, " at 10 hz"),
+    (SEND, {"message": "hello", "qos": "reliable, "}, " with qos reliable"),
     (SEND, {"message": "hello", "once": "once", "qos": "latched"}, " once with qos latched"),
     (REACT, {"topic": "laser", "type": "LaserScan"}, "LaserScan with qos sensor_data"),
     (REACT, {"topic": "laser", "type": "String"}, "of message_type String"),
