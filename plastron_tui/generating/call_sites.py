@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from plastron_tui.model.kinds import (
     EDITABLE,
+    ActionServer,
     Client,
     Endpoint,
     EndpointKey,
     EndpointKind,
+    Parameter,
     Publisher,
     Service,
     Subscription,
+    Timer,
 )
 from plastron_tui.model.source import SourceEndpoint, SourceUnit
 
@@ -19,7 +22,7 @@ def call_sites(source: SourceUnit) -> dict[EndpointKey, list[SourceEndpoint]]:
     """Return the call sites of a file; a name from a parameter counts by its default."""
     found: dict[EndpointKey, list[SourceEndpoint]] = {}
     for endpoint in source.endpoints:
-        name = endpoint.name if endpoint.name is not None else endpoint.default
+        name = endpoint.label if endpoint.label is not None else endpoint.default
         if name is not None and endpoint.kind in EDITABLE:
             found.setdefault((endpoint.kind, name), []).append(endpoint)
     return found
@@ -33,7 +36,7 @@ def has_type(found: SourceEndpoint, endpoint: Endpoint) -> bool:
 def with_callback(endpoint: Endpoint, name: str) -> Endpoint:
     """Return an endpoint that calls a function, where it is one that calls any."""
     match endpoint:
-        case Subscription() | Service():
+        case Subscription() | Service() | ActionServer():
             return endpoint._replace(callback=name)
         case _:
             return endpoint
@@ -46,6 +49,19 @@ def sends(endpoint: Endpoint) -> object:
             return [(each.rate, each.message.value) for each in sent]
         case Client(requests=sent):
             return list(sent)
+        case _:
+            return None
+
+
+def asked(endpoint: Endpoint) -> object:
+    """Return what a statement says of an endpoint besides, to be compared; None for nothing."""
+    match endpoint:
+        case Publisher(qos=qos) | Subscription(qos=qos):
+            return qos
+        case Timer(rate=rate):
+            return rate
+        case Parameter(default=default, minimum=minimum, maximum=maximum):
+            return default, minimum, maximum
         case _:
             return None
 

@@ -35,6 +35,7 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets.base import Target
 
 from .call_sites import (
+    asked,
     call_sites,
     count_timers,
     has_type,
@@ -233,7 +234,9 @@ class _Merge:
         if wanted is None:
             self._remove(key, base, found)
         elif base is None:
-            self._add(key, wanted, found)
+            # An earlier version did not remember what is of no type.
+            if key[0].facts.interface is not None or wanted.span is not None:
+                self._add(key, wanted, found)
         elif not found:
             self._tell(f"the {shown_name(key)} was taken out by hand, and stays out")
         else:
@@ -284,6 +287,8 @@ class _Merge:
             self._change_callback(key, base, wanted, found)
         elif sends(wanted) != sends(base):
             self.resends[key] = found[0]
+        elif wanted.span is not None and asked(wanted) not in (None, asked(base)):
+            self.updates.append(self._updated(key, wanted))
 
     def _change_type(
         self, key: EndpointKey, base: Endpoint, wanted: Endpoint, found: list[SourceEndpoint]
