@@ -10,9 +10,11 @@ from plastron_tui.model.kinds import (
     Endpoint,
     EndpointKey,
     EndpointKind,
+    Parameter,
     Publisher,
     Service,
     Subscription,
+    Timer,
     callback_of,
 )
 from plastron_tui.model.source import SourceEndpoint, SourceUnit
@@ -117,6 +119,19 @@ def is_plain(endpoint: Endpoint) -> bool:
             return True
         case _:
             return False
+
+
+def asked(endpoint: Endpoint) -> object:
+    """Return what a statement says of an endpoint besides, to be compared; None for nothing."""
+    match endpoint:
+        case Publisher(qos=qos) | Subscription(qos=qos):
+            return qos
+        case Timer(rate=rate):
+            return rate
+        case Parameter(default=default, minimum=minimum, maximum=maximum):
+            return default, minimum, maximum
+        case _:
+            return None
 
 
 def rates(endpoint: Endpoint) -> set[float]:

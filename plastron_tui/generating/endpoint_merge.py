@@ -28,6 +28,7 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.targets.base import Target
 
 from .call_sites import (
+    asked,
     call_sites,
     count_timers,
     differing,
@@ -219,7 +220,9 @@ class _Merge:
         elif wanted is None:
             self._remove(key, base, found)
         elif base is None:
-            self._add(key, wanted, found)
+            # An earlier version did not remember what is of no type.
+            if key[0].facts.interface is not None or wanted.span is not None:
+                self._add(key, wanted, found)
         elif not found:
             self._tell(f"the {shown_name(key)} was taken out by hand, and stays out")
         else:
@@ -298,6 +301,8 @@ class _Merge:
             )
         elif callback_of(wanted) not in {None, callback_of(base), found[0].callback}:
             self._change_callback(key, base, wanted, found)
+        elif wanted.span is not None and asked(wanted) not in (None, asked(base)):
+            self.updates.append(self._updated(key, wanted))
         elif differing(base, wanted):
             self.resends[key] = found[0]
 

@@ -12,7 +12,9 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.model.kinds import EndpointKind
 from plastron_tui.model.source import FileSet
+from plastron_tui.output.manifest import Base
 from plastron_tui.output.node_json import remember_all
 from plastron_tui.output.patch_stack import Layer, Layers, digest_of
 
@@ -222,5 +224,12 @@ class Derivation:
 
 def _asks_the_same(layer: Layer, known: Layer) -> bool:
     """Tell whether a program asks for what it asked for before, of the same files."""
-    fields = ("text", "base", "original", "origin", "seen")
-    return all(getattr(layer, each) == getattr(known, each) for each in fields)
+    fields = ("text", "original", "origin", "seen")
+    is_same = all(getattr(layer, each) == getattr(known, each) for each in fields)
+    return is_same and _as_known(layer.base, known.base) == known.base
+
+
+def _as_known(base: Base, known: Base) -> Base:
+    """Return a base without the kinds that an earlier version did not remember."""
+    untyped = {kind.value for kind in EndpointKind if kind.facts.interface is None}
+    return {key: each for key, each in base.items() if key not in untyped - known.keys()}
