@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from plastron_tui.diagnostics import Diagnostic, Label, codes, guess
 from plastron_tui.language import statements as st
-from plastron_tui.ros.names import spelled
+from plastron_tui.ros.names import parameter_name, spelled
 
 from .kinds import EndpointKind, kind_of
 from .mistake import Mistake
@@ -24,28 +24,44 @@ def rename(run: Run, statement: st.Rename) -> None:
     """Give a topic, service, action or parameter of a node another name, on both its sides."""
     node = run.checks.node(statement)
     kinds, version = kinds_of(statement), run.checks.version_of(node)
-    new = run.name(statement, "new", version, kinds[0].facts.check_name)
-    old = _old_name(statement, node, kinds)
+    run.name(statement, "new", version, kinds[0].facts.check_name)
     having = kinds_having(run, statement, node, kinds)
-    _check_free(run, statement, node, having)
-    _move(run, statement, node, having, old)
+    old = _old_name(statement, node, kinds, version)
+    new = _new_name(statement, kinds, old, version)
+    _check_free(run, statement, node, having, new)
+    for kind in having:
+        run.checks.unneeded(statement, "old", node, kind, old)
+    _move(run, statement, node, having, old, new)
     for kind in having:
         node.rename(kind, old, new, statement.span)
 
 
-def _old_name(statement: st.Rename, node: Node, kinds: Iterable[EndpointKind]) -> str:
+def _old_name(statement: st.Rename, node: Node, kinds: Iterable[EndpointKind], version: int) -> str:
     """Return the name that something of a node has.
 
-    A parameter of rclpy has no sign for what is private: `~rate` is its whole name.
+    A parameter of rclpy has no sign for what is private: `~rate` is its whole name. One of rospy
+    that a program gave the node is private without one.
     """
-    is_whole = any(statement.old in node.names(kind) for kind in kinds)
-    return statement.old if is_whole else spelled(statement.old)
+    names = {name for kind in kinds for name in node.names(kind)}
+    private = parameter_name(statement.old, version)
+    if statement.old in names:
+        return statement.old
+    is_own = node.source is None and EndpointKind.PARAMETER in kinds and private in names
+    return private if is_own else spelled(statement.old)
 
 
-def _move(run: Run, statement: st.Rename, node: Node, kinds: list[EndpointKind], old: str) -> None:
+def _new_name(statement: st.Rename, kinds: Iterable[EndpointKind], old: str, version: int) -> str:
+    """Return the name that it gets: a private parameter stays private."""
+    if EndpointKind.PARAMETER in kinds and old not in (statement.old, spelled(statement.old)):
+        return parameter_name(statement.new, version)
+    return spelled(statement.new)
+
+
+def _move(
+    run: Run, statement: st.Rename, node: Node, kinds: list[EndpointKind], old: str, new: str
+) -> None:
     """Let a node use the new name instead of the old one, if that is of the same type to all."""
     version, agreements = run.checks.version_of(node), run.agreements
-    new = spelled(statement.new)
     found = (node.by_kind.get(kind, {}).get(old) for kind in kinds)
     typed = [each for each in found if each is not None and each.type is not None]
     for each in typed:
@@ -82,7 +98,7 @@ def kinds_having(
     run: Run, statement: st.Rename, node: Node, kinds: tuple[EndpointKind, ...]
 ) -> list[EndpointKind]:
     """Return the kinds of which a node has something of the old name."""
-    old = _old_name(statement, node, kinds)
+    old = _old_name(statement, node, kinds, run.checks.version_of(node))
     having = [kind for kind in kinds if old in node.names(kind)]
     if having:
         return having
@@ -90,14 +106,17 @@ def kinds_having(
         raise Mistake
     where = statement.span_of("old")
     names = dict.fromkeys(name for kind in kinds for name in node.names(kind))
+    if EndpointKind.PARAMETER in kinds and not statement.old.startswith("~"):
+        names.update(dict.fromkeys(name.removeprefix("~/") for name in [*names]))
     remedy, fix = guess(statement.old, names, where, is_quoted=True)
     message = f"`{node.variable}` has no {statement.what} `{statement.old}`"
     raise Mistake(Diagnostic(codes.NOTHING_TO_RENAME, message, where, help=remedy, fix=fix))
 
 
-def _check_free(run: Run, statement: st.Rename, node: Node, kinds: list[EndpointKind]) -> None:
+def _check_free(
+    run: Run, statement: st.Rename, node: Node, kinds: list[EndpointKind], new: str
+) -> None:
     """Check that a node has nothing of the new name and the same kind."""
-    new = spelled(statement.new)
     taken = next((kind for kind in kinds if new in node.names(kind)), None)
     if taken is None:
         return
@@ -108,7 +127,7 @@ def _check_free(run: Run, statement: st.Rename, node: Node, kinds: list[Endpoint
     raise Mistake(
         Diagnostic(
             codes.NAME_TAKEN,
-            f"`{node.variable}` {taken.facts.verb} `{new}` already",
+            f"`{node.variable}` {taken.facts.verb} `{statement.new}` already",
             statement.span_of("new"),
             help="one of the two has to get another name, or to go",
             labels=() if span is None else (Label(span, "here"),),
