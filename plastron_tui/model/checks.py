@@ -204,10 +204,14 @@ class Checks:
 
     def unused(self, statement: Statement, node: Node, kind: EndpointKind) -> None:
         """Check that nothing else of a node needs an endpoint that a statement takes away."""
-        slot = kind.editing.name_slot
         name = self.endpoint_name(statement, node, kind)
-        if not name or name not in node.by_kind[kind]:
-            return
+        if name in node.by_kind[kind]:
+            self.unneeded(statement, kind.editing.name_slot, node, kind, name)
+
+    def unneeded(
+        self, statement: Statement, slot: str, node: Node, kind: EndpointKind, name: str
+    ) -> None:
+        """Check that nothing else of a node needs what it has of a kind and name."""
         users = users_of(node, kind, name)
         if users:
             raise Mistake(

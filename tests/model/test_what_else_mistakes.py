@@ -1,0 +1,368 @@
+"""What else a node does: what is wrong with a statement about it, and what is not."""
+
+from __future__ import annotations
+
+import pytest
+from workspaces import marked, run
+
+BEFORE = """\
+create_node 'driver' as n
+n has_parameter 'speed' of parameter_type float with default 0.5
+n has_parameter 'count' of parameter_type int with default 2
+n has_parameter 'names' of parameter_type string_list with default ["a"]
+n has_parameter 'idle' of parameter_type float with default 0
+subscribe n to 'scan' of message_type sensor_msgs/LaserScan
+subscribe n to 'text' of message_type String
+n repeats tick at 1 hz
+n provides_action 'acts' of action_type Fibonacci calling act
+n sends_goal to 'done' of action_type Fibonacci with input none
+create_message go of message_type Twist and input linear.x=parameter 'speed'
+create_message near of message_type Float32 and input received.ranges[0] * 2
+create_message m of message_type String and input "a"
+"""
+
+NEAR = "n publish near to 'd' of message_type Float32"
+PUBLISH = "n publish m to 'd' of message_type String"
+ANSWER = "n provides_service 's' of service_type AddTwoInts answering"
+GOAL = "n sends_goal to 'done' of action_type Fibonacci with input"
+PARAMETER = "n has_parameter 'x' of parameter_type"
+REQUEST = "n client_requests 's' of service_type AddTwoInts with input"
+
+# What follows, the code, the text that is marked, what the help says.
+MISTAKES: list[tuple[str, str, str, str | None]] = [
+    (
+        "n has_parameter 'speed' of parameter_type float with default 1",
+        "already-having",
+        "'speed'",
+        None,
+    ),
+    (f"{PARAMETER} flot with default 1", "unknown-parameter-type", "flot", "did you mean `float`?"),
+    (
+        f"{PARAMETER} double with default 1",
+        "unknown-parameter-type",
+        "double",
+        "did you mean `float`?",
+    ),
+    (
+        f"{PARAMETER} int with default 1.5",
+        "parameter-type-mismatch",
+        "1.5",
+        "write a whole number, say",
+    ),
+    (
+        f"{PARAMETER} int with default True",
+        "parameter-type-mismatch",
+        "True",
+        "write a whole number, say",
+    ),
+    (
+        f"{PARAMETER} bool with default 1",
+        "parameter-type-mismatch",
+        "1",
+        "write `True` or `False`, say",
+    ),
+    (
+        f"{PARAMETER} string with default 1",
+        "parameter-type-mismatch",
+        "1",
+        'write a text, `"front"`, say',
+    ),
+    (
+        f'{PARAMETER} float_list with default [1, "a"]',
+        "parameter-type-mismatch",
+        '[1, "a"]',
+        "write `[0.5, 1.0]`, say",
+    ),
+    (
+        f"{PARAMETER} int with default 99999999999999999999",
+        "parameter-type-mismatch",
+        "99999999999999999999",
+        "write a whole number, say",
+    ),
+    (
+        f"{PARAMETER} float with default 1e999",
+        "parameter-type-mismatch",
+        "1e999",
+        "write a number, say",
+    ),
+    (
+        f"{PARAMETER} float with default parameter 'speed'",
+        "parameter-type-mismatch",
+        "parameter 'speed'",
+        "write a number, say",
+    ),
+    (
+        f"{PARAMETER} float with default received.a",
+        "parameter-type-mismatch",
+        "received.a",
+        "write a number, say",
+    ),
+    (
+        f"{PARAMETER} float with default (1)",
+        "parameter-type-mismatch",
+        "(1)",
+        "write a number, say",
+    ),
+    (f"{PARAMETER} float with default 3 between 0 and 2", "invalid-range", "3", None),
+    (f"{PARAMETER} float with default 1 between 2 and 0", "invalid-range", "2 and 0", None),
+    (f"{PARAMETER} int with default 1 between 0.5 and 2", "invalid-range", "0.5 and 2", None),
+    (f'{PARAMETER} string with default "a" between 0 and 2', "invalid-range", "0 and 2", None),
+    (f"{PARAMETER} int_list with default [1] between 0 and 2", "invalid-range", "0 and 2", None),
+    ("n no_longer_has_parameter 'sped'", "not-having", "'sped'", "did you mean `speed`?"),
+    ("n no_longer_has_parameter 'nothing'", "not-having", "'nothing'", None),
+    (
+        "n publish go to 'v' of message_type Twist\nn no_longer_has_parameter 'speed'",
+        "still-needed",
+        "'speed'",
+        "take away first what needs it",
+    ),
+    (
+        "n repeats f at parameter 'count' hz\nn no_longer_has_parameter 'count'",
+        "still-needed",
+        "'count'",
+        "take away first what needs it",
+    ),
+    (
+        "n repeats f at parameter 'sped' hz",
+        "unknown-parameter",
+        "parameter 'sped'",
+        "did you mean `speed`?",
+    ),
+    ("n repeats f at parameter 'names' hz", "parameter-type-mismatch", "parameter 'names'", None),
+    ("n repeats f at parameter 'idle' hz", "invalid-rate", "parameter 'idle'", None),
+    ("n repeats f at 0 hz", "invalid-rate", "0", None),
+    ("n repeats f at -2 hz", "invalid-rate", "-2", "write `at 2 hz`"),
+    ("n repeats tick at 2 hz", "already-repeating", "tick", None),
+    ("n repeats act at 2 hz", "function-conflict", "act", "each kind of message and"),
+    ("n repeats class at 2 hz", "invalid-function", "class", "write `class_`"),
+    ("n stop_repeating tik", "not-repeating", "tik", "did you mean `tick`?"),
+    ("n stop_repeating nothing", "not-repeating", "nothing", None),
+    ("n provides_action 'acts' of action_type Fibonacci", "already-serving", "'acts'", None),
+    (
+        "n provides_action 'b' of action_type Fibonaci",
+        "unknown-type",
+        "Fibonaci",
+        "did you mean `Fibonacci`?",
+    ),
+    (
+        "n provides_action 'b' of action_type Fibonacci calling tick",
+        "function-conflict",
+        "tick",
+        "each kind of message and",
+    ),
+    ("n provides_action 'b c' of action_type Fibonacci", "invalid-name", " ", "write 'b_c'"),
+    ("n stop_action 'act'", "not-serving", "'act'", "did you mean `acts`?"),
+    ("n stop_action 'done'", "not-serving", "'done'", None),
+    (f'{GOAL} order="a"', "wrong-kind-of-value", '"a"', "`order` is of type `int32`"),
+    (f"{GOAL} order=parameter 'speed'", "computed-type-mismatch", "order=parameter 'speed'", None),
+    (
+        f"{GOAL} order=parameter 'coun'",
+        "unknown-parameter",
+        "order=parameter 'coun'",
+        "did you mean `count`?",
+    ),
+    (f"{GOAL} order=received.x", "nothing-received", "order=received.x", "send it"),
+    ("n stop_goal to 'dine'", "not-sending", "'dine'", "did you mean `done`?"),
+    (
+        f"{REQUEST} a=parameter 'count' / 2",
+        "computed-type-mismatch",
+        "a=parameter 'count' / 2",
+        None,
+    ),
+    (f"{REQUEST} none at 0 hz", "invalid-rate", "0", None),
+    (f"{ANSWER} sum=received.c", "unknown-field", "sum=received.c", "its fields are: a, b"),
+    (f"{ANSWER} sum=received.a / 2", "computed-type-mismatch", "sum=received.a / 2", None),
+    (f"{ANSWER} a=1", "unknown-field", "a", "its fields are: sum"),
+    (f"{ANSWER} sum=parameter 'names'", "computed-type-mismatch", "sum=parameter 'names'", None),
+    (f"{NEAR}", "nothing-received", "near", "send it"),
+    (f"{NEAR} for_each 'text'", "unknown-field", "near", "its fields are: data"),
+    (f"{NEAR} for_each 'scn'", "not-subscribed", "'scn'", "did you mean `scan`?"),
+    (
+        f"{NEAR} for_each 'scan' when received.ranges < 1",
+        "computed-type-mismatch",
+        "received.ranges < 1",
+        None,
+    ),
+    (
+        f"{NEAR} for_each 'scan' when any received.range_min < 1",
+        "computed-type-mismatch",
+        "any received.range_min < 1",
+        None,
+    ),
+    (
+        f"{NEAR} for_each 'scan' when received.range_min = \"a\"",
+        "computed-type-mismatch",
+        'received.range_min = "a"',
+        None,
+    ),
+    (
+        f"{NEAR} for_each 'scan' when received.rangs[0] < 1",
+        "unknown-field",
+        "received.rangs[0] < 1",
+        "did you mean `ranges`?",
+    ),
+    (
+        f"{NEAR} for_each 'scan' when received.ranges[-1] < 1",
+        "value-out-of-range",
+        "received.ranges[-1]",
+        None,
+    ),
+    (
+        f"{NEAR} for_each 'scan' when received.ranges[0.5] < 1",
+        "value-out-of-range",
+        "received.ranges[0.5]",
+        None,
+    ),
+    (
+        f"{NEAR} for_each 'scan' when received.header.stamp < 1",
+        "computed-type-mismatch",
+        "received.header.stamp < 1",
+        None,
+    ),
+    (
+        f"{NEAR} for_each 'scan' when received.header.frame_id < \"a\"",
+        "computed-type-mismatch",
+        'received.header.frame_id < "a"',
+        None,
+    ),
+    (
+        f"{NEAR} for_each 'scan' when received.header.frame_id.x < 1",
+        "unknown-field",
+        "received.header.frame_id.x < 1",
+        "that field has no parts",
+    ),
+    (
+        f"{NEAR} for_each 'scan'\nunsubscribe n from 'scan'",
+        "still-needed",
+        "'scan'",
+        "take away first what needs it",
+    ),
+    (f"{PUBLISH} with qos relyable", "invalid-qos", "relyable", "did you mean `reliable`?"),
+    (f"{PUBLISH} with qos depth", "invalid-qos", "depth", "write `depth 10`"),
+    (f"{PUBLISH} with qos depth 0.5", "invalid-qos", "depth 0.5", "write `depth 10`"),
+    (f"{PUBLISH} with qos depth -1", "invalid-qos", "depth -1", "write `depth 10`"),
+    (f"{PUBLISH} with qos latched, volatile", "invalid-qos", "volatile", "leave one of them out"),
+    (f"{PUBLISH} with qos reliable 5", "invalid-qos", "reliable 5", "write `reliable`"),
+    (f"{PUBLISH} with qos depth 1, depth 2", "invalid-qos", "depth 2", None),
+    (f"{PUBLISH} with qos deadline -1", "invalid-qos", "deadline -1", "write `deadline 0.5`"),
+    (
+        f"{PUBLISH} with qos latched\n"
+        'create_message o of message_type String and input "b"\n'
+        "n publish o to 'd' of message_type String with qos depth 3",
+        "invalid-qos",
+        "depth 3",
+        "give it once, with the first",
+    ),
+    (
+        "create_message k of message_type Float64 and input parameter 'names'\n"
+        "n publish k to 'd' of message_type Float64",
+        "computed-type-mismatch",
+        "k",
+        None,
+    ),
+    (
+        "create_message k of message_type String and input parameter 'names' * 2\n"
+        "n publish k to 'd' of message_type String",
+        "computed-type-mismatch",
+        "k",
+        None,
+    ),
+    (
+        "create_node 'k' as k managed using rospy",
+        "not-in-ros-1",
+        "managed",
+        "use rclpy or rclcpp, or",
+    ),
+    (
+        "n publish go to 'v' of message_type Twist\nn renames parameter 'speed' to 'pace'",
+        "still-needed",
+        "'speed'",
+        "take away first what needs it",
+    ),
+    (
+        "n renames parameter 'sped' to 'pace'",
+        "nothing-to-rename",
+        "'sped'",
+        "did you mean `speed`?",
+    ),
+    (
+        "n renames parameter 'speed' to 'count'",
+        "name-taken",
+        "'count'",
+        "one of the two has to get",
+    ),
+    (
+        f"{NEAR} for_each 'scan'\nn renames topic 'scan' to 'front/scan'",
+        "still-needed",
+        "'scan'",
+        "take away first what needs it",
+    ),
+]
+
+
+@pytest.mark.parametrize("library", ["rospy", "rclpy"])
+@pytest.mark.parametrize("case", MISTAKES, ids=[case[0] for case in MISTAKES])
+def test_a_statement_with_a_mistake(case: tuple[str, str, str, str | None], library: str) -> None:
+    line, code, where, remedy = case
+    text = f"{BEFORE}{line}\n"
+    found = run(text, library)
+    (diagnostic,) = found.diagnostics
+    assert (diagnostic.code, marked(text, diagnostic)) == (code, where)
+    assert remedy is None or remedy in (diagnostic.help or "")
+    before = run(text.removesuffix(text.splitlines()[-1] + "\n"), library).workspace
+    for name, node in before.nodes.items():
+        assert found.workspace.nodes[name].endpoints == node.endpoints
+
+
+RIGHT = [
+    f"{PARAMETER} int_list with default []",
+    f"{GOAL} order=parameter 'count'",
+    f"{REQUEST} a=parameter 'count' * 2",
+    f"{ANSWER} sum=received.a + 1",
+    f"{NEAR} for_each 'scan'",
+    f"{NEAR} for_each 'scan' when any received.ranges < 1",
+    f"{NEAR} for_each 'scan' when received.header.frame_id = \"a\"",
+    "create_message k of message_type Int32 and input received.a[1] * 1e400",
+    "n renames parameter 'speed' to 'pace'",
+    "n renames action 'acts' to 'deeds'",
+]
+
+
+@pytest.mark.parametrize("library", ["rospy", "rclpy"])
+@pytest.mark.parametrize("line", RIGHT)
+def test_a_statement_without_one(line: str, library: str) -> None:
+    assert run(f"{BEFORE}{line}\n", library).diagnostics == ()
+
+
+IN_ROS_1 = [
+    ("create_node 'k' as k managed", "managed", "error"),
+    ("n publish m to 'd' of message_type String with qos best_effort", "best_effort", "warning"),
+    ("subscribe n to 'd' of message_type String with qos lease 2, depth 3", "lease 2", "warning"),
+]
+
+
+@pytest.mark.parametrize(("line", "where", "severity"), IN_ROS_1)
+def test_what_ros_1_has_not(line: str, where: str, severity: str) -> None:
+    text = f"{BEFORE}{line}\n"
+    (found,) = run(text, "rospy").diagnostics
+    assert (found.code, marked(text, found)) == ("not-in-ros-1", where)
+    assert found.severity.value == severity
+    assert run(text, "rclpy").diagnostics == ()
+
+
+CONSEQUENCES = [
+    "n has_parameter 'p' of parameter_type flot with default 1\nn repeats f at parameter 'p' hz",
+    "n has_parameter 'p' of parameter_type float default 1\nn repeats f at parameter 'p' hz",
+    "n has_parameter 'p' of parameter_type flot with default 1\nn no_longer_has_parameter 'p'",
+    "n repeats beat at 0 hz\nn stop_repeating beat",
+    "n provides_action 'dance' of action_type Danc\nn stop_action 'dance'",
+    "n sends_goal to 'dance' of action_type Danc with input none\nn stop_goal to 'dance'",
+    "subscribe n to 'joy' of message_type Joyy\n"
+    "n publish m to 'd' of message_type String for_each 'joy'",
+]
+
+
+@pytest.mark.parametrize("library", ["rospy", "rclpy"])
+@pytest.mark.parametrize("lines", CONSEQUENCES)
+def test_what_follows_from_a_mistake_is_none_of_its_own(lines: str, library: str) -> None:
+    assert len(run(f"{BEFORE}{lines}\n", library).diagnostics) == 1
