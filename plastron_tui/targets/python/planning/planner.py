@@ -113,8 +113,8 @@ def _check_names(writing: Writing) -> None:
             message = f"`{name}` has a meaning of its own in Python"
             writing.refuse(codes.INVALID_FUNCTION, message, span, "write a name without `__`")
         if name in reserved:
-            which = "such a" if name in dialect.task_names else "every"
-            message = f"`{name}` is a method that {which} {dialect.library} node has"
+            which = " with calls or actions" if name in dialect.task_names else ""
+            message = f"`{name}` is a method that every {dialect.library} node{which} has"
             writing.refuse(codes.INVALID_FUNCTION, message, span, f"write `on_{name}`, say")
 
 
