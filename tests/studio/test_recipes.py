@@ -20,6 +20,7 @@ NEEDED = {
     "Drive a robot": "drive",
     "Sensor and processing": "sensor",
     "Relay between two topics": "relay",
+    "A task that takes a while": "count",
     "Change a ROS 1 node": "change_node",
     "Change a ROS 2 node": "change_node_ros2",
 }

@@ -9,10 +9,13 @@ from file_sets import one
 from made_nodes import SPAN, catalog
 
 from plastron_tui.model.kinds import (
+    ActionClient,
+    ActionServer,
     Client,
     Message,
     Publication,
     Publisher,
+    Rate,
     Request,
     Service,
     Subscription,
@@ -150,15 +153,50 @@ def test_types_of_one_name_are_told_apart() -> None:
     assert 'rospy.Service("b", StdSrvsEmpty, self.handle_b)' in source
 
 
-def test_a_node_that_only_calls_ends_after_its_calls() -> None:
-    type_ = InterfaceName("std_srvs", "SetBool")
+SET_BOOL = InterfaceName("std_srvs", "SetBool")
+SET = MessageValue(SET_BOOL, {"data": True})
+FIBONACCI = InterfaceName("example_interfaces", "Fibonacci")
+CALL, CALL_AGAIN = Request(SET), Request(SET, Rate(5.0))
+
+
+def calling(*requests: Request) -> Node:
     node = new()
-    request = Request(MessageValue(type_, {"data": True}))
-    node.put(Client("set", type_, (request, request), SPAN))
+    node.put(Client("set", SET_BOOL, requests, SPAN))
+    return node
+
+
+def asking(*others: Publisher | ActionServer) -> Node:
+    node = new()
+    goal = MessageValue(FIBONACCI, {"order": 5})
+    node.put(ActionClient("count", FIBONACCI, (goal, goal), SPAN))
+    for each in others:
+        node.put(each)
+    return node
+
+
+ENDING = [
+    (calling(CALL, CALL), True),
+    (calling(CALL_AGAIN), False),
+    (calling(CALL, CALL_AGAIN), False),
+    (asking(), True),
+    (asking(Publisher("out", STRING, (), SPAN)), False),
+    (asking(ActionServer("other", FIBONACCI, None, SPAN)), False),
+]
+
+
+@pytest.mark.parametrize("library", ["rospy", "rclpy"])
+@pytest.mark.parametrize(("node", "ends"), ENDING)
+def test_a_node_ends_that_has_nothing_more_to_do(library: str, node: Node, ends: bool) -> None:
+    source = text(node, library)
+    assert ("spin(" not in source) == ends
+    assert ("sys.exit(node.exit_status)" in source) == ends
+    assert ("def fail(" in source) == ends
+
+
+def test_every_request_and_goal_is_sent() -> None:
     for library in ("rospy", "rclpy"):
-        source = text(node, library)
-        assert "spin(" not in source
-        assert source.count("self.call(self.set_client, SetBool") == 2
+        assert text(calling(CALL, CALL), library).count("self.call(self.set_client, SetBool") == 2
+        assert text(asking(), library).count('self.send_goal("count", self.count_client, ') == 2
 
 
 def test_a_type_that_was_renamed_has_its_name_of_the_distribution() -> None:
@@ -188,7 +226,9 @@ REFUSED = [
     ("rclpy", with_subscription(InterfaceName("std_msgs", "Time2")), "unknown-type"),
     ("rospy", with_subscription(None), "unknown-type"),
     ("rospy", with_subscription(STRING, "class"), "invalid-function"),
-    ("rospy", with_subscription(STRING, "call_services"), "invalid-function"),
+    ("rospy", with_subscription(STRING, "follow_rates"), "invalid-function"),
+    ("rclpy", asking(ActionServer("other", FIBONACCI, "sleep", SPAN)), "invalid-function"),
+    ("rospy", asking(ActionServer("other", FIBONACCI, "work", SPAN)), "invalid-function"),
     ("rclpy", with_subscription(STRING, "get_logger"), "invalid-function"),
     ("rclpy", with_subscription(STRING, "_clients"), "invalid-function"),
     ("rospy", with_subscription(STRING, "__init__"), "invalid-function"),

@@ -119,7 +119,7 @@ def _check_names(writing: Writing) -> None:
     """Refuse what the program calls its functions where that can be no method."""
     dialect, node = writing.dialect, writing.node
     reserved = dialect.method_names | dialect.attribute_names
-    managed = dialect.managed_names if node.is_managed else frozenset()
+    managed = dialect.kindnames if node.is_managed else frozenset()
     reserved |= managed
     if any(node.of(ActionServer)) or any(node.of(ActionClient)) or any(node.of(Client)):
         reserved |= dialect.task_names
@@ -133,10 +133,9 @@ def _check_names(writing: Writing) -> None:
             message = f"`{name}` has a meaning of its own in Python"
             writing.refuse(codes.INVALID_FUNCTION, message, span, "write a name without `__`")
         if name in reserved:
-            which = "every managed" if name in managed else "every"
-            if name in dialect.task_names:
-                which = "such a"
-            message = f"`{name}` is a method that {which} {dialect.library} node has"
+            which = " with calls or actions" if name in dialect.task_names else ""
+            kind = "managed " if name in managed else ""
+            message = f"`{name}` is a method that every {kind}{dialect.library} node{which} has"
             remedy = "give it another name" if name in managed else f"write `on_{name}`, say"
             writing.refuse(codes.INVALID_FUNCTION, message, span, remedy)
 
@@ -149,7 +148,7 @@ def _standard(dialect: Dialect, plan: NodePlan) -> tuple[str, ...]:
 
 def _symbols(dialect: Dialect, plan: NodePlan) -> tuple[Symbol, ...]:
     """Return the names that the template of a node imports."""
-    symbols = dialect.managed_symbols if plan.is_managed else dialect.symbols
+    symbols = dialect.kindsymbols if plan.is_managed else dialect.symbols
     if plan.action_servers:
         symbols += dialect.server_symbols
     if plan.goals:
