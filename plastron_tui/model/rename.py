@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from plastron_tui.diagnostics import Diagnostic, Label, codes, guess
 from plastron_tui.language import statements as st
-from plastron_tui.ros.names import spelled
+from plastron_tui.ros.names import parameter_name, spelled
 
 from .kinds import EndpointKind, kind_of
 from .mistake import Mistake
@@ -24,8 +24,9 @@ def rename(run: Run, statement: st.Rename) -> None:
     """Give a topic, service, action or parameter of a node another name, on both its sides."""
     node = run.checks.node(statement)
     kinds, version = kinds_of(statement), run.checks.version_of(node)
-    new = run.name(statement, "new", version, kinds[0].facts.check_name)
-    old = _old_name(statement, node, kinds)
+    run.name(statement, "new", version, kinds[0].facts.check_name)
+    new = _name(statement.new, kinds, node, version)
+    old = _old_name(statement, node, kinds, version)
     having = kinds_having(run, statement, node, kinds)
     _check_free(run, statement, node, having)
     _move(run, statement, node, having, old)
@@ -33,13 +34,23 @@ def rename(run: Run, statement: st.Rename) -> None:
         node.rename(kind, old, new, statement.span)
 
 
-def _old_name(statement: st.Rename, node: Node, kinds: Iterable[EndpointKind]) -> str:
+def _name(written: str, kinds: Iterable[EndpointKind], node: Node, version: int) -> str:
+    """Return a name as a node has it: a parameter that a program gives it is the node's own.
+
+    A file of ROS 1 may read those of others as well, and says `~` before its own.
+    """
+    if EndpointKind.PARAMETER in kinds and node.source is None:
+        return parameter_name(written, version)
+    return spelled(written)
+
+
+def _old_name(statement: st.Rename, node: Node, kinds: Iterable[EndpointKind], version: int) -> str:
     """Return the name that something of a node has.
 
     A parameter of rclpy has no sign for what is private: `~rate` is its whole name.
     """
     is_whole = any(statement.old in node.names(kind) for kind in kinds)
-    return statement.old if is_whole else spelled(statement.old)
+    return statement.old if is_whole else _name(statement.old, kinds, node, version)
 
 
 def _move(run: Run, statement: st.Rename, node: Node, kinds: list[EndpointKind], old: str) -> None:
@@ -82,7 +93,7 @@ def kinds_having(
     run: Run, statement: st.Rename, node: Node, kinds: tuple[EndpointKind, ...]
 ) -> list[EndpointKind]:
     """Return the kinds of which a node has something of the old name."""
-    old = _old_name(statement, node, kinds)
+    old = _old_name(statement, node, kinds, run.checks.version_of(node))
     having = [kind for kind in kinds if old in node.names(kind)]
     if having:
         return having
@@ -97,7 +108,7 @@ def kinds_having(
 
 def _check_free(run: Run, statement: st.Rename, node: Node, kinds: list[EndpointKind]) -> None:
     """Check that a node has nothing of the new name and the same kind."""
-    new = spelled(statement.new)
+    new = _name(statement.new, kinds, node, run.checks.version_of(node))
     taken = next((kind for kind in kinds if new in node.names(kind)), None)
     if taken is None:
         return
