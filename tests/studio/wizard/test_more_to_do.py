@@ -195,3 +195,11 @@ def test_what_cannot_be_entered_says_why(
     form.entered.update(entered)
     filled = it.look().of(form)
     assert filled is not None and filled.cells[slot].reason == reason
+
+
+@pytest.mark.parametrize("library", ["rclpy", "rospy"])
+def test_a_parameter_is_renamed_by_the_name_that_a_program_writes(library: str) -> None:
+    it = course(ROBOT.replace("rclpy", library))
+    form = form_after(it, MORE, "give something another name")
+    form.enter("what", "parameter")
+    assert written(it) == "robot renames parameter 'speed' to 'speed_2'"
