@@ -56,6 +56,11 @@ class TimerPlan(NamedTuple):
     parameter: str = ""
     rate: str = ""
 
+    @property
+    def may_fail(self) -> bool:
+        """Whether what is computed may fit no field."""
+        return any(each.may_fail for each in self.sends)
+
 
 class OncePlan(NamedTuple):
     """The messages that a publisher sends once, and what waits until somebody listens."""
@@ -67,6 +72,11 @@ class OncePlan(NamedTuple):
     sends: tuple[SendPlan, ...]
     heard: str = ""
     waiting: str = ""
+
+    @property
+    def may_fail(self) -> bool:
+        """Whether what is computed may fit no field."""
+        return any(each.may_fail for each in self.sends)
 
 
 class ReactionPlan(NamedTuple):
@@ -82,11 +92,12 @@ class ReactionPlan(NamedTuple):
     label: str
     sends: tuple[SendPlan, ...]
     condition: str
+    is_condition_sure: bool = True
 
     @property
     def may_fail(self) -> bool:
-        """Whether what is computed may not be there, or fit no field."""
-        return "[" in self.condition or any(each.may_fail for each in self.sends)
+        """Whether what is computed or compared may not be there, or fit no field."""
+        return not self.is_condition_sure or any(each.may_fail for each in self.sends)
 
 
 class ParameterPlan(NamedTuple):
@@ -141,6 +152,7 @@ class MethodPlan:
         label: the topic or the service, as prose.
         response: what a handler answers.
         answer: what the program says that it answers, "" where it says nothing.
+        may_fail: whether what is computed in the answer may not be there, or fit no field.
         reactions: the methods that a callback hands its message to.
     """
 
@@ -148,6 +160,7 @@ class MethodPlan:
     label: str
     response: str = ""
     answer: str = ""
+    may_fail: bool = False
     reactions: tuple[str, ...] = ()
 
 
@@ -178,6 +191,7 @@ class NodePlan:
         class_name: the name of its class.
         summary: what it does, a sentence.
         imports: the lines of its imports.
+        functions: the functions of the file that it calls, of those that Plastron has.
     """
 
     name: str
@@ -185,6 +199,7 @@ class NodePlan:
     class_name: str = ""
     summary: str = ""
     imports: str = ""
+    functions: frozenset[str] = frozenset()
     parameters: list[ParameterPlan] = field(default_factory=list)
     publishers: list[PublisherPlan] = field(default_factory=list)
     once: list[OncePlan] = field(default_factory=list)

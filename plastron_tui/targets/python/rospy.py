@@ -49,7 +49,18 @@ DIALECT = _Rospy(
     calling=("sys", "threading"),
     modules=("rospy",),
     symbols=(),
-    module_names=frozenset({"SERVICE_TIMEOUT", "interrupt", "main", "node"}),
+    module_names=frozenset(
+        {
+            "SERVICE_TIMEOUT",
+            "all_in_range",
+            "as_float32",
+            "ctypes",
+            "in_range",
+            "interrupt",
+            "main",
+            "node",
+        }
+    ),
     method_names=frozenset(),
     attribute_names=frozenset(
         {"ask", "ask_in_time", "call", "call_services", "exit_status", "follow_rates"}

@@ -21,6 +21,7 @@ from plastron_tui.sources.python.dialect import Dialect
 from plastron_tui.sources.python.import_block import Imports
 
 from ..plan import NodePlan
+from .computed import AS_FLOAT32
 from .parameters import add_parameters
 from .services import add_clients, add_services
 from .timers import add_timers
@@ -72,6 +73,7 @@ class Planner:
         for add in _PARTS:
             add(writing, plan)
         plan.summary = _summary(node)
+        plan.functions = frozenset(writing.functions)
         taken = imports.names() | dialect.reserved()
         plan.class_name = naming.Scope(taken).new(naming.class_name(node.name))
         plan.imports = imports.render(_standard(dialect, plan), dialect.modules, dialect.symbols)
@@ -98,7 +100,8 @@ def _check_names(writing: Writing) -> None:
 def _standard(dialect: Dialect, plan: NodePlan) -> tuple[str, ...]:
     """Return the modules of Python that a node needs, those for calls and how they went too."""
     calling = dialect.calling if plan.calls else ()
-    return (*dialect.standard, *(name for name in calling if name != "sys" or plan.ends))
+    own = ("ctypes",) if AS_FLOAT32 in plan.functions else ()
+    return (*dialect.standard, *own, *(name for name in calling if name != "sys" or plan.ends))
 
 
 _MOST_SAID = 4
