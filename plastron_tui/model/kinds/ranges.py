@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.ros.interfaces import FieldType
 from plastron_tui.ros.parameters import INTEGERS, ParameterType
-from plastron_tui.ros.primitives import FLOAT32_LIMIT, primitive
+from plastron_tui.ros.primitives import FLOAT32_LIMIT, LARGEST_FLOAT, primitive
 
 from ..values import Computed, Number, calculated
 from .needs import computed_of, rates_of
@@ -40,7 +39,7 @@ class Interval(NamedTuple):
         return Interval(max(self.least, other.least), min(self.most, other.most))
 
 
-EVERY_FLOAT = Interval(-sys.float_info.max, sys.float_info.max)
+EVERY_FLOAT = Interval(-LARGEST_FLOAT, LARGEST_FLOAT)
 EVERY_INTEGER = Interval(INTEGERS[0], INTEGERS[-1])
 
 
