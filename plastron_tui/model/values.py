@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from plastron_tui.ros.interfaces import FieldType, InterfaceName
+
+Number: TypeAlias = int | float
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,6 +67,24 @@ class Computed:
     def __str__(self) -> str:
         steps = "".join(f" {operator} {number}" for operator, number in self.steps)
         return f"{self.source}{steps}"
+
+
+def calculated(number: Number, steps: Sequence[tuple[str, Number]]) -> Number:
+    """Return what is calculated of a number; infinite where it is too great for a float."""
+    total, term = 0 * number, number
+    try:
+        for operator, other in steps:
+            match operator:
+                case "*":
+                    term *= other
+                case "/":
+                    term /= other
+                case _:
+                    total += term
+                    term = other if operator == "+" else -other
+        return total + term
+    except OverflowError:
+        return math.inf
 
 
 def computed_in(value: Value) -> Iterator[Computed]:

@@ -49,6 +49,11 @@ class FieldType(NamedTuple):
         """The name of the nested message, None for a primitive."""
         return None if self.package is None else InterfaceName(self.package, self.name)
 
+    @property
+    def element(self) -> FieldType:
+        """The type of an array's elements; what is no array is its own."""
+        return self._replace(is_array=False, length=None, bound=None)
+
     def __str__(self) -> str:
         base = self.name if self.package is None else f"{self.package}/{self.name}"
         if self.string_bound is not None:

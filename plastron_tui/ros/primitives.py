@@ -5,6 +5,7 @@ Sources: the ROS 1 wiki page "msg" (field types) and the ROS 2 documentation "In
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -12,6 +13,9 @@ from .interfaces import Scalar
 
 FLOAT32_LIMIT = 3.4028235677973366e38
 """The smallest magnitude that no longer rounds to a finite float32."""
+
+LARGEST_FLOAT = sys.float_info.max
+"""The greatest finite float64."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -49,6 +49,12 @@ def generate(program: str, output: Path, target: str) -> dict[str, Path]:
     return {file.name: file for file in sorted(output.glob("*.py"))}
 
 
+def generate_one(program: str, output: Path, target: str) -> Path:
+    """Generate a program that has one node, and return its file."""
+    [file] = generate(program, output, target).values()
+    return file
+
+
 def edit(
     original: Path,
     statements: str,

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from graph import Graph
-from processes import own_tracebacks
-from prototypes import prototype
+from processes import generate_one, own_tracebacks
 
 pytestmark = pytest.mark.live
 
@@ -14,9 +15,9 @@ GOAL = {"/goal_pose": "geometry_msgs/PoseStamped"}
 
 @pytest.mark.parametrize("qos", [[], ["best_effort"], ["transient_local"]], ids=str)
 def test_the_first_that_listens_gets_it_once_whatever_it_asks_for(
-    graph: Graph, qos: list[str]
+    graph: Graph, tmp_path: Path, qos: list[str]
 ) -> None:
-    node = graph.run_and_wait(prototype(graph, "navigator"))
+    node = graph.run_and_wait(generate_one("navigator", tmp_path, graph.target))
     [goal] = graph.listen(GOAL, 2, qos)["/goal_pose"]
     assert goal.message["header"]["frame_id"] == "map"
     assert goal.message["header"]["stamp"]["sec"] > 1e9
@@ -24,8 +25,8 @@ def test_the_first_that_listens_gets_it_once_whatever_it_asks_for(
     assert not own_tracebacks(node.output)
 
 
-def test_who_comes_later_gets_what_was_sent_then(graph: Graph) -> None:
-    node = graph.run_and_wait(prototype(graph, "navigator"))
+def test_who_comes_later_gets_what_was_sent_then(graph: Graph, tmp_path: Path) -> None:
+    node = graph.run_and_wait(generate_one("navigator", tmp_path, graph.target))
     [first] = graph.listen(GOAL, 1)["/goal_pose"]
     for _ in range(2):
         [later] = graph.listen(GOAL, 1, ["transient_local"])["/goal_pose"]
@@ -34,8 +35,8 @@ def test_who_comes_later_gets_what_was_sent_then(graph: Graph) -> None:
     assert not own_tracebacks(node.output)
 
 
-def test_a_warning_says_that_nobody_listens(graph: Graph) -> None:
-    node = graph.run_and_wait(prototype(graph, "navigator"))
+def test_a_warning_says_that_nobody_listens(graph: Graph, tmp_path: Path) -> None:
+    node = graph.run_and_wait(generate_one("navigator", tmp_path, graph.target))
     node.wait_to_print("goal_pose: nobody listens yet", count=2)
     graph.listen(GOAL, 0)
     said = node.output.count("nobody listens")

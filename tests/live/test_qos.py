@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from graph import Graph
-from processes import own_tracebacks
-from prototypes import prototype
+from processes import generate_one, own_tracebacks
 
 pytestmark = pytest.mark.live
 
@@ -23,8 +24,10 @@ MATCHED = {
 
 
 @pytest.mark.parametrize(("word", "matched"), MATCHED.items(), ids=MATCHED)
-def test_only_what_is_offered_is_heard(ros2: Graph, word: str, matched: set[str]) -> None:
-    node = ros2.run_and_wait(prototype(ros2, "qualities"))
+def test_only_what_is_offered_is_heard(
+    ros2: Graph, tmp_path: Path, word: str, matched: set[str]
+) -> None:
+    node = ros2.run_and_wait(generate_one("qualities", tmp_path, ros2.target))
     heard = ros2.listen(TOPICS, 1, [word], silent=TOPICS.keys() - matched)
     assert {topic for topic, received in heard.items() if received} == matched
     assert node.interrupt() == 0

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pytest
 from graph import Graph
 from played_nodes import HEADER, scan, vector
-from prototypes import prototype
+from processes import generate_one
 from traffic import call, plain, record, send
 
 pytestmark = pytest.mark.live
@@ -33,26 +34,38 @@ STEPS = [
     send("/joy", joy([0.5], 0)),
     send("/joy", joy([-1.0, 0.25, 9.0]), "/cmd_vel"),
     send("/joy", joy([0.0, 0.0], 1), "/cmd_vel", "/half"),
-    *(send("/level", {"data": value}) for value in (NAN, float("inf"), 25.56, -0.06)),
-    send("/level", {"data": 0.34}, "/gear"),
+    *(send("/level", {"data": value}, "/real") for value in (27, 0, -(2**31))),
+    send("/level", {"data": 1}, "/gear", "/real"),
+    send("/numbers", {"data": [1, 128]}),
+    send("/numbers", {"data": [127, -128]}, "/bytes"),
+    *(send("/far", {"data": value}, "/near") for value in (NAN, 1e39, 0.5)),
+    send("/imu", {"orientation_covariance": [0.25] * 9}, "/sure"),
+    send("/is_on", {"data": True}),
+    send("/is_on", {"data": False}, "/off"),
     call("/switch", {"data": True}),
     call("/switch", {"data": False}),
 ]
 
 
-def test_what_follows_from_a_message_is_sent_and_nothing_else(graph: Graph) -> None:
+def test_what_follows_from_a_message_is_sent_and_nothing_else(graph: Graph, tmp_path: Path) -> None:
     """A field that is not there, and a value that the message cannot hold, end no node."""
-    traffic = record(graph, prototype(graph, "reflex"), STEPS, {})
-    assert plain(dict(traffic.heard)) == {
+    traffic = record(graph, generate_one("reflex", tmp_path, graph.target), STEPS, {})
+    heard = plain(dict(traffic.heard))
+    assert [each["data"] for each in heard.pop("/bytes")] == [[127, -128]]
+    assert [repr(each["data"]) for each in heard.pop("/near")] == ["nan", "inf", "0.5"]
+    assert heard == {
         "/stop": [twist(0.0, 0.0)] * 2,
         "/clear": [twist(1.0, 0.0)],
         "/cmd_vel": [twist(0.5, 0.25), twist(0.125, -0.5), twist(0.0, 0.0)],
         "/half": [{"header": {"stamp": "now", "frame_id": "base"}, "point": vector(0.0)}],
-        "/gear": [{"data": 3}],
+        "/gear": [{"data": 4}],
+        "/real": [{"data": float(value)} for value in (27, 0, -(2**31), 1)],
+        "/sure": [{"data": 0.25}],
+        "/off": [{"data": True}],
     }
     assert traffic.answers == [
         {"success": True, "message": "switched"},
         {"success": False, "message": "switched"},
     ]
     warned = " ".join(text for level, text in traffic.logs if level.startswith("WARN"))
-    assert all(f"{name}: " in warned for name in ("cmd_vel", "half", "gear"))
+    assert all(f"{name}: " in warned for name in ("cmd_vel", "half", "gear", "bytes"))

@@ -10,10 +10,10 @@ from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Field, FieldType, InterfaceKind
 from plastron_tui.ros.parameters import ParameterType
-from plastron_tui.ros.primitives import primitive
+from plastron_tui.ros.primitives import check_scalar, primitive
 
 from ..mistake import Mistake
-from ..values import Computed, OfParameter, OfReceived, Value, computed_in
+from ..values import Computed, OfParameter, OfReceived, Value, calculated, computed_in
 from .parameter import Parameter, find_parameter
 
 if TYPE_CHECKING:
@@ -73,33 +73,31 @@ def check_computed(
         made: where the value was made, where that is another statement.
     """
     labels = () if made is None else (Label(made, "made here"),)
-    for each in computed_in(value):
-        try:
-            found = _source(run, statement, slot, node, each, heard)
-            problem = _misfit(run, node, each, found)
-        except Mistake as mistake:
-            raise Mistake(
-                *(found._replace(labels=labels) for found in mistake.diagnostics)
-            ) from None
-        if problem is not None:
-            where = statement.span_of(slot)
-            raise Mistake(Diagnostic(codes.COMPUTED_TYPE_MISMATCH, problem, where, labels=labels))
+    try:
+        for each in computed_in(value):
+            _check(run, statement, slot, node, each, heard)
+    except Mistake as mistake:
+        raise Mistake(*(found._replace(labels=labels) for found in mistake.diagnostics)) from None
 
 
-def _source(
+def _check(
     run: Run,
     statement: Any,
     slot: str,
     node: Node,
     value: Computed,
     heard: Sequence[Field] | None,
-) -> What:
-    """Return what the source of a value is."""
+) -> None:
+    """Check that a value has a source, and that all that it may be fits its field."""
+    where = statement.span_of(slot)
+    catalog = run.types.catalog(run.checks.version_of(node))
+    version = catalog.ros_version
+    parameter, given = None, None
     match value.source:
         case OfParameter(name=name):
-            return _what_of_parameter(find_parameter(run, statement, slot, node, name))
+            parameter = find_parameter(run, statement, slot, node, name)
+            found = _what_of_parameter(parameter)
         case OfReceived() as source:
-            where = statement.span_of(slot)
             if heard is None:
                 raise Mistake(
                     Diagnostic(
@@ -109,8 +107,15 @@ def _source(
                         help="send it `for_each` message of a topic, or in an answer",
                     )
                 )
-            version = run.checks.version_of(node)
-            return what_received(source, heard, run.types.catalog(version), where)
+            given = type_received(source, heard, catalog, where)
+            found = what_of(given, version)
+    problem = _misfit(value, found, version) or _too_long(value, given)
+    if problem is not None:
+        raise Mistake(Diagnostic(codes.COMPUTED_TYPE_MISMATCH, problem, where))
+    if parameter is not None:
+        problem = _unfit_default(value, parameter, version)
+        if problem is not None:
+            raise Mistake(Diagnostic(codes.VALUE_OUT_OF_RANGE, problem, where))
 
 
 def _what_of_parameter(parameter: Parameter) -> What:
@@ -118,10 +123,10 @@ def _what_of_parameter(parameter: Parameter) -> What:
     return What(_PARAMETERS[parameter.holds.element], parameter.holds.is_list)
 
 
-def what_received(
+def type_received(
     source: OfReceived, fields: Sequence[Field], catalog: Catalog, where: Span
-) -> What:
-    """Return what a field of a received message is.
+) -> FieldType:
+    """Return the type of a field of a received message, or of an element of it.
 
     Raises:
         Mistake: there is no such field.
@@ -137,15 +142,19 @@ def what_received(
             raise Mistake(_no_field(source, name, fields, where))
         type_ = field.type
     assert type_ is not None
-    is_list = type_.is_array
     if source.position is not None:
         beyond = type_.length is not None and source.position >= type_.length
-        if not is_list or beyond:
+        if not type_.is_array or beyond:
             what = f"has {type_.length} elements" if beyond else "is no list"
             message = f"`received.{'.'.join(source.path)}` {what}"
             raise Mistake(Diagnostic(codes.UNKNOWN_FIELD, message, where))
-        is_list = False
-    return What(_kind_of(type_, catalog.ros_version), is_list)
+        return type_.element
+    return type_
+
+
+def what_of(type_: FieldType, ros_version: int) -> What:
+    """Return what a field of a type holds."""
+    return What(_kind_of(type_, ros_version), type_.is_array)
 
 
 def _no_field(source: OfReceived, name: str, fields: Sequence[Field], where: Span) -> Diagnostic:
@@ -167,19 +176,57 @@ def _kind_of(type_: FieldType, ros_version: int) -> object:
     return type_.name if known is None or known.parts else known.kind
 
 
-def _misfit(run: Run, node: Node, value: Computed, found: What) -> str | None:
+def _misfit(value: Computed, found: What, version: int) -> str | None:
     """Return why a value does not fit its field, None where it does."""
-    version = run.checks.version_of(node)
-    wanted = What(_kind_of(value.type, version), value.type.is_array)
+    wanted = what_of(value.type, version)
     shown = f"`{value.source}`"
     if value.steps:
         if found.is_list or found.kind not in (int, float):
             return f"{shown} is {found}, and cannot be calculated with"
-        is_whole = found.kind is int and all(
-            isinstance(number, int) and operator != "/" for operator, number in value.steps
-        )
+        is_whole = found.kind is int and not value.is_float
         found = What(int if is_whole else float, is_list=False)
         shown = "what is calculated"
     if found == wanted or (found.kind is int and wanted == What(float, found.is_list)):
         return None
     return f"{shown} is {found}, and the field takes {wanted}"
+
+
+def _too_long(value: Computed, given: FieldType | None) -> str | None:
+    """Return why a value may have more or fewer parts than its field takes, None where it cannot.
+
+    Args:
+        value: the value.
+        given: the type of what is received, None for a parameter, which has any length.
+    """
+    wanted = value.type
+    least, most = (0, None) if given is None else _lengths(given)
+    fewest, limit = _lengths(wanted)
+    if least < fewest or (limit is not None and (most is None or most > limit)):
+        takes = f"{limit}" if fewest else f"at most {limit}"
+        return f"`{value.source}` has another length, and the field takes {takes} elements"
+    bound = wanted.string_bound
+    own = None if given is None else given.string_bound
+    if bound is not None and (own is None or own > bound):
+        return f"`{value.source}` may be longer than the {bound} characters that the field takes"
+    return None
+
+
+def _lengths(type_: FieldType) -> tuple[int, int | None]:
+    """Return how many elements a list has at least, and at most."""
+    if not type_.is_array:
+        return 0, None
+    return (type_.length or 0), (type_.bound if type_.length is None else type_.length)
+
+
+def _unfit_default(value: Computed, parameter: Parameter, version: int) -> str | None:
+    """Return why what is calculated of a parameter's default does not fit, None where it does."""
+    default = parameter.default
+    for each in default if isinstance(default, tuple) else (default,):
+        result = each
+        if value.steps:
+            assert isinstance(each, (int, float))  # others cannot be calculated with
+            result = calculated(each, value.steps)
+        problem = check_scalar(value.type.name, result, version, value.type.string_bound)
+        if problem is not None:
+            return f"by the default of `{value.source}`, {problem}"
+    return None

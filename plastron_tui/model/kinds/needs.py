@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Span
 
-from ..values import MessageValue, OfParameter, Value, computed_in, with_source
+from ..values import Computed, MessageValue, OfParameter, Value, computed_in, with_source
 from . import (
     ActionClient,
     Client,
@@ -113,6 +114,12 @@ def rates_of(node: Node) -> set[str]:
     return {rate for _, _, rate in _parts(node) if rate is not None}
 
 
+def computed_of(node: Node, parameter: str) -> Iterator[Computed]:
+    """Yield what a node computes of a parameter."""
+    for _, value, _ in _parts(node):
+        yield from _of(value, parameter)
+
+
 def _parts(node: Node) -> list[tuple[Span | None, Value, str | None]]:
     """Return the statements of a node with their values, and the parameters of their rates."""
     found: list[tuple[Span | None, Value, str | None]] = []
@@ -134,5 +141,9 @@ def _parts(node: Node) -> list[tuple[Span | None, Value, str | None]]:
 
 
 def _has(value: Value, parameter: str) -> bool:
+    return any(True for _ in _of(value, parameter))
+
+
+def _of(value: Value, parameter: str) -> Iterator[Computed]:
     source = OfParameter(parameter.removeprefix("~/"))
-    return any(each.source == source for each in computed_in(value))
+    return (each for each in computed_in(value) if each.source == source)

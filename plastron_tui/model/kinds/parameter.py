@@ -50,6 +50,8 @@ def has_parameter(run: Run, statement: HasParameter) -> None:
     check_new(run, statement, node)
     type_ = type_of(statement)
     default = default_of(statement, type_)
+    if default == () and version == 2:
+        raise _no_default(statement, type_, "an empty list does not say in ROS 2 what it is of")
     minimum, maximum = range_of(statement, type_, default)
     parameter = Parameter(
         name, None, type_, default, minimum, maximum, statement.description or "", statement.span
@@ -104,15 +106,14 @@ def default_of(statement: HasParameter, type_: ParameterType) -> Setting:
             value = [each.value if isinstance(each, Literal) else None for each in items]
     default = as_setting(type_, value)
     if default is None:
-        raise Mistake(
-            Diagnostic(
-                codes.PARAMETER_TYPE_MISMATCH,
-                f"the default is no `{type_.value}`",
-                statement.span_of("default"),
-                help=f"write {_EXAMPLES[type_]}, say",
-            )
-        )
+        raise _no_default(statement, type_, f"the default is no `{type_.value}`")
     return default
+
+
+def _no_default(statement: HasParameter, type_: ParameterType, what: str) -> Mistake:
+    where = statement.span_of("default")
+    remedy = f"write {_EXAMPLES[type_]}, say"
+    return Mistake(Diagnostic(codes.PARAMETER_TYPE_MISMATCH, what, where, help=remedy))
 
 
 _EXAMPLES = {

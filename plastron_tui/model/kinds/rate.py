@@ -50,6 +50,9 @@ def rate_of(run: Run, statement: Any, node: Node) -> Rate | None:
                 )
             )
         hertz = check_rate(statement, found.default, f"the default of `{given.name}` is no rate")
+        for limit in (found.minimum, found.maximum):
+            if limit is not None:
+                check_rate(statement, limit, f"`{given.name}` may be {limit:g}, which is no rate")
         return Rate(hertz, found.name)
     return Rate(check_rate(statement, given))
 

@@ -12,7 +12,7 @@ from ..computed_values import received
 from ..mistake import Mistake
 from ..value_diagnostics import Misfit
 from ..values import OfReceived
-from .computed import what_received
+from .computed import type_received, what_of
 from .subscription import Subscription
 
 if TYPE_CHECKING:
@@ -81,7 +81,7 @@ def _condition(run: Run, statement: Publish, node: Node, type_: Interface) -> Co
     except Misfit as misfit:
         raise Mistake(misfit.diagnostic.moved(statement.shift)) from None
     catalog = run.types.catalog(run.checks.version_of(node))
-    found = what_received(source, type_.fields, catalog, where)
+    found = what_of(type_received(source, type_.fields, catalog, where), catalog.ros_version)
     problem = None
     if found.is_list != (given.quantifier is not None):
         problem = f"`{source}` is {found}: write `any` or `all` before it"

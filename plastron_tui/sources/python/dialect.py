@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from plastron_tui.model.kinds import Parameter
-from plastron_tui.model.values import Computed, Value
+from plastron_tui.model.values import Value
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import FieldType, Interface, InterfaceKind, InterfaceName
 
@@ -74,11 +74,6 @@ class Dialect:
     def parameter(self, parameter: Parameter) -> str:
         """Write what reads a parameter of the node."""
         raise AssertionError(f"{self.library} has no parameters")
-
-    def as_field(self, value: Computed, written: str, *, is_whole: bool) -> str:
-        """Write a computed value as its field takes it; `is_whole` when it is an integer."""
-        del value, is_whole
-        return written
 
     def unusable(self, interface: Interface, catalog: Catalog) -> str | None:
         """Return why there is no class of an interface, None where there is one.

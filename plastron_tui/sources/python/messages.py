@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import NoReturn
 
 from plastron_tui.diagnostics import Code, Diagnostic, Span, codes
-from plastron_tui.model.kinds.computed import what_received
+from plastron_tui.model.kinds.computed import type_received, what_of
 from plastron_tui.model.values import Computed, MessageValue, OfParameter, Value
 from plastron_tui.ros.catalog import Catalog, moved
 from plastron_tui.ros.interfaces import Field, FieldType, Interface, InterfaceKind, InterfaceName
@@ -151,10 +151,16 @@ class Messages:
             position = "" if source.position is None else f"[{source.position}]"
             written = f"{holder}.{path}{position}"
             where = self._span or Span(0, 0)
-            is_whole = what_received(source, fields, self._catalog, where).kind is int
+            type_ = type_received(source, fields, self._catalog, where)
+            is_whole = what_of(type_, self._catalog.ros_version).kind is int
         for operator, number in value.steps:
             written += f" {operator} {literals.number(number)}"
-        return self._dialect.as_field(value, written, is_whole=is_whole and not value.is_float)
+        if self._dialect.ros_version == 1:
+            return written
+        if value.type.is_array:
+            return f"list({written})" if isinstance(source, OfParameter) else written
+        is_float = value.type.name in {"float32", "float64"}
+        return f"float({written})" if is_float and is_whole and not value.is_float else written
 
     def _refuse(self, code: Code, message: str) -> NoReturn:
         raise CannotAddError(code, message, self._span)

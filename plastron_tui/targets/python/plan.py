@@ -58,6 +58,11 @@ class TimerPlan(NamedTuple):
     rate: str = ""
     is_function: bool = False
 
+    @property
+    def may_fail(self) -> bool:
+        """Whether what is computed may fit no field."""
+        return any(each.may_fail for each in self.sends)
+
 
 class OncePlan(NamedTuple):
     """The messages that a publisher sends once, and what waits until somebody listens."""
@@ -69,6 +74,11 @@ class OncePlan(NamedTuple):
     sends: tuple[SendPlan, ...]
     heard: str = ""
     waiting: str = ""
+
+    @property
+    def may_fail(self) -> bool:
+        """Whether what is computed may fit no field."""
+        return any(each.may_fail for each in self.sends)
 
 
 class ReactionPlan(NamedTuple):
@@ -84,11 +94,12 @@ class ReactionPlan(NamedTuple):
     label: str
     sends: tuple[SendPlan, ...]
     condition: str
+    is_condition_sure: bool = True
 
     @property
     def may_fail(self) -> bool:
-        """Whether what is computed may not be there, or fit no field."""
-        return "[" in self.condition or any(each.may_fail for each in self.sends)
+        """Whether what is computed or compared may not be there, or fit no field."""
+        return not self.is_condition_sure or any(each.may_fail for each in self.sends)
 
 
 class ParameterPlan(NamedTuple):
@@ -148,6 +159,7 @@ class MethodPlan:
         label: the topic or the service, as prose.
         response: what a handler answers.
         answer: what the program says that it answers, "" where it says nothing.
+        may_fail: whether what is computed in the answer may not be there, or fit no field.
         reactions: the methods that a callback hands its message to.
     """
 
@@ -155,6 +167,7 @@ class MethodPlan:
     label: str
     response: str = ""
     answer: str = ""
+    may_fail: bool = False
     reactions: tuple[str, ...] = ()
 
 
@@ -225,6 +238,7 @@ class NodePlan:
         imports: the lines of its imports.
         is_managed: whether it is a lifecycle node: an attribute holds whatever its transitions
             make.
+        functions: the functions of the file that it calls, of those that Plastron has.
     """
 
     name: str
@@ -233,6 +247,7 @@ class NodePlan:
     summary: str = ""
     imports: str = ""
     is_managed: bool = False
+    functions: frozenset[str] = frozenset()
     parameters: list[ParameterPlan] = field(default_factory=list)
     publishers: list[PublisherPlan] = field(default_factory=list)
     once: list[OncePlan] = field(default_factory=list)

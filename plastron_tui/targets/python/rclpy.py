@@ -6,7 +6,7 @@ import keyword
 from typing import ClassVar
 
 from plastron_tui.model.kinds import Parameter
-from plastron_tui.model.values import Computed, OfParameter, Value
+from plastron_tui.model.values import Value
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import FieldType, Interface, InterfaceKind
 from plastron_tui.sources.python import literals
@@ -110,15 +110,6 @@ class _Rclpy(Dialect):
         """Write what reads a parameter; rclpy keeps it of its type, and in its range."""
         return f"self.get_parameter({literals.string(parameter.name.removeprefix('~/'))}).value"
 
-    def as_field(self, value: Computed, written: str, *, is_whole: bool) -> str:
-        """Write a computed value; a field of floats takes no integer, and one of lists no array."""
-        is_parameter = isinstance(value.source, OfParameter)
-        if value.type.is_array:
-            return f"list({written})" if is_parameter else written
-        if value.type.name in {"float32", "float64"} and is_whole:
-            return f"float({written})"
-        return written
-
 
 DIALECT = _Rclpy(
     library="rclpy",
@@ -131,7 +122,10 @@ DIALECT = _Rclpy(
     client_symbols=(("rclpy.action", "ActionClient"),),
     goal_symbols=(("action_msgs.msg", "GoalStatus"),),
     task_symbols=(("rclpy.task", "Future"),),
-    module_names=frozenset({"SERVICE_TIMEOUT", "WARNING_PERIOD", "main", "node"}),
+    module_names=frozenset(
+        {"SERVICE_TIMEOUT", "WARNING_PERIOD", "all_in_range", "as_float32", "ctypes", "in_range"}
+        | {"main", "node"}
+    ),
     method_names=frozenset((_NODE_METHODS + _NODE_PRIVATE).split()),
     attribute_names=frozenset({"follow_rates"}),
     task_names=frozenset(_TASK_NAMES.split()),

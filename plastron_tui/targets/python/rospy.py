@@ -63,7 +63,8 @@ DIALECT = _Rospy(
     goal_symbols=(("actionlib", "GoalStatus"),),
     task_symbols=(),
     module_names=frozenset(
-        {"SERVICE_TIMEOUT", "WARNING_PERIOD", "interrupt", "main", "node", "worker"}
+        {"SERVICE_TIMEOUT", "WARNING_PERIOD", "all_in_range", "as_float32", "ctypes", "in_range"}
+        | {"interrupt", "main", "node", "worker"}
     ),
     method_names=frozenset(),
     attribute_names=frozenset({"follow_rates"}),

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from plastron_tui.model.kinds import HIGHEST_RATE, Parameter
-from plastron_tui.model.kinds.needs import rates_of
+from plastron_tui.model.kinds import Parameter
+from plastron_tui.model.kinds.ranges import Interval, limits_of
 from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.sources.python import literals, naming
 
 from ..plan import NodePlan, ParameterPlan
 from .writing import Writing
-
-_LEAST_RATE = 0.001
-"""The lowest rate that a node lets a parameter be set to, in hertz."""
 
 _RANGES = {ParameterType.INT: "IntegerRange", ParameterType.FLOAT: "FloatingPointRange"}
 _RANGE_FIELDS = {ParameterType.INT: "integer_range", ParameterType.FLOAT: "floating_point_range"}
@@ -34,11 +31,10 @@ _PLURALS = {
 
 def add_parameters(writing: Writing, plan: NodePlan) -> None:
     """Plan the parameters of a node."""
-    rates = rates_of(writing.node)
     for parameter in writing.node.of(Parameter).values():
         assert parameter.holds is not None  # statements say it
         name = parameter.name.removeprefix("~/")
-        limits = _limits(parameter, is_rate=parameter.name in rates)
+        limits = limits_of(writing.node, parameter, writing.dialect.ros_version)
         plan.parameters.append(
             ParameterPlan(
                 name=literals.string(name if writing.is_rclpy else f"~{name}"),
@@ -53,22 +49,7 @@ def add_parameters(writing: Writing, plan: NodePlan) -> None:
         )
 
 
-def _limits(parameter: Parameter, *, is_rate: bool) -> tuple[int | float, int | float] | None:
-    """Return the least and the greatest value, None where there are none."""
-    if parameter.minimum is not None and parameter.maximum is not None:
-        return parameter.minimum, parameter.maximum
-    if not is_rate:
-        return None
-    default = parameter.default
-    assert isinstance(default, (int, float))
-    if parameter.holds is ParameterType.INT:
-        return 1, int(HIGHEST_RATE)
-    return min(_LEAST_RATE, default), HIGHEST_RATE
-
-
-def _descriptor(
-    writing: Writing, parameter: Parameter, limits: tuple[int | float, int | float] | None
-) -> str:
+def _descriptor(writing: Writing, parameter: Parameter, limits: Interval | None) -> str:
     """Write what describes a parameter, "" where there is nothing to say.
 
     A range is one of `rcl_interfaces/ParameterDescriptor`, by which rclpy refuses what is not in
@@ -89,9 +70,7 @@ def _descriptor(
     return f"{class_}({', '.join(given)})"
 
 
-def _check(
-    writing: Writing, type_: ParameterType, limits: tuple[int | float, int | float] | None
-) -> str:
+def _check(writing: Writing, type_: ParameterType, limits: Interval | None) -> str:
     """Write what holds of a `value` that is of a type, and within limits."""
     check, _ = _CHECKS[type_.element]
     if type_.is_list:
@@ -103,9 +82,7 @@ def _check(
     return f"{written} and {low} <= value <= {high}"
 
 
-def _wanted(
-    writing: Writing, type_: ParameterType, limits: tuple[int | float, int | float] | None
-) -> str:
+def _wanted(writing: Writing, type_: ParameterType, limits: Interval | None) -> str:
     """Return what a value is to be, in words."""
     if type_.is_list:
         return f"a list of {_PLURALS[type_.element]}"

@@ -25,6 +25,7 @@ from plastron_tui.sources.python.import_block import Imports, Symbol
 
 from ..plan import NodePlan
 from .actions import add_action_client, add_action_servers
+from .computed import AS_FLOAT32
 from .parameters import add_parameters
 from .services import add_client, add_services
 from .timers import add_timers
@@ -94,6 +95,7 @@ class Planner:
             add(writing, plan)
         plan.summary = _summary(node)
         symbols = _symbols(dialect, plan)
+        plan.functions = frozenset(writing.functions)
         taken = imports.names() | dialect.reserved(symbols)
         plan.class_name = naming.Scope(taken).new(naming.class_name(node.name))
         plan.imports = imports.render(_standard(dialect, plan), dialect.modules, symbols)
@@ -119,7 +121,7 @@ def _check_names(writing: Writing) -> None:
     """Refuse what the program calls its functions where that can be no method."""
     dialect, node = writing.dialect, writing.node
     reserved = dialect.method_names | dialect.attribute_names
-    managed = dialect.kindnames if node.is_managed else frozenset()
+    managed = dialect.managed_names if node.is_managed else frozenset()
     reserved |= managed
     if any(node.of(ActionServer)) or any(node.of(ActionClient)) or any(node.of(Client)):
         reserved |= dialect.task_names
@@ -143,12 +145,13 @@ def _check_names(writing: Writing) -> None:
 def _standard(dialect: Dialect, plan: NodePlan) -> tuple[str, ...]:
     """Return the modules of Python that a node needs, those for calls and how they went too."""
     calling = dialect.calling if plan.works else ()
-    return (*dialect.standard, *(name for name in calling if name != "sys" or plan.ends))
+    own = ("ctypes",) if AS_FLOAT32 in plan.functions else ()
+    return (*dialect.standard, *own, *(name for name in calling if name != "sys" or plan.ends))
 
 
 def _symbols(dialect: Dialect, plan: NodePlan) -> tuple[Symbol, ...]:
     """Return the names that the template of a node imports."""
-    symbols = dialect.kindsymbols if plan.is_managed else dialect.symbols
+    symbols = dialect.managed_symbols if plan.is_managed else dialect.symbols
     if plan.action_servers:
         symbols += dialect.server_symbols
     if plan.goals:

@@ -19,6 +19,7 @@ from ..plan import (
     SendPlan,
     SubscriptionPlan,
 )
+from .computed import holder_of, lacks
 from .periods import planned_timer
 from .qualities import publisher_qos, subscription_qos
 from .writing import Writing
@@ -56,6 +57,8 @@ def add_publishers(writing: Writing, plan: NodePlan) -> None:
             timer = planned_timer(writing, rate, method, f"{name}_timer")
             plan.timers.append(timer._replace(publisher=attribute, label=label, sends=sends))
         for reaction, found in by_reaction.items():
+            heard = _heard(writing, reaction.topic)
+            condition, may_fail = _condition(writing, reaction.condition, heard)
             plan.reactions.append(
                 ReactionPlan(
                     publisher=attribute,
@@ -63,8 +66,9 @@ def add_publishers(writing: Writing, plan: NodePlan) -> None:
                     topic=reaction.topic,
                     heard=naming.label(reaction.topic, "its topic"),
                     label=label,
-                    sends=_sends(writing, publisher, found, _heard(writing, reaction.topic)),
-                    condition=_condition(writing, reaction.condition),
+                    sends=_sends(writing, publisher, found, heard),
+                    condition=condition,
+                    is_condition_sure=not may_fail,
                 )
             )
         if once:
@@ -91,18 +95,21 @@ def _heard(writing: Writing, topic: str) -> Sequence[Field]:
     return writing.find(subscription.type, InterfaceKind.MESSAGE, subscription.span).fields
 
 
-def _condition(writing: Writing, condition: Condition | None) -> str:
-    """Write what must hold of a message that is called `received`."""
+def _condition(
+    writing: Writing, condition: Condition | None, heard: Sequence[Field]
+) -> tuple[str, bool]:
+    """Write what must hold of a message that is called `received`; tell whether that may fail."""
     if condition is None:
-        return ""
-    path = ".".join(map(writing.dialect.field, condition.source.path))
-    position = "" if condition.source.position is None else f"[{condition.source.position}]"
-    holder = f"received.{path}{position}"
+        return "", False
+    holder = holder_of(writing, condition.source, "received", heard)
+    compared = holder if condition.quantifier is None else "each"
     operator = "==" if condition.operator == "=" else condition.operator
-    value = writing.setting(condition.value)
-    if condition.quantifier is None:
-        return f"{holder} {operator} {value}"
-    return f"{condition.quantifier}(each {operator} {value} for each in {holder})"
+    text = f"{compared} {operator} {writing.setting(condition.value)}"
+    if isinstance(condition.value, bool):
+        text = compared if condition.value else f"not {compared}"
+    if condition.quantifier is not None:
+        text = f"{condition.quantifier}({text} for each in {holder})"
+    return text, lacks(writing, condition.source, heard)
 
 
 def add_subscriptions(writing: Writing, plan: NodePlan) -> None:

@@ -7,12 +7,9 @@ from typing import NoReturn
 
 from plastron_tui.diagnostics import Code, Diagnostic, Span, codes
 from plastron_tui.model.kinds import Endpoint, Parameter
-from plastron_tui.model.kinds.computed import what_received
 from plastron_tui.model.values import (
     Computed,
     MessageValue,
-    OfParameter,
-    OfReceived,
     Value,
     computed_in,
 )
@@ -20,18 +17,14 @@ from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog, moved
 from plastron_tui.ros.interfaces import Field, FieldType, Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.names import name_as_written, parameter_name
-from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.sources.python import literals, naming
 from plastron_tui.sources.python.dialect import Dialect
 from plastron_tui.sources.python.import_block import Imports
 
 from ..plan import MethodPlan, SendPlan
+from .computed import may_fail, written
 
 _HEADER = InterfaceName("std_msgs", "Header")
-
-
-_SAFE_FIELDS = frozenset({"bool", "string", "wstring", "float64"})
-"""The fields that take whatever is of their kind."""
 
 
 class CannotPlanError(Exception):
@@ -51,6 +44,7 @@ class Writing:
         imports: what the file imports.
         attributes: the names of what the node's class has.
         methods: the functions that endpoints call, by their names.
+        functions: those of the file that its expressions call.
     """
 
     def __init__(
@@ -66,6 +60,7 @@ class Writing:
             {*dialect.attribute_names, *dialect.task_names, *managed, *given}
         )
         self.methods: dict[str, MethodPlan] = {}
+        self.functions: set[str] = set()
         self._heard: Sequence[Field] = ()
 
     @property
@@ -95,8 +90,12 @@ class Writing:
         return SendPlan(
             self.message(value, span),
             has_header and not has_time,
-            any(map(_may_fail, computed_in(value))),
+            self.may_fail(value),
         )
+
+    def may_fail(self, value: MessageValue) -> bool:
+        """Tell whether what is computed in a message may not be there, or fit no field."""
+        return any(may_fail(self, each, self._heard) for each in computed_in(value))
 
     def request(self, type_: InterfaceName, value: MessageValue, span: Span | None) -> str:
         """Write a request of a service's type."""
@@ -144,41 +143,20 @@ class Writing:
 
     def _value(self, type_: FieldType, value: Value, span: Span | None, received: str) -> str:
         if isinstance(value, Computed):
-            return self.computed(value, received)
+            return written(self, value, received, self._heard)
         if type_.is_array and isinstance(value, tuple):
-            element = type_._replace(is_array=False, length=None, bound=None)
-            items = (self._value(element, each, span, received) for each in value)
+            items = (self._value(type_.element, each, span, received) for each in value)
             return f"[{', '.join(items)}]"
         if isinstance(value, MessageValue):
             return self.message(value, span, received)
         return self.dialect.scalar(type_, value, self.imports)
 
-    def computed(self, value: Computed, received: str = "received") -> str:
-        """Write a value that is known when it is sent."""
-        source = value.source
-        if isinstance(source, OfParameter):
-            written = self.parameter(source.name)
-        else:
-            path = ".".join(map(self.dialect.field, source.path))
-            position = "" if source.position is None else f"[{source.position}]"
-            written = f"{received}.{path}{position}"
-        for operator, number in value.steps:
-            written += f" {operator} {literals.number(number)}"
-        is_whole = not value.is_float and self._is_whole(source)
-        return self.dialect.as_field(value, written, is_whole=is_whole)
-
-    def _is_whole(self, source: OfParameter | OfReceived) -> bool:
-        """Tell whether a value is an integer."""
-        if isinstance(source, OfParameter):
-            return self._parameter(source.name).holds is ParameterType.INT
-        found = what_received(source, self._heard, self.catalog, self.node.span)
-        return found.kind is int
-
     def parameter(self, name: str) -> str:
         """Write the value that a parameter of the node has."""
-        return self.dialect.parameter(self._parameter(name))
+        return self.dialect.parameter(self.parameter_of(name))
 
-    def _parameter(self, name: str) -> Parameter:
+    def parameter_of(self, name: str) -> Parameter:
+        """Return the parameter of the node that a value names."""
         parameters = self.node.of(Parameter)
         # A node of ROS 1 may be written for ROS 2, which has no sign for its own ones.
         names = (parameter_name(name.removeprefix("~/"), version) for version in (1, 2))
@@ -242,10 +220,3 @@ class Writing:
     ) -> NoReturn:
         """Stop: the client library cannot have a part of the node."""
         raise CannotPlanError(Diagnostic(code, message, span or self.node.span, help=help_text))
-
-
-def _may_fail(value: Computed) -> bool:
-    """Tell whether what is received may lack a value, or have one that its field does not take."""
-    source = value.source
-    is_safe = value.type.name in _SAFE_FIELDS
-    return isinstance(source, OfReceived) and (source.position is not None or not is_safe)
