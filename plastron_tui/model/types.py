@@ -14,6 +14,13 @@ _WORDS = {
     InterfaceKind.SERVICE: "service type",
     InterfaceKind.ACTION: "action type",
 }
+
+
+def _one(kind: InterfaceKind) -> str:
+    word = _WORDS[kind]
+    return f"an {word}" if word.startswith("a") else f"a {word}"
+
+
 _MOST_LISTED = 8
 
 
@@ -51,7 +58,7 @@ class TypeResolver:
             return TypeProblem(
                 codes.UNKNOWN_TYPE,
                 f"`{text}` is no {_WORDS[kind]}",
-                f"a {_WORDS[kind]} is written {package}/{kind.value}/{name}",
+                f"{_one(kind)} is written {package}/{kind.value}/{name}",
                 f"{package}/{kind.value}/{name}",
             )
         full = InterfaceName(package, name)
@@ -67,7 +74,7 @@ class TypeResolver:
             listed = [str(candidate) for candidate in candidates[:_MOST_LISTED]]
             return TypeProblem(
                 codes.AMBIGUOUS_TYPE,
-                f"several packages have a {_WORDS[kind]} `{name}`",
+                f"several packages have {_one(kind)} `{name}`",
                 f"write one of {', '.join(listed)}",
             )
         return self._no_such(name, name, kind)
@@ -93,7 +100,7 @@ class TypeResolver:
         other = InterfaceKind.SERVICE if kind is InterfaceKind.MESSAGE else InterfaceKind.MESSAGE
         if package is None and self.catalog.candidates(name, other):
             return TypeProblem(
-                codes.UNKNOWN_TYPE, message, f"`{name}` is a {_WORDS[other]}, not a {_WORDS[kind]}"
+                codes.UNKNOWN_TYPE, message, f"`{name}` is {_one(other)}, not {_one(kind)}"
             )
         names = {
             full.name: full

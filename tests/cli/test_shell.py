@@ -222,7 +222,7 @@ def test_terminal_helps_and_survives_mistakes(terminal: Terminal) -> None:
     terminal.type(b"help\n")
     terminal.expect("generate_node VARIABLE")
     terminal.expect(">> ", 2)
-    assert "SERVICE_TYPE with input\r\n        VALUES | none\r\n" in terminal.shown
+    assert "SERVICE_TYPE with input\r\n        VALUES | none [at RATE hz]\r\n" in terminal.shown
     assert max(map(len, terminal.shown.splitlines())) <= 80
     terminal.type(b"nonsense here\n")
     terminal.expect("error[")

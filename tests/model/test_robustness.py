@@ -15,18 +15,30 @@ from workspaces import LIBRARIES, FakeReader, catalog
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.diagnostics.render import TextRenderer, as_json
 from plastron_tui.language import Document, format_document, lower
-from plastron_tui.language.keywords import KEYWORDS
+from plastron_tui.language.keywords import WORDS
 from plastron_tui.model.context import Setting
 from plastron_tui.model.interpreter import interpret
 from plastron_tui.project.program_file import check_text
+from plastron_tui.ros.qos_words import WORDS as QOS_WORDS
 
 PROGRAMS = [
     path.read_bytes()
     for folder in ("programs", "../examples")
     for path in sorted((Path(__file__).parents[1] / folder).glob("*.plastron"))
 ]
+PROGRAMS += [
+    program.encode()
+    for code in codes.CODES.values()
+    for program in (code.bad, code.good)
+    if program
+]
 TOKENS = [
-    *(word.encode() for word in sorted(KEYWORDS)),
+    *(word.encode() for word in sorted(WORDS)),
+    *(word.encode() for word in sorted(QOS_WORDS)),
+    b"parameter 'speed'",
+    b"received.data",
+    b"received.ranges[0] * 2",
+    b"+ - * < >",
     *b"( ) [ ] , . = / // /* */ ' \" \\ \\u12 \\ud800 \n \r\n \t 1 -.5 1e999 0x1 $ _ a".split(b" "),
     b" ",
     b"\n",

@@ -58,6 +58,7 @@ PROBLEMS: list[tuple[str, InterfaceKind, int, str, str | None]] = [
     ("std_srvs/msg/Empty", SERVICE, 1, "unknown-type", "std_srvs/srv/Empty"),
     ("a/b/c", MESSAGE, 1, "unknown-type", None),
     ("Trigger", MESSAGE, 1, "unknown-type", "`Trigger` is a service type, not a message type"),
+    ("String", ACTION, 2, "unknown-type", "`String` is a message type, not an action type"),
     ("Twist", SERVICE, 1, "unknown-type", "`Twist` is a message type, not a service type"),
     ("GoalStatus", MESSAGE, 2, "ambiguous-type", "action_msgs/GoalStatus"),
     ("std_msgs/Time", MESSAGE, 2, "unknown-type", None),
