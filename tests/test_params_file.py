@@ -17,6 +17,13 @@ generate_node cruiser using {}
 """
 TEXT = '/cruiser:\n  ros__parameters:\n    speed: {}\n    frame: "map"\n'
 
+TALKER = b"""\
+create_node 'talker' as talker
+create_message greeting of message_type String and input "hello"
+talker publish greeting to 'chatter' of message_type String
+generate_node talker
+"""
+
 
 def generate(folder: Path, speed: str, library: str = "rclpy", output: Path | None = None) -> None:
     """Generate a program in a folder."""
@@ -61,6 +68,6 @@ def test_it_is_not_written_outside_of_the_project(tmp_path: Path) -> None:
 
 
 def test_a_program_without_parameters_has_none(tmp_path: Path) -> None:
-    session = Session(b"create_node 'n' as n\ngenerate_node n\n", tmp_path / "p.plastron")
+    session = Session(TALKER, tmp_path / "p.plastron")
     plan, _ = session.plan()
-    assert [file.name for file in plan.files] == ["n_node.py"]
+    assert [file.name for file in plan.files] == ["talker_pub.py"]
