@@ -35,8 +35,9 @@ if TYPE_CHECKING:
     from plastron_tui.model.workspace import Generation, Workspace
     from plastron_tui.output.plan import FilePlan
     from plastron_tui.project.loader import FilesRead, NodeLoader
+    from plastron_tui.ros import parameters
     from plastron_tui.ros.catalog import Catalog
-    from plastron_tui.ros.parameter_values import NodeParameters, ParameterValue
+    from plastron_tui.ros.parameter_values import NodeParameters
     from plastron_tui.runtime.parameters import SetResult
 
 __all__ = ["Options", "Session"]
@@ -260,7 +261,7 @@ class Session:
     @property
     def params_path(self) -> Path | None:
         """The program's parameter file, which need not be there; None for one without a file."""
-        from plastron_tui.project.run_setup import params_path
+        from plastron_tui.generating.params_file import params_path
 
         return None if self.path is None else params_path(self.output, self.path)
 
@@ -268,7 +269,7 @@ class Session:
         self,
         node: str,
         name: str,
-        value: ParameterValue,
+        value: parameters.Setting,
         *,
         namespace: str = "",
         master_uri: str | None = None,

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from plastron_tui.project.run_setup import RunNode, RunSetup, params_path, run_node, takes_others
+from plastron_tui.generating.params_file import params_path
+from plastron_tui.project.run_setup import RunNode, RunSetup, run_node, takes_others
 from plastron_tui.ros.parameter_values import Assignment, NodeParameters, parse_assignment
 from plastron_tui.ros.run_names import Remap, RunNames, parse_remap
 from plastron_tui.runtime.parameters import SetStatus
@@ -106,6 +107,23 @@ def test_what_is_set_goes_before_what_the_file_has() -> None:
     )
     setup = setup_of("v.c=3", "m.a=6", namespace="/r")._replace(params=params)
     assert setup.values("n", "v") == {"a": 1, "b": 2, "c": 3, "d": 4}
+
+
+@pytest.mark.parametrize("version", [1, 2])
+def test_a_value_is_one_of_its_parameter(version: int) -> None:
+    program = (
+        b"create_node 'n' as n using " + (b"rospy" if version == 1 else b"rclpy") + b"\n"
+        b"n has_parameter 'speed' of parameter_type float with default 0.5\n"
+        b"n has_parameter 'gains' of parameter_type float_list with default [0.5]\n"
+        b"n has_parameter 'count' of parameter_type int with default 1\n"
+    )
+    nodes = list(Session(program).workspace.nodes.values())
+    given = setup_of("n.speed=1", "n.gains=[1, 2]", "n.count=3", "n.other=4").arguments(
+        version, nodes
+    )
+    sign = "_" if version == 1 else ""
+    expected = {"speed:=1.0", "gains:=[1.0, 2.0]", "count:=3", "other:=4"}
+    assert {f"{sign}{each}" for each in expected} <= set(given)
 
 
 def test_a_file_is_for_the_ros_of_its_nodes() -> None:

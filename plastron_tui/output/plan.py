@@ -56,6 +56,8 @@ class OutputFile:
             remember; empty to forget it, None to leave it.
         seen: the manifests that the text was made with, each with its folder: the writer checks
             that they still say the same of the file.
+        entry: the name by which the output folder's manifest knows a file that lies elsewhere, as
+            seen from there; None for a file that it only knows in the folder.
     """
 
     name: str
@@ -68,6 +70,7 @@ class OutputFile:
     problem: Diagnostic | None = None
     layers: Layers | None = None
     seen: tuple[tuple[Path, Manifest], ...] = ()
+    entry: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +86,7 @@ class PlannedFile:
         before: what it holds now; None when there is no such file.
         status: the file's status when `before` was read: the writer looks again.
         entry: the name under which the manifest remembers `text` once it is written; None for a
-            text that holds handwork, and for a file outside the folder.
+            text that holds handwork, and for a file elsewhere that it does not know.
         base: what the manifest remembers of the program once it is written.
         problem: why a conflict is one, as the diagnostic to give where it is not forced.
         layers: what the manifest in the file's own folder then remembers of loaded text.
@@ -190,9 +193,10 @@ def _plan_file(folder: Path, real_folder: str, file: OutputFile, manifest: Manif
     path, status = _target(shown, real_folder, file)
     before = None if status is None else _read(path, shown)
     is_inside = file.path is None or os.path.dirname(path) == real_folder
+    known = file.entry or (file.name if is_inside else None)
     is_executable = file.is_executable and (status is None or file.text.startswith(b"#!"))
     file = replace(file, is_executable=is_executable)
-    state, problem = _state(file, before, status, manifest if is_inside else Manifest(), shown)
+    state, problem = _state(file, before, status, manifest if known else Manifest(), shown)
     if status is not None and state is not FileState.IDENTICAL and is_protected(path, status):
         raise _RefusedError(read_only(shown))
     seen = [(os.path.realpath(folder), each) for folder, each in file.seen]
@@ -209,7 +213,7 @@ def _plan_file(folder: Path, real_folder: str, file: OutputFile, manifest: Manif
         file.is_executable,
         before,
         status,
-        entry=file.name if is_inside and is_own else None,
+        entry=known if is_own else None,
         base=file.base if is_inside else None,
         problem=problem,
         layers=file.layers,
@@ -236,7 +240,7 @@ def _state(
         lacks_bit = file.is_executable and not status.st_mode & stat.S_IXUSR
         is_mended = lacks_bit and not is_protected(shown, status)
         return FileState.CHANGED if is_mended else FileState.IDENTICAL, None
-    if file.merged_from is not None or manifest.has(file.name, before):
+    if file.merged_from is not None or manifest.has(file.entry or file.name, before):
         return FileState.CHANGED, None
     if file.name in manifest:
         message = f"`{file.name}` was changed by hand"

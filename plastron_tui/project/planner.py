@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from plastron_tui.model.workspace import Generation
     from plastron_tui.output.manifest import Manifest, Reading
     from plastron_tui.output.patch_stack import Author
-    from plastron_tui.output.plan import FilePlan
+    from plastron_tui.output.plan import FilePlan, OutputFile
 
 
 class Planner:
@@ -146,12 +146,26 @@ class Planner:
         found = [*told, *common.diagnostics]
         if not is_preview:
             found += configuration.refusals
+        params = None if is_preview else self._params(manifest)
         if configuration.output_problem is not None:
             return FilePlan(output, ()), (*found, configuration.output_problem)
         sets = (generated.files for generated in made if generated.files is not None)
         files = [file for each in (*sets, *common.files) for file in each.output_files()]
+        if params is not None:
+            files.append(params)
         plan, problems = make_plan(output, files, manifest, within=configuration.writes_within)
         return plan, (*found, *problems)
+
+    def _params(self, manifest: Manifest) -> OutputFile | None:
+        """Make the parameter file of all that is generated, where the project reaches so far."""
+        from plastron_tui.generating.params_file import params_output, params_path
+
+        configuration, name = self._configuration, self._author.name
+        path = params_path(configuration.output, Path(name))
+        if not name or not configuration.boundary.allows(path):
+            return None
+        last = {each.node.variable: each.node for each in self._generations}
+        return params_output(last.values(), path, configuration.output, manifest)
 
 
 def unwritten(generations: Sequence[Generation]) -> Iterator[Diagnostic]:

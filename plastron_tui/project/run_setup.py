@@ -8,22 +8,22 @@ from typing import NamedTuple
 
 from plastron_tui.boundary import Boundary
 from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes, did_you_mean
-from plastron_tui.model.kinds import EndpointKind
+from plastron_tui.model.kinds import EndpointKind, Parameter
 from plastron_tui.model.source import SourceUnit
 from plastron_tui.model.workspace import Node
 from plastron_tui.regular_files import read_regular, reason
 from plastron_tui.ros.interfaces import InterfaceKind
-from plastron_tui.ros.names import resolved_name
+from plastron_tui.ros.names import parameter_name, resolved_name
 from plastron_tui.ros.parameter_values import (
     Assignment,
     Mistake,
     NodeParameters,
-    ParameterValue,
     name_problem,
     read_params,
     unfit,
     values_of,
 )
+from plastron_tui.ros.parameters import Setting, as_setting
 from plastron_tui.ros.run_names import AS_WRITTEN, RunNames
 from plastron_tui.runtime.arguments import ros_arguments
 
@@ -164,7 +164,7 @@ class RunSetup(NamedTuple):
                 severity=Severity.WARNING,
             )
 
-    def values(self, name: str, variable: str) -> dict[str, ParameterValue]:
+    def values(self, name: str, variable: str) -> dict[str, Setting]:
         """Return the parameters of a node; of what is set twice the last."""
         own = {each.name: each.value for each in self._settings(name, variable)}
         return {**self._from_file(name), **own}
@@ -172,9 +172,10 @@ class RunSetup(NamedTuple):
     def arguments(self, ros_version: int, nodes: Sequence[Node]) -> tuple[str, ...]:
         """Return the arguments of a process that has these nodes."""
         names = self.names.of(*(word for node in nodes for word in (node.name, node.variable)))
-        values: dict[str, ParameterValue] = {}
+        values: dict[str, Setting] = {}
         for node in nodes:
-            values |= self.values(node.name, node.variable)
+            own = self.values(node.name, node.variable)
+            values |= {name: _held(node, name, each, ros_version) for name, each in own.items()}
             actions = [name for kind in _ACTIONS for name in node.names(kind)]
             names = names.with_actions(node.name, actions, ros_version)
         return ros_arguments(ros_version, names, values)
@@ -185,14 +186,9 @@ class RunSetup(NamedTuple):
     def _settings(self, *node: str) -> Iterator[Assignment]:
         return (each for each in self.settings if each.node in node)
 
-    def _from_file(self, name: str) -> dict[str, ParameterValue]:
+    def _from_file(self, name: str) -> dict[str, Setting]:
         # The file is the program's, which knows no namespace.
         return values_of(self.params, f"/{name}", self.names.full_node(name))
-
-
-def params_path(output: Path, program: Path) -> Path:
-    """Return the parameter file of a program: `config/NAME.yaml` beside the output folder."""
-    return output.absolute().parent / "config" / f"{program.stem}.yaml"
 
 
 def find_params(
@@ -228,13 +224,26 @@ def _told(mistake: Mistake, text: str, file: Path) -> Diagnostic:
     return Diagnostic(codes.BAD_PARAMETERS, mistake.message, span, file, help=mistake.help)
 
 
+def _held(node: Node, name: str, value: Setting, ros_version: int) -> Setting:
+    """Return a value as the node's parameter holds it: 1 is 1.0 for a number with a fraction.
+
+    A value that the parameter cannot hold stays as it is, for the node to refuse.
+    """
+    name = name.replace(".", "/") if ros_version == 1 else name
+    parameter = node.of(Parameter).get(parameter_name(name, ros_version))
+    if parameter is None or parameter.holds is None:
+        return value
+    held = as_setting(parameter.holds, value)
+    return value if held is None else held
+
+
 def _sure(names: Iterable[str | None]) -> list[str] | None:
     """Return the names, None where one of them is not known."""
     listed = list(names)
     return None if None in listed else [name for name in listed if name is not None]
 
 
-def _unfit(name: str, value: ParameterValue, ros_version: int) -> str | None:
+def _unfit(name: str, value: Setting, ros_version: int) -> str | None:
     return name_problem(name, ros_version) or unfit(value, ros_version)
 
 

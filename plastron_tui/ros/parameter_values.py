@@ -11,19 +11,9 @@ import math
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple
 
-ParameterValue: TypeAlias = (
-    bool
-    | int
-    | float
-    | str
-    | tuple[bool, ...]
-    | tuple[int, ...]
-    | tuple[float, ...]
-    | tuple[str, ...]
-)
-"""What a parameter can be in both ROS."""
+from .parameters import Setting
 
 LONGEST_VALUE = 100_000
 """The longest value, in characters of an argument; Linux takes one of 131,071 bytes."""
@@ -62,7 +52,7 @@ class Assignment(NamedTuple):
 
     node: str
     name: str
-    value: ParameterValue
+    value: Setting
 
 
 class _NoValueError(Exception):
@@ -81,7 +71,7 @@ def parse_assignment(text: str) -> Assignment | Mistake:
     return value if isinstance(value, Mistake) else Assignment(node, name, value)
 
 
-def parse_value(text: str) -> ParameterValue | Mistake:
+def parse_value(text: str) -> Setting | Mistake:
     """Return the value of a YAML text, with the type that ROS 2 gives it; "" is the empty text."""
     import yaml
 
@@ -112,7 +102,7 @@ def name_problem(name: str, ros_version: int = 2) -> str | None:
     return None
 
 
-def unfit(value: ParameterValue, ros_version: int) -> str | None:
+def unfit(value: Setting, ros_version: int) -> str | None:
     """Return why a generation of ROS cannot have a value, None where it can.
 
     ROS 1 keeps parameters by XML-RPC: integers of 32 bits, and the characters of XML. ROS 2 has
@@ -132,7 +122,7 @@ def unfit(value: ParameterValue, ros_version: int) -> str | None:
     return None
 
 
-def yaml_text(value: ParameterValue) -> str:
+def yaml_text(value: Setting) -> str:
     """Return a value in one line of ASCII, which either ROS reads as that value from an argument.
 
     `:=` is written as an escape: rospy splits its arguments there, inside of quotes too.
@@ -149,7 +139,7 @@ def yaml_text(value: ParameterValue) -> str:
     return text.removesuffix("\n").removesuffix("\n...").replace(":=", r"\x3a=")
 
 
-def params_file(nodes: Mapping[str, Mapping[str, ParameterValue]]) -> str:
+def params_file(nodes: Mapping[str, Mapping[str, Setting]]) -> str:
     """Return the text of a parameter file of ROS 2.
 
     Args:
@@ -177,7 +167,7 @@ class NodeParameters(NamedTuple):
     """The parameters that a file has for the nodes of a pattern, such as `/**` or `/talker`."""
 
     pattern: str
-    values: Mapping[str, ParameterValue]
+    values: Mapping[str, Setting]
 
 
 def read_params(text: str) -> tuple[tuple[NodeParameters, ...], tuple[Mistake, ...]]:
@@ -197,9 +187,9 @@ def read_params(text: str) -> tuple[tuple[NodeParameters, ...], tuple[Mistake, .
     return tuple(reader.found), tuple(reader.mistakes)
 
 
-def values_of(found: Iterable[NodeParameters], *names: str) -> dict[str, ParameterValue]:
+def values_of(found: Iterable[NodeParameters], *names: str) -> dict[str, Setting]:
     """Return the parameters of a node that goes by these full names; what comes later wins."""
-    values: dict[str, ParameterValue] = {}
+    values: dict[str, Setting] = {}
     for pattern, of in found:
         if any(re.fullmatch(_expression(pattern), name, re.ASCII) for name in names):
             values |= of
@@ -219,7 +209,7 @@ class _Reader:
         for key, value in self._pairs(node, f"a node's parameters stand below `{_SECTION}:`"):
             name = key.value.strip("/")
             if name == _SECTION and pattern:
-                values: dict[str, ParameterValue] = {}
+                values: dict[str, Setting] = {}
                 self._values(value, "", values)
                 self.found.append(NodeParameters(pattern, values))
             elif name and all(map(_PATTERN_PART.fullmatch, name.split("/"))):
@@ -227,7 +217,7 @@ class _Reader:
             else:
                 self._report(_at(key, f"{_shown(key.value)} is no name of a node"))
 
-    def _values(self, node: _Node, prefix: str, values: dict[str, ParameterValue]) -> None:
+    def _values(self, node: _Node, prefix: str, values: dict[str, Setting]) -> None:
         for key, value in self._pairs(node, "parameters are `name: value` lines"):
             name = f"{prefix}{key.value}"
             if (problem := name_problem(name)) is not None:
@@ -261,7 +251,7 @@ class _Reader:
         self.mistakes.append(mistake)
 
 
-def _value(node: _Node, text: str) -> ParameterValue:
+def _value(node: _Node, text: str) -> Setting:
     _check_plain(node, text)
     if node.id == "mapping":
         raise _NoValueError(_at(node, "a value is no mapping", _QUOTE_IT))
@@ -281,7 +271,7 @@ def _value(node: _Node, text: str) -> ParameterValue:
         )
     if len(kinds) > 1:
         raise _NoValueError(_at(node, "a list is of one type", _QUOTE_IT))
-    return values  # type: ignore[return-value]
+    return values
 
 
 def _scalar(node: _Node, text: str) -> bool | int | float | str:

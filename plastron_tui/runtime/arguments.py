@@ -9,12 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from plastron_tui.ros.names import name_as_written
-from plastron_tui.ros.parameter_values import ParameterValue, yaml_text
+from plastron_tui.ros.parameter_values import yaml_text
+from plastron_tui.ros.parameters import Setting
 from plastron_tui.ros.run_names import RunNames
 
 
 def ros_arguments(
-    ros_version: int, names: RunNames, parameters: Mapping[str, ParameterValue]
+    ros_version: int, names: RunNames, parameters: Mapping[str, Setting]
 ) -> tuple[str, ...]:
     """Return the arguments of a node; none where nothing is said.
 
@@ -25,7 +26,7 @@ def ros_arguments(
     return ("--ros-args", *found) if found and ros_version == 2 else found
 
 
-def _ros1(names: RunNames, parameters: Mapping[str, ParameterValue]) -> Iterator[str]:
+def _ros1(names: RunNames, parameters: Mapping[str, Setting]) -> Iterator[str]:
     for remap in names.remaps:
         yield f"{name_as_written(remap.old, 1)}:={name_as_written(remap.new, 1)}"
     if names.namespace is not None:
@@ -34,7 +35,7 @@ def _ros1(names: RunNames, parameters: Mapping[str, ParameterValue]) -> Iterator
         yield f"_{name.replace('.', '/')}:={yaml_text(value)}"
 
 
-def _ros2(names: RunNames, parameters: Mapping[str, ParameterValue]) -> Iterator[str]:
+def _ros2(names: RunNames, parameters: Mapping[str, Setting]) -> Iterator[str]:
     for remap in names.remaps:
         yield from ("-r", f"{remap.old}:={remap.new}")
     if names.namespace is not None:

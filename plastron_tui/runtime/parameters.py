@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.ros.names import check_parameter_name
-from plastron_tui.ros.parameter_values import ParameterValue, unfit
+from plastron_tui.ros.parameter_values import unfit
+from plastron_tui.ros.parameters import Setting
 
 from .environment import LOOPBACK, Environment, is_local, node_environ
 from .master import DEFAULT_PORT, MasterError, call
@@ -42,7 +43,7 @@ def set_parameter(
     environment: Environment,
     node: str,
     name: str,
-    value: ParameterValue,
+    value: Setting,
     *,
     master_uri: str | None = None,
     limit: float = _LIMIT,
@@ -74,7 +75,7 @@ def set_parameter(
     return _set_ros2(environment, node, name, value, limit, environ)
 
 
-def _set_ros1(uri: str, node: str, name: str, value: ParameterValue, limit: float) -> SetResult:
+def _set_ros1(uri: str, node: str, name: str, value: Setting, limit: float) -> SetResult:
     if not is_local(uri):
         return SetResult(SetStatus.ABSENT, f"the ROS 1 master at {uri} is on another machine")
     try:
@@ -94,7 +95,7 @@ def _set_ros2(
     environment: Environment,
     node: str,
     name: str,
-    value: ParameterValue,
+    value: Setting,
     limit: float,
     environ: Mapping[str, str],
 ) -> SetResult:

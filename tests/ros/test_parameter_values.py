@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 from plastron_tui.ros.parameter_values import (
     Assignment,
     Mistake,
-    ParameterValue,
     params_file,
     parse_assignment,
     parse_value,
@@ -19,6 +18,7 @@ from plastron_tui.ros.parameter_values import (
     values_of,
     yaml_text,
 )
+from plastron_tui.ros.parameters import Setting
 
 # What a line of YAML may hold, and much that it may not.
 TEXTS = st.text(st.characters(exclude_categories=["Cs"]), max_size=30)
@@ -82,7 +82,7 @@ def is_same(one: object, other: object) -> bool:
         ('[a, "1"]', ("a", "1")),
     ],
 )
-def test_a_text_has_the_type_that_ros_gives_it(text: str, value: ParameterValue) -> None:
+def test_a_text_has_the_type_that_ros_gives_it(text: str, value: Setting) -> None:
     found = parse_value(text)
     assert is_same(found, value), found
 
@@ -131,7 +131,7 @@ def test_no_text_is_more_than_a_mistake(text: str) -> None:
 @given(VALUES)
 @example("a:=b")
 @example(("1e5", "y", ":=:="))
-def test_a_value_comes_back_from_its_argument(value: ParameterValue) -> None:
+def test_a_value_comes_back_from_its_argument(value: Setting) -> None:
     text = yaml_text(value)
     # rospy splits its arguments there, and an argument is one line.
     assert text.isascii() and text.isprintable() and ":=" not in text
@@ -142,7 +142,7 @@ def test_a_value_comes_back_from_its_argument(value: ParameterValue) -> None:
 
 
 @given(st.dictionaries(PLAIN, st.dictionaries(DOTTED, VALUES, max_size=4), max_size=3))
-def test_a_file_comes_back(nodes: dict[str, dict[str, ParameterValue]]) -> None:
+def test_a_file_comes_back(nodes: dict[str, dict[str, Setting]]) -> None:
     found, mistakes = read_params(params_file(nodes))
     assert not mistakes
     assert [each.pattern for each in found] == [f"/{name}" for name, of in nodes.items() if of]
@@ -209,5 +209,5 @@ def test_a_mistake_in_a_file_has_its_place(text: str, wrong: str, message: str) 
     ],
     ids=repr_of_start,
 )
-def test_what_a_ros_cannot_have(value: ParameterValue, ros_versions: set[int]) -> None:
+def test_what_a_ros_cannot_have(value: Setting, ros_versions: set[int]) -> None:
     assert {version for version in (1, 2) if unfit(value, version) is None} == ros_versions

@@ -12,7 +12,8 @@ import pytest
 from machine import find_ros
 
 from plastron_tui.ros.names import name_as_written
-from plastron_tui.ros.parameter_values import ParameterValue, parse_value
+from plastron_tui.ros.parameter_values import parse_value
+from plastron_tui.ros.parameters import Setting
 from plastron_tui.ros.run_names import Remap, RunNames, parse_remap
 from plastron_tui.runtime.arguments import ros_arguments
 from plastron_tui.runtime.environment import node_environ
@@ -50,7 +51,7 @@ TEXTS = [
     *("yes", "OFF", "tRUE", "null", "~", '""', '"0.8"', "'yes'", "!!str 5", "two words"),
     *("[1, 2]", "[1.0, -2.5]", "[true, no]", '[a, "1"]', "a:=b", '"a\\tb\\u00e9"', ".Nan"),
 ]
-VALUES: list[ParameterValue] = [
+VALUES: list[Setting] = [
     *("", " ", "0.8", "yes", "a:=b", '"', "'", "\\", "# no", "$(x) `y` ; *", "é😀", "a\nb\tc"),
     *(-3, -0.5, 1e-7, 1e22, True, ("", "a, b"), (1,), (0.5, 1e300), (False,), "--ros-args"),
 ]
@@ -75,7 +76,7 @@ def told(
     return resolved, {name: each for name, each in values.items() if name not in kept}
 
 
-def listed(value: ParameterValue) -> Any:
+def listed(value: Setting) -> Any:
     return list(value) if isinstance(value, tuple) else value
 
 

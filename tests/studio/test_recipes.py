@@ -21,6 +21,10 @@ NEEDED = {
     "Sensor and processing": "sensor",
     "Relay between two topics": "relay",
     "A task that takes a while": "count",
+    "Send a goal pose": "goal_pose",
+    "Emergency stop": "emergency_stop",
+    "Drive with a joystick": "joystick",
+    "Drive at a set speed": "speed",
     "Change a ROS 1 node": "change_node",
     "Change a ROS 2 node": "change_node_ros2",
 }
