@@ -19,6 +19,7 @@ from plastron_tui.model.kinds import (
 )
 from plastron_tui.model.source import SourceEndpoint, SourceUnit
 from plastron_tui.model.values import computed_in
+from plastron_tui.model.workspace import Node
 
 
 def call_sites(source: SourceUnit) -> dict[EndpointKey, list[SourceEndpoint]]:
@@ -153,3 +154,20 @@ def shown_name(key: EndpointKey) -> str:
 def shown_lines(found: list[SourceEndpoint]) -> str:
     """Return the lines of call sites, for a message."""
     return " and ".join(str(each.line) for each in found)
+
+
+def managed_changed(source: SourceUnit, base: Node | None, node: Node) -> str:
+    """Say that a program alone changed whether a node is managed; "" where it did not.
+
+    That changes more of a file than its endpoints.
+    """
+    is_there = any(each.is_managed for each in source.nodes)
+    if base is None or node.is_managed in (base.is_managed, is_there):
+        return ""
+    return f"its node {'is managed now' if node.is_managed else 'is no longer managed'}"
+
+
+def changed_in_program(key: EndpointKey, what: list[str]) -> str:
+    """Say which details of an endpoint the program has changed, and the file has not."""
+    verb = "is" if len(what) == 1 and not what[0].endswith("s") else "are"
+    return f"the {' and '.join(what)} of the {shown_name(key)} {verb} changed in the program only"

@@ -30,11 +30,13 @@ from plastron_tui.targets.base import Target
 from .call_sites import (
     asked,
     call_sites,
+    changed_in_program,
     count_timers,
     differing,
     has_type,
     is_plain,
     is_shared,
+    managed_changed,
     rates,
     sends,
     shown_lines,
@@ -88,17 +90,11 @@ class _Merge:
     lost: tuple[Diagnostic, ...] = ()
     cut: list[SourceEndpoint] = field(default_factory=list)
 
-    def _check_managed(self) -> None:
-        """Refuse what changes more of a file than its endpoints: whether its node is managed."""
-        is_managed, base = self.node.is_managed, self.base
-        is_there = any(node.is_managed for node in self.source.nodes)
-        if base is not None and is_managed not in (base.is_managed, is_there):
-            now = "is managed now" if is_managed else "is no longer managed"
-            raise _RefusedError(f"its node {now}")
-
     def result(self) -> Merged:
         """Decide about every endpoint, and edit the file."""
-        self._check_managed()
+        changed = managed_changed(self.source, self.base, self.node)
+        if changed:
+            raise _RefusedError(changed)
         file = call_sites(self.source)
         base = {} if self.base is None else self.base.endpoints
         wanted = self.node.endpoints
@@ -386,12 +382,7 @@ class _Merge:
                 yield self._note(message, each, "call it from elsewhere, or remove it by hand")
 
     def _tell_unsent(self, key: EndpointKey, what: list[str], found: SourceEndpoint) -> None:
-        is_one = len(what) == 1 and not what[0].endswith("s")
-        verb = "is" if is_one else "are"
-        message = (
-            f"the {' and '.join(what)} of the {shown_name(key)} {verb} changed in the program only"
-        )
-        self.unsent.append(self._note(message, found))
+        self.unsent.append(self._note(changed_in_program(key, what), found))
 
     def _tell(self, message: str, found: SourceEndpoint | None = None) -> None:
         self.notes.append(self._note(message, found))
