@@ -71,10 +71,25 @@ def _lay_out(source: bytes, nodes: list[Node]) -> bytes:
         return line if start else line.removeprefix(_MARK)
     words = [leaf for node in nodes for leaf, _ in leaves(node)]
     parts: list[bytes] = []
-    before = ""
+    is_tight = True
     for word in words:
-        if before and word.type not in _TIGHT_BEFORE and before not in _TIGHT_AFTER:
+        if not is_tight and not _is_tight_before(word):
             parts.append(b" ")
         parts.append(source[word.start_byte : word.end_byte].rstrip())
-        before = word.type
+        is_tight = word.type in _TIGHT_AFTER and not _compares(word)
     return b"".join(parts)
+
+
+def _is_tight_before(word: Node) -> bool:
+    if word.type == "[":
+        # A position in a list; else it is a list of its own.
+        return _parent(word) == "element"
+    return word.type in _TIGHT_BEFORE and not _compares(word)
+
+
+def _compares(word: Node) -> bool:
+    return word.type == "=" and _parent(word) == "condition"
+
+
+def _parent(word: Node) -> str:
+    return "" if word.parent is None else word.parent.type
