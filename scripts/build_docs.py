@@ -129,7 +129,8 @@ code: the node's file is yours.
 A parameter is a `bool`, an `int`, a `float` or a `string`, or a list of them: `int_list`. In ROS 2
 the node declares it, with its range and what it is for, refuses what does not fit, and follows a
 change at once. In ROS 1 it is a private parameter that the node looks up when it needs it; a value
-that does not fit is a warning, and the last good one stays.
+that does not fit is a warning, and the last good one stays. What goes into a field of integers
+has the field's range too.
 
 ```plastron
 create_node 'driver' as driver
@@ -139,7 +140,8 @@ driver publish go to 'cmd_vel' of message_type Twist
 generate_node driver
 ```
 
-`plastron run FILE --set driver.speed=0.8` sets it at the start ([more](commands.md#plastron-run)).
+`plastron run FILE --set driver.speed=0.8` sets it at the start. The defaults are written to
+`config/NAME.yaml` too, which `run` reads and which is yours to change ([more](commands.md#plastron-run)).
 
 ## Quality of service
 

@@ -30,6 +30,10 @@ TABLE = {
         "create_message m of message_type a/msg/B and input 1, 2, -3\n",
     "create_message m of message_type B and input x . y = ( 1 , [ 2 ] ) ,z=( )":
         "create_message m of message_type B and input x.y=(1, [2]), z=()\n",
+    "create_message m of message_type B and input x=received . y [ 1 ] *2,z=[1]":
+        "create_message m of message_type B and input x=received.y[1] * 2, z=[1]\n",
+    "n publish m to 't' of message_type B for_each 'i' when received.x=1":
+        "n publish m to 't' of message_type B for_each 'i' when received.x = 1\n",
     'create_message m of message_type B and input "a  b" , "//c"':
         'create_message m of message_type B and input "a  b", "//c"\n',
     "create_node 'a' as n// c  ": "create_node 'a' as n // c\n",

@@ -80,7 +80,8 @@ def test_a_recipe_generates_without_a_word_where_somebody_saves_it(
     plan, problems = session.plan()
     assert plan.files and not problems
     for file in plan.files:
-        ast.parse(file.text)
+        if file.path.suffix == ".py":
+            ast.parse(file.text)
     assert format_document(session.document) == recipe.text
 
 
