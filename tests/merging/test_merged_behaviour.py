@@ -18,8 +18,8 @@ MADE = (
 DOUBLE = MADE.replace("'speed'", "'speed' * 2")
 REACT = f"{PUBLISH} for_each 'kept'"
 REPEAT = "n repeats look at 2 hz"
-ANSWER = "n provides_service 'add' of service_type AddTwoInts answering sum=request.a + 1"
-QUIET = "n provides_service 'add' of service_type AddTwoInts"
+ANSWER = "n provides_service 'add' of service_type SetBool answering True, \"a\""
+QUIET = "n provides_service 'add' of service_type SetBool"
 TWICE = f"{REPEAT}\nn repeats glance at 3 hz"
 
 CHANGES = {
@@ -54,7 +54,7 @@ CHANGES = {
     "condition": (f"{REACT} when received.x < 1", f"{REACT} when received.x > 2"),
     "value of a parameter": (SPEED, f"{SPEED}\n{MADE}"),
     "calculation": (f"{SPEED}\n{MADE}", f"{SPEED}\n{DOUBLE}"),
-    "answer": (ANSWER, ANSWER.replace("+ 1", "+ 2")),
+    "answer": (ANSWER, ANSWER.replace('"a"', '"b"')),
     "answer added": (QUIET, ANSWER),
     "answer removed": (ANSWER, QUIET),
 }  # fmt: skip
