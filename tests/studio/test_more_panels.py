@@ -11,7 +11,7 @@ from plastron_tui.studio.panels.registry import counts
 
 ROBOT = """\
 create_node 'driver' as driver managed using rclpy
-driver has_parameter 'speed' of parameter_type float with default 0.5 between 0 and 2
+driver has_parameter 'speed' of parameter_type float with default 0.5 between 0.1 and 2
 driver has_parameter 'names' of parameter_type string_list with default ["a", "b"]
 create_message go of message_type Twist and input linear.x=parameter 'speed' * 2
 driver publish go to 'cmd_vel' of message_type Twist at parameter 'speed' hz with qos depth 5
@@ -32,7 +32,7 @@ ENTRIES = {
         "↓ scan sensor_msgs/LaserScan · sensor_data",
         "★ count example_interfaces/Fibonacci",
         "↻ blink 2 Hz",
-        "= speed float · 0.5 · 0 to 2",
+        "= speed float · 0.5 · 0.1 to 2",
         '= names string_list · ["a", "b"]',
         "● asker rclpy",
         "☆ count example_interfaces/Fibonacci",
