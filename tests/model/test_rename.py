@@ -82,7 +82,8 @@ LOAD_CASES: dict[str, tuple[list[str], set[str]]] = {
     "d renames topic 'odd' to 'even'\n": ([], {"scan", "even", "dock", "~/rate"}),
     "d renames action 'dock' to 'park'\n": ([], {"scan", "odd", "park", "~/rate"}),
     "d renames parameter '~rate' to '~speed'\n": ([], {"scan", "odd", "dock", "~/speed"}),
-    "d renames parameter 'rate' to '~speed'\n": (
+    "d renames parameter 'rate' to 'speed'\n": ([], {"scan", "odd", "dock", "~/speed"}),
+    "d renames parameter 'rat' to 'speed'\n": (
         ["nothing-to-rename"], {"scan", "odd", "dock", "~/rate"}
     ),
     "d renames action 'dock' to 'x'\nd renames action 'x' to 'y'\n": (
