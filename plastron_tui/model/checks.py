@@ -234,9 +234,7 @@ class Checks:
             if self._consequences.explains(node, name):
                 raise Mistake
             where = statement.span_of(slot)
-            names = [*node.by_kind[kind]]
-            if kind is EndpointKind.PARAMETER:
-                name, *names = (each.removeprefix("~/") for each in (name, *names))
+            name, *names = map(kind.written, (name, *node.by_kind[kind]))
             is_quoted = kind.facts.named is not None
             remedy, fix = guess(name, names, where, is_quoted=is_quoted)
             message = f"`{node.variable}` does not {editing.infinitive} `{name}`"

@@ -100,10 +100,8 @@ def kinds_having(
     if run.consequences.explains(node, old):
         raise Mistake
     where = statement.span_of("old")
-    written, names = statement.old, [name for kind in kinds for name in node.names(kind)]
-    if EndpointKind.PARAMETER in kinds:
-        written, *names = (each.removeprefix("~/") for each in (spelled(written), *names))
-    remedy, fix = guess(written, names, where, is_quoted=True)
+    names = dict.fromkeys(kind.written(name) for kind in kinds for name in node.names(kind))
+    remedy, fix = guess(kinds[0].written(spelled(statement.old)), names, where, is_quoted=True)
     message = f"`{node.variable}` has no {statement.what} `{statement.old}`"
     raise Mistake(Diagnostic(codes.NOTHING_TO_RENAME, message, where, help=remedy, fix=fix))
 

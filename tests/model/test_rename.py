@@ -101,6 +101,23 @@ def test_of_a_loaded_node(text: str) -> None:
     assert {name for kind in EndpointKind for name in node.names(kind)} == names
 
 
+def test_suggestions_are_as_programs_write_names() -> None:
+    for line, expected in (
+        ("d renames parameter '~/rat' to 'x'", "did you mean `rate`?"),
+        ("d renames topic '~/sca' to 'x'", "did you mean `~/scan`?"),
+        ("d no_longer_has_parameter 'rat'", "did you mean `rate`?"),
+        ("unsubscribe d from '~/sca'", "did you mean `~/scan`?"),
+    ):
+        there = source(
+            endpoint(EndpointKind.SUBSCRIPTION, "~/scan", "sensor_msgs/LaserScan"),
+            endpoint(EndpointKind.PARAMETER, "~/rate"),
+        )
+        (found,) = run(
+            f"load driver as d\n{line}\n", reader=FakeReader({"driver": there})
+        ).diagnostics
+        assert found.help == expected
+
+
 def test_a_private_name_has_one_spelling() -> None:
     text = (
         "create_node 'n' as n using rospy\nsubscribe n to '~a' of message_type String\n"
