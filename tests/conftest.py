@@ -32,7 +32,7 @@ def the_ros_that_is_here(request: pytest.FixtureRequest, monkeypatch: pytest.Mon
 # examples each time, so that what it says is about the change; new ones are tried at home.
 # Without `long` tests each property is tried on fewer examples; with them only, on all.
 def pytest_configure(config: pytest.Config) -> None:
-    if config.option.markexpr == "not long":
+    if "not long" in config.option.markexpr:
         be_quick()
     settings.register_profile(
         "plastron", deadline=None, derandomize=IN_CI, max_examples=examples(100)

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from .document import Document
-from .tokens import leaves
+from .tokens import Leaf, leaves
 
 _MARK = b"\xef\xbb\xbf"
 """The byte order mark that some editors put before a text; it stays."""
@@ -69,11 +69,10 @@ def _lay_out(source: bytes, nodes: list[Node]) -> bytes:
         end = source.find(b"\n", max(node.end_byte for node in nodes) - 1)
         line = source[start : end if end >= 0 else len(source)].rstrip(b"\r\n")
         return line if start else line.removeprefix(_MARK)
-    words = [leaf for node in nodes for leaf, _ in leaves(node)]
     parts: list[bytes] = []
     before = ""
-    for word in words:
-        kind = _kind(word)
+    for leaf in (leaf for node in nodes for leaf in leaves(node)):
+        word, kind = leaf.node, _kind(leaf)
         if parts and kind not in _TIGHT_BEFORE and before not in _TIGHT_AFTER:
             parts.append(b" ")
         parts.append(source[word.start_byte : word.end_byte].rstrip())
@@ -81,12 +80,11 @@ def _lay_out(source: bytes, nodes: list[Node]) -> bytes:
     return b"".join(parts)
 
 
-def _kind(word: Node) -> str:
+def _kind(leaf: Leaf) -> str:
     """Return what a word is for the space around it."""
-    if word.type in ("=", "[") and word.parent is not None:
-        match word.parent.type:
-            case "condition":
-                return "operator"
-            case "element":
-                return "index"
-    return word.type
+    match leaf.node.type, leaf.within:
+        case "=", "condition":
+            return "operator"
+        case "[", "element":
+            return "index"
+    return leaf.node.type

@@ -76,23 +76,36 @@ def is_glued(tokens: Sequence[Token], index: int) -> bool:
     return 0 < index < len(tokens) and tokens[index].start == tokens[index - 1].end
 
 
-def leaves(node: Node) -> Iterator[tuple[Node, bool]]:
-    """Yield the nodes that a reader sees as words, and whether an ERROR is around each."""
+class Leaf(NamedTuple):
+    """A node that a reader sees as a word, with the kind of the node that it is a child of.
+
+    A node itself looks for its parent from the root of the tree, which may be far.
+    """
+
+    node: Node
+    within: str
+    in_error: bool
+
+
+def leaves(node: Node) -> Iterator[Leaf]:
+    """Yield the nodes that a reader sees as words."""
     # A cursor, because the children of one node may be millions.
     cursor = node.walk()
-    errors = [node.is_error]
+    errors, kinds = [node.is_error], [""]
     while True:
         part = cursor.node
         assert part is not None
         if part.type not in _WHOLE_KINDS and cursor.goto_first_child():
             errors.append(errors[-1] or _is_error(cursor.node))
+            kinds.append(part.type)
             continue
         if not part.is_missing and part.end_byte > part.start_byte:
-            yield part, errors[-1]
+            yield Leaf(part, kinds[-1], errors[-1])
         while not cursor.goto_next_sibling():
             if not cursor.goto_parent():
                 return
             errors.pop()
+            kinds.pop()
         errors[-1] = errors[-2] or _is_error(cursor.node)
 
 
@@ -110,7 +123,7 @@ def tokens_of(source: bytes, nodes: Sequence[Node]) -> Iterator[Token]:
         at = node.start_byte
         row = node.start_point.row
         left = MOST_WORDS if node.end_point.row == row else -1
-        for leaf, in_error in leaves(node):
+        for leaf, _, in_error in leaves(node):
             yield from _unknown(source, at, leaf.start_byte, row, joined)
             at, row = leaf.end_byte, leaf.end_point.row
             first = leaf.start_point.row

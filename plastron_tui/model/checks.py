@@ -205,15 +205,9 @@ class Checks:
     def unused(self, statement: Statement, node: Node, kind: EndpointKind) -> None:
         """Check that nothing else of a node needs an endpoint that a statement takes away."""
         name = self.endpoint_name(statement, node, kind)
-        if name in node.by_kind[kind]:
-            self.unneeded(statement, kind.editing.name_slot, node, kind, name)
-
-    def unneeded(
-        self, statement: Statement, slot: str, node: Node, kind: EndpointKind, name: str
-    ) -> None:
-        """Check that nothing else of a node needs what it has of a kind and name."""
-        users = users_of(node, kind, name)
+        users = users_of(node, kind, name) if name in node.by_kind[kind] else ()
         if users:
+            slot = kind.editing.name_slot
             raise Mistake(
                 Diagnostic(
                     codes.STILL_NEEDED,
@@ -240,9 +234,7 @@ class Checks:
             if self._consequences.explains(node, name):
                 raise Mistake
             where = statement.span_of(slot)
-            names = [*node.by_kind[kind]]
-            if kind is EndpointKind.PARAMETER:
-                name, *names = (each.removeprefix("~/") for each in (name, *names))
+            name, *names = map(kind.written, (name, *node.by_kind[kind]))
             is_quoted = kind.facts.named is not None
             remedy, fix = guess(name, names, where, is_quoted=is_quoted)
             message = f"`{node.variable}` does not {editing.infinitive} `{name}`"

@@ -42,13 +42,12 @@ def _old_name(
 ) -> str:
     """Return the name that something of a node has.
 
-    A parameter of rclpy has no sign for what is private: `~rate` is its whole name. One of a
-    created node of ROS 1 is private without a sign.
+    A parameter of rclpy has no sign for what is private: `~rate` is its whole name. One of ROS 1
+    needs none, as in the statements that give it to a node, where nothing else has the name.
     """
     old = statement.old
     names = {name for kind in kinds for name in node.names(kind)}
-    is_own = EndpointKind.PARAMETER in kinds and node.source is None
-    own = parameter_name(old, ros_version) if is_own else old
+    own = parameter_name(old, ros_version) if EndpointKind.PARAMETER in kinds else old
     return next((each for each in (old, spelled(old), own) if each in names), spelled(old))
 
 
@@ -101,8 +100,8 @@ def kinds_having(
     if run.consequences.explains(node, old):
         raise Mistake
     where = statement.span_of("old")
-    names = dict.fromkeys(name for kind in kinds for name in node.names(kind))
-    remedy, fix = guess(statement.old, names, where, is_quoted=True)
+    names = dict.fromkeys(kind.written(name) for kind in kinds for name in node.names(kind))
+    remedy, fix = guess(kinds[0].written(spelled(statement.old)), names, where, is_quoted=True)
     message = f"`{node.variable}` has no {statement.what} `{statement.old}`"
     raise Mistake(Diagnostic(codes.NOTHING_TO_RENAME, message, where, help=remedy, fix=fix))
 

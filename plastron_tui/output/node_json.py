@@ -122,7 +122,9 @@ def _remembered(endpoint: Endpoint) -> dict[str, Any]:
     given: dict[str, Any] = {"type": None if endpoint.type is None else str(endpoint.type)}
     for field, detail in _DETAILS.items():
         value = getattr(endpoint, field, None)
-        if value is not None:
+        # The quality of service that a file alone says is the file's own affair.
+        is_read = field == "qos" and endpoint.span is None
+        if value is not None and not is_read:
             given[detail.key] = detail.write(value)
     return given
 

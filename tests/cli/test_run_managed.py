@@ -57,6 +57,7 @@ def test_a_managed_node_is_brought_up_and_that_is_said(ros: Ros) -> None:
     assert ros.processes() == []
 
 
+@pytest.mark.long
 @pytest.mark.live
 def test_why_a_managed_node_is_not_active_is_said(ros: Ros) -> None:
     ros.write("broken.py", BROKEN)

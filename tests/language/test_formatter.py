@@ -68,7 +68,8 @@ def test_layout(text: str, expected: str) -> None:
 def words(text: str) -> list[str]:
     """Return the words and comments of a text: what a format must not change."""
     root = Document(text.encode()).tree.root_node
-    found = [leaf.text.decode().rstrip() for leaf, _ in leaves(root) if leaf.text is not None]
+    texts = [leaf.node.text for leaf in leaves(root)]
+    found = [text.decode().rstrip() for text in texts if text is not None]
     return [word for word in found if word]
 
 

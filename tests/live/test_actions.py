@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 from graph import Graph, is_rate, rate_of
-from machine import wait_until
+from machine import mostly_long, wait_until
 from processes import Process, generate, own_tracebacks
 from test_node_interrupts import START, assert_ended, started
 
@@ -117,6 +117,7 @@ def times(events: Sequence[dict[str, Any]]) -> list[float]:
     return [each["time"] for each in events]
 
 
+@pytest.mark.long
 def test_a_goal_of_five_seconds(service_graph: Graph, tmp_path: Path) -> None:
     server = node(service_graph, "calculator", tmp_path)
     sender = send(service_graph)
@@ -130,6 +131,7 @@ def test_a_goal_of_five_seconds(service_graph: Graph, tmp_path: Path) -> None:
     end(server)
 
 
+@pytest.mark.long
 def test_a_goal_is_canceled(service_graph: Graph, tmp_path: Path) -> None:
     server = node(service_graph, "calculator", tmp_path)
     sender = send(service_graph, cancel_at=3)
@@ -140,6 +142,7 @@ def test_a_goal_is_canceled(service_graph: Graph, tmp_path: Path) -> None:
     end(server)
 
 
+@pytest.mark.long
 def test_a_new_goal_ends_the_old_one(service_graph: Graph, tmp_path: Path) -> None:
     server = node(service_graph, "calculator", tmp_path)
     sender = send(service_graph, second_at=3)
@@ -149,6 +152,7 @@ def test_a_new_goal_ends_the_old_one(service_graph: Graph, tmp_path: Path) -> No
     end(server)
 
 
+@pytest.mark.long
 def test_an_error_aborts_the_goal_alone(service_graph: Graph, tmp_path: Path) -> None:
     server = changed(service_graph, "calculator", tmp_path, STEP, "[].remove('a step')")
     sender = send(service_graph)
@@ -167,6 +171,7 @@ def test_ctrl_c_while_a_goal_is_worked_on(service_graph: Graph, tmp_path: Path) 
         assert outcomes(sender) == {0: "aborted"}, server.output
 
 
+@pytest.mark.long
 def test_an_error_at_the_start_ends_an_action_server(ros1: Graph, tmp_path: Path) -> None:
     """The thread of actionlib's would keep the process alive."""
     timer = "        rospy.Timer("
@@ -180,7 +185,7 @@ OUTCOMES = {"succeed": (0, "succeeded"), "abort": (1, "aborted"), "reject": (1, 
             "die": (1, "the server is gone")}  # fmt: skip
 
 
-@pytest.mark.parametrize("how", OUTCOMES)
+@pytest.mark.parametrize("how", mostly_long(OUTCOMES, ["succeed"]))
 def test_a_client_says_how_its_goal_went(service_graph: Graph, tmp_path: Path, how: str) -> None:
     status, text = OUTCOMES[how]
     server = serve(service_graph, how)
@@ -195,6 +200,7 @@ def test_a_client_says_how_its_goal_went(service_graph: Graph, tmp_path: Path, h
     server.interrupt()
 
 
+@pytest.mark.long
 def test_a_client_waits_for_its_server_and_says_so(service_graph: Graph, tmp_path: Path) -> None:
     client = node(service_graph, "driver", tmp_path, WARNING_PERIOD="1.0")
     heard = service_graph.listen({"/chatter": "std_msgs/String"}, 2)["/chatter"]
@@ -208,6 +214,7 @@ def test_a_client_waits_for_its_server_and_says_so(service_graph: Graph, tmp_pat
     server.interrupt()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["asker", "driver"])
 def test_ctrl_c_while_nobody_serves(service_graph: Graph, tmp_path: Path, name: str) -> None:
     client = node(service_graph, name, tmp_path, WARNING_PERIOD="0.5")
@@ -215,6 +222,7 @@ def test_ctrl_c_while_nobody_serves(service_graph: Graph, tmp_path: Path, name: 
     end(client)
 
 
+@pytest.mark.long
 def test_ctrl_c_leaves_the_goal_to_the_server(service_graph: Graph, tmp_path: Path) -> None:
     server = serve(service_graph, "succeed")
     client = node(service_graph, "asker", tmp_path)
@@ -226,6 +234,7 @@ def test_ctrl_c_leaves_the_goal_to_the_server(service_graph: Graph, tmp_path: Pa
     server.interrupt()
 
 
+@pytest.mark.long
 def test_a_service_is_called_again(graph: Graph, tmp_path: Path) -> None:
     captain = node(graph, "captain", tmp_path, WARNING_PERIOD="1.0")
     captain.wait_to_print("ready: nobody serves it yet")
@@ -247,6 +256,7 @@ def test_a_service_is_called_again(graph: Graph, tmp_path: Path) -> None:
     back.interrupt()
 
 
+@pytest.mark.long
 def test_requests_do_not_overlap(graph: Graph, tmp_path: Path) -> None:
     server = peer(graph, "answer", 0.7)
     captain = node(graph, "captain", tmp_path)
@@ -258,6 +268,7 @@ def test_requests_do_not_overlap(graph: Graph, tmp_path: Path) -> None:
     server.interrupt()
 
 
+@pytest.mark.long
 def test_a_service_that_does_not_answer_is_asked_again(graph: Graph, tmp_path: Path) -> None:
     server = peer(graph, "answer", 3.0)
     captain = node(graph, "captain", tmp_path, SERVICE_TIMEOUT="0.5")
@@ -266,6 +277,7 @@ def test_a_service_that_does_not_answer_is_asked_again(graph: Graph, tmp_path: P
     server.interrupt()
 
 
+@pytest.mark.long
 def test_a_node_that_ends_says_how_its_calls_went(graph: Graph, tmp_path: Path) -> None:
     alone = node(graph, "pilot", tmp_path, SERVICE_TIMEOUT="1.0")
     assert alone.wait(60) == 1, alone.output
@@ -278,6 +290,7 @@ def test_a_node_that_ends_says_how_its_calls_went(graph: Graph, tmp_path: Path) 
     server.interrupt()
 
 
+@pytest.mark.long
 def test_requests_follow_the_rate_of_a_parameter(graph: Graph, tmp_path: Path) -> None:
     server = peer(graph, "answer", 0.0)
     follower = node(graph, "follower", tmp_path)
@@ -291,6 +304,7 @@ def test_requests_follow_the_rate_of_a_parameter(graph: Graph, tmp_path: Path) -
     server.interrupt()
 
 
+@pytest.mark.long
 def test_a_goal_has_the_parameters_of_when_it_is_sent(service_graph: Graph, tmp_path: Path) -> None:
     chooser = node(service_graph, "chooser", tmp_path, WARNING_PERIOD="0.5")
     chooser.wait_to_print("nobody serves it yet")

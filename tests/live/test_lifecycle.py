@@ -61,6 +61,7 @@ def test_every_transition_twice_leaves_nothing_behind(ros2: Graph, keeper: Path)
     assert not own_tracebacks(node.output)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("steps", ENDS.values(), ids=ENDS)
 def test_a_node_is_shut_down_in_any_state(
     ros2: Graph, keeper: Path, steps: list[tuple[str, str, dict[str, int]]]
@@ -71,6 +72,7 @@ def test_a_node_is_shut_down_in_any_state(
     assert not own_tracebacks(node.output)
 
 
+@pytest.mark.long
 def test_a_transition_that_fails_leaves_nothing_behind(
     ros2: Graph, keeper: Path, tmp_path: Path
 ) -> None:
@@ -88,6 +90,7 @@ def test_a_transition_that_fails_leaves_nothing_behind(
     assert not own_tracebacks(node.output)
 
 
+@pytest.mark.long
 def test_it_publishes_only_while_it_is_active_and_at_its_rate(ros2: Graph, keeper: Path) -> None:
     node = ros2.run_and_wait(keeper)
     pass_all(ros2, TWICE[:2])
@@ -105,6 +108,7 @@ def test_it_publishes_only_while_it_is_active_and_at_its_rate(ros2: Graph, keepe
     assert not own_tracebacks(node.output)
 
 
+@pytest.mark.long
 def test_it_answers_and_sends_once_while_it_is_active(ros2: Graph, keeper: Path) -> None:
     node = ros2.run_and_wait(keeper)
     pass_all(ros2, TWICE[:2])
@@ -116,6 +120,7 @@ def test_it_answers_and_sends_once_while_it_is_active(ros2: Graph, keeper: Path)
     assert not own_tracebacks(node.output)
 
 
+@pytest.mark.long
 def test_managed_nodes_are_brought_up(ros2: Graph, keeper: Path) -> None:
     """Those that start late too; one that never comes is told."""
     script = Path(observers.__file__).with_name("lifecycle.py")

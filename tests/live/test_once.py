@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from graph import Graph
+from machine import mostly_long
 from processes import generate_one, own_tracebacks
 
 pytestmark = pytest.mark.live
@@ -13,18 +14,19 @@ pytestmark = pytest.mark.live
 GOAL = {"/goal_pose": "geometry_msgs/PoseStamped"}
 
 
-@pytest.mark.parametrize("qos", [[], ["best_effort"], ["transient_local"]], ids=str)
+@pytest.mark.parametrize("qos", mostly_long(["", "best_effort", "transient_local"], [""]))
 def test_the_first_that_listens_gets_it_once_whatever_it_asks_for(
-    graph: Graph, tmp_path: Path, qos: list[str]
+    graph: Graph, tmp_path: Path, qos: str
 ) -> None:
     node = graph.run_and_wait(generate_one("navigator", tmp_path, graph.target))
-    [goal] = graph.listen(GOAL, 2, qos)["/goal_pose"]
+    [goal] = graph.listen(GOAL, 2, [qos])["/goal_pose"]
     assert goal.message["header"]["frame_id"] == "map"
     assert goal.message["header"]["stamp"]["sec"] > 1e9
     assert node.interrupt() == 0
     assert not own_tracebacks(node.output)
 
 
+@pytest.mark.long
 def test_who_comes_later_gets_what_was_sent_then(graph: Graph, tmp_path: Path) -> None:
     node = graph.run_and_wait(generate_one("navigator", tmp_path, graph.target))
     [first] = graph.listen(GOAL, 1)["/goal_pose"]
@@ -35,6 +37,7 @@ def test_who_comes_later_gets_what_was_sent_then(graph: Graph, tmp_path: Path) -
     assert not own_tracebacks(node.output)
 
 
+@pytest.mark.long
 def test_a_warning_says_that_nobody_listens(graph: Graph, tmp_path: Path) -> None:
     node = graph.run_and_wait(generate_one("navigator", tmp_path, graph.target))
     node.wait_to_print("goal_pose: nobody listens yet", count=2)

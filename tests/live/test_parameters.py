@@ -53,6 +53,7 @@ def values(received: dict[str, list[Received]]) -> dict[str, Any]:
     }
 
 
+@pytest.mark.long
 def test_a_parameter_is_used_by_the_next_message(graph: Graph, tmp_path: Path) -> None:
     node = graph.run_and_wait(generate_one("cruiser", tmp_path, graph.target))
     default = values(graph.listen(TYPES, 0.1))
@@ -92,6 +93,7 @@ def test_what_no_field_can_hold_is_not_sent(graph: Graph, tmp_path: Path) -> Non
     assert not own_tracebacks(node.output)
 
 
+@pytest.mark.long
 def test_a_timer_follows_the_parameter_that_is_its_rate(graph: Graph, tmp_path: Path) -> None:
     node = graph.run_and_wait(generate_one("cruiser", tmp_path, graph.target))
     topics = {"/cmd_vel": TYPES["/cmd_vel"]}
@@ -104,6 +106,7 @@ def test_a_timer_follows_the_parameter_that_is_its_rate(graph: Graph, tmp_path: 
     assert not own_tracebacks(node.output)
 
 
+@pytest.mark.long
 def test_a_function_is_repeated(graph: Graph, tmp_path: Path) -> None:
     node = graph.run_and_wait(generate_one("cruiser", tmp_path, graph.target))
     node.wait_to_print("look_around", count=2)

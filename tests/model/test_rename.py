@@ -82,7 +82,8 @@ LOAD_CASES: dict[str, tuple[list[str], set[str]]] = {
     "d renames topic 'odd' to 'even'\n": ([], {"scan", "even", "dock", "~/rate"}),
     "d renames action 'dock' to 'park'\n": ([], {"scan", "odd", "park", "~/rate"}),
     "d renames parameter '~rate' to '~speed'\n": ([], {"scan", "odd", "dock", "~/speed"}),
-    "d renames parameter 'rate' to '~speed'\n": (
+    "d renames parameter 'rate' to 'speed'\n": ([], {"scan", "odd", "dock", "~/speed"}),
+    "d renames parameter 'rat' to 'speed'\n": (
         ["nothing-to-rename"], {"scan", "odd", "dock", "~/rate"}
     ),
     "d renames action 'dock' to 'x'\nd renames action 'x' to 'y'\n": (
@@ -98,6 +99,23 @@ def test_of_a_loaded_node(text: str) -> None:
     assert [each.code for each in found.diagnostics] == expected
     node = found.workspace.nodes["d"]
     assert {name for kind in EndpointKind for name in node.names(kind)} == names
+
+
+def test_suggestions_are_as_programs_write_names() -> None:
+    for line, expected in (
+        ("d renames parameter '~/rat' to 'x'", "did you mean `rate`?"),
+        ("d renames topic '~/sca' to 'x'", "did you mean `~/scan`?"),
+        ("d no_longer_has_parameter 'rat'", "did you mean `rate`?"),
+        ("unsubscribe d from '~/sca'", "did you mean `~/scan`?"),
+    ):
+        there = source(
+            endpoint(EndpointKind.SUBSCRIPTION, "~/scan", "sensor_msgs/LaserScan"),
+            endpoint(EndpointKind.PARAMETER, "~/rate"),
+        )
+        (found,) = run(
+            f"load driver as d\n{line}\n", reader=FakeReader({"driver": there})
+        ).diagnostics
+        assert found.help == expected
 
 
 def test_a_private_name_has_one_spelling() -> None:

@@ -272,6 +272,10 @@ class EndpointKind(str, Enum):
         assert self.facts.editing is not None
         return self.facts.editing
 
+    def written(self, name: str) -> str:
+        """Return how programs write the name of one: a private parameter's without the sign."""
+        return name.removeprefix("~/") if self is EndpointKind.PARAMETER else name
+
 
 EndpointKey = tuple[EndpointKind, str]
 """What an endpoint is known by: its kind, and its graph name as it is written."""

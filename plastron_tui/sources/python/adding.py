@@ -303,7 +303,6 @@ def _stub(added: Addition, name: str, interface: Interface) -> list[str]:
         answer = added.endpoint.answer if isinstance(added.endpoint, Service) else None
         returned = names[1] if added.is_rclpy else response
         if answer is not None:
-            messages.answer_to(names[0], interface.fields)
-            returned = messages.filled_response(interface, answer)
+            returned = messages.answer(interface, answer, names[0])
         lines.append(f"\treturn {returned}")
     return lines

@@ -52,7 +52,7 @@ class Addition:
     place: Place
     writer: Writer
     imports: FileImports
-    messages: Messages
+    catalog: Catalog
     dialect: Dialect
     variable: str = ""
     handed: HandedOn = field(default_factory=HandedOn)
@@ -70,14 +70,19 @@ class Addition:
         """Begin to write an endpoint of a kind, or a part of it, at a place of a file."""
         conventions = conventions_of(analysis)
         imports = FileImports(analysis, conventions)
-        messages = Messages(catalog, dialect, imports, conventions, endpoint.span)
         writer = Writer(analysis, conventions)
         added = cls(
-            analysis, kind, endpoint, endpoint.name, place, writer, imports, messages, dialect
+            analysis, kind, endpoint, endpoint.name, place, writer, imports, catalog, dialect
         )
-        messages.read_by(added._read_parameter)
         added.stand(is_nested=True)
         return added
+
+    @property
+    def messages(self) -> Messages:
+        """What writes types and values; made anew, for the two would keep each other alive."""
+        imports, conventions = self.imports, self.writer.conventions
+        span, read = self.endpoint.span, self._read_parameter
+        return Messages(self.catalog, self.dialect, imports, conventions, span, read)
 
     def _read_parameter(self, name: str) -> tuple[str, bool]:
         """Write what reads a parameter of the node, and tell whether it may be an integer.

@@ -245,6 +245,24 @@ def is_calling_function(analysis: Analysis, function: Scope) -> bool:
     return True
 
 
+_ASKING = frozenset({"call", "wait_until_served"})
+
+
+def is_asking_function(analysis: Analysis, function: Scope) -> bool:
+    """Whether a method does what Plastron's templates write to call one service, and no more."""
+    if not function.name.startswith("call_") or has_comments(function):
+        return False
+    names = set()
+    for statement in body_of(function):
+        call = next(iter(statement.named_children), None)
+        if call is not None and call.type == "await":
+            call = next(iter(call.named_children), None)
+        if statement.type != "expression_statement" or call is None or call.type != "call":
+            return False
+        names.add(analysis.syntax.called_name(call))
+    return "call" in names and names <= _ASKING
+
+
 def is_named_as_own(function: Scope) -> bool:
     """Whether a function is called as those that Plastron writes to send something."""
     return _SENDING.match(function.name) is not None
@@ -272,6 +290,8 @@ def is_own_call(analysis: Analysis, reference: Reference) -> bool:
         None,
     )
     parent = call.parent
+    if parent is not None and parent.type == "await":
+        parent = parent.parent
     return (
         helper is not None
         and list(helper.bindings)[1:3] == ["client", "request"]

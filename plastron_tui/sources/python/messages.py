@@ -40,22 +40,15 @@ class Messages:
         imports: FileImports,
         conventions: Conventions,
         span: Span | None,
+        read: ReadParameter,
     ) -> None:
         self._catalog = catalog
         self._dialect = dialect
         self._imports = imports
         self._conventions = conventions
         self._span = span
-        self._read: ReadParameter | None = None
-        self._received: tuple[str, Sequence[Field]] = ("received", ())
-
-    def read_by(self, read: ReadParameter) -> None:
-        """Say how the value of a parameter is written where messages are."""
         self._read = read
-
-    def answer_to(self, name: str, fields: Sequence[Field]) -> None:
-        """Say what holds the message that those to come answer, and what it has."""
-        self._received = name, fields
+        self._received: tuple[str, Sequence[Field]] = ("received", ())
 
     def interface(self, type_: InterfaceName | None, kind: InterfaceKind, name: str) -> Interface:
         """Return an interface of the distribution, under its new name where it has one."""
@@ -94,8 +87,9 @@ class Messages:
         """Return the class of a service's requests."""
         return self._dialect.request(interface.name, self._imports)
 
-    def filled_response(self, interface: Interface, value: MessageValue) -> str:
-        """Write a response of a service that has values."""
+    def answer(self, interface: Interface, value: MessageValue, request: str) -> str:
+        """Write a response of a service that has values, of the request that a name holds."""
+        self._received = request, interface.fields
         class_ = self._dialect.response(interface.name, self._imports).removesuffix("()")
         return f"{class_}({self._written(interface.response.fields, interface, value)})"
 
@@ -143,7 +137,6 @@ class Messages:
         """Write a value that is known when it is sent."""
         source = value.source
         if isinstance(source, OfParameter):
-            assert self._read is not None, "whoever writes messages says how parameters are read"
             written, is_whole = self._read(source.name)
         else:
             holder, fields = self._received

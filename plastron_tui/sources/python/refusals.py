@@ -61,7 +61,7 @@ def in_use(change: Remove, removal: Removal) -> RefusedError:
     """Say where an endpoint is used that is to go."""
     lines = listed(map(str, sorted(removal.lines)))
     plural, these = ("s", "these lines") if len(removal.lines) > 1 else ("", "this line")
-    name = change.name.removeprefix("~/")
+    name = change.kind.written(change.name)
     message = f"the {change.kind.word} `{name}` is used in line{plural} {lines}"
     help_ = f"change {these} in the file first"
     return RefusedError(Diagnostic(codes.ENDPOINT_IN_USE, message, change.span, help=help_))

@@ -16,7 +16,13 @@ from .calls import Argument
 from .constants import Known
 from .creation import Removal, line_of
 from .emptied_blocks import emptied_blocks
-from .generated import is_calling_function, is_own_call, is_publishing_function, serves
+from .generated import (
+    is_asking_function,
+    is_calling_function,
+    is_own_call,
+    is_publishing_function,
+    serves,
+)
 from .rates import is_once
 from .references import (
     Reference,
@@ -187,9 +193,15 @@ def _remove_calling(analysis: Analysis, uses: list[Reference], removal: Removal)
     functions: dict[int, Scope] = {}
     for reference in uses:
         function = analysis.scopes.at(reference.node.start_byte).enclosing("function")
-        if function is not None and is_calling_function(analysis, function):
+        if function is None:
+            continue
+        if is_calling_function(analysis, function) or is_asking_function(analysis, function):
             functions[function.node.id] = function
     for function in list(functions.values()):
+        if is_asking_function(analysis, function):
+            if not _remove_asking(analysis, function, removal):
+                del functions[function.node.id]
+            continue
         timers = timers_of(analysis, function)
         statement = statement_of(timers[0].call) if len(timers) == 1 else None
         mentions = function_uses(analysis, function)
@@ -205,6 +217,16 @@ def _remove_calling(analysis: Analysis, uses: list[Reference], removal: Removal)
         for reference in uses
         if not any(node.start_byte <= reference.node.start_byte < node.end_byte for node in gone)
     ]
+
+
+def _remove_asking(analysis: Analysis, function: Scope, removal: Removal) -> bool:
+    """Remove a method that calls a service, and what starts it; tell whether that is all of it."""
+    mentions = function_uses(analysis, function)
+    statement = statement_of(mentions[0]) if len(mentions) == 1 else None
+    if statement is None or statement.type != "expression_statement":
+        return False
+    removal.statements += [statement, definition(function)]
+    return True
 
 
 def destroying(analysis: Analysis, timer: Site) -> list[Node] | None:

@@ -100,7 +100,7 @@ class Vocabulary:
         if node is None:
             return ()
         ended = (kind for kind in EDITABLE if kind.editing.ending.keyword == keyword)
-        return next((node.by_kind[kind] for kind in ended), ())
+        return next((map(kind.written, node.by_kind[kind]) for kind in ended), ())
 
     def parameters(self, variable: str | None) -> dict[str, Parameter]:
         """Return the parameters of a node, of all nodes for None, by the names programs write."""
@@ -139,7 +139,8 @@ class Vocabulary:
         node = self._workspace.nodes.get(variable)
         if node is None:
             return []
-        names = (name for kind in RENAMED.get(word, ()) for name in node.names(kind))
+        kinds = RENAMED.get(word, ())
+        names = (kind.written(name) for kind in kinds for name in node.names(kind))
         return list(dict.fromkeys(names))
 
     def renamable(self, variable: str) -> list[str]:

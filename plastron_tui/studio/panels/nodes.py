@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from plastron_tui.model.kinds import EndpointKind
-
 from .endpoint_text import endpoint_text
 from .entry import SIGNS, Entries, Entry, Subject
 from .panel import Panel
@@ -63,7 +61,7 @@ def _endpoints(variable: str, node: Node) -> Iterator[Entry]:
         word, (sign, tone) = kind.word, SIGNS[kind]
         for written, endpoint in endpoints.items():
             is_guess = (kind, written) in guesses
-            name = written.removeprefix("~/") if kind is EndpointKind.PARAMETER else written
+            name = kind.written(written)
             # In order and not by name: there may be thousands, and all are made at every key.
             yield Entry(
                 f"{word} {variable} {name}",

@@ -146,7 +146,7 @@ class Scene:
         if node is None:
             return []
         kinds = (kind for kind in EDITABLE if kind.editing.ended_by is statement)
-        return [name.removeprefix("~/") for kind in kinds for name in node.names(kind)]
+        return [kind.written(name) for kind in kinds for name in node.names(kind)]
 
     def parameters(self, variable: str) -> dict[str, Parameter]:
         """Return the parameters of a node, by the names that programs write."""

@@ -20,7 +20,7 @@ def _names(ask: Ask, kinds: tuple[EndpointKind, ...]) -> list[str]:
     node = ask.scene.workspace.nodes.get(ask.node)
     if node is None:
         return []
-    names = (name.removeprefix("~/") for kind in kinds for name in node.names(kind))
+    names = (kind.written(name) for kind in kinds for name in node.names(kind))
     return list(dict.fromkeys(names))
 
 
