@@ -5,7 +5,10 @@ from textual.app import App, ComposeResult
 
 from plastron_tui.studio.panels.bars import Bar, help_pieces
 
-HELP = "create_message MESSAGE of message_type TYPE and input ‹VALUES›   the values of it"
+LAST = "create_message MESSAGE of message_type TYPE and input ‹VALUES›   the values of it"
+FIRST = (
+    "‹VARIABLE› publish MESSAGE to 'TOPIC_NAME' [at RATE hz] [with qos QOS]   the node that sends"
+)
 
 
 class Host(App[None]):
@@ -16,16 +19,28 @@ class Host(App[None]):
 
 
 @pytest.mark.parametrize(
-    ("width", "shown"),
+    ("help_", "width", "shown"),
     [
-        (90, "create_message MESSAGE of message_type TYPE and input VALUES   the values of it"),
-        (80, "create_message … of message_type TYPE and input VALUES   the values of it"),
-        (60, "create_message … and input VALUES   the values of it"),
-        (40, "create_message … VALUES   the val…"),
+        (
+            LAST,
+            90,
+            "create_message MESSAGE of message_type TYPE and input VALUES   the values of it",
+        ),
+        (LAST, 80, "create_message … of message_type TYPE and input VALUES   the values of it"),
+        (LAST, 60, "create_message … and input VALUES   the values of it"),
+        (LAST, 40, "create_message … VALUES   the val…"),
+        (FIRST, 100, FIRST.replace("‹", "").replace("›", "")),
+        (
+            FIRST,
+            80,
+            "VARIABLE publish MESSAGE to 'TOPIC_NAME' [at RATE …   the node that sends",
+        ),
+        (FIRST, 40, "VARIABLE …   the node that sends"),
+        (FIRST, 30, "VARIABLE …   the node t…"),
     ],
 )
-async def test_the_part_at_hand_stays_in_sight(width: int, shown: str) -> None:
+async def test_the_part_at_hand_stays_in_sight(help_: str, width: int, shown: str) -> None:
     async with Host().run_test(size=(width, 3)) as pilot:
         bar = pilot.app.query_one(Bar)
-        bar.show(help_pieces(HELP), (("1:2", "quiet"),))
+        bar.show(help_pieces(help_), (("1:2", "quiet"),))
         assert bar.render_line(0).text == f" {shown}".ljust(width - 4) + "1:2 "

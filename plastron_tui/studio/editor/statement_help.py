@@ -7,6 +7,8 @@ from plastron_tui.language.declaration import Element, written
 from plastron_tui.language.expectations import Expectation
 
 START = "a statement starts with create_node, load, subscribe, …, or with a node"
+GAP = "   "
+"""What stands between a sentence and its help."""
 
 
 def help_of(expected: Expectation) -> str:
@@ -23,4 +25,4 @@ def help_of(expected: Expectation) -> str:
 
     sentence = written(declaration.elements, marked)
     slot = expected.element if isinstance(expected.element, Slot) else None
-    return f"{sentence}   {slot.help if slot else declaration.summary}"
+    return f"{sentence}{GAP}{slot.help if slot else declaration.summary}"

@@ -9,6 +9,7 @@ from textual.strip import Strip
 
 from plastron_tui.diagnostics.terminal import visible
 
+from ..editor.statement_help import GAP
 from .styles import Toned
 
 
@@ -69,14 +70,22 @@ def _visible(pieces: tuple[tuple[str, str], ...]) -> tuple[tuple[str, str], ...]
 
 
 def _shortened(pieces: tuple[tuple[str, str], ...], excess: int) -> tuple[tuple[str, str], ...]:
-    """Leave out words between the first one and the part at hand, as many cells as are needed."""
-    if len(pieces) < 2 or pieces[1][1] != "here":
+    """Leave out words around the part at hand, as many cells as are needed.
+
+    Those between the first word and the part at hand go first, then those between it and its help.
+    """
+    if len(pieces) != 4:
         return pieces
-    (before, tone), *rest = pieces
+    (before, tone), here, (after, after_tone), about = pieces
     first, space, between = before.partition(" ")
     kept = between[excess + 2 :]
     kept = kept[kept.find(" ") + 1 :] if kept else kept
-    return ((f"{first}{space}… {kept}" if between else before, tone), *rest)
+    shown = f"{first}{space}… {kept}" if between else before
+    excess -= len(before) - len(shown)
+    if after and excess > 0:
+        kept = after[: max(0, len(after) - excess - 2)]
+        after = f"{kept[: kept.rfind(' ')] if ' ' in kept else ''} …"
+    return ((shown, tone), here, (after, after_tone), about)
 
 
 def help_pieces(text: str) -> tuple[tuple[str, str], ...]:
@@ -84,5 +93,6 @@ def help_pieces(text: str) -> tuple[tuple[str, str], ...]:
     before, mark, rest = text.partition("‹")
     if not mark:
         return ((text, "quiet"),)
-    here, _, after = rest.partition("›")
-    return ((before, "quiet"), (here, "here"), (after, "quiet"))
+    here, _, rest = rest.partition("›")
+    after, gap, about = rest.partition(GAP)
+    return ((before, "quiet"), (here, "here"), (after, "quiet"), (gap + about, "quiet"))
