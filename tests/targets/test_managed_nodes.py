@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from machine import examples
 from made_nodes import SPAN, catalog, nodes
 
-from plastron_tui.model.kinds import Client, Subscription
+from plastron_tui.model.kinds import Subscription
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.interfaces import InterfaceName
@@ -32,6 +32,7 @@ ENDS = {
     "on_shutdown": {"timers", "endpoints"},
     "on_error": {"timers", "endpoints"},
 }
+NOT_MANAGED = (EndpointKind.CLIENT, EndpointKind.ACTION_SERVER, EndpointKind.ACTION_CLIENT)
 
 thorough = settings(
     max_examples=examples(20),
@@ -43,8 +44,9 @@ thorough = settings(
 @st.composite
 def managed(draw: st.DrawFn) -> Node:
     node = draw(nodes("rclpy"))
-    for name in [*node.of(Client)]:
-        node.take(EndpointKind.CLIENT, name)
+    for kind in NOT_MANAGED:
+        for name in [*node.by_kind[kind]]:
+            node.take(kind, name)
     node.is_managed = True
     return node
 
