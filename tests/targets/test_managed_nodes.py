@@ -105,7 +105,10 @@ def test_it_reads_as_what_it_is(node: Node) -> None:
     assert sorted((each.kind.value, each.name or "") for each in made) == sorted(
         (kind.value, name) for kind, name in node.endpoints
     )
-    assert all(each.transition == "on_configure" for each in made)
+    # Parameters are there before any transition.
+    for each in made:
+        is_parameter = each.kind is EndpointKind.PARAMETER
+        assert each.transition == (None if is_parameter else "on_configure")
     timers = read.of_kind(EndpointKind.TIMER)
     assert all(each.transition == "on_activate" for each in timers)
 
