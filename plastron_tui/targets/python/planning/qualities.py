@@ -41,7 +41,8 @@ def publisher_qos(writing: Writing, qos: Qos | None) -> str:
     """Write what a publisher is given besides its topic and its type."""
     if writing.is_rclpy:
         return _rclpy(writing, qos)
-    depth = DEFAULT.depth if qos is None or qos.depth is None else qos.depth
+    # A depth of 0 leaves it to the middleware of ROS 2; here it would keep messages without end.
+    depth = (qos and qos.depth) or DEFAULT.depth
     is_kept = qos is not None and qos.common(_LATCHED) == _LATCHED
     return f"queue_size={depth}{', latch=True' if is_kept else ''}"
 
@@ -51,7 +52,7 @@ def subscription_qos(writing: Writing, qos: Qos | None) -> str:
     if writing.is_rclpy:
         return _rclpy(writing, qos)
     # A subscription of ROS 1 keeps all messages unless it is told how many.
-    return "" if qos is None or qos.depth is None else f"queue_size={qos.depth}"
+    return f"queue_size={qos.depth}" if qos is not None and qos.depth else ""
 
 
 def _rclpy(writing: Writing, qos: Qos | None) -> str:
