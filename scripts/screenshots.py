@@ -60,7 +60,7 @@ PICTURES = (
         "studio-welcome", "Welcome",
         "What one begins with: the wizard, the tour, programs of late, and recipes, which are "
         "whole programs that work.",
-        None, (100, 30),
+        None, (100, 36),
     ),
     Picture(
         "studio", "Editor, nodes, preview",

@@ -201,7 +201,7 @@ async def test_a_file_that_the_program_loads_is_read_again_when_it_changes(progr
         driver.main.look_at_disk()
         node.write_text(head + "rospy.Publisher('chatter', String, queue_size=1)\n")
         driver.main.look_at_disk()
-        await driver.until(lambda: "↑ chatter std_msgs/String" in driver.shown("nodes"))
+        await driver.until(lambda: "↑ chatter std_msgs/String · depth 1" in driver.shown("nodes"))
         node.unlink()
         driver.main.look_at_disk()
         await driver.until(lambda: driver.shown("nodes") == [])

@@ -61,7 +61,7 @@ ENTERED = [
     (
         SEND,
         {"message": "hello", "trigger": "go", "condition": "received.data = True"},
-        "for_each 'go' when received.data=True",
+        "for_each 'go' when received.data = True",
     ),
     (
         SEND,
