@@ -12,20 +12,33 @@ SENTENCES = (
     "n has_parameter '{parameter}' of parameter_type string_list with default [{text}, {text}]",
     "n has_parameter '{parameter}' of parameter_type bool with default {bool}",
     "n repeats {function} at {rate} hz",
-    "n publish {string} to '{name}' of message_type String{pace}",
-    "n publish {point} to '{name}' of message_type Point{pace}",
-    "n publish {echo} to '{name}' of message_type Point for_each 'heard'{when}",
-    "subscribe n to '{name}' of message_type {message_type}{calling}",
+    "n publish {string} to '{name}' of message_type String{sent}",
+    "n publish {point} to '{name}' of message_type Point{sent}",
+    "n publish {echo} to '{name}' of message_type Point for_each 'heard'{when}{qos}",
+    "subscribe n to '{name}' of message_type {message_type}{qos}{calling}",
     "n provides_service '{name}' of service_type AddTwoInts{answering}",
-    "n client_requests '{name}' of service_type SetBool with input {bool}",
+    "n client_requests '{name}' of service_type SetBool with input {bool}{asking}",
+    "n provides_action '{name}' of action_type Fibonacci",
+    "n provides_action '{name}' of action_type Fibonacci calling {function}",
+    "n sends_goal to '{name}' of action_type Fibonacci with input {goal}",
 )
 """What a program may say of its node; a new kind of endpoint is a line here."""
+
+NOT_MANAGED = ("client_requests", "provides_action", "sends_goal")
+"""What a managed node cannot have."""
 
 _ONCE = {
     "'rate'": "n has_parameter 'rate' of parameter_type float with default 5",
     "'heard'": "subscribe n to 'heard' of message_type Point",
 }
 """What others refer to, and what makes that."""
+
+_QOS_WORDS = (
+    *("sensor_data", "system_default", "latched", "depth 3", "keep_all", "best_effort, depth 1"),
+    *("transient_local, reliable", "volatile, deadline 0.5", "lifespan 1.5", "automatic"),
+    "manual_by_topic, lease 2",
+)
+_QOS = st.sampled_from(["", *(f" with qos {words}" for words in _QOS_WORDS)])
 
 _FILLINGS: dict[str, st.SearchStrategy[str]] = {
     "int": st.integers(-100, 100).map(str),
@@ -35,12 +48,16 @@ _FILLINGS: dict[str, st.SearchStrategy[str]] = {
     "range": st.sampled_from(["", " between -100 and 100"]),
     "described": st.sampled_from(["", ' described_as "how \\"fast\\""']),
     "rate": st.sampled_from(["1", "0.5", "30", "parameter 'rate'"]),
-    "pace": st.sampled_from(
-        ["", " at 2 hz", " at parameter 'rate' hz", " once", " for_each 'heard'"]
-    ),
+    "sent": st.tuples(
+        st.sampled_from(["", " at 2 hz", " at parameter 'rate' hz", " for_each 'heard'"]), _QOS
+    ).map("".join)
+    | st.sampled_from([" once", " once with qos transient_local, depth 3"]),
+    "qos": _QOS,
     "when": st.sampled_from(["", " when received.x < 0.5", " when received.z = 2"]),
     "calling": st.sampled_from(["", " calling hear"]),
     "answering": st.sampled_from(["", " answering sum=received.a * 2", " answering sum=1"]),
+    "asking": st.sampled_from(["", " at 2 hz", " at parameter 'rate' hz"]),
+    "goal": st.sampled_from(["order=5", "none"]),
     "message_type": st.sampled_from(["String", "Int32", "geometry_msgs/Twist"]),
 }
 _MESSAGES: dict[str, st.SearchStrategy[str]] = {
@@ -53,11 +70,14 @@ _MESSAGES: dict[str, st.SearchStrategy[str]] = {
 
 
 @st.composite
-def random_programs(draw: st.DrawFn) -> str:
-    """Return a program whose node is generated last."""
+def random_programs(draw: st.DrawFn, library: str) -> str:
+    """Return a program whose node is generated last, for a client library; with rclpy some have
+    a managed node."""
+    is_managed = library == "rclpy" and draw(st.booleans())
+    sentences = [each for each in SENTENCES if not is_managed or each.split()[1] not in NOT_MANAGED]
     lines: list[str] = []
     for number, sentence in enumerate(
-        draw(st.lists(st.sampled_from(SENTENCES), min_size=1, max_size=8))
+        draw(st.lists(st.sampled_from(sentences), min_size=1, max_size=8))
     ):
         made: list[str] = []
 
@@ -79,4 +99,5 @@ def random_programs(draw: st.DrawFn) -> str:
         lines += [*made, line]
     text = "\n".join(lines)
     needed = [line for name, line in _ONCE.items() if name in text]
-    return "\n".join(["create_node 'robot' as n", *needed, *lines, "generate_node n"]) + "\n"
+    head = f"create_node 'robot' as n{' managed' if is_managed else ''}"
+    return "\n".join([head, *needed, *lines, "generate_node n"]) + "\n"

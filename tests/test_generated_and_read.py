@@ -7,12 +7,16 @@ from typing import Any
 
 import pytest
 from hypothesis import given, settings
+from hypothesis import strategies as st
 from machine import examples
 from random_programs import SENTENCES, random_programs
 
+from plastron_tui.diagnostics import codes
 from plastron_tui.model.endpoint_details import TimerDetails
 from plastron_tui.model.kinds import (
     EDITABLE,
+    ActionClient,
+    ActionServer,
     Endpoint,
     EndpointKey,
     EndpointKind,
@@ -23,12 +27,12 @@ from plastron_tui.model.kinds import (
 )
 from plastron_tui.model.source import SourceNode
 from plastron_tui.model.workspace import Node
-from plastron_tui.ros.qos import DEFAULT
+from plastron_tui.ros.qos import DEFAULT, Qos
 from plastron_tui.session import Options, Session
 from plastron_tui.targets import find_target
 
 HERE = Path("robot.plastron")
-NOT_WRITTEN_YET = {EndpointKind.ACTION_SERVER, EndpointKind.ACTION_CLIENT}
+LEFT_OUT = {"rospy": {codes.NOT_IN_ROS_1}, "rclpy": set()}
 
 
 def test_every_kind_is_tried() -> None:
@@ -37,7 +41,7 @@ def test_every_kind_is_tried() -> None:
         for kind in EDITABLE
         if not any(f" {kind.editing.making.keyword} " in f" {each}" for each in SENTENCES)
     }
-    assert missing == NOT_WRITTEN_YET
+    assert missing == set()
 
 
 def facts(endpoint: Endpoint, library: str) -> dict[str, Any]:
@@ -45,7 +49,10 @@ def facts(endpoint: Endpoint, library: str) -> dict[str, Any]:
     found: dict[str, Any] = {"type": endpoint.type}
     match endpoint:
         case Publisher(qos=qos) | Subscription(qos=qos) if qos is not None:
-            found["qos"] = qos.over(DEFAULT)
+            found["qos"] = qos.over(DEFAULT) if library == "rclpy" else in_ros_1(endpoint, qos)
+        case ActionServer(type=type_) | ActionClient(type=type_) if type_ and library == "rospy":
+            # A file of ROS 1 names the message that holds the whole action.
+            found["type"] = type_._replace(name=f"{type_.name}Action")
         case Timer(rate=rate) if rate is not None and rate.parameter is None:
             found["period"] = pytest.approx(1 / rate.hertz)
         case Parameter() if endpoint.holds is not None:
@@ -54,6 +61,15 @@ def facts(endpoint: Endpoint, library: str) -> dict[str, Any]:
                 found["range"] = (endpoint.minimum, endpoint.maximum)
     callback = getattr(endpoint, "callback", None)
     return found if callback is None else {**found, "callback": callback}
+
+
+def in_ros_1(endpoint: Publisher | Subscription, qos: Qos) -> Qos | None:
+    """Return what ROS 1 has of a quality of service: a depth, and whether a publisher latches."""
+    if isinstance(endpoint, Subscription):
+        return Qos(depth=qos.depth).over(DEFAULT) if qos.depth else None
+    is_latched = qos.durability == "transient_local"
+    kept = Qos(durability="transient_local" if is_latched else None, depth=qos.depth or None)
+    return kept.over(DEFAULT)
 
 
 def facts_read(node: SourceNode) -> dict[EndpointKey, dict[str, Any]]:
@@ -91,10 +107,11 @@ def check_read(node: Node, read: SourceNode, library: str) -> None:
 
 @pytest.mark.parametrize("library", ["rospy", "rclpy"])
 @settings(max_examples=examples(200), deadline=None)
-@given(random_programs())
-def test_generated_is_read_again(library: str, text: str) -> None:
+@given(data=st.data())
+def test_generated_is_read_again(library: str, data: st.DataObject) -> None:
+    text = data.draw(random_programs(library))
     session = Session(text.encode(), HERE, Options(library), environ={})
-    assert session.diagnostics == (), text
+    assert {found.code for found in session.diagnostics} <= LEFT_OUT[library], text
     (generation,) = session.workspace.generations
     target = find_target(library)
     assert target is not None

@@ -82,3 +82,17 @@ def test_an_assignment_whose_name_leaves_no_room_goes_into_parentheses() -> None
     assert fit(f'    {name} = {call}(String, "a", 10)\n') == (
         f'    {name} = (\n        {call}(String, "a", 10)\n    )\n'
     )
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "{0} = {1}('a'); self.b = {1}('b')",
+        "{0} = self.b = {1}('a')",
+        "{0} = {1}('a') or \\\n    None",
+    ],
+    ids=["two statements", "two assignments", "two lines"],
+)
+def test_parentheses_stand_around_one_whole_value_only(line: str) -> None:
+    text = line.format("self." + "long_" * 12 + "name", "self.create_lifecycle_publisher")
+    compile(fit(text), "node.py", "exec")

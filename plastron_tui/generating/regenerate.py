@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.kinds import EndpointKind
@@ -226,10 +226,36 @@ def _asks_the_same(layer: Layer, known: Layer) -> bool:
     """Tell whether a program asks for what it asked for before, of the same files."""
     fields = ("text", "original", "origin", "seen")
     is_same = all(getattr(layer, each) == getattr(known, each) for each in fields)
-    return is_same and _as_known(layer.base, known.base) == known.base
+    return is_same and _as_known(layer.base, known.base) == _as_known(known.base, known.base)
 
 
 def _as_known(base: Base, known: Base) -> Base:
-    """Return a base without the kinds that an earlier version did not remember."""
+    """Return a base without what an earlier version did not remember.
+
+    That are whole kinds, and whether a program leaves a rate open.
+    """
     untyped = {kind.value for kind in EndpointKind if kind.facts.interface is None}
-    return {key: each for key, each in base.items() if key not in untyped - known.keys()}
+    found = {key: each for key, each in base.items() if key not in untyped - known.keys()}
+    publishers = found.get(EndpointKind.PUBLISHER.value)
+    if isinstance(publishers, dict):
+        found[EndpointKind.PUBLISHER.value] = {
+            name: _closed(each) for name, each in publishers.items()
+        }
+    return found
+
+
+def _closed(publisher: Any) -> Any:
+    """Return a publisher without whether its rates were left open; a broken one as it is."""
+    match publisher:
+        case {"sends": [*sends]}:
+            return {**publisher, "sends": [_closed_sending(each) for each in sends]}
+        case _:
+            return publisher
+
+
+def _closed_sending(sent: Any) -> Any:
+    match sent:
+        case [rate, message, {"open": _, **rest}]:
+            return [rate, message, rest] if rest else [rate, message]
+        case _:
+            return sent

@@ -65,7 +65,10 @@ def remember(node: Node, library: str, program: str) -> Base:
         program: the name of the program's file, "" where it has none.
     """
     used = {
-        kind.value: {name: _remembered(each) for name, each in found.items()}
+        kind.value: {
+            name: _remembered(each, is_read=node.source is not None and each.span is None)
+            for name, each in found.items()
+        }
         for kind, found in node.by_kind.items()
         if found
     }
@@ -118,13 +121,12 @@ class _Detail(NamedTuple):
     read: Callable[[Any], Any]
 
 
-def _remembered(endpoint: Endpoint) -> dict[str, Any]:
+def _remembered(endpoint: Endpoint, *, is_read: bool) -> dict[str, Any]:
     given: dict[str, Any] = {"type": None if endpoint.type is None else str(endpoint.type)}
     for field, detail in _DETAILS.items():
         value = getattr(endpoint, field, None)
         # The quality of service that a file alone says is the file's own affair.
-        is_read = field == "qos" and endpoint.span is None
-        if value is not None and not is_read:
+        if value is not None and not (is_read and field == "qos"):
             given[detail.key] = detail.write(value)
     return given
 

@@ -15,7 +15,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from plastron_tui.diagnostics import Diagnostic, codes
-from plastron_tui.regular_files import reason
+from plastron_tui.regular_files import read_regular, reason
+from plastron_tui.ros.definition import MAX_DEFINITION_BYTES
 from plastron_tui.ros.installations import Origin
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.user_folders import cache_folder
@@ -214,7 +215,9 @@ def _write_action_messages(files: Sequence[Path]) -> list[Path]:
         if file.parent.name == "action":
             folder = file.parents[1] / "msg"
             folder.mkdir(exist_ok=True)
-            for name, text in action_messages(file.stem, file.read_text(encoding="utf-8")):
+            for name, text in action_messages(
+                file.stem, read_regular(file, MAX_DEFINITION_BYTES).decode()
+            ):
                 made.append(folder / f"{name}.msg")
                 made[-1].write_text(text, encoding="utf-8")
     return made

@@ -177,7 +177,8 @@ def _ros2(python: Path, folder: Path, environ: Mapping[str, str]) -> Iterator[Gr
         yield Graph("rclpy", python, probe, env, logs, started)
 
 
-@pytest.fixture(params=["ros1", "ros2_with_services"])
+# ROS 2 has no package of these that pip installs: they are built, which takes minutes.
+@pytest.fixture(params=["ros1", pytest.param("ros2_with_services", marks=pytest.mark.long)])
 def service_graph(request: pytest.FixtureRequest) -> Graph:
     """A graph of each generation, with the services of the language's table, and an action."""
     found: Graph = request.getfixturevalue(request.param)

@@ -43,12 +43,6 @@ def test_the_subscriber_logs_what_another_node_sends(graph: Graph, tmp_path: Pat
     assert not own_tracebacks(subscriber.output)
 
 
-@pytest.mark.parametrize(
-    "service_graph",
-    # ROS 2 has no package of these services that pip installs: one is built.
-    ["ros1", pytest.param("ros2_with_services", marks=pytest.mark.long)],
-    indirect=True,
-)
 def test_the_server_answers_the_three_calls_of_the_client(
     service_graph: Graph, tmp_path: Path
 ) -> None:

@@ -180,7 +180,7 @@ def test_a_package_is_made_once(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     def make(_: object, package: str, files: list[Path], made: Path, __: object) -> None:
-        assert [file.read_text().split()[1] for file in files] == ["a"]
+        assert [file.read_text().split()[1] for file in files] == ["a", "order"]
         (made / "python" / package).mkdir(parents=True)
 
     monkeypatch.setitem(interface_packages._MAKERS, Origin.EXTRA, make)

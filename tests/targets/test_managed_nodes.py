@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from machine import examples
 from made_nodes import SPAN, catalog, nodes
 
-from plastron_tui.model.kinds import Client, Subscription
+from plastron_tui.model.kinds import Subscription
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.interfaces import InterfaceName
@@ -32,6 +32,7 @@ ENDS = {
     "on_shutdown": {"timers", "endpoints"},
     "on_error": {"timers", "endpoints"},
 }
+NOT_MANAGED = (EndpointKind.CLIENT, EndpointKind.ACTION_SERVER, EndpointKind.ACTION_CLIENT)
 
 thorough = settings(
     max_examples=examples(20),
@@ -43,8 +44,9 @@ thorough = settings(
 @st.composite
 def managed(draw: st.DrawFn) -> Node:
     node = draw(nodes("rclpy"))
-    for name in [*node.of(Client)]:
-        node.take(EndpointKind.CLIENT, name)
+    for kind in NOT_MANAGED:
+        for name in [*node.by_kind[kind]]:
+            node.take(kind, name)
     node.is_managed = True
     return node
 
@@ -103,7 +105,10 @@ def test_it_reads_as_what_it_is(node: Node) -> None:
     assert sorted((each.kind.value, each.name or "") for each in made) == sorted(
         (kind.value, name) for kind, name in node.endpoints
     )
-    assert all(each.transition == "on_configure" for each in made)
+    # Parameters are there before any transition.
+    for each in made:
+        is_parameter = each.kind is EndpointKind.PARAMETER
+        assert each.transition == (None if is_parameter else "on_configure")
     timers = read.of_kind(EndpointKind.TIMER)
     assert all(each.transition == "on_activate" for each in timers)
 

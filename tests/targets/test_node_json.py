@@ -67,8 +67,9 @@ def test_there_and_back(node: Node) -> None:
 
 @pytest.mark.parametrize("library", ["rospy", "rclpy"])
 @settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
-@given(random_programs())
-def test_programs_there_and_back(library: str, text: str) -> None:
+@given(data=st.data())
+def test_programs_there_and_back(library: str, data: st.DataObject) -> None:
+    text = data.draw(random_programs(library))
     session = Session(text.encode(), None, Options(library), environ={})
     (generation,) = session.workspace.generations
     base = json.loads(json.dumps(remember(generation.node, "rospy", "a.plastron"), allow_nan=False))

@@ -71,9 +71,15 @@ def qos_of(run: Run, statement: Publish | Subscribe, version: int) -> Qos | None
 def agreed(
     statement: Publish, given: Qos | None, earlier: Qos | None, where: Span | None
 ) -> Qos | None:
-    """Return what a publisher has that sends one more message: it has one quality of service."""
+    """Return what a publisher has that sends one more message: it has one quality of service.
+
+    `where` is None for one that was read from a file: whether its calls say the same is seen when
+    they are edited.
+    """
     if given is None or earlier is None or given == earlier:
         return earlier if given is None else given
+    if where is None:
+        return given.over(earlier) if statement.qos else earlier
     raise Mistake(
         Diagnostic(
             codes.INVALID_QOS,

@@ -38,6 +38,7 @@ from .messages import CannotAddError
 from .new_call import CLASSES, METHODS, arguments_of, callee_of
 from .new_parameter import declare, parameter_place
 from .place import Place, beside
+from .qos_arguments import check_policies
 from .removal import callback_scope
 from .repeating import repeat, tick_stub
 from .scopes import Scope
@@ -164,6 +165,7 @@ def _use_present(added: Addition, node: Analysis, present: list[Site]) -> None:
     for site in present:
         if any(each.is_once for each in sent):
             check_kept(added, site)
+        check_policies(added, site)
         place = beside(added.analysis, site)
         variable = target_name(added.analysis, site)
         if place is not None and variable is not None:

@@ -138,9 +138,10 @@ def _break(parts: list[_Part], margin: str, tail: str, style: Brackets) -> list[
 
 
 def _value_of(parts: list[_Part]) -> list[_Part]:
-    """Return what an assignment assigns; nothing where there is none, or parentheses are there."""
+    """Return what the one assignment of a line assigns, where parentheses may be set around it."""
     ends = [i for i in range(2, len(parts)) if parts[i - 2 : i + 1] == [" ", "=", " "]]
-    value = parts[ends[0] + 1 :] if ends else []
+    is_whole = len(ends) == 1 and not any(sign in parts for sign in (";", "\\"))
+    value = parts[ends[0] + 1 :] if is_whole else []
     return value if len(value) > 1 else []
 
 

@@ -1,99 +1,64 @@
-"""The quality of service that a program asks for, as an argument of a call.
-
-Source: `rclpy.qos` of Jazzy (profiles, policies, defaults), `rospy.topics` of Noetic.
-"""
+"""The quality of service that a program asks for, as an argument of a call."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
-
+from plastron_tui.diagnostics import codes
 from plastron_tui.model.kinds import Endpoint, Publisher, Subscription
-from plastron_tui.ros.qos import DEFAULT, PROFILES, Qos
+from plastron_tui.ros.qos import DEFAULT, Qos
 
-from . import literals
 from .addition import Addition
 from .analysis import Site
 from .calls import Argument
+from .messages import CannotAddError
+from .qos_code import keywords, latch_of, new_keywords, profile
 from .replacing import NotInPlaceError, Replacement
 from .splices import Splice
 from .syntax import parts_of
-
-_POLICIES = {
-    "reliability": "ReliabilityPolicy",
-    "durability": "DurabilityPolicy",
-    "history": "HistoryPolicy",
-    "liveliness": "LivelinessPolicy",
-}
-_FIELDS = {"lease": "liveliness_lease_duration"}
-_DEPTH = 10
-# What is sent once is kept for those who listen later.
-_KEPT = Qos(durability="transient_local", depth=1)
 
 
 def asked_qos(endpoint: Endpoint) -> Qos | None:
     """Return the quality of service that a program asks for, None where it asks for none."""
     if not isinstance(endpoint, Publisher | Subscription) or endpoint.span is None:
         return None
-    sent = endpoint.publications if isinstance(endpoint, Publisher) else ()
-    if any(each.is_once for each in sent):
-        return (endpoint.qos or Qos()).over(_KEPT)
     return endpoint.qos
-
-
-def profile(qos: Qos, use: Callable[[str, str], str]) -> str:
-    """Write a profile for rclpy: a depth alone, one of its own profiles, or a new one.
-
-    Args:
-        qos: the policies; what is not known is as ROS 2 has it.
-        use: brings a name of a module into the file, and returns what the file calls it.
-    """
-    full = qos.over(DEFAULT)
-    for name in ("sensor_data", "system_default"):
-        if full == PROFILES[name]:
-            return use("rclpy.qos", f"qos_profile_{name}")
-    said = {name: value for name, value in full.known.items() if value != getattr(DEFAULT, name)}
-    depth = said.pop("depth", _DEPTH)
-    if not said and depth:
-        return str(depth)
-    given = [] if full.history == "keep_all" else [f"depth={depth}"]
-    for name, value in said.items():
-        given.append(f"{_FIELDS.get(name, name)}={_policy(name, value, use)}")
-    return f"{use('rclpy.qos', 'QoSProfile')}({', '.join(given)})"
-
-
-def _policy(name: str, value: str | float, use: Callable[[str, str], str]) -> str:
-    if isinstance(value, str):
-        return f"{use('rclpy.qos', _POLICIES[name])}.{value.upper()}"
-    duration = use("rclpy.duration", "Duration")
-    if value == math.inf:
-        return f"{duration}.infinite"  # pragma: no cover - the default, which is not said
-    return f"{duration}(seconds={literals.number(int(value) if value % 1 == 0 else value)})"
 
 
 def has_policies(endpoint: Endpoint, found: Qos | None, version: int) -> bool:
     """Tell whether a call gives all policies that are asked for, those of its ROS at least."""
     asked = asked_qos(endpoint)
-    if asked is None:
-        return True
-    there = found or Qos()
-    wanted = asked.over(DEFAULT).known if asked.history == "keep_all" else asked.known
+    return asked is None or _gives(asked, found or Qos(), version)
+
+
+def _gives(asked: Qos, found: Qos, version: int) -> bool:
     if version == 1:
-        # It is reliable in all cases, and keeps messages for who comes later where it is latched.
-        wanted = {name: wanted[name] for name in ("depth", "durability") if name in wanted}
-        if there.durability is None:
-            wanted.pop("durability", None)
-    return all(getattr(there, name) == value for name, value in wanted.items())
+        latch = latch_of(asked)
+        is_latched_so = None in (latch, found.durability) or latch is latch_of(found)
+        return is_latched_so and asked.depth in (None, found.depth)
+    wanted = asked.over(DEFAULT).known if asked.history == "keep_all" else asked.known
+    return all(getattr(found, name) == value for name, value in wanted.items())
 
 
-def ros1_arguments(qos: Qos, endpoint: Endpoint) -> dict[str, str]:
-    """Return the keywords of rospy that say what it has of a quality of service."""
-    given = {}
-    if qos.depth:
-        given["queue_size"] = str(qos.depth)
-    if isinstance(endpoint, Publisher) and qos.durability is not None:
-        given["latch"] = repr(qos.durability == "transient_local")
-    return given
+def check_policies(added: Addition, site: Site) -> None:
+    """Refuse to send through a publisher of a file that has not what a program asks for.
+
+    Raises:
+        CannotAddError: it is to be changed by hand.
+    """
+    endpoint = added.endpoint
+    if not isinstance(endpoint, Publisher) or endpoint.span is not None or endpoint.qos is None:
+        return
+    found = site.endpoint.qos or Qos()
+    if endpoint.qos.over(found) == found:
+        return
+    if not added.is_rclpy and _gives(endpoint.qos, found, version=1):
+        return
+    message = f"the publisher of `{added.name}` in line {site.endpoint.line} does not show"
+    raise CannotAddError(
+        codes.EDIT_REFUSED,
+        f"{message} the quality of service that is asked for",
+        endpoint.span,
+        f"change it by hand, or let the node stop publishing to `{added.name}` first",
+    )
 
 
 def requalify(update: Replacement) -> None:
@@ -110,7 +75,8 @@ def requalify(update: Replacement) -> None:
     if places is None or site.arguments.is_open:
         raise NotInPlaceError
     if not added.is_rclpy:
-        for keyword, value in ros1_arguments(qos, added.endpoint).items():
+        is_publisher = isinstance(added.endpoint, Publisher)
+        for keyword, value in keywords(qos, is_publisher=is_publisher).items():
             place = places.queue_size if keyword == "queue_size" else places.latch
             if place is not None and (keyword != "latch" or value == "True" or _has(site, place)):
                 put_argument(update, place, value)
@@ -152,7 +118,5 @@ def creation_qos(added: Addition) -> list[tuple[str, str]]:
         return []
     if added.is_rclpy:
         return [("qos_profile", profile(qos, added.imports.use))]
-    found = ros1_arguments(qos, added.endpoint)
-    if isinstance(added.endpoint, Publisher):
-        found = {"queue_size": str(_DEPTH), **found}
-    return [(name, value) for name, value in found.items() if value != "False"]
+    found = new_keywords(qos, is_publisher=isinstance(added.endpoint, Publisher))
+    return [*found.items()]

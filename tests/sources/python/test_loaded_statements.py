@@ -231,6 +231,21 @@ ROWS: dict[str, tuple[str, str, str, str]] = {
         "+out_pub = rospy.Publisher('out', Twist, queue_size=1, latch=True)",
     ),
     f"{GO}driver publish go to 'cmd_vel' of message_type Twist once": ("edit-refused",) * 4,
+    f"{GO}driver publish go to 'cmd_vel' of message_type Twist with qos depth 10": (
+        "+self.cmd_pub.publish(Twist())",
+        "+cmd_pub.publish(Twist())",
+        "+self.cmd_pub.publish(Twist())",
+        "+cmd_pub.publish(Twist())",
+    ),
+    f"{GO}driver publish go to 'cmd_vel' of message_type Twist with qos depth 5": (
+        ("edit-refused",) * 4
+    ),
+    f"{GO}driver publish go to 'cmd_vel' of message_type Twist with qos best_effort": (
+        "edit-refused",
+        "edit-refused",
+        "not-in-ros-1",
+        "not-in-ros-1",
+    ),
     f"{GO}driver publish go to 'out' of message_type Twist for_each 'scan'": ("edit-refused",) * 4,
     f"{GO}driver publish go to 'out' of message_type Twist at parameter 'gain' hz": (
         ("edit-refused",) * 4

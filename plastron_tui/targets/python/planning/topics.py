@@ -8,7 +8,9 @@ from typing import NamedTuple
 
 from plastron_tui.model.kinds import Condition, Publication, Publisher, Rate, Subscription
 from plastron_tui.ros.interfaces import Field, InterfaceKind
+from plastron_tui.ros.qos import Qos
 from plastron_tui.sources.python import naming
+from plastron_tui.sources.python.qos_code import new_keywords, profile
 
 from ..plan import (
     MethodPlan,
@@ -21,7 +23,6 @@ from ..plan import (
 )
 from .computed import holder_of, lacks
 from .periods import planned_timer
-from .qualities import publisher_qos, subscription_qos
 from .writing import Writing
 
 
@@ -38,7 +39,7 @@ def add_publishers(writing: Writing, plan: NodePlan) -> None:
         name = naming.words(publisher.name)
         attribute = writing.attributes.new(f"{name}_publisher")
         type_ = writing.message_class(publisher.type, publisher.name, publisher.span)
-        qos = publisher_qos(writing, publisher.qos)
+        qos = _qos(writing, publisher.qos, is_publisher=True)
         plan.publishers.append(PublisherPlan(attribute, writing.name(publisher), type_, qos))
         label = naming.label(publisher.name, "its topic")
         by_rate: dict[Rate, list[Publication]] = defaultdict(list)
@@ -124,7 +125,7 @@ def add_subscriptions(writing: Writing, plan: NodePlan) -> None:
                 writing.name(subscription),
                 type_,
                 callback,
-                subscription_qos(writing, subscription.qos),
+                _qos(writing, subscription.qos, is_publisher=False),
                 writing.held(f"{naming.words(subscription.name)}_subscription"),
             )
         )
@@ -135,3 +136,11 @@ def add_subscriptions(writing: Writing, plan: NodePlan) -> None:
             writing.methods[callback] = known
             plan.callbacks.append(known)
         known.reactions += reactions
+
+
+def _qos(writing: Writing, qos: Qos | None, *, is_publisher: bool) -> str:
+    """Write what a publisher or a subscription is given behind the rest, "" for nothing."""
+    if writing.is_rclpy:
+        return profile(qos or Qos(), writing.imports.use)
+    found = new_keywords(qos, is_publisher=is_publisher)
+    return ", ".join(f"{name}={value}" for name, value in found.items())
