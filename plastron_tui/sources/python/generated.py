@@ -245,22 +245,36 @@ def is_calling_function(analysis: Analysis, function: Scope) -> bool:
     return True
 
 
-_ASKING = frozenset({"call", "wait_until_served"})
+# What the methods of Plastron's templates call that ask a server, and how they wait for it.
+_ASKING = {
+    "call_": ("call", ("wait_until_served",)),
+    "send_": ("send_goal", ("wait_until_served", "wait_for_action")),
+}
 
 
 def is_asking_function(analysis: Analysis, function: Scope) -> bool:
-    """Whether a method does what Plastron's templates write to call one service, and no more."""
-    if not function.name.startswith("call_") or has_comments(function):
+    """Whether a method does what Plastron's templates write to ask one server, and no more."""
+    prefix = next((each for each in _ASKING if function.name.startswith(each)), None)
+    if prefix is None or has_comments(function) or not function.self_name:
         return False
-    names = set()
-    for statement in body_of(function):
-        call = next(iter(statement.named_children), None)
+    asking, waiting = _ASKING[prefix]
+    called = set()
+    pending = body_of(function)
+    while pending:
+        statement = pending.pop()
+        call = next(iter(parts_of(statement)), None)
+        if statement.type == "if_statement" and not statement.child_by_field_name("alternative"):
+            pending += parts_of(statement.child_by_field_name("consequence"))
+        elif statement.type != "expression_statement":
+            return False
         if call is not None and call.type == "await":
             call = next(iter(call.named_children), None)
-        if statement.type != "expression_statement" or call is None or call.type != "call":
+        callee = call.child_by_field_name("function") if call is not None else None
+        if callee is None:
             return False
-        names.add(analysis.syntax.called_name(call))
-    return "call" in names and names <= _ASKING
+        called.add(analysis.syntax.slice(callee))
+    asks, *waits = (f"{function.self_name}.{each}" for each in (asking, *waiting))
+    return asks in called and called <= {asks, *waits}
 
 
 def is_named_as_own(function: Scope) -> bool:

@@ -103,7 +103,7 @@ def remove_uses(
     guards: list[Reference] = []
     rebound: set[int] = set()
     uses = references(variable, analysis)
-    if sites[0].endpoint.kind is EndpointKind.CLIENT:
+    if sites[0].endpoint.kind in (EndpointKind.CLIENT, EndpointKind.ACTION_CLIENT):
         uses = _remove_calling(analysis, uses, removal)
     for reference in uses:
         if reference.statement.id in created or any(
@@ -189,7 +189,7 @@ def _ends_endpoint(analysis: Analysis, reference: Reference) -> bool:
 
 
 def _remove_calling(analysis: Analysis, uses: list[Reference], removal: Removal) -> list[Reference]:
-    """Remove the functions that Plastron wrote to call a service; return the other uses."""
+    """Remove the functions that Plastron wrote to ask a server; return the other uses."""
     functions: dict[int, Scope] = {}
     for reference in uses:
         function = analysis.scopes.at(reference.node.start_byte).enclosing("function")
@@ -220,7 +220,7 @@ def _remove_calling(analysis: Analysis, uses: list[Reference], removal: Removal)
 
 
 def _remove_asking(analysis: Analysis, function: Scope, removal: Removal) -> bool:
-    """Remove a method that calls a service, and what starts it; tell whether that is all of it."""
+    """Remove a method that asks a server, and what starts it; tell whether that is all of it."""
     mentions = function_uses(analysis, function)
     statement = statement_of(mentions[0]) if len(mentions) == 1 else None
     if statement is None or statement.type != "expression_statement":

@@ -26,7 +26,7 @@ from plastron_tui.language import DECLARATIONS, Declaration, SlotKind, Statement
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import slot, statement
 from plastron_tui.model.interpreter import HANDLERS
-from plastron_tui.session import Session
+from plastron_tui.session import Options, Session
 from plastron_tui.studio.wizard.filling import Filler
 from plastron_tui.studio.wizard.flow import PageKind
 from plastron_tui.studio.wizard.form import Form
@@ -94,16 +94,20 @@ def test_every_statement_is_built_of_suggestions_alone(
 
 NOT_IN_FILES = (st.ProvidesAction, st.SendsGoal)
 """What these make is not written into a file that is loaded; the user is told what to do."""
+USED_IN_FILES = {"rospy": (st.StopAction, st.NoLongerHasParameter), "rclpy": ()}
+"""What these take away is used by functions that are in the file, and is left to the user."""
 
 
+@pytest.mark.parametrize("target", ["rospy", "rclpy"])
 @pytest.mark.parametrize("declaration", declarations_of(Aim.MORE), ids=keyword)
 def test_a_file_that_is_loaded_can_be_changed_in_every_way(
-    declaration: Declaration, tmp_path: Path
+    declaration: Declaration, target: str, tmp_path: Path
 ) -> None:
     everything = EVERYTHING.replace("'chatter'", "'news'").replace("listener", "talker")
     everything = everything.replace("create_node 'talker' as talker\nsubscribe", "subscribe")
     everything = everything.replace("generate_node talker\n\n", "")
-    maker = Session(everything.encode(), tmp_path / "maker.plastron", environ={})
+    options = Options(target=target)
+    maker = Session(everything.encode(), tmp_path / "maker.plastron", options, environ={})
     plan, problems = maker.plan()
     assert not problems
     (tmp_path / "robot.py").write_bytes(plan.files[0].text)
@@ -116,8 +120,11 @@ def test_a_file_that_is_loaded_can_be_changed_in_every_way(
     after = look.outcome.session
     assert after.diagnostics == ()
     changed, problems = after.plan()
-    if declaration.type in NOT_IN_FILES:
-        assert [(each.code, bool(each.help)) for each in problems] == [(codes.EDIT_REFUSED, True)]
+    refused = codes.EDIT_REFUSED if declaration.type in NOT_IN_FILES else None
+    if declaration.type in USED_IN_FILES[target]:
+        refused = codes.ENDPOINT_IN_USE
+    if refused is not None:
+        assert [(each.code, bool(each.help)) for each in problems] == [(refused, True)]
         return
     # What logs the name by hand is told, and stays; so does a function that was called.
     assert {each.code for each in problems} <= {codes.STILL_NAMED, codes.UNCALLED_FUNCTION}
