@@ -245,22 +245,54 @@ def is_calling_function(analysis: Analysis, function: Scope) -> bool:
     return True
 
 
-_ASKING = frozenset({"call", "wait_until_served"})
+_WAITING = frozenset({"is_served", "wait_until_served"})
 
 
 def is_asking_function(analysis: Analysis, function: Scope) -> bool:
     """Whether a method does what Plastron's templates write to call one service, and no more."""
     if not function.name.startswith("call_") or has_comments(function):
         return False
-    names = set()
-    for statement in body_of(function):
-        call = next(iter(statement.named_children), None)
-        if call is not None and call.type == "await":
-            call = next(iter(call.named_children), None)
-        if statement.type != "expression_statement" or call is None or call.type != "call":
-            return False
-        names.add(analysis.syntax.called_name(call))
-    return "call" in names and names <= _ASKING
+    statements = body_of(function)
+    return bool(statements) and all(_asks(analysis, each) for each in statements)
+
+
+def _asks(analysis: Analysis, statement: Node) -> bool:
+    """Whether a statement waits for a service or calls it, where it is there perhaps."""
+    if statement.type == "if_statement":
+        condition = statement.child_by_field_name("condition")
+        block = statement.child_by_field_name("consequence")
+        return (
+            statement.child_by_field_name("alternative") is None
+            and _called(analysis, condition) in _WAITING
+            and block is not None
+            and all(_asks(analysis, each) for each in parts_of(block))
+        )
+    is_alone = statement.type == "expression_statement" and statement.named_child_count == 1
+    return is_alone and _called(analysis, statement.named_children[0]) in {"call", *_WAITING}
+
+
+def _called(analysis: Analysis, value: Node | None) -> str:
+    """Return the name of what is called, and perhaps awaited; "" where nothing is."""
+    if value is not None and value.type == "await":
+        value = next(iter(value.named_children), None)
+    return analysis.syntax.called_name(value) if value is not None and value.type == "call" else ""
+
+
+_REPEATED_TASK = re.compile(
+    r"def repeat_\w+\((\w+)\):\s+(?:\"\"\"|''').*; called at its rate\.(?:\"\"\"|''')\s+"
+    r"calls = \1\.(?P<task>\w+)\s+# The last answer may still have to come\.\s+"
+    r"if calls is None or calls\.done\(\):\s+calls = \1\.executor\.create_task\(\1\.\w+\)\s+"
+    r"\1\.(?P=task) = calls\s*"
+)
+
+
+def repeated_task(analysis: Analysis, function: Scope) -> str | None:
+    """Return the attribute in which a function of rclpy's templates keeps the call that it repeats.
+
+    None where the function does something else as well.
+    """
+    found = _REPEATED_TASK.fullmatch(analysis.syntax.slice(function.node))
+    return found["task"] if found is not None else None
 
 
 def is_named_as_own(function: Scope) -> bool:
