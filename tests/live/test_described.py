@@ -7,25 +7,40 @@ from pathlib import Path
 import pytest
 from graph import Graph
 from machine import find_ros, wait_until
-from prototypes import prototype
+from processes import generate
 
 from plastron_tui.runtime.describe import describe
 from plastron_tui.runtime.program import to_program
 
 pytestmark = pytest.mark.live
 
-NODES = Path(__file__).parents[1] / "nodes"
+PROGRAM = """\
+create_node 'calculator' as calculator
+calculator provides_action 'count' of action_type {type}
+generate_node calculator
+create_node 'driver' as driver
+subscribe driver to 'chatter' of message_type String
+driver sends_goal to 'count' of action_type {type} with input {values}
+generate_node driver
+create_node 'cruiser' as cruiser
+cruiser has_parameter 'speed' of parameter_type float with default 0.5
+cruiser repeats look at 1 hz
+generate_node cruiser
+"""
+VALUES = {"rospy": "goal=5", "rclpy": "order=5"}
 ACTION = {"rospy": "actionlib/Test", "rclpy": "example_interfaces/Fibonacci"}
 SPEED = "cruiser has_parameter 'speed' of parameter_type float with default 0.5"
 
 
-def test_actions_and_parameters_are_described(service_graph: Graph) -> None:
+def test_actions_and_parameters_are_described(service_graph: Graph, tmp_path: Path) -> None:
     target = service_graph.target
-    for name in ("action_server", "action_client_busy"):
-        service_graph.run(NODES / target / f"{name}.py")
-    service_graph.run(prototype(service_graph, "cruiser"))
-    environment = find_ros(1 if target == "rospy" else 2, service_graph.python)
     type_ = ACTION[target]
+    values = VALUES[target]
+    program_file = tmp_path / "several.plastron"
+    program_file.write_text(PROGRAM.format(type=type_, values=values))
+    for file in generate(str(program_file.with_suffix("")), tmp_path / "output", target).values():
+        service_graph.run(file)
+    environment = find_ros(1 if target == "rospy" else 2, service_graph.python)
     wanted = [
         f"calculator provides_action '/count' of action_type {type_}",
         f"driver sends_goal to '/count' of action_type {type_} with input none",

@@ -37,12 +37,13 @@ from .lifecycle import destroy_created, is_transition
 from .messages import CannotAddError
 from .new_call import CLASSES, METHODS, arguments_of, callee_of
 from .new_parameter import declare, parameter_place
+from .own_calls import keep_running
 from .place import Place, beside
 from .qos_arguments import check_policies
 from .removal import callback_scope
 from .repeating import repeat, tick_stub
 from .scopes import Scope
-from .sending import add_calls, add_publishing, keep_running
+from .sending import add_calls, add_publishing
 from .sending_once import check_kept
 from .shared_names import shared_name
 from .signatures import parameter_names, signatures_of

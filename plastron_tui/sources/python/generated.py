@@ -247,7 +247,7 @@ def is_calling_function(analysis: Analysis, function: Scope) -> bool:
 
 # What the methods of Plastron's templates call that ask a server, and how they wait for it.
 _ASKING = {
-    "call_": ("call", ("wait_until_served",)),
+    "call_": ("call", ("wait_until_served", "is_served")),
     "send_": ("send_goal", ("wait_until_served", "wait_for_action")),
 }
 
@@ -275,6 +275,23 @@ def is_asking_function(analysis: Analysis, function: Scope) -> bool:
         called.add(analysis.syntax.slice(callee))
     asks, *waits = (f"{function.self_name}.{each}" for each in (asking, *waiting))
     return asks in called and called <= {asks, *waits}
+
+
+_REPEATED_TASK = re.compile(
+    r"def repeat_\w+\((\w+)\):\s+(?:\"\"\"|''').*; called at its rate\.(?:\"\"\"|''')\s+"
+    r"calls = \1\.(?P<task>\w+)\s+# The last answer may still have to come\.\s+"
+    r"if calls is None or calls\.done\(\):\s+calls = \1\.executor\.create_task\(\1\.\w+\)\s+"
+    r"\1\.(?P=task) = calls\s*"
+)
+
+
+def repeated_task(analysis: Analysis, function: Scope) -> str | None:
+    """Return the attribute in which a function of rclpy's templates keeps the call that it repeats.
+
+    None where the function does something else as well.
+    """
+    found = _REPEATED_TASK.fullmatch(analysis.syntax.slice(function.node))
+    return found["task"] if found is not None else None
 
 
 def is_named_as_own(function: Scope) -> bool:

@@ -21,6 +21,7 @@ from .generated import (
     is_calling_function,
     is_own_call,
     is_publishing_function,
+    repeated_task,
     serves,
 )
 from .rates import is_once
@@ -49,6 +50,9 @@ _DESTROYING = frozenset(
     {"destroy_client", "destroy_publisher", "destroy_service", "destroy_subscription"}
     | {"destroy_lifecycle_publisher", "destroy_timer"}
 )
+
+# The first value of the attribute that holds a repeated call, and its two places in the function.
+_PLACES_OF_TASK = 3
 
 
 def find_sites(analysis: Analysis, change: Remove | Update | Rename) -> list[Site]:
@@ -225,7 +229,31 @@ def _remove_asking(analysis: Analysis, function: Scope, removal: Removal) -> boo
     statement = statement_of(mentions[0]) if len(mentions) == 1 else None
     if statement is None or statement.type != "expression_statement":
         return False
+    repeating = analysis.scopes.at(statement.start_byte).enclosing("function")
+    if repeating is not None and _remove_repeating(analysis, repeating, removal):
+        removal.statements.append(definition(function))
+        return True
+    if parts_of(statement)[0].type == "assignment":
+        return False
     removal.statements += [statement, definition(function)]
+    return True
+
+
+def _remove_repeating(analysis: Analysis, function: Scope, removal: Removal) -> bool:
+    """Remove a function that repeats a call, and what holds the two; False for others."""
+    timers = timers_of(analysis, function)
+    task, owner = repeated_task(analysis, function), function.parent
+    if task is None or owner is None or len(timers) != 1:
+        return False
+    ends = destroying(analysis, timers[0])
+    if ends is None or len(function_uses(analysis, function)) != 1:
+        return False
+    removal.sites += timers
+    removal.statements += [statement_of(timers[0].call), definition(function), *ends]
+    if len(list(identifiers(task, analysis))) == _PLACES_OF_TASK:
+        bindings = owner.attributes.get(task, [])
+        first = [each for each in bindings if each.scope is not function]
+        removal.statements += [statement_of(each.node) for each in first]
     return True
 
 

@@ -18,9 +18,9 @@ from . import literals, naming
 from .addition import Addition
 from .conventions import leading_space, method_naming, variable_naming
 from .function_place import function_place, method_place
-from .generated import is_own_helper
 from .lifecycle import is_transition
 from .loggers import own_logger
+from .own_calls import call_in_own_method, keep_running
 from .own_loop import is_sleep, own_block, statements_of, woken_loop
 from .removal import callback_scope
 from .sending_once import send_when_heard
@@ -204,8 +204,9 @@ def add_calls(added: Addition, client: Client) -> list[str]:
     added.stand(is_nested=added.is_nested)
     interface = added.messages.interface(client.type, InterfaceKind.SERVICE, client.name)
     requests = [added.messages.request(interface, each.value) for each in client.requests]
-    if _call_in_own_method(added, requests):
+    if call_in_own_method(added, requests):
         return []
+    keep_running(added)
     name = added.free_name(method_naming(added.analysis, "call").name(added.name))
     if added.is_rclpy:
         summary = f"Call {added.label} once it is there, and log its answer."
@@ -260,43 +261,3 @@ def _info(added: Addition) -> str:
     )
     receiver = added.receiver_in_callback() or added.place.receiver
     return own if own and is_of_node else f"{receiver}.get_logger().info"
-
-
-def _call_in_own_method(added: Addition, requests: list[str]) -> bool:
-    """Call where a node that Plastron wrote calls its other services."""
-    owner = added.place.owner
-    if owner is None or "." not in added.variable:
-        return False
-    methods = {scope.name: scope for scope in added.analysis.scopes.all if scope.parent is owner}
-    caller, helper = methods.get("call_services"), methods.get("call")
-    if caller is None or helper is None or not is_own_helper(helper):
-        return False
-    block = caller.node.child_by_field_name("body")
-    is_on_one_line = block is None or block.start_point.row == caller.node.start_point.row
-    if block is None or is_on_one_line or block.has_error or not block.named_children:
-        return False
-    self_name = next(iter(caller.bindings))
-    variable = f"{self_name}.{added.variable.rpartition('.')[2]}"
-    last = block.named_children[-1]
-    added.writer.lines(
-        line_end(added.analysis.syntax.text, last.end_byte),
-        leading_space(added.analysis, block),
-        [f"{self_name}.call({variable}, {request})" for request in requests],
-    )
-    return True
-
-
-def keep_running(added: Addition) -> None:
-    """Let a node that Plastron wrote to call services, and then to end, go on instead."""
-    text = added.analysis.syntax.text
-    if any(word in text for word in (b"spin(", b"is_shutdown", b"rclpy.ok")):
-        return
-    for call in added.analysis.captures.get("call", []):
-        statement = call.parent
-        if added.analysis.syntax.slice(call) == "node.call_services()" and statement is not None:
-            scope = added.analysis.scopes.at(call.start_byte)
-            spin = added.imports.library(added.dialect.library, "spin", scope)
-            line = f"{spin}({'node' if added.is_rclpy else ''})"
-            indent = leading_space(added.analysis, statement)
-            added.writer.lines(line_end(text, statement.end_byte), indent, [line])
-            return
