@@ -50,7 +50,21 @@ class _Chunk(NamedTuple):
                     return other + mine
         starts = range(len(theirs) - len(base) + 1) if base and ours else ()
         at = next((at for at in starts if theirs[at : at + len(base)] == base), None)
-        return None if at is None else theirs[:at] + ours + theirs[at + len(base) :]
+        return self._below() if at is None else theirs[:at] + ours + theirs[at + len(base) :]
+
+    def _below(self) -> _Lines | None:
+        """Return the lines where one side changed a block's last, and the other wrote below it."""
+        base = self.base
+        for block, other in ((self.ours, self.theirs), (self.theirs, self.ours)):
+            new = [line for line in other[len(base) :] if line.strip()]
+            is_below = other[: len(base)] == base and bool(new) and not _is_indented(new[0])
+            if is_below and all(_is_indented(line) for line in base + block if line.strip()):
+                return block + other[len(base) :]
+        return None
+
+
+def _is_indented(line: bytes) -> bool:
+    return line.startswith((b" ", b"\t"))
 
 
 class _Match(NamedTuple):

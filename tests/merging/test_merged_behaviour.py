@@ -20,6 +20,8 @@ REACT = f"{PUBLISH} for_each 'kept'"
 REPEAT = "n repeats look at 2 hz"
 ANSWER = "n provides_service 'add' of service_type SetBool answering True, \"a\""
 QUIET = "n provides_service 'add' of service_type SetBool"
+CALL = "n client_requests 'lamp' of service_type SetBool with input True"
+AGAIN = f"{CALL} at 2 hz"
 TWICE = f"{REPEAT}\nn repeats glance at 3 hz"
 
 CHANGES = {
@@ -57,6 +59,11 @@ CHANGES = {
     "answer": (ANSWER, ANSWER.replace('"a"', '"b"')),
     "answer added": (QUIET, ANSWER),
     "answer removed": (ANSWER, QUIET),
+    "repeated call added": ("", AGAIN),
+    "repeated call removed": (AGAIN, ""),
+    "repeated instead of one call": (CALL, AGAIN),
+    "one call instead of repeated": (AGAIN, CALL),
+    "rate of a call": (AGAIN, AGAIN.replace("2 hz", "3 hz")),
 }  # fmt: skip
 """What a program says first, and then."""
 

@@ -56,6 +56,25 @@ def test_lines_side_by_side(base: str, ours: str, theirs: str, expected: str | N
     assert merge_lines(text(base), text(ours), text(theirs)) is None
 
 
+BELOW = [
+    ("a:| b|c", "a:| b|| d|c", "a:| b||x:| y|c", "a:| b|| d||x:| y|c"),
+    ("a:| b| d|c", "a:| b|c", "a:| b| d|x|c", "a:| b|x|c"),
+    ("a:| b|c", "a:| b| d|c", "a:| b| x|c", None),
+    ("a:| b|c", "a:| b|d|c", "a:| b|x|c", None),
+    ("a:| b| d|c", "a:| b|c", "a:| b| x|x|c", None),
+]
+"""Lines that end a block, and others that follow it; a `|` ends a line."""
+
+
+@pytest.mark.parametrize(("base", "ours", "theirs", "expected"), BELOW)
+def test_lines_below_a_block(base: str, ours: str, theirs: str, expected: str | None) -> None:
+    texts = [each.replace("|", "\n").encode() for each in (base, ours, theirs)]
+    result = None if expected is None else expected.replace("|", "\n").encode()
+    assert merge_lines(*texts, side_by_side=True) == result
+    assert merge_lines(texts[0], texts[2], texts[1], side_by_side=True) == result
+    assert merge_lines(*texts) is None
+
+
 REPLAYS = [
     ("abc", "abc", "xyz", "xyz"),
     ("abPc", "abPXc", "abc", "abc"),  # below a line that is not there
