@@ -69,6 +69,13 @@ def traffic(graph: Graph, program: Path, output: Path) -> dict[str, Any]:
             caller.wait_to_print(f"{client['written']}: ", count=count)
             asked.append((caller, f"{client['written']}: ", count))
             seen[f"{client['node']} calls {service['name']}"] = count
+    for action in picture["actions"]:
+        for client in action["action_clients"]:
+            [asker] = [node for file, node in nodes.items() if file.startswith(client["node"])]
+            done = f"{client['written']}: succeeded"
+            asker.wait_to_print(done)
+            asked.append((asker, done, 1))
+            seen[f"{client['node']} sends goals to {action['name']}"] = 1
     for node in nodes.values():
         node.interrupt()
         assert not own_tracebacks(node.output)

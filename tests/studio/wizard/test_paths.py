@@ -23,6 +23,14 @@ Pick = Callable[[str], Awaitable[None]]
 
 ALL = list(DECLARATIONS.values())
 
+TAKEN_BACK = """
+talker sends_goal to 'count' of action_type Fibonacci with input none
+listener provides_action 'count' of action_type Fibonacci
+listener has_parameter 'speed' of parameter_type float with default 0.5
+listener repeats look at 2 hz
+"""
+"""What a program has besides in which there is something of every kind to take back."""
+
 QUICK = ("publish", "load")
 """What is gone through in every way, where `long` tests are left out."""
 
@@ -44,7 +52,7 @@ def file(two: Path) -> Path:
 def program_for(declaration: Declaration, file: Path) -> str:
     text = TWO_NODES
     if declaration.undoes is not None:
-        text = text.replace("generate_node", "// generate_node")
+        text = text.replace("generate_node", "// generate_node") + TAKEN_BACK
     if aim_of(declaration) is Aim.WRITE:
         text = text.replace("generate_node listener\n", "")
     file.write_text(text)
