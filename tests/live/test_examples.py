@@ -28,7 +28,7 @@ QUICK = {"service_and_client"}
 
 
 def drawn(program: Path) -> dict[str, Any]:
-    """Return the topics and services of a program."""
+    """Return the topics, services and actions of a program."""
     done = subprocess.run(
         [PLASTRON, "graph", "--format", "json", program], capture_output=True, check=True
     )
@@ -46,7 +46,7 @@ def untimed(message: dict[str, Any]) -> dict[str, Any]:
 
 
 def traffic(graph: Graph, program: Path, output: Path) -> dict[str, Any]:
-    """Run the nodes of a program; return what travels, by topic and service."""
+    """Run the nodes of a program; return what travels, by topic, service and action."""
     picture = drawn(program)
     files = generate(str(program.with_suffix("")), output, graph.target)
     nodes = {file: graph.run(path) for file, path in files.items()}
@@ -74,6 +74,8 @@ def traffic(graph: Graph, program: Path, output: Path) -> dict[str, Any]:
             [asker] = [node for file, node in nodes.items() if file.startswith(client["node"])]
             done = f"{client['written']}: succeeded"
             asker.wait_to_print(done)
+            # It has nothing else to do.
+            assert asker.wait(60) == 0
             asked.append((asker, done, 1))
             seen[f"{client['node']} sends goals to {action['name']}"] = 1
     for node in nodes.values():
