@@ -21,7 +21,7 @@ from plastron_tui.ros.names import (
 
 from .consequences import Consequences
 from .context import Setting
-from .kinds import EndpointKind, callback_of
+from .kinds import MADE_BY, EndpointKind, callback_of
 from .kinds.needs import users_of
 from .libraries import default_library
 from .mistake import Mistake
@@ -151,9 +151,7 @@ class Checks:
         if problem is not None:
             raise Mistake(_wrong_name(statement, slot, name, problem))
 
-    def function(
-        self, statement: Any, node: Node, kind: EndpointKind, type_: InterfaceName | None = None
-    ) -> None:
+    def function(self, statement: Any, node: Node, type_: InterfaceName | None = None) -> None:
         """Check the function that a statement calls: its name, and what else the node calls it for.
 
         A callback takes a message, a handler a request: no function can be both, nor give
@@ -162,13 +160,13 @@ class Checks:
         Args:
             statement: the statement.
             node: the node.
-            kind: the kind of endpoint that calls it.
             type_: the type of what it answers to, None where that says nothing.
         """
         function = statement.function
         if function is None:
             return
         self.function_name(statement, node)
+        kind = MADE_BY[type(statement)]
         for (other_kind, _), other in node.endpoints.items():
             if callback_of(other) != function:
                 continue
@@ -201,6 +199,15 @@ class Checks:
                 fix=write(f"{function}_", where),
             )
         )
+
+    def absent(self, statement: Statement, node: Node) -> None:
+        """Check that a node does not have yet what a statement gives it."""
+        kind = MADE_BY[type(statement)]
+        editing = kind.editing
+        assert editing.already is not None, "it may be said again"
+        if self.endpoint_name(statement, node, kind) in node.by_kind[kind]:
+            what = f"`{node.variable}` {editing.indicative}"
+            raise self.exists_already(statement, editing.name_slot, node, editing.already, what)
 
     def unused(self, statement: Statement, node: Node, kind: EndpointKind) -> None:
         """Check that nothing else of a node needs an endpoint that a statement takes away."""

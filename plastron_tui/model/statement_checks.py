@@ -17,24 +17,18 @@ from plastron_tui.language.declaration import DECLARATIONS, Statement
 from plastron_tui.ros.interfaces import Interface
 from plastron_tui.ros.names import check_parameter_name, spelled
 
-from .kinds import EDITABLE, INTERFACES, EndpointKind, Message
-from .kinds.action_server import check_executor, check_unserved
-from .kinds.parameter import check_new, default_of, range_of, type_of
+from .kinds import INTERFACES, MADE_BY, Message
+from .kinds.parameter import default_of, range_of, type_of
 from .kinds.publisher import check_sent, check_unsent
 from .kinds.quality import qos_of
 from .kinds.rate import check_rate, rate_of
 from .kinds.reaction import reaction_of
-from .kinds.service import check_handler, check_unprovided
-from .kinds.subscription import check_callback, check_unheard
-from .kinds.timer import check_repeated, check_unrepeated
 from .mistake import Mistake
 from .node_statements import check_managed, check_node_name, check_work
 from .rename import RENAMED, kinds_having, kinds_of
 from .run import Run
 
 _Check = Callable[[Run, Any], object]
-
-_KINDS: dict[type[Statement], EndpointKind] = {kind.editing.made_by: kind for kind in EDITABLE}
 
 
 def all_wrong(run: Run, statement: Statement, mistake: Mistake) -> list[Diagnostic]:
@@ -120,7 +114,7 @@ def _created(run: Run, statement: st.CreateMessage) -> None:
 
 
 def _name(run: Run, statement: Statement) -> None:
-    slot = _KINDS[type(statement)].editing.name_slot
+    slot = MADE_BY[type(statement)].editing.name_slot
     written = getattr(statement, slot)
     _any_passes(
         partial(run.checks.name, statement, slot, written, version)
@@ -148,7 +142,7 @@ def _request(run: Run, statement: st.ClientRequests | st.SendsGoal) -> None:
 
 def _agreement(run: Run, statement: Statement) -> None:
     """Check a type against what others mean by the name; what the node has already is no other."""
-    node, kind = run.checks.node(statement), _KINDS[type(statement)]
+    node, kind = run.checks.node(statement), MADE_BY[type(statement)]
     _name(run, statement)
     name = spelled(getattr(statement, kind.editing.name_slot))
     if name not in node.by_kind[kind]:
@@ -187,10 +181,6 @@ def _trigger(run: Run, statement: st.Publish) -> None:
     reaction_of(run, statement, run.checks.node(statement))
 
 
-def _parameter(run: Run, statement: st.HasParameter) -> None:
-    check_new(run, statement, run.checks.node(statement))
-
-
 def _parameter_name(run: Run, statement: st.HasParameter) -> None:
     name, check = statement.parameter, check_parameter_name
     _any_passes(
@@ -208,25 +198,6 @@ def _default(_: Run, statement: st.HasParameter) -> None:
     range_of(statement, type_, default_of(statement, type_))
 
 
-def _unrepeated(run: Run, statement: st.Repeats) -> None:
-    check_unrepeated(run, statement, run.checks.node(statement))
-
-
-def _repeated(run: Run, statement: st.Repeats) -> None:
-    check_repeated(run, statement, run.checks.node(statement))
-
-
-def _unserved(run: Run, statement: st.ProvidesAction) -> None:
-    check_unserved(run, statement, run.checks.node(statement))
-
-
-def _executor(run: Run, statement: st.ProvidesAction) -> None:
-    node = run.checks.node(statement)
-    check_executor(run, statement, node, None)
-    type_ = _named_type(run, statement, run.checks.version_of(node))
-    check_executor(run, statement, node, type_.name)
-
-
 def _answer(run: Run, statement: st.ProvidesService) -> None:
     def check(version: int) -> None:
         run.types.fit(statement, _named_type(run, statement, version), version, "answer")
@@ -235,27 +206,24 @@ def _answer(run: Run, statement: st.ProvidesService) -> None:
         _any_passes(partial(check, version) for version in _versions(run, statement))
 
 
+def _absent(run: Run, statement: Statement) -> None:
+    run.checks.absent(statement, run.checks.node(statement))
+
+
+def _called(run: Run, statement: Any) -> None:
+    run.checks.function(statement, run.checks.node(statement))
+
+
+def _answering(run: Run, statement: st.ProvidesService | st.ProvidesAction) -> None:
+    """Check a function that answers: also against what it answers for others of the kind."""
+    _called(run, statement)
+    node = run.checks.node(statement)
+    type_ = _named_type(run, statement, run.checks.version_of(node))
+    run.checks.function(statement, node, type_.name)
+
+
 def _function(run: Run, statement: Any) -> None:
     run.checks.function_name(statement, run.workspace.nodes.get(statement.node))
-
-
-def _unheard(run: Run, statement: st.Subscribe) -> None:
-    check_unheard(run, statement, run.checks.node(statement))
-
-
-def _callback(run: Run, statement: st.Subscribe) -> None:
-    check_callback(run, statement, run.checks.node(statement))
-
-
-def _unprovided(run: Run, statement: st.ProvidesService) -> None:
-    check_unprovided(run, statement, run.checks.node(statement))
-
-
-def _handler(run: Run, statement: st.ProvidesService) -> None:
-    node = run.checks.node(statement)
-    check_handler(run, statement, node, None)
-    type_ = _named_type(run, statement, run.checks.version_of(node))
-    check_handler(run, statement, node, type_.name)
 
 
 def _renamed(_: Run, statement: st.Rename) -> None:
@@ -282,15 +250,15 @@ _CHECKS: dict[type[Statement], tuple[_Check, ...]] = {
     st.Load: (_variable,),
     st.CreateMessage: (_variable, _created),
     st.Publish: (_node, _message, _name, _unsent, _type, _sent, _agreement, _rate, _trigger, _qos),
-    st.Subscribe: (_node, _name, _unheard, _type, _agreement, _qos, _function, _callback),
+    st.Subscribe: (_node, _name, _absent, _type, _agreement, _qos, _function, _called),
     st.ProvidesService: (
-        *(_node, _name, _unprovided, _type, _agreement, _answer, _function, _handler),
+        *(_node, _name, _absent, _type, _agreement, _answer, _function, _answering),
     ),
     st.ClientRequests: (_node, _name, _type, _agreement, _request, _rate),
-    st.ProvidesAction: (_node, _name, _unserved, _type, _agreement, _function, _executor),
+    st.ProvidesAction: (_node, _name, _absent, _type, _agreement, _function, _answering),
     st.SendsGoal: (_node, _name, _type, _agreement, _request),
-    st.Repeats: (_node, _unrepeated, _function, _repeated, _rate),
-    st.HasParameter: (_node, _parameter_name, _parameter, _parameter_type, _default),
+    st.Repeats: (_node, _absent, _function, _called, _rate),
+    st.HasParameter: (_node, _parameter_name, _absent, _parameter_type, _default),
     st.Rename: (_node, _renamed, _old, _new),
     st.GenerateNode: (_node, _work, _library),
 }

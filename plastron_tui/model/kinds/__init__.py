@@ -39,6 +39,7 @@ __all__ = [
     "HIGHEST_RATE",
     "INTERFACES",
     "LOWEST_RATE",
+    "MADE_BY",
     "ActionClient",
     "ActionServer",
     "Client",
@@ -131,6 +132,8 @@ class EndpointKind(str, Enum):
                 ended_by=st.Unsubscribe,
                 not_there=codes.NOT_SUBSCRIBED,
                 infinitive="subscribe to",
+                already=codes.ALREADY_SUBSCRIBED,
+                indicative="subscribes to",
             ),
         ),
     )
@@ -153,6 +156,8 @@ class EndpointKind(str, Enum):
                 ended_by=st.StopService,
                 not_there=codes.NOT_PROVIDING,
                 infinitive="provide",
+                already=codes.ALREADY_PROVIDING,
+                indicative="provides",
             ),
         ),
     )
@@ -197,6 +202,8 @@ class EndpointKind(str, Enum):
                 ended_by=st.StopAction,
                 not_there=codes.NOT_SERVING,
                 infinitive="provide the action",
+                already=codes.ALREADY_SERVING,
+                indicative="provides the action",
             ),
         ),
     )
@@ -238,6 +245,8 @@ class EndpointKind(str, Enum):
                 ended_by=st.StopRepeating,
                 not_there=codes.NOT_REPEATING,
                 infinitive="repeat",
+                already=codes.ALREADY_REPEATING,
+                indicative="repeats",
             ),
         ),
     )
@@ -257,6 +266,8 @@ class EndpointKind(str, Enum):
                 ended_by=st.NoLongerHasParameter,
                 not_there=codes.NOT_HAVING,
                 infinitive="have the parameter",
+                already=codes.ALREADY_HAVING,
+                indicative="has the parameter",
             ),
         ),
     )
@@ -282,6 +293,9 @@ EndpointKey = tuple[EndpointKind, str]
 
 EDITABLE = tuple(kind for kind in EndpointKind if kind.facts.editing is not None)
 """The kinds of endpoints that statements make and end."""
+
+MADE_BY = {kind.editing.made_by: kind for kind in EDITABLE}
+"""The kind that each statement makes one of."""
 
 _KINDS = {kind.editing.endpoint: kind for kind in EDITABLE}
 

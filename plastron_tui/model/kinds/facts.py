@@ -70,6 +70,8 @@ class Editing(NamedTuple):
         ended_by: the statement that ends one.
         not_there: the code of ending one that is not there.
         infinitive: what the node does not do then, before the name: `publish to`.
+        already: the code of making one that is there already; None where one may be said again.
+        indicative: what the node does already then, before the name: `subscribes to`.
     """
 
     endpoint: type[Any]
@@ -78,6 +80,8 @@ class Editing(NamedTuple):
     ended_by: type[Statement]
     not_there: Code
     infinitive: str
+    already: Code | None = None
+    indicative: str = ""
 
     @property
     def name_slot(self) -> str:

@@ -47,7 +47,7 @@ def has_parameter(run: Run, statement: HasParameter) -> None:
     version = run.checks.version_of(node)
     run.name(statement, "parameter", version, check_parameter_name)
     name = parameter_name(statement.parameter, version)
-    check_new(run, statement, node)
+    run.checks.absent(statement, node)
     type_ = type_of(statement)
     default = default_of(statement, type_)
     if default == () and version == 2:
@@ -57,14 +57,6 @@ def has_parameter(run: Run, statement: HasParameter) -> None:
         name, None, type_, default, minimum, maximum, statement.description or "", statement.span
     )
     run.add(statement, node, parameter)
-
-
-def check_new(run: Run, statement: HasParameter, node: Node) -> None:
-    """Check that a node does not have a parameter yet."""
-    name = parameter_name(statement.parameter, run.checks.version_of(node))
-    if name in node.of(Parameter):
-        what = f"`{node.variable}` has the parameter"
-        raise run.checks.exists_already(statement, "parameter", node, codes.ALREADY_HAVING, what)
 
 
 def type_of(statement: HasParameter) -> ParameterType:

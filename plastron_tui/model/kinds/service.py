@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, NamedTuple
 from plastron_tui.diagnostics import Diagnostic, Label, Span, codes
 from plastron_tui.language.statements import ProvidesService
 from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
-from plastron_tui.ros.names import spelled
 
 from .computed import check_computed
 
@@ -39,8 +38,8 @@ def provide(run: Run, statement: ProvidesService) -> None:
     """Let a node provide a service."""
     node = run.checks.node(statement)
     name, type_ = run.interface(statement, node, "service", InterfaceKind.SERVICE)
-    check_unprovided(run, statement, node)
-    check_handler(run, statement, node, type_.name)
+    run.checks.absent(statement, node)
+    run.checks.function(statement, node, type_.name)
     answer = answer_of(run, statement, node, type_)
     service = Service(name, type_.name, statement.function, statement.span, answer)
     run.add(statement, node, service)
@@ -67,19 +66,3 @@ def answer_of(
     answer = run.types.fit(statement, type_, run.checks.version_of(node), "answer")
     check_computed(run, statement, "answer", node, answer, heard=type_.fields)
     return answer
-
-
-def check_unprovided(run: Run, statement: ProvidesService, node: Node) -> None:
-    """Check that a node does not provide a service yet."""
-    if spelled(statement.service) in node.of(Service):
-        what = f"`{node.variable}` provides"
-        raise run.checks.exists_already(statement, "service", node, codes.ALREADY_PROVIDING, what)
-
-
-def check_handler(
-    run: Run, statement: ProvidesService, node: Node, type_: InterfaceName | None
-) -> None:
-    """Check that a function may take the requests of a type, None for one that is not known."""
-    from . import EndpointKind  # which imports this file
-
-    run.checks.function(statement, node, EndpointKind.SERVICE, type_)
