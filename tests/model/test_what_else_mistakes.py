@@ -5,6 +5,9 @@ from __future__ import annotations
 import pytest
 from workspaces import marked, run
 
+from plastron_tui.model.kinds import Subscription
+from plastron_tui.ros.qos import Qos
+
 BEFORE = """\
 create_node 'driver' as n
 n has_parameter 'speed' of parameter_type float with default 0.5
@@ -329,6 +332,26 @@ def test_what_ros_2_has_not() -> None:
     assert run(text, "rospy").diagnostics == ()
     (found,) = run(text, "rclpy").diagnostics
     assert (found.code, marked(text, found)) == ("parameter-type-mismatch", "[]")
+
+
+def test_a_default_is_one_that_ros_1_can_keep() -> None:
+    text = f"{BEFORE}{PARAMETER} int with default 3000000000\n"
+    assert run(text, "rclpy").diagnostics == ()
+    (found,) = run(text, "rospy").diagnostics
+    assert (found.code, marked(text, found)) == ("parameter-type-mismatch", "3000000000")
+
+
+@pytest.mark.parametrize(
+    ("words", "kept"),
+    [
+        ("sensor_data", None),
+        ("best_effort, depth 5", Qos(history="keep_last", depth=5)),
+        ("depth 5", Qos(history="keep_last", depth=5)),
+    ],
+)
+def test_of_quality_of_service_ros_1_keeps_what_it_has(words: str, kept: Qos | None) -> None:
+    done = run(f"{BEFORE}subscribe n to 'kept' of message_type String with qos {words}\n", "rospy")
+    assert done.workspace.nodes["n"].of(Subscription)["kept"].qos == kept
 
 
 IN_ROS_1 = [

@@ -8,6 +8,7 @@ from plastron_tui.diagnostics import Diagnostic, Span, codes, guess
 from plastron_tui.language.inputs import ListValue, Literal
 from plastron_tui.language.statements import HasParameter
 from plastron_tui.ros.names import check_parameter_name, parameter_name
+from plastron_tui.ros.parameter_values import unfit
 from plastron_tui.ros.parameters import ParameterType, Setting, as_setting
 
 from ..mistake import Mistake
@@ -52,6 +53,11 @@ def has_parameter(run: Run, statement: HasParameter) -> None:
     default = default_of(statement, type_)
     if default == () and version == 2:
         raise _no_default(statement, type_, "an empty list does not say in ROS 2 what it is of")
+    wrong = unfit(default, version)
+    if wrong is not None:
+        raise Mistake(
+            Diagnostic(codes.PARAMETER_TYPE_MISMATCH, wrong, statement.span_of("default"))
+        )
     minimum, maximum = range_of(statement, type_, default)
     parameter = Parameter(
         name, None, type_, default, minimum, maximum, statement.description or "", statement.span

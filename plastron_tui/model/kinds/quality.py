@@ -43,6 +43,10 @@ def qos_of(run: Run, statement: Publish | Subscribe, version: int) -> Qos | None
                 for each in problems
             )
         )
+    if version == 1:
+        # A profile has a depth, which is left out with the rest of it.
+        known = [each for each in statement.qos if WORDS[each.word].is_ros1]
+        found, _ = parse_words([(each.word, each.number) for each in known])
     if is_once:
         if found.durability not in (None, kept.durability):
             raise Mistake(
@@ -65,7 +69,7 @@ def qos_of(run: Run, statement: Publish | Subscribe, version: int) -> Qos | None
                     severity=Severity.WARNING,
                 ),
             )
-    return found
+    return found if found.known else None
 
 
 def agreed(

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from plastron_tui.diagnostics import codes
 from plastron_tui.model.kinds import Parameter
 from plastron_tui.model.kinds.ranges import Interval, limits_of
+from plastron_tui.ros.parameter_values import unfit
 from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.sources.python import literals, naming
 
@@ -34,10 +36,15 @@ def add_parameters(writing: Writing, plan: NodePlan) -> None:
     for parameter in writing.node.of(Parameter).values():
         assert parameter.holds is not None  # statements say it
         name = parameter.name.removeprefix("~/")
+        wrong = unfit(parameter.default or (), writing.dialect.ros_version)
+        if wrong is not None:
+            writing.refuse(codes.PARAMETER_TYPE_MISMATCH, wrong, parameter.span)
+        # A name with a slash before it is one of the whole ROS 1, and not the node's own.
+        is_own = not writing.is_rclpy and not name.startswith("/")
         limits = limits_of(writing.node, parameter, writing.dialect.ros_version)
         plan.parameters.append(
             ParameterPlan(
-                name=literals.string(name if writing.is_rclpy else f"~{name}"),
+                name=literals.string(f"~{name}" if is_own else name),
                 label=naming.label(name, "it"),
                 default=writing.setting(parameter.default),
                 attribute=writing.attributes.new(f"{naming.words(name)}_parameter"),
