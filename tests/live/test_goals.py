@@ -49,6 +49,7 @@ PROGRAMS = {
 def written(graph: Graph, name: str, folder: Path) -> Path:
     """Generate a node, and return its file."""
     program = f"create_node '{name}' as node\n{PROGRAMS[name]}generate_node node\n"
+    folder.mkdir(exist_ok=True)
     source = folder / f"{name}.plastron"
     source.write_text(program)
     [file] = generate(str(source.with_suffix("")), folder / name, graph.target).values()
@@ -279,7 +280,7 @@ def test_a_service_that_does_not_answer_is_asked_again(graph: Graph, tmp_path: P
 
 @pytest.mark.long
 def test_a_node_that_ends_says_how_its_calls_went(graph: Graph, tmp_path: Path) -> None:
-    alone = node(graph, "pilot", tmp_path, SERVICE_TIMEOUT="1.0")
+    alone = node(graph, "pilot", tmp_path / "alone", SERVICE_TIMEOUT="1.0")
     assert alone.wait(60) == 1, alone.output
     assert not own_tracebacks(alone.output)
     server = peer(graph, "answer", 0.0)

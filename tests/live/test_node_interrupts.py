@@ -88,26 +88,28 @@ MORE_CALLS = {
 # Python goes on behind what a signal breaks off in a destructor of rclpy's own, and says so.
 IGNORED = re.compile(r"^Exception ignored in: .*\nTraceback .*\n(?: .*\n)*\S.*\n", re.MULTILINE)
 
-# As `main` does it, but for the end; and a look at what speaks to the master.
+# A look at what speaks to the master while the node works.
 CALL = """\
 import sys, threading
 from pathlib import Path
-import rospy
 from rospy import core
-name, class_name, path = sys.argv[1:]
+class_name, path = sys.argv[1:]
 definitions = {"__name__": "definitions"}
 exec(compile(Path(path).read_text(), path, "exec"), definitions)
-rospy.init_node(name)
-node = definitions[class_name]()
+node_class = definitions[class_name]
+work = node_class.work
 asked = set()
 ask = core._LockedServerProxy._ServerProxy__request
 def listen(proxy, method, arguments):
     asked.add((method, threading.current_thread() is threading.main_thread()))
     return ask(proxy, method, arguments)
-core._LockedServerProxy._ServerProxy__request = listen
-node.call_services()
-# One write: a line of several is seen in parts.
-print(f"asked {sorted(asked)} in all", flush=True)
+def listen_and_work(node):
+    core._LockedServerProxy._ServerProxy__request = listen
+    work(node)
+    # One write: a line of several is seen in parts.
+    print(f"asked {sorted(asked)} in all", flush=True)
+node_class.work = listen_and_work
+definitions["main"]()
 """
 
 
@@ -276,7 +278,7 @@ def test_rosnode_kill_ends_a_node(ros1: Graph, tmp_path: Path) -> None:
     assert "/listener" not in str(master.getSystemState("/test"))
 
 
-PATIENCE = re.compile(r"(join\(|timeout_sec=)SERVICE_TIMEOUT\)")
+PATIENCE = re.compile(r"(\.join\(|self\.create_timer\()SERVICE_TIMEOUT\b")
 """Where a node says how long it waits for an answer."""
 
 
@@ -301,7 +303,7 @@ def test_ctrl_c_while_a_service_does_not_answer(graph: Graph, tmp_path: Path) ->
         )
     )
     waiter = nodes["waiter_client.py"]
-    text, count = PATIENCE.subn(r"\1next(patience))", waiter.read_text())
+    text, count = PATIENCE.subn(r"\1next(patience)", waiter.read_text())
     assert count == 1
     # Ctrl-C is to come while the second answer is waited for, however slow the machine is.
     patience = "SERVICE_TIMEOUT = 600.0\npatience = iter([1.0, 600.0])"
@@ -328,7 +330,7 @@ def test_what_calls_services_leaves_the_main_thread_free(graph: Graph, tmp_path:
     file.write_text(file.read_text().replace("SERVICE_TIMEOUT = 10.0", "SERVICE_TIMEOUT = 1.0"))
     call = tmp_path / "call.py"
     call.write_text(CALL)
-    node = graph.run_with(call, "asker", "AskerNode", str(file))
+    node = graph.run_with(call, "AskerNode", str(file))
     node.wait_to_print(" in all\n")
     # Each line that is logged asks for a parameter first.
     assert "asked [('subscribeParam', False)] in all\n" in node.output

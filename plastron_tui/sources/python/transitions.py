@@ -44,6 +44,8 @@ class Transitions:
         self._resolver = analysis.resolver
         self._looked_up = 0
         self._found: dict[Scope, frozenset[str]] = {}
+        text = analysis.syntax.text
+        self._has_managed = b"on_" in text and b"ifecycle" in text
 
     def of(self, site: Site) -> str | None:
         """Return the transition in which a call is made: None for none, and for several."""
@@ -52,10 +54,6 @@ class Transitions:
             return None
         found = self._of_function(function)
         return next(iter(found)) or None if len(found) == 1 else None
-
-    @property
-    def _has_managed(self) -> bool:
-        return b"on_" in self._analysis.syntax.text and b"ifecycle" in self._analysis.syntax.text
 
     def _of_function(self, function: Scope) -> frozenset[str]:
         """Return the transitions that run a function, "" among them where something else may."""

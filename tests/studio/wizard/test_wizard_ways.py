@@ -63,7 +63,7 @@ async def test_help_explains_every_page(here: Path, steps: int) -> None:
         text = str(question.query_one("#dialog-text").content)
         assert "leaves no trace" in text
         if steps == 1:
-            assert "create_node 'NODE_NAME' as VARIABLE [using CLIENT_LIBRARY]" in text
+            assert "create_node 'NODE_NAME' as VARIABLE [managed] [using CLIENT_LIBRARY]" in text
         await it.pilot.press("enter")
         await it.settle()
         assert it.title == title
