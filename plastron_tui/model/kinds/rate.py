@@ -31,6 +31,9 @@ class Rate(NamedTuple):
     hertz: float
     parameter: str | None = None
 
+    def __str__(self) -> str:
+        return self.parameter or f"{self.hertz:g} Hz"
+
 
 def rate_of(run: Run, statement: Any, node: Node) -> Rate | None:
     """Return the rate that a statement gives, None where it gives none."""

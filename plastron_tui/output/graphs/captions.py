@@ -73,6 +73,8 @@ def _details(end: End) -> str:
         case Publisher():
             return sendings_text(end.sendings)
         case Client(requests=requests):
+            if any(each.rate for each in requests):
+                return ", ".join(f"at {each.rate}" if each.rate else "once" for each in requests)
             return "" if len(requests) < 2 else f"{len(requests)} times"
         case ActionClient(goals=goals):
             return "" if len(goals) < 2 else f"{len(goals)} times"

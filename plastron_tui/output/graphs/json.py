@@ -29,11 +29,11 @@ def render(graph: Graph) -> str:
         {"nodes": [{"name", "variable", "library", "file", "generated", "span"}],
          "topics": [{"name", "type", "types", "missing",
            "publishers": [{"node", "variable", "written", "type", "span",
-             "messages": [{"message", "rate", "span"}]}],
+             "messages": [{"message", "rate", "pace", "span"}]}],
            "subscribers": [{"node", "variable", "written", "type", "span", "callback"}]}],
          "services": [{"name", "type", "types", "missing",
            "providers": [{"node", "variable", "written", "type", "span", "handler"}],
-           "clients": [{"node", "variable", "written", "type", "span", "requests"}]}],
+           "clients": [{"node", "variable", "written", "type", "span", "requests", "rates"}]}],
          "actions": [{"name", "type", "types", "missing",
            "action_servers": [{"node", "variable", "written", "type", "span", "handler"}],
            "action_clients": [{"node", "variable", "written", "type", "span", "goals"}]}]}
@@ -42,7 +42,9 @@ def render(graph: Graph) -> str:
     `node` is a node's name, in a namespace its full one, and `variable` tells two of one name
     apart. `type` is `package/Name` or null, `types` all that are in use. `missing` is the side
     that nobody takes (`publisher`, `subscriber`, `provider`, `client`, …), or null. `managed`
-    is there, and true, for a lifecycle node. `rate` is in hertz. A `span` is `[start, end]` in
+    is there, and true, for a lifecycle node. `rate` is in hertz, 0 for a message without a rate
+    of its own; `pace` says in words when it is sent. `rates` has the rate of each request in
+    hertz, null for one that is made once. A `span` is `[start, end]` in
     bytes of the program, null for what was read from a file. `guess` is there, and true, where
     the name or the type that a file has is no more than likely. `qos` is there where something
     is known of the quality of service: its policies by name, those that are known; durations in
@@ -100,12 +102,20 @@ def _details(end: End) -> dict[str, Any]:
         case Publisher():
             return {
                 "messages": [
-                    {"message": sent.message, "rate": sent.rate, "span": _span(sent.span)}
+                    {
+                        "message": sent.message,
+                        "rate": sent.rate,
+                        "pace": sent.pace,
+                        "span": _span(sent.span),
+                    }
                     for sent in end.sendings
                 ]
             }
         case Client(requests=requests):
-            return {"requests": [_value(request.value) for request in requests]}
+            return {
+                "requests": [_value(request.value) for request in requests],
+                "rates": [None if each.rate is None else each.rate.hertz for each in requests],
+            }
         case ActionClient(goals=goals):
             return {"goals": [_value(goal) for goal in goals]}
         case Service(callback=callback) | ActionServer(callback=callback):

@@ -47,6 +47,4 @@ def _shown(value: Setting) -> str:
 
 
 def _rate_text(rate: Rate | None) -> str:
-    if rate is None:
-        return "rate unknown"
-    return rate.parameter or f"{rate.hertz:g} Hz"
+    return "rate unknown" if rate is None else str(rate)

@@ -4,10 +4,12 @@ import json
 import re
 
 import pytest
-from graph_workspaces import Maker, tour, workspaces
+from graph_workspaces import TRIGGER, Maker, tour, workspaces
 from hypothesis import given
 
 from plastron_tui.model.graph import graph_of
+from plastron_tui.model.kinds import Client, Rate, Request
+from plastron_tui.model.values import MessageValue
 from plastron_tui.model.workspace import Workspace
 from plastron_tui.output.graphs import FORMATS, dot, mermaid, render
 from plastron_tui.output.graphs.identifiers import edges_of
@@ -88,7 +90,7 @@ def test_json() -> None:
                 "written": "image",
                 "type": "std_msgs/String",
                 "span": [30, 39],
-                "messages": [{"message": "frame", "rate": 30.0, "span": [30, 39]}],
+                "messages": [{"message": "frame", "rate": 30.0, "pace": "30 Hz", "span": [30, 39]}],
             }
         ],
         "subscribers": [
@@ -104,6 +106,17 @@ def test_json() -> None:
     }
     assert found["services"][1]["clients"][0]["requests"] == [{"data": True}, {}]
     assert found["services"][2]["missing"] == "provider"
+
+
+def test_requests_say_how_often_they_are_made() -> None:
+    make = Maker()
+    rates = (None, Rate(0.5), Rate(2, "often"))
+    requests = tuple(Request(MessageValue(TRIGGER, {}), rate) for rate in rates)
+    make.node("a").put(Client("s", TRIGGER, requests))
+    graph = graph_of(make.workspace)
+    assert "a  calls  once, at 0.5 Hz, at often\n" in render(graph, "text")
+    [service] = json.loads(render(graph, "json"))["services"]
+    assert service["clients"][0]["rates"] == [None, 0.5, 2]
 
 
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), -float("inf")])
