@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from plastron_tui.generating.params_file import params_path
-from plastron_tui.project.run_setup import RunNode, RunSetup, run_node, takes_others
+from plastron_tui.project.run_setup import RunNode, RunSetup, run_node
 from plastron_tui.ros.parameter_values import Assignment, NodeParameters, parse_assignment
 from plastron_tui.ros.run_names import Remap, RunNames, parse_remap
 from plastron_tui.runtime.parameters import SetStatus
@@ -58,7 +58,7 @@ def node_of(folder: Path, text: str, version: int) -> RunNode:
     (folder / "gain.py").write_text(text)
     session = Session(b"load 'gain.py' as g\n", folder / "p.plastron")
     (node,) = session.workspace.nodes.values()
-    return run_node(node, version, node.source, takes_others=takes_others(text))
+    return run_node(node, version, node.source, text)
 
 
 @pytest.mark.parametrize(("version", "text"), [(1, ROSPY), (2, RCLPY)])
@@ -124,6 +124,54 @@ def test_a_value_is_one_of_its_parameter(version: int) -> None:
     sign = "_" if version == 1 else ""
     expected = {"speed:=1.0", "gains:=[1.0, 2.0]", "count:=3", "other:=4"}
     assert {f"{sign}{each}" for each in expected} <= set(given)
+
+
+RANGES = """\
+import rclpy
+from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
+from rclpy.node import Node
+
+
+class Gain(Node):
+    def __init__(self):
+        super().__init__("gain")
+        self.declare_parameter("speed", 1.0, ParameterDescriptor(
+            floating_point_range=[FloatingPointRange(from_value=0.5, to_value=2.0)]))
+        self.declare_parameter("count", 1, ParameterDescriptor(
+            integer_range=[IntegerRange(from_value=-3, to_value=3)]))
+        self.declare_parameter("gain", 1.0)
+        self.declare_parameter("frames", ["map"])
+        self.declare_parameter("other", self.anything())
+"""
+
+
+@pytest.mark.parametrize(
+    ("setting", "wrong"),
+    [
+        ("speed=2", None),
+        ("speed=0.5", None),
+        ("speed=2.01", "2.01 is not between 0.5 and 2"),
+        ("speed=.nan", ".nan is not between 0.5 and 2"),
+        ("speed=fast", '"fast" is no `float`'),
+        ("count=-3", None),
+        ("count=-4", "-4 is not between -3 and 3"),
+        ("count=1.5", "1.5 is no `int`"),
+        ("gain=.inf", None),
+        ("gain=-100", None),
+        ("frames=[a, b]", None),
+        ("frames=[1]", "[1] is no `string_list`"),
+        ("other=[1]", None),
+    ],
+)
+def test_a_value_that_the_node_refuses(tmp_path: Path, setting: str, wrong: str | None) -> None:
+    node = node_of(tmp_path, RANGES, 2)
+    name = setting.partition("=")[0]
+    message = None if wrong is None else f"`g.{name}`: {wrong}"
+    assert setup_of(f"g.{setting}").wrong_option([node]) == message
+    # rclpy lets such a parameter have any type; and rospy checks nothing.
+    anything = RANGES.replace("1.0)", "1.0, ParameterDescriptor(dynamic_typing=True))")
+    assert setup_of(f"g.{setting}").wrong_option([node_of(tmp_path, anything, 2)]) is None
+    assert setup_of(f"g.{setting}").wrong_option([node_of(tmp_path, RANGES, 1)]) is None
 
 
 def test_a_file_is_for_the_ros_of_its_nodes() -> None:

@@ -165,7 +165,7 @@ def _checked(
 
 def _run_node(generated: Generated, output: Path) -> RunNode:
     """Return what is known of a node from the files that it becomes."""
-    from plastron_tui.project.run_setup import run_node, takes_others
+    from plastron_tui.project.run_setup import run_node
     from plastron_tui.targets import find_target, ros_version
 
     node, library = generated.generation.node, generated.generation.library
@@ -177,7 +177,7 @@ def _run_node(generated: Generated, output: Path) -> RunNode:
     if unit is not None and node.source is not None:
         unit = unit.only(node.source.label)
     text = files.main.decode("utf-8", "replace")
-    return run_node(node, ros_version(library), unit, takes_others=takes_others(text))
+    return run_node(node, ros_version(library), unit, text)
 
 
 def _environments(

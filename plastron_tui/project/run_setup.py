@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+import math
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.boundary import Boundary
 from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes, did_you_mean
+from plastron_tui.model.endpoint_details import ParameterDetails, merged
 from plastron_tui.model.kinds import EndpointKind, Parameter
-from plastron_tui.model.source import SourceUnit
+from plastron_tui.model.source import SourceEndpoint, SourceUnit
 from plastron_tui.model.workspace import Node
 from plastron_tui.regular_files import read_regular, reason
 from plastron_tui.ros.interfaces import InterfaceKind
@@ -22,8 +24,9 @@ from plastron_tui.ros.parameter_values import (
     read_params,
     unfit,
     values_of,
+    yaml_text,
 )
-from plastron_tui.ros.parameters import Setting, as_setting
+from plastron_tui.ros.parameters import ParameterType, Setting, as_setting
 from plastron_tui.ros.run_names import AS_WRITTEN, RunNames
 from plastron_tui.runtime.arguments import ros_arguments
 
@@ -42,6 +45,8 @@ _TAKES_OTHERS = (
     "automatically_declare_parameters_from_overrides",
     "get_param_names",
 )
+# What lets a parameter have values of another type than its default's.
+_TAKES_ANY = "dynamic_typing"
 
 
 class RunNode(NamedTuple):
@@ -54,6 +59,7 @@ class RunNode(NamedTuple):
         names: its topics, services and actions, as programs spell them; None where there may be
             others.
         parameters: its parameters, those of ROS 1 by their private names; None likewise.
+        details: what its file says for sure of parameters that the client library checks.
     """
 
     name: str
@@ -61,10 +67,11 @@ class RunNode(NamedTuple):
     ros_version: int
     names: Collection[str] | None
     parameters: Collection[str] | None = None
+    details: Mapping[str, ParameterDetails] = {}
 
 
 def run_node(
-    node: Node, ros_version: int, unit: SourceUnit | None, *, takes_others: bool = True
+    node: Node, ros_version: int, unit: SourceUnit | None, text: str | None = None
 ) -> RunNode:
     """Return what is known of a node.
 
@@ -72,26 +79,34 @@ def run_node(
         node: the node.
         ros_version: the generation of ROS that it is for.
         unit: what its files hold; None for a created node that is not written yet.
-        takes_others: whether it may take parameters that its files do not name.
+        text: its main file, None where that is not known: it may then take parameters that its
+            files do not name.
     """
     if unit is None:
         own = [name for kind in _NAMED for name in node.names(kind)]
         return RunNode(node.name, node.variable, ros_version, own)
     found = tuple(unit.endpoints)
     names = _sure(None if each.is_guess else each.name for each in found if each.kind in _NAMED)
-    parameters = _sure(each.name for each in found if each.kind is EndpointKind.PARAMETER)
+    declared = [each for each in found if each.kind is EndpointKind.PARAMETER]
+    parameters = _sure(each.name for each in declared)
     if parameters is not None and ros_version == 1:
         own_space = f"{resolved_name(node.name, '~')}/"
         full = [resolved_name(node.name, name) for name in parameters]
         parameters = [name.removeprefix(own_space) for name in full if name.startswith(own_space)]
-    return RunNode(
-        node.name, node.variable, ros_version, names, None if takes_others else parameters
-    )
+    if text is None or any(word in text for word in _TAKES_OTHERS):
+        parameters = None
+    # rospy checks nothing.
+    is_checked = ros_version == 2 and text is not None and _TAKES_ANY not in text
+    details = {name: each for name, each in _details(declared) if is_checked}
+    return RunNode(node.name, node.variable, ros_version, names, parameters, details)
 
 
-def takes_others(text: str) -> bool:
-    """Tell whether a node's text says that it takes parameters that it does not name."""
-    return any(word in text for word in _TAKES_OTHERS)
+def _details(parameters: Iterable[SourceEndpoint]) -> Iterator[tuple[str, ParameterDetails]]:
+    by_name: dict[str, list[ParameterDetails]] = {}
+    for each in parameters:
+        if each.name is not None and isinstance(each.details, ParameterDetails):
+            by_name.setdefault(each.name, []).append(each.details)
+    return ((name, merged(said)) for name, said in by_name.items())
 
 
 class RunSetup(NamedTuple):
@@ -120,7 +135,7 @@ class RunSetup(NamedTuple):
             if wrong is not None:
                 return wrong
             for one in self._settings(node.name, node.variable):
-                wrong = _unfit(one.name, one.value, node.ros_version)
+                wrong = _unfit(node, one.name, one.value)
                 if wrong is not None:
                     return f"`{one.node}.{one.name}`: {wrong}"
         return None
@@ -134,7 +149,7 @@ class RunSetup(NamedTuple):
         """
         for node in nodes:
             for name, value in self._from_file(node.name).items():
-                wrong = _unfit(name, value, node.ros_version)
+                wrong = _unfit(node, name, value)
                 if wrong is not None:
                     message = f"`{name}` of `{node.name}`: {wrong}"
                     yield Diagnostic(codes.BAD_PARAMETERS, message, file=file)
@@ -243,8 +258,24 @@ def _sure(names: Iterable[str | None]) -> list[str] | None:
     return None if None in listed else [name for name in listed if name is not None]
 
 
-def _unfit(name: str, value: Setting, ros_version: int) -> str | None:
-    return name_problem(name, ros_version) or unfit(value, ros_version)
+def _unfit(node: RunNode, name: str, value: Setting) -> str | None:
+    problem = name_problem(name, node.ros_version) or unfit(value, node.ros_version)
+    details = node.details.get(name)
+    return problem if problem is not None or details is None else _refused(details, value)
+
+
+def _refused(details: ParameterDetails, value: Setting) -> str | None:
+    """Return why rclpy refuses a value for a parameter, None where it does not."""
+    type_ = details.type
+    # Infinity and what is no number at all are floats, though no program can write them.
+    finite = 0.0 if isinstance(value, float) and not math.isfinite(value) else value
+    if type_ in set(ParameterType) and as_setting(ParameterType(type_), finite) is None:
+        return f"{yaml_text(value)} is no `{type_}`"
+    if details.range is None or not isinstance(value, (int, float)):
+        return None
+    low, high, _ = details.range
+    is_within = low <= value <= high
+    return None if is_within else f"{yaml_text(value)} is not between {low:g} and {high:g}"
 
 
 def _undeclared(node: RunNode, name: str) -> Diagnostic | None:

@@ -78,8 +78,8 @@ UNDECLARED_PARAMETER = Code(
 BAD_PARAMETERS = Code(
     "bad-parameters",
     "The parameter file of a program (`config/NAME.yaml`) has a mistake, or a value that its ROS "
-    "cannot have; nothing is started. It is a parameter file of ROS 2: below a node's name and "
-    "`ros__parameters:`, a value for each name.",
+    "cannot have or its node refuses; nothing is started. It is a parameter file of ROS 2: below "
+    "a node's name and `ros__parameters:`, a value for each name.",
 )
 
 UNSUPPORTED_TARGET = Code(
