@@ -143,6 +143,18 @@ generate_node driver
 `plastron run FILE --set driver.speed=0.8` sets it at the start. The defaults are written to
 `config/NAME.yaml` too, which `run` reads and which is yours to change ([more](commands.md#plastron-run)).
 
+## Requests and goals
+
+A node whose only work is to call services calls each once, in the order of the program, and ends; a
+service that is not there within ten seconds is an error, and its exit status is then 1. A node that
+does something else too, or calls `at` a rate, lives on: it waits for the service, warns every ten
+seconds while nobody provides it, and goes on with its other work meanwhile. So it is with goals: the
+feedback and the result are logged. Ctrl-C ends the node; a goal that it sent stays with the server.
+
+The function of an action is yours to fill in, as that of a service: it is written with a feedback, a
+result, and the place where it looks whether it is to end. A client may cancel; a new goal ends the
+one before it. Messages, timers and other calls of the node go on while it works.
+
 ## Quality of service
 
 How messages are to arrive stands behind `with qos`: words in any order, with commas between them.

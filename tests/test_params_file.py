@@ -44,6 +44,17 @@ def test_it_follows_the_program(tmp_path: Path, library: str) -> None:
         assert file.read_text() == TEXT.format(speed)
 
 
+def test_what_all_nodes_of_ros_1_share_is_no_nodes_own(tmp_path: Path) -> None:
+    program = PROGRAM.format("1.0", "rospy").replace("'speed'", "'/speed'")
+    session = Session(program.encode(), tmp_path / "p.plastron")
+    plan, diagnostics = session.plan()
+    assert not diagnostics
+    assert not write(plan).diagnostics
+    text = (tmp_path / "config" / "p.yaml").read_text()
+    assert text == '/cruiser:\n  ros__parameters:\n    frame: "map"\n'
+    assert session.params()[1] == ()
+
+
 @pytest.mark.parametrize("text", ["", "# mine", TEXT.format("7.0")])
 @pytest.mark.parametrize("is_first", [True, False])
 def test_what_a_user_wrote_stays(tmp_path: Path, text: str, is_first: bool) -> None:

@@ -57,5 +57,6 @@ def _defaults(node: Node) -> dict[str, Setting]:
     return {
         name.removeprefix("~/"): parameter.default
         for name, parameter in node.of(Parameter).items()
-        if parameter.default is not None
+        # What ROS 1 has for all nodes, `/speed`, is no node's to be given.
+        if parameter.default is not None and not name.startswith("/")
     }

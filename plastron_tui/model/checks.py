@@ -167,10 +167,12 @@ class Checks:
             return
         self.function_name(statement, node)
         kind = MADE_BY[type(statement)]
-        for (other_kind, _), other in node.endpoints.items():
+        for (other_kind, name), other in node.endpoints.items():
             if callback_of(other) != function:
                 continue
-            if other_kind is not kind or type_ not in (None, other.type):
+            # What is sent for each message of a topic is sent by the function that takes them.
+            sends = bool(users_of(node, other_kind, name))
+            if sends or other_kind is not kind or type_ not in (None, other.type):
                 labels = () if other.span is None else (Label(other.span, "called here"),)
                 raise Mistake(
                     Diagnostic(

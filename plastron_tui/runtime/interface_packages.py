@@ -10,7 +10,6 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 
@@ -161,9 +160,12 @@ def kept_package(
             log.write_text(f"{shlex.join(error.cmd)}\n{error.stdout}", encoding="utf-8")
             message = f"`{package}` could not be built: `{error.cmd[0]}` failed"
             raise BuildError(message, f"read what it said in {log}") from error
-        # Another run may have been faster.
-        with suppress(FileExistsError, NotADirectoryError):
+        try:
             made.rename(kept)
+        except OSError:
+            # Another run may have been faster.
+            if not kept.is_dir():
+                raise
     return kept
 
 

@@ -10,14 +10,15 @@ import time
 
 
 def fill(message, fields):
-    """Set fields, by name and at any depth; a time has `sec` and `nanosec`."""
+    """Set fields, by name and at any depth; a time has `sec` and `nanosec`, a byte its number."""
     for name, value in fields.items():
         if hasattr(message, "to_nsec"):
             name = {"sec": "secs", "nanosec": "nsecs"}[name]
         if isinstance(value, dict):
             fill(getattr(message, name), value)
         else:
-            setattr(message, name, value)
+            is_octet = isinstance(getattr(message, name), bytes) and isinstance(value, int)
+            setattr(message, name, bytes([value]) if is_octet else value)
     return message
 
 

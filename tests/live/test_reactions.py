@@ -42,6 +42,8 @@ STEPS = [
     send("/imu", {"orientation_covariance": [0.25] * 9}, "/sure"),
     send("/is_on", {"data": True}),
     send("/is_on", {"data": False}, "/off"),
+    *(send("/octet", {"data": value}, *to) for value, to in ((5, ()), (4, ("/low",)))),
+    *(send("/exact", {"data": value}, *to) for value, to in ((0.2, ()), (0.1, ("/tenth",)))),
     call("/switch", {"data": True}),
     call("/switch", {"data": False}),
 ]
@@ -62,6 +64,8 @@ def test_what_follows_from_a_message_is_sent_and_nothing_else(graph: Graph, tmp_
         "/real": [{"data": float(value)} for value in (27, 0, -(2**31), 1)],
         "/sure": [{"data": 0.25}],
         "/off": [{"data": True}],
+        "/low": [{"data": True}],
+        "/tenth": [{"data": True}],
     }
     assert traffic.answers == [
         {"success": True, "message": "switched"},

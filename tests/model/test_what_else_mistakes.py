@@ -16,12 +16,19 @@ n has_parameter 'names' of parameter_type string_list with default ["a"]
 n has_parameter 'idle' of parameter_type float with default 0
 subscribe n to 'scan' of message_type sensor_msgs/LaserScan
 subscribe n to 'text' of message_type String
+subscribe n to 'news' of message_type String calling heard
+subscribe n to 'left' of message_type String calling both
+subscribe n to 'right' of message_type String calling both
 n repeats tick at 1 hz
 n provides_action 'acts' of action_type Fibonacci calling act
 n sends_goal to 'done' of action_type Fibonacci with input none
 create_message go of message_type Twist and input linear.x=parameter 'speed'
 create_message near of message_type Float32 and input received.ranges[0] * 2
 create_message m of message_type String and input "a"
+n publish m to 'echo' of message_type String for_each 'news'
+n publish m to 'kept' of message_type String with qos latched, depth 3
+create_message other of message_type String and input "b"
+n publish other to 'deep' of message_type String with qos depth 3
 """
 
 NEAR = "n publish near to 'd' of message_type Float32"
@@ -29,6 +36,7 @@ PUBLISH = "n publish m to 'd' of message_type String"
 ANSWER = "n provides_service 's' of service_type AddTwoInts answering"
 GOAL = "n sends_goal to 'done' of action_type Fibonacci with input"
 PARAMETER = "n has_parameter 'x' of parameter_type"
+SERVE = "n provides_action 'b' of action_type"
 REQUEST = "n client_requests 's' of service_type AddTwoInts with input"
 
 # What follows, the code, the text that is marked, what the help says.
@@ -137,22 +145,19 @@ MISTAKES: list[tuple[str, str, str, str | None]] = [
     ("n repeats f at -2 hz", "invalid-rate", "-2", "write `at 2 hz`"),
     ("n repeats tick at 2 hz", "already-repeating", "tick", None),
     ("n repeats act at 2 hz", "function-conflict", "act", "each kind of message and"),
+    (
+        "subscribe n to 'words' of message_type String calling heard",
+        "function-conflict",
+        "heard",
+        "each kind of message and",
+    ),
+    (f"{PUBLISH} for_each 'left'", "function-conflict", "'left'", "let `n` call another function"),
     ("n repeats class at 2 hz", "invalid-function", "class", "write `class_`"),
     ("n stop_repeating tik", "not-repeating", "tik", "did you mean `tick`?"),
     ("n stop_repeating nothing", "not-repeating", "nothing", None),
     ("n provides_action 'acts' of action_type Fibonacci", "already-serving", "'acts'", None),
-    (
-        "n provides_action 'b' of action_type Fibonaci",
-        "unknown-type",
-        "Fibonaci",
-        "did you mean `Fibonacci`?",
-    ),
-    (
-        "n provides_action 'b' of action_type Fibonacci calling tick",
-        "function-conflict",
-        "tick",
-        "each kind of message and",
-    ),
+    (f"{SERVE} Fibonaci", "unknown-type", "Fibonaci", "did you mean `Fibonacci`?"),
+    (f"{SERVE} Fibonacci calling tick", "function-conflict", "tick", "each kind of message and"),
     ("n provides_action 'b c' of action_type Fibonacci", "invalid-name", " ", "write 'b_c'"),
     ("n stop_action 'act'", "not-serving", "'act'", "did you mean `acts`?"),
     ("n stop_action 'done'", "not-serving", "'done'", None),
@@ -241,6 +246,12 @@ MISTAKES: list[tuple[str, str, str, str | None]] = [
         "take away first what needs it",
     ),
     (f"{PUBLISH} with qos relyable", "invalid-qos", "relyable", "did you mean `reliable`?"),
+    (
+        "n publish m to 'deep' of message_type String once",
+        "invalid-qos",
+        "once",
+        "write `latched` with the quality of service",
+    ),
     (f"{PUBLISH} with qos depth", "invalid-qos", "depth", "write `depth 10`"),
     (f"{PUBLISH} with qos depth 0.5", "invalid-qos", "depth 0.5", "write `depth 10`"),
     (f"{PUBLISH} with qos depth -1", "invalid-qos", "depth -1", "write `depth 10`"),
@@ -310,6 +321,7 @@ RIGHT = [
     f"{GOAL} order=parameter 'count'",
     f"{REQUEST} a=parameter 'count' * 2",
     f"{ANSWER} sum=received.a + 1",
+    "n publish other to 'kept' of message_type String once",
     f"{NEAR} for_each 'scan'",
     f"{NEAR} for_each 'scan' when any received.ranges < 1",
     f"{NEAR} for_each 'scan' when received.header.frame_id = \"a\"",

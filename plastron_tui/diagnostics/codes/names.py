@@ -101,7 +101,8 @@ INVALID_FUNCTION = Code(
 
 FUNCTION_CONFLICT = Code(
     "function-conflict",
-    "One function of a node is to take both messages and requests, or requests of two types.",
+    "One function of a node is to take both messages and requests, or requests of two types; or "
+    "the messages of two topics, though something is sent `for_each` message of one of them.",
     bad="create_node 'robot' as robot\n"
     "subscribe robot to 'orders' of message_type String calling obey\n"
     "robot provides_service 'stop' of service_type Trigger calling obey\n",

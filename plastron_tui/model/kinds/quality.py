@@ -82,14 +82,21 @@ def agreed(
     """
     if given is None or earlier is None or given == earlier:
         return earlier if given is None else given
+    if not statement.qos and given.durability == earlier.durability:
+        return earlier
     if where is None:
         return given.over(earlier) if statement.qos else earlier
+    message = "this node publishes to the topic with another quality of service already"
+    remedy = "give it once, with the first message"
+    if not statement.qos:
+        message = "what is sent once is kept for those who listen later, and this topic's is not"
+        remedy = "write `latched` with the quality of service of the first message"
     raise Mistake(
         Diagnostic(
             codes.INVALID_QOS,
-            "this node publishes to the topic with another quality of service already",
-            statement.span_of("qos"),
-            help="give it once, with the first message",
-            labels=() if where is None else (Label(where, "given here"),),
+            message,
+            statement.span_of("qos" if statement.qos else "once"),
+            help=remedy,
+            labels=(Label(where, "given here"),),
         )
     )

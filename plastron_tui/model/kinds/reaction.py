@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, codes, guess
+from plastron_tui.diagnostics import Diagnostic, Label, codes, guess
 from plastron_tui.language.statements import Publish
 from plastron_tui.ros.interfaces import Interface, InterfaceKind
 
@@ -65,10 +65,28 @@ def reaction_of(run: Run, statement: Publish, node: Node) -> tuple[Reaction, Int
                 fix=fix,
             )
         )
+    _check_function(statement, node, subscription)
     type_ = run.types.catalog(version).find(subscription.type, InterfaceKind.MESSAGE)
     if type_ is None:
         type_ = Interface.undefined(subscription.type, InterfaceKind.MESSAGE)
     return Reaction(topic, _condition(run, statement, node, type_)), type_
+
+
+def _check_function(statement: Publish, node: Node, subscription: Subscription) -> None:
+    """Check that the function that is to send takes the messages of no other topic."""
+    function = subscription.callback
+    for other in node.of(Subscription).values():
+        if function is not None and other is not subscription and other.callback == function:
+            labels = () if other.span is None else (Label(other.span, "called here"),)
+            raise Mistake(
+                Diagnostic(
+                    codes.FUNCTION_CONFLICT,
+                    f"`{function}` is called for each message of `{other.name}` too",
+                    statement.span_of("trigger"),
+                    help=f"let `{node.variable}` call another function for `{other.name}`",
+                    labels=labels,
+                )
+            )
 
 
 def _condition(run: Run, statement: Publish, node: Node, type_: Interface) -> Condition | None:

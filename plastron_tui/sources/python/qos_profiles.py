@@ -162,5 +162,6 @@ def _seconds(field: str, origin: Origin) -> float | None:
         number = constant(origin.analysis, given, origin.scope) if given is not None else 0
         if number is None or not math.isfinite(number):
             return None
-        nanoseconds += int(number * scale)
+        # rclpy cuts what is below a nanosecond off: 2.01 is what somebody wrote all the same.
+        nanoseconds += round(number * scale)
     return nanoseconds / 10**9 if 0 < nanoseconds < _INFINITE else math.inf

@@ -87,6 +87,7 @@ FORMS = {
     publisher("QoSProfile(depth=1, deadline=Duration(seconds=1, nanoseconds=5e8))"): (
         "depth 1, deadline 1.5"
     ),
+    publisher("QoSProfile(depth=1, deadline=Duration(seconds=2.01))"): "depth 1, deadline 2.01",
     publisher("QoSProfile(depth=1, deadline=Duration())"): "depth 1",
     publisher("QoSProfile(depth=1, deadline=Infinite)"): "depth 1",
     publisher(

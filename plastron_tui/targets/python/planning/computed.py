@@ -6,6 +6,8 @@ rospy's publisher sends nothing any more after one message that cannot be serial
 
 from __future__ import annotations
 
+import math
+from array import array
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -73,9 +75,7 @@ def written(writing: Writing, value: Computed, holder: str, heard: Sequence[Fiel
         return source.text
     if value.type.is_array:
         return _list(writing, value, source)
-    text = source.text
-    if writing.is_rclpy and source.type is not None and source.type.name == "byte":
-        text += "[0]"
+    text = source.text if source.type is None else as_number(writing, source.text, source.type)
     for operator, number in value.steps:
         text += f" {operator} {literals.number(number)}"
     return _fitting(writing, value, source, text)
@@ -108,6 +108,20 @@ def holder_of(writing: Writing, source: OfReceived, holder: str, heard: Sequence
     if whole.length is None or range_ is None or whole.name == "byte" or not writing.is_rclpy:
         return text
     return f"{'int' if isinstance(range_.least, int) else 'float'}({text})"
+
+
+def as_number(writing: Writing, text: str, type_: FieldType) -> str:
+    """Write a value of a type that is no list as something to calculate and compare with."""
+    return f"{text}[0]" if writing.is_rclpy and type_.name == "byte" else text
+
+
+def compared_with(writing: Writing, number: float, type_: FieldType) -> str:
+    """Write a number that fields of a type are equal to where they hold it, as near as they can."""
+    text = literals.number(number)
+    if type_.name != "float32" or array("f", [number])[0] in (number, math.inf, -math.inf):
+        return text
+    writing.functions.add(AS_FLOAT32)
+    return f"{AS_FLOAT32}({text})"
 
 
 def _source(
