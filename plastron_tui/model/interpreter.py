@@ -15,6 +15,7 @@ from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.lowering import Program
 
+from .circles import check_circles
 from .context import Setting
 from .kinds import EDITABLE, EndpointKind
 from .meetings import check_meetings
@@ -65,6 +66,7 @@ def interpret(
         workspace, version_of = interpreter.workspace, interpreter.version_of
         diagnostics += tuple(late_changes(program, workspace))
         diagnostics += tuple(check_meetings(program, workspace, version_of))
+        diagnostics += tuple(check_circles(workspace, version_of))
     return Interpretation(interpreter.workspace, diagnostics, interpreter.fitters)
 
 

@@ -26,7 +26,7 @@ from plastron_tui.ros.parameter_values import (
     values_of,
     yaml_text,
 )
-from plastron_tui.ros.parameters import ParameterType, Setting, as_setting
+from plastron_tui.ros.parameters import OF_EVERY_NODE, ParameterType, Setting, as_setting
 from plastron_tui.ros.run_names import AS_WRITTEN, RunNames
 from plastron_tui.runtime.arguments import ros_arguments
 
@@ -38,7 +38,6 @@ LARGEST_PARAMS = 256 * 1024
 
 _NAMED = tuple(kind for kind in EndpointKind if kind.facts.interface is not None)
 _ACTIONS = tuple(kind for kind in _NAMED if kind.facts.interface is InterfaceKind.ACTION)
-_OF_EVERY_NODE = ("use_sim_time", "start_type_description_service", "qos_overrides")
 # What lets a node take parameters that its file does not name.
 _TAKES_OTHERS = (
     "allow_undeclared_parameters",
@@ -282,7 +281,7 @@ def _undeclared(node: RunNode, name: str) -> Diagnostic | None:
     """Return a warning for a parameter that a node has not, nor one that this is a part of."""
     if node.parameters is None:
         return None
-    known = {_parts(one, node.ros_version) for one in (*node.parameters, *_OF_EVERY_NODE)}
+    known = {_parts(one, node.ros_version) for one in (*node.parameters, *OF_EVERY_NODE)}
     parts = _parts(name, node.ros_version)
     if any(parts[: count + 1] in known for count in range(len(parts))):
         return None

@@ -30,6 +30,7 @@ _WORDS = {
 _NAME = re.compile(r"[A-Za-z_]\w*(?:[./][A-Za-z_]\w*)*", re.ASCII)
 _PATTERN_PART = re.compile(r"\*\*?|\w+", re.ASCII)
 _NO_XML = re.compile("[^\t\n\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+_HALF = re.compile("[\ud800-\udfff]")
 _SECTION = "ros__parameters"
 _STRING = "tag:yaml.org,2002:str"
 _QUOTE_IT = 'write a text in quotes, such as `"0.8"`'
@@ -111,6 +112,8 @@ def unfit(value: Setting, ros_version: int) -> str | None:
     for each in value if isinstance(value, tuple) else (value,):
         if isinstance(each, str) and "\0" in each:
             return "a text has no NUL character in ROS"
+        if isinstance(each, str) and (half := _HALF.search(each)) is not None:
+            return f"U+{ord(half[0]):04X} is half a character, which ROS cannot send"
         if ros_version == 2:
             continue
         if isinstance(each, str) and (bad := _NO_XML.search(each)) is not None:

@@ -13,6 +13,14 @@ INTEGERS = range(-(2**63), 2**63)
 """What an integer parameter of ROS 2 can hold (rcl_interfaces/ParameterValue: an int64)."""
 
 
+OF_EVERY_NODE = ("use_sim_time", "start_type_description_service", "qos_overrides")
+"""The parameters that each node of ROS 2 declares itself; the last one has others below it.
+
+Sources: `rclpy/time_source.py`, `rclpy/type_description_service.py`,
+`rclpy/qos_overriding_options.py`.
+"""
+
+
 class ParameterType(str, Enum):
     """What a parameter holds, as programs name it.
 

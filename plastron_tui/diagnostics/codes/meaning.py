@@ -228,6 +228,17 @@ QOS_INCOMPATIBLE = Code(
     good=f"{TALKING}{_LISTENING}with qos best_effort\n",
 )
 
+ENDLESS_MESSAGES = Code(
+    "endless-messages",
+    "What is sent for each message of a topic comes back to that topic, of the node itself or by "
+    "way of others, so that one message is sent again and again as fast as the nodes can.",
+    severity=Severity.WARNING,
+    bad=f'{LISTENER}create_message note of message_type String and input "heard"\n'
+    "listener publish note to 'chatter' of message_type String for_each 'chatter'\n",
+    good=f'{LISTENER}create_message note of message_type String and input "heard"\n'
+    "listener publish note to 'echo' of message_type String for_each 'chatter'\n",
+)
+
 INVALID_QOS = Code(
     "invalid-qos",
     "A quality of service has a word that there is not, one that lacks its number, or two that "

@@ -9,7 +9,7 @@ from plastron_tui.language.inputs import ListValue, Literal
 from plastron_tui.language.statements import HasParameter
 from plastron_tui.ros.names import check_parameter_name, parameter_name
 from plastron_tui.ros.parameter_values import unfit
-from plastron_tui.ros.parameters import ParameterType, Setting, as_setting
+from plastron_tui.ros.parameters import OF_EVERY_NODE, ParameterType, Setting, as_setting
 
 from ..mistake import Mistake
 
@@ -48,6 +48,9 @@ def has_parameter(run: Run, statement: HasParameter) -> None:
     version = run.checks.version_of(node)
     run.name(statement, "parameter", version, check_parameter_name)
     name = parameter_name(statement.parameter, version)
+    if version == 2 and name.partition(".")[0] in OF_EVERY_NODE:
+        what = f"every node of ROS 2 has the parameter `{name}` without a word of yours"
+        raise Mistake(Diagnostic(codes.ALREADY_HAVING, what, statement.span_of("parameter")))
     run.checks.absent(statement, node)
     type_ = type_of(statement)
     default = default_of(statement, type_)
@@ -135,7 +138,9 @@ def range_of(
         return None, None
     low, high = as_setting(type_, minimum), as_setting(type_, maximum)
     if not type_.is_number or low is None or high is None:
-        what = "only a number has a range" if not type_.is_number else "the range is no `int`"
+        what = "only a number has a range"
+        if type_.is_number:
+            what = f"the range is not of the type `{type_.value}`"
         raise _wrong_range(statement, what)
     assert isinstance(low, (int, float)) and isinstance(high, (int, float))
     assert isinstance(default, (int, float))

@@ -316,7 +316,6 @@ class NodePlan:
             or self.services
             or self.action_servers
             or self.timers
-            or self.parameters
         )
         return bool(others) or not self.tasks
 
