@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 
 from hypothesis import strategies as st
@@ -107,13 +108,18 @@ def message(
 
 
 @st.composite
-def nodes(draw: st.DrawFn, library: str, names: st.SearchStrategy[str] = NAMES) -> Node:
+def nodes(
+    draw: st.DrawFn,
+    library: str,
+    names: st.SearchStrategy[str] = NAMES,
+    told_apart_by: Callable[[str], str] = str,
+) -> Node:
     messages = st.sampled_from(catalog(library).names(InterfaceKind.MESSAGE))
     services = st.sampled_from(catalog(library).names(InterfaceKind.SERVICE))
     actions = st.sampled_from(catalog(library).names(InterfaceKind.ACTION))
     functions = st.none() | WORDS.map(lambda word: f"on_my_{word}")
     node = Node(draw(names), "node", SPAN)
-    some = st.lists(names, max_size=3, unique=True)
+    some = st.lists(names, max_size=3, unique_by=told_apart_by)
     for topic in draw(some):
         type_ = draw(messages)
         values = draw(

@@ -165,7 +165,7 @@ def is_separable(node: Node) -> bool:
 @settings(thorough, max_examples=examples(60))
 @given(data=st.data())
 def test_no_string_becomes_code(library: str, data: st.DataObject) -> None:
-    node = data.draw(nodes(library, EVIL))
+    node = data.draw(nodes(library, EVIL, words))
     assume(is_separable(node))
     tree, strings = shape(render(node, library))
     assert tree == shape(render(tame(node), library))[0]
