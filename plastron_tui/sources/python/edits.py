@@ -64,6 +64,17 @@ def endpoints_of(analysis: Analysis) -> Found:
     return Counter((labels.get(site, ""), key_of(site.endpoint)) for site in analysis.sites)
 
 
+def _by_expression(analysis: Analysis) -> Found:
+    """Return the endpoints that go by an expression, in which a parameter may be named."""
+    labels = labels_of(analysis)
+    sites = (each for each in analysis.sites if each.endpoint.name is None)
+    return Counter((labels.get(each, ""), key_of(each.endpoint)) for each in sites)
+
+
+def _without_expressions(found: Found) -> Found:
+    return Counter((label, (key[0], None, *key[2:])) for label, key in found.elements())
+
+
 class _Manner(NamedTuple):
     """What additions have in common that may be written alike."""
 
@@ -159,6 +170,10 @@ class Edits:
         self._read(before.syntax.text)
         splices = realigned(before.syntax, renaming.splices)
         self.analysis = analyze_again(before, apply(before.syntax.text, splices))
+        spelled, respelled = _by_expression(before), _by_expression(self.analysis)
+        if _without_expressions(spelled) == _without_expressions(respelled):
+            self.expected.subtract(spelled)
+            self.expected.update(respelled)
 
     def _remove(self, change: Remove) -> None:
         sites = find_sites(part_of(self.analysis, change.node), change)

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
 
+from tree_sitter import Node
+
+from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.names import name_as_written
 
 from .analysis import Analysis, Site
@@ -17,7 +20,8 @@ def retell(
 ) -> Iterator[Splice]:
     """Yield what lets the texts that are only told say the new names of call sites.
 
-    A name that is one plain word may mean something else there, and is left.
+    A name that is one plain word may mean something else there, and is left; not so a parameter's
+    that something's `name` is compared with, as those do that hear of changes.
 
     Args:
         analysis: the file.
@@ -26,7 +30,10 @@ def retell(
     """
     kept = {site.endpoint.name for site in analysis.sites if site not in wanted}
     news: dict[str, set[str]] = {}
+    parameters = set()
     for site, new in wanted.items():
+        if site.endpoint.kind is EndpointKind.PARAMETER:
+            parameters.add(site.endpoint.name)
         if site.endpoint.name is not None:
             news.setdefault(site.endpoint.name, set()).add(new)
     uses = NameUses(analysis, said)
@@ -35,13 +42,25 @@ def retell(
             continue
         for text in texts_saying(analysis, old):
             splice = _respelled(analysis, text, old, next(iter(found)))
-            if splice is None or not text.is_sure or text.node.id in said:
+            if splice is None or text.node.id in said:
                 continue
-            if is_other_name(analysis, text):
+            if text.is_whole and old in parameters and _is_compared(analysis, text.node):
+                yield splice
+                continue
+            if not text.is_sure or is_other_name(analysis, text):
                 continue
             if uses.is_harmless(text.node):
                 yield splice
         yield from _redocumented(analysis, old, next(iter(found)))
+
+
+def _is_compared(analysis: Analysis, text: Node) -> bool:
+    """Whether the `name` of something is compared with a text."""
+    parent = text.parent
+    if parent is None or parent.type != "comparison_operator":
+        return False
+    members = [each.child_by_field_name("attribute") for each in parent.named_children]
+    return any(each is not None and analysis.syntax.slice(each) == "name" for each in members)
 
 
 def _redocumented(analysis: Analysis, old: str, new: str) -> Iterator[Splice]:

@@ -325,6 +325,21 @@ RCLPY = {
         "n renames parameter 'a' to 'b.c'",
         {"'a'": "'b.c'"},
     ),
+    "a parameter in a period and a topic": (
+        "self.declare_parameter('a', 2)\n        self.declare_parameter('t')\n"
+        "        self.create_timer(1 / self.get_parameter('a').value, self.tick)\n"
+        "        self.create_timer(self.get_parameter('t').value, self.tick)\n"
+        "        self.create_publisher(Dock, self.get_parameter('t').value, 10)",
+        "n renames parameter 'a' to 'b'\nn renames parameter 't' to 'a'",
+        {"'a'": "'b'", "'t'": "'a'"},
+    ),
+    "a parameter where changes are heard of": (
+        "self.declare_parameter('a', 2)\n\n    def heard(self, changes):\n"
+        "        for each in changes:\n            if each.name == 'a' or each.kind == 'a':\n"
+        "                self.get_logger().info('a')",
+        "n renames parameter 'a' to 'b'",
+        {"parameter('a'": "parameter('b'", "name == 'a'": "name == 'b'"},
+    ),
     "a parameter whose name has the sign of ROS 1": (
         "self.declare_parameter('~a', 1)\n        self.get_parameter('~a').value",
         "n renames parameter '~a' to 'b'",
