@@ -166,12 +166,23 @@ def redeclare(update: Replacement, parameter: Parameter, found: ParameterDetails
     if call.default is None:
         raise NotInPlaceError
     if found.default != parameter.default or type(found.default) is not type(parameter.default):
-        update.put(call.default, setting_text(parameter.default, update.added.writer.conventions))
+        text = setting_text(parameter.default, update.added.writer.conventions)
+        update.put(_first_value(analysis, site, call.default), text)
     _set_range(update, parameter, found, call.descriptor)
     if not update.added.is_rclpy and parameter.minimum is not None:
         update.notes.append(_no_range(parameter))
     if parameter.holds is not None and found.type not in (None, parameter.holds.value):
         update.notes.append(_other_type(parameter, found))
+
+
+def _first_value(analysis: Analysis, site: Site, default: Node) -> Node:
+    """Return the default, or what it is at first: that of the last good value, `self.speed`."""
+    if default.type != "attribute":
+        return default
+    bindings = analysis.resolver.attribute_bindings(default, site.scope)
+    values = [each.value for each in bindings if each.value is not None]
+    known = [each for each in values if analysis.resolver.fold(each, site.scope) is not None]
+    return known[0] if len(known) == 1 and len(values) > 1 else default
 
 
 def _other_type(parameter: Parameter, found: ParameterDetails) -> Diagnostic:
@@ -246,7 +257,7 @@ def _check_range(parameter: Parameter, limits: Range | None) -> None:
 
 def has_asked(parameter: Parameter, found: ParameterDetails, version: int) -> bool:
     """Tell whether a call says of a parameter what is asked for, as far as its ROS has it."""
-    if found.default != parameter.default:
+    if found.default is not None and found.default != parameter.default:
         return False
     wanted = parameter.minimum, parameter.maximum
     is_range = version == 1 or wanted == (None, None)

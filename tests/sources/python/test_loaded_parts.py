@@ -178,6 +178,14 @@ DESCRIBED = "from rcl_interfaces.msg import IntegerRange, ParameterDescriptor\n"
             ["-rospy.set_param('~a', rospy.get_param('~a', 1))"],
         ),
         (
+            "import rospy\nrospy.init_node('a')\n\n\nclass A:\n    def __init__(self):\n"
+            "        self.a = 1\n\n    def look(self):\n"
+            "        self.a = check(rospy.get_param_cached('~a', self.a))\n\n\nA().look()\n",
+            "driver no_longer_has_parameter 'a'\n"
+            "driver has_parameter 'a' of parameter_type int with default 7",
+            ["-self.a = 1", "+self.a = 7"],
+        ),
+        (
             "import rospy\n\n\ndef main():\n    rospy.init_node('a')\n\n\nmain()\n",
             "driver has_parameter 'a' of parameter_type int with default 1",
             ["+rospy.set_param('~a', rospy.get_param('~a', 1))"],
