@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from tree_sitter import Node
 
@@ -184,11 +185,18 @@ _SERVING = re.compile(r"_?(publish|call|send|repeat|await|follow)(_|[A-Z])")
 _SERVING_SUMMARIES = re.compile(
     r"Publish to |Call |Send |Warn as long as |Start timers anew|Ask again|.* once it is there"
 )
+# What these do, beside filling in messages.
+_SERVING_CALLS = re.compile(
+    r"publish|warning|logwarn(_throttle)?|logerr|loginfo|info|error|cancel|shutdown|reset"
+    r"|call(_\w+)?|send_\w+|wait_\w+|ask"
+)
 
 
 def serves(analysis: Analysis, function: Scope | None) -> bool:
     """Whether a timer's function is a part of something else that Plastron writes."""
     if function is None or _SERVING.match(function.name) is None:
+        return False
+    if not all(map(_SERVING_CALLS.fullmatch, _called_in(analysis, function.node))):
         return False
     block = function.node.child_by_field_name("body")
     first = next(iter(parts_of(block)), None) if block is not None else None
@@ -199,6 +207,19 @@ def serves(analysis: Analysis, function: Scope | None) -> bool:
     return bool(statements) and all(
         _fills_message(analysis, each) or _publishes(analysis, each) for each in statements
     )
+
+
+def _called_in(analysis: Analysis, block: Node) -> Iterator[str]:
+    """Yield the names of what the statements of a block call, at any depth."""
+    for each in block.named_children:
+        if each.type == "expression_statement":
+            call = each.named_children[0]
+            if call.type == "await":
+                call = call.named_children[0]
+            if call.type == "call":
+                yield analysis.syntax.called_name(call)
+        elif each.type.endswith(("block", "statement", "clause")):
+            yield from _called_in(analysis, each)
 
 
 def _publishes(analysis: Analysis, statement: Node) -> bool:

@@ -233,6 +233,18 @@ def test_a_stub_goes_with_its_timer(tmp_path: Path) -> None:
             "def publish_out(self):\n        self.count += 1\n        self.pub.publish(Twist())",
             {"publish_out": 2.0},
         ),
+        (
+            "self.create_timer(0.5, self.call_home)",
+            'def call_home(self):\n        """Call home, and drive there."""\n'
+            "        if self.far:\n            self.drive()",
+            {"call_home": 2.0},
+        ),
+        (
+            "self.create_timer(0.5, self.publish_state)",
+            'def publish_state(self):\n        """Publish to the display."""\n'
+            "        self.pub.publish(Twist())\n        self.display.show()",
+            {"publish_state": 2.0},
+        ),
     ],
 )
 def test_timers_are_what_a_node_repeats(
