@@ -27,6 +27,9 @@ from .source import EndpointKind, SourceEndpoint, SourceNode, SourceUnit
 from .unique_names import numbered
 
 
+_SENDING = (EndpointKind.PUBLISHER, EndpointKind.CLIENT, EndpointKind.ACTION_CLIENT)
+
+
 class Variables:
     """Hands out variables for the things of a program, each only once."""
 
@@ -47,7 +50,7 @@ def program_of(source: SourceUnit, ros_version: int) -> str:
     """Return a program of the nodes of a file.
 
     Every endpoint of which all is known that its statement says is one; what has no statement is
-    a comment. What is sent, and how often, is not read.
+    a comment. What is sent, and how often, is not read; a comment says so.
     """
     variables = Variables()
     nodes = source.nodes or ()
@@ -92,6 +95,8 @@ def _node(
         else:
             seen.add(key)
             yield from statement
+    if any(kind in _SENDING for kind, _ in seen):
+        yield "// what the file sends, with which values and when, is not read: fill it in above"
     if seen:
         yield f"generate_node {variable}"
 
@@ -109,13 +114,15 @@ def _statement(
         # Code of ROS 1 names the message that all parts of an action are in.
         type_ = type_._replace(name=type_.name.removesuffix("Action"))
     stem = f"{name.strip('/~').replace('/', '_')}_message"
-    more = {"function": _calling(endpoint), "qos": _qos(endpoint.qos)}
+    more = {"function": _calling(endpoint), "qos": _qos(endpoint.qos, ros_version)}
     return endpoint_statements(endpoint.kind, node, name, type_, lambda: variables.new(stem), more)
 
 
-def _qos(qos: Qos | None) -> str:
+def _qos(qos: Qos | None, ros_version: int) -> str:
     """Return the words for a quality of service, "" where it is the usual one, or not known."""
-    if qos is None or None in qos[:3] or qos.over(DEFAULT) == DEFAULT:
+    if qos is None or qos.over(DEFAULT) == DEFAULT:
+        return ""
+    if ros_version == 2 and None in qos[:3]:
         return ""
     text = text_of(qos)
     return text if all(word.split()[0] in WORDS for word in text.split(", ")) else ""

@@ -118,6 +118,16 @@ READ = [
     ),
     (
         "rospy",
+        'rospy.Subscriber("a", Point, self.hear, queue_size=1)',
+        "subscribe robot to 'a' of message_type geometry_msgs/Point with qos depth 1 calling hear",
+    ),
+    (
+        "rospy",
+        'rospy.Publisher("a", Point, queue_size=3)',
+        "robot publish a_message to 'a' of message_type geometry_msgs/Point with qos depth 3",
+    ),
+    (
+        "rospy",
         'SimpleActionServer("look", MoveBaseAction, self.do, auto_start=False)',
         "robot provides_action 'look' of action_type move_base_msgs/MoveBase calling do",
     ),
@@ -146,6 +156,8 @@ def test_what_a_file_has_is_a_statement(library: str, line: str, statement: str 
         return
     assert statement in lines, program
     assert not any(each.startswith(f"// line {number}: ") for each in lines)
+    is_sent = statement.split()[1] in ("publish", "sends_goal")
+    assert is_sent == any("is not read: fill it in above" in each for each in lines)
     session = Session(program.encode(), None, Options(library), environ={})
     wrong = [each for each in session.diagnostics if each.code != "unknown-type"]
     assert wrong == [], program
