@@ -26,7 +26,6 @@ from .kinds import HIGHEST_RATE, LOWEST_RATE
 from .source import EndpointKind, SourceEndpoint, SourceNode, SourceUnit
 from .unique_names import numbered
 
-
 _SENDING = (EndpointKind.PUBLISHER, EndpointKind.CLIENT, EndpointKind.ACTION_CLIENT)
 
 

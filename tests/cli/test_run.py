@@ -283,6 +283,36 @@ def test_the_watch(ros: Ros) -> None:
     ros.run_until(is_told, "p.plastron", "--watch")
 
 
+KEPT_AND_PLAIN = """\
+create_message news of message_type String and input "new"
+create_node 'keeper' as keeper
+keeper publish news to 'news' of message_type String once
+generate_node keeper
+create_node 'plain' as plain
+plain publish news to 'news' of message_type String at 20 hz
+generate_node plain
+"""
+
+
+@pytest.mark.long
+@pytest.mark.live
+def test_the_watch_hears_who_comes_later_and_offers_less(ros2: Ros) -> None:
+    """What is kept for late subscriptions is asked for until a publisher comes that keeps none."""
+    ros2.write("p.plastron", KEPT_AND_PLAIN)
+    assert ros2.plastron("generate", "p.plastron", "--target", "rclpy").returncode == 0
+    go, plain = ros2.folder / "go", ros2.folder / "output" / "plain_pub.py"
+    waiting = f"import os, time\nwhile not os.path.exists({str(go)!r}):\n    time.sleep(0.01)\n"
+    plain.write_text(plain.read_text().replace("import rclpy\n", f"{waiting}import rclpy\n", 1))
+
+    def is_told(said: str) -> bool:
+        news = [line for line in said_by(said, "watch") if line.startswith("/news ")]
+        if news:
+            go.touch()
+        return any(15 < float(line.split()[2]) < 25 for line in news)
+
+    ros2.run_until(is_told, "p.plastron", "--watch")
+
+
 @pytest.mark.live
 def test_a_full_disk_under_the_output_ends_the_run_with_2(ros2: Ros) -> None:
     ros2.write("p.plastron", TALKING)

@@ -106,12 +106,14 @@ def watch_ros1() -> None:
 def watch_ros2() -> None:
     """Watch the topics that ROS 2 discovers."""
     import rclpy
+    from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
     from rclpy.serialization import deserialize_message
     from rclpy.signals import SignalHandlerOptions
 
     rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
     node = rclpy.create_node("_plastron_watch", enable_rosout=False, start_parameter_services=False)
     topics: dict[str, Topic] = {}
+    subscriptions: dict[str, Any] = {}
 
     def decode(topic: Topic) -> Any:
         return deserialize_message(topic.last, _ros2_class(topic.type_name))
@@ -123,7 +125,23 @@ def watch_ros2() -> None:
         except (ImportError, AttributeError):
             topic.type_name += " (not installed)"
             return
-        node.create_subscription(message_class, name, topic.see, _ros2_qos(node, name), raw=True)
+        listen(name, message_class, _ros2_qos(node, name))
+
+    def listen(name: str, message_class: Any, qos: Any) -> None:
+        see = topics[name].see
+        subscriptions[name] = node.create_subscription(message_class, name, see, qos, raw=True)
+
+    def listen_to_all(name: str) -> None:
+        """Ask for no more than publishers offer that came later."""
+        old, qos = subscriptions[name], _ros2_qos(node, name)
+        had = old.qos_profile
+        # Asking for more again would bring the last message twice.
+        if (
+            had.reliability != qos.reliability == ReliabilityPolicy.BEST_EFFORT
+            or had.durability != qos.durability == DurabilityPolicy.VOLATILE
+        ):
+            node.destroy_subscription(old)
+            listen(name, old.msg_type, qos)
 
     printed = 0.0
     try:
@@ -135,6 +153,8 @@ def watch_ros2() -> None:
             for name, type_names in node.get_topic_names_and_types():
                 if name not in topics and _is_shown(name) and node.count_publishers(name):
                     subscribe(name, type_names[0])
+            for name in subscriptions:
+                listen_to_all(name)
             _print(topics, decode)
     finally:
         node.destroy_node()
