@@ -95,6 +95,12 @@ def lacks(writing: Writing, source: OfParameter | OfReceived, heard: Sequence[Fi
     return type_received(whole, heard, writing.catalog, writing.node.span).length is None
 
 
+def is_octet(writing: Writing, source: OfReceived, heard: Sequence[Field]) -> bool:
+    """Tell whether what is received, or its elements, are a `bytes` each and no number."""
+    type_ = type_received(source, heard, writing.catalog, writing.node.span)
+    return writing.is_rclpy and type_.name == "byte"
+
+
 def holder_of(writing: Writing, source: OfReceived, holder: str, heard: Sequence[Field]) -> str:
     """Write a field of what is received; an element of an array is a number of Python's own."""
     path = ".".join(map(writing.dialect.field, source.path))
@@ -166,7 +172,8 @@ def _made_of(writing: Writing, value: Computed, source: _Source) -> str:
         return ""
     if isinstance(target.least, int):
         return _OCTET if writing.is_rclpy and value.type.name == "byte" else ""
-    if not target.contains(range_of_calculated(source.range, value.steps)):
+    is_short = value.type.name == "float32"
+    if is_short and not target.contains(range_of_calculated(source.range, value.steps)):
         writing.functions.add(AS_FLOAT32)
         return AS_FLOAT32
     is_whole = source.is_whole and not value.is_float

@@ -21,7 +21,7 @@ from ..plan import (
     SendPlan,
     SubscriptionPlan,
 )
-from .computed import holder_of, lacks
+from .computed import holder_of, is_octet, lacks
 from .periods import planned_timer
 from .writing import Writing
 
@@ -105,6 +105,8 @@ def _condition(
     holder = holder_of(writing, condition.source, "received", heard)
     compared = holder if condition.quantifier is None else "each"
     operator = "==" if condition.operator == "=" else condition.operator
+    if is_octet(writing, condition.source, heard):
+        compared += "[0]"
     text = f"{compared} {operator} {writing.setting(condition.value)}"
     if isinstance(condition.value, bool):
         text = compared if condition.value else f"not {compared}"
