@@ -234,6 +234,19 @@ MISTAKES: list[tuple[str, str, str, str | None]] = [
         None,
     ),
     (
+        f"{NEAR} for_each 'scan' when any received.ranges < 1e400",
+        "value-out-of-range",
+        "any received.ranges < 1e400",
+        None,
+    ),
+    (
+        "create_message k of message_type Float64 and input parameter 'count' * 1e400\n"
+        "n publish k to 'd' of message_type Float64",
+        "value-out-of-range",
+        "k",
+        None,
+    ),
+    (
         f"{NEAR} for_each 'scan' when received.header.frame_id.x < 1",
         "unknown-field",
         "received.header.frame_id.x < 1",

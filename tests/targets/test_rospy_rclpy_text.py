@@ -23,6 +23,7 @@ from plastron_tui.model.kinds import (
 from plastron_tui.model.values import MessageValue, Value
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.session import Session
 from plastron_tui.targets import find_target
 from plastron_tui.targets.base import Rendered
 from plastron_tui.targets.python.rclpy import RclpyTarget
@@ -88,6 +89,38 @@ def test_a_value_is_written_as_its_library_takes_it(
     library: str, type_: str, fields: dict[str, Value], expected: str
 ) -> None:
     assert f"        message = {expected}\n" in text(publishing(type_, (fields, 10.0)), library)
+
+
+# What is heard, what is sent of it and when, and what is written.
+CALCULATED = [
+    ("rospy", "Float64", "Float64", "* 2", "> 0", "Float64(data=received.data * 2)"),
+    ("rclpy", "Float64", "Float64", "* 2", "> 0", "Float64(data=received.data * 2)"),
+    ("rclpy", "Int32", "Float64", "+ 1", "> 0", "Float64(data=float(received.data + 1))"),
+    ("rclpy", "Float64", "Float32", "* 2", "> 0", "as_float32(received.data * 2)"),
+    ("rospy", "Byte", "Int32", "+ 1", "> 0", "if received.data > 0:"),
+    ("rclpy", "Byte", "Int32", "+ 1", "> 0", "if received.data[0] > 0:"),
+    ("rclpy", "UInt8", "Int32", "+ 1", "> 0", "if received.data > 0:"),
+    ("rospy", "ByteMultiArray", "Int32", "[0] + 1", "= 2", "any(each == 2 for"),
+    ("rclpy", "ByteMultiArray", "Int32", "[0] + 1", "= 2", "any(each[0] == 2 for"),
+]
+
+
+@pytest.mark.parametrize(("library", "heard", "sent", "steps", "compared", "written"), CALCULATED)
+def test_what_is_received_is_calculated_and_compared_as_a_number(
+    library: str, heard: str, sent: str, steps: str, compared: str, written: str
+) -> None:
+    each = "any " if heard.endswith("Array") else ""
+    program = (
+        f"create_node 'n' as n using {library}\n"
+        f"subscribe n to 'a' of message_type std_msgs/{heard}\n"
+        f"create_message m of message_type std_msgs/{sent} and input received.data{steps}\n"
+        f"n publish m to 'b' of message_type std_msgs/{sent} for_each 'a' "
+        f"when {each}received.data {compared}\n"
+    )
+    session = Session(program.encode())
+    assert not session.diagnostics
+    [node] = session.workspace.nodes.values()
+    assert written in text(node, library)
 
 
 def test_one_publisher_sends_both_messages_of_a_topic() -> None:

@@ -10,7 +10,7 @@ from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Field, FieldType, InterfaceKind
 from plastron_tui.ros.parameters import ParameterType
-from plastron_tui.ros.primitives import check_scalar, primitive
+from plastron_tui.ros.primitives import LARGEST_FLOAT, check_scalar, primitive
 
 from ..mistake import Mistake
 from ..values import Computed, OfParameter, OfReceived, Value, calculated, computed_in
@@ -109,6 +109,8 @@ def _check(
                 )
             given = type_received(source, heard, catalog, where)
             found = what_of(given, version)
+    if any(abs(number) > LARGEST_FLOAT for _, number in value.steps):
+        raise Mistake(Diagnostic(codes.VALUE_OUT_OF_RANGE, "the number is too large", where))
     problem = _misfit(value, found, version) or _too_long(value, given)
     if problem is not None:
         raise Mistake(Diagnostic(codes.COMPUTED_TYPE_MISMATCH, problem, where))

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from plastron_tui.diagnostics import Diagnostic, Label, codes, guess
 from plastron_tui.language.statements import Publish
 from plastron_tui.ros.interfaces import Interface, InterfaceKind
+from plastron_tui.ros.primitives import LARGEST_FLOAT
 
 from ..computed_values import received
 from ..mistake import Mistake
@@ -109,7 +110,10 @@ def _condition(run: Run, statement: Publish, node: Node, type_: Interface) -> Co
         problem = f"`{source}` is {found}, and is not compared like this"
     if problem is not None:
         raise Mistake(Diagnostic(codes.COMPUTED_TYPE_MISMATCH, problem, where))
-    return Condition(given.quantifier, source, given.operator, given.value.value)
+    value = given.value.value
+    if isinstance(value, (int, float)) and abs(value) > LARGEST_FLOAT:
+        raise Mistake(Diagnostic(codes.VALUE_OUT_OF_RANGE, "the number is too large", where))
+    return Condition(given.quantifier, source, given.operator, value)
 
 
 def _is_comparable(kind: object, operator: str, value: bool | int | float | str) -> bool:

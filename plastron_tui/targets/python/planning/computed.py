@@ -180,7 +180,8 @@ def _made_of(writing: Writing, value: Computed, source: _Source) -> str:
         return ""
     if isinstance(target.least, int):
         return _OCTET if writing.is_rclpy and value.type.name == "byte" else ""
-    if not target.contains(range_of_calculated(source.range, value.steps)):
+    is_short = value.type.name == "float32"
+    if is_short and not target.contains(range_of_calculated(source.range, value.steps)):
         writing.functions.add(AS_FLOAT32)
         return AS_FLOAT32
     is_whole = source.is_whole and not value.is_float
