@@ -108,7 +108,7 @@ are sent `for_each` message of a topic; in answers |
 a parameter too |
 
 ```plastron
-// A joystick that drives, and stops in front of what is near.
+// A joystick that drives. A stop is sent for each scan in which something is near.
 create_node 'driver' as driver
 subscribe driver to 'joy' of message_type sensor_msgs/Joy
 create_message drive of message_type Twist and input linear.x=received.axes[1] * 0.5
@@ -120,9 +120,11 @@ generate_node driver
 ```
 
 A condition compares one field with a number (`<`, `>`, `=`), or with a text or a truth value
-(`=`); of a list, `any` or `all` of its elements. An element that is not there, and a number that
-the field cannot hold, are a warning in the node's log, and nothing is sent. What needs more is
-code: the node's file is yours.
+(`=`); of a list, `any` or `all` of its elements, and `all` holds of an empty one. One value is
+calculated with plain numbers, one step after the other. An element that is not there, and a number
+that the field cannot hold, are a warning in the node's log, and nothing is sent; a request that
+cannot be answered fails in ROS 1, and gets an empty answer in ROS 2, which knows no failure. What
+needs more is code: the node's file is yours.
 
 ## Parameters
 
@@ -140,7 +142,8 @@ driver publish go to 'cmd_vel' of message_type Twist
 generate_node driver
 ```
 
-`plastron run FILE --set driver.speed=0.8` sets it at the start. The defaults are written to
+`plastron run FILE --set driver.speed=0.8` sets it at the start; `ros2 param set /driver speed 0.8`,
+in ROS 1 `rosparam set /driver/speed 0.8`, while it runs. The defaults are written to
 `config/NAME.yaml` too, which `run` reads and which is yours to change ([more](commands.md#plastron-run)).
 
 ## Requests and goals
