@@ -277,7 +277,10 @@ class _Run:
 
     def _on_exit(self, end: Exit) -> None:
         # What brings nodes up has told it of each, and is done then.
-        if end.process not in self._activations or end.is_failure:
+        is_activation = end.process in self._activations
+        if is_activation and end.is_failure:
+            self._is_inactive = True
+        if not is_activation or end.is_failure:
             self._console.ended(end)
 
     def _on_calls(self, chunk: bytes) -> None:

@@ -24,7 +24,7 @@ from rclpy.signals import SignalHandlerOptions
 _LEAST = 3.5
 _QUIET = 1.5
 _ANSWER = 2.0
-_OF_EVERY_NODE = ("use_sim_time", "qos_overrides.", "start_type_description_service")
+_OF_EVERY_NODE = ("use_sim_time", "qos_overrides", "start_type_description_service")
 _OWN_NAME = "_plastron_describe"
 
 
@@ -71,7 +71,7 @@ def _parameters(node: Any, nodes: list[str]) -> dict[str, list[dict[str, Any]]]:
         node, ListParameters, "list_parameters", {name: ListParameters.Request() for name in nodes}
     )
     names = {
-        name: [each for each in answer.result.names if not each.startswith(_OF_EVERY_NODE)]
+        name: [each for each in answer.result.names if each.partition(".")[0] not in _OF_EVERY_NODE]
         for name, answer in listed.items()
     }
     having = {name: found for name, found in names.items() if found}
@@ -85,7 +85,10 @@ def _parameters(node: Any, nodes: list[str]) -> dict[str, list[dict[str, Any]]]:
             for value, descriptor in zip(values[name].values, told[name].descriptors, strict=True)
         ]
         for name in having
-        if name in values and name in told
+        # One that is undeclared between the questions makes an answer shorter.
+        if name in values
+        and name in told
+        and len(values[name].values) == len(told[name].descriptors)
     }
 
 
