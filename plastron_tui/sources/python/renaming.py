@@ -18,11 +18,13 @@ from .constants import Known
 from .conventions import conventions_of
 from .imports import unused_imports
 from .name_uses import NameUses
+from .parameter_calls import item_of
 from .references import identifiers, is_member
 from .removal import waits
 from .runs import EVERYWHERE
 from .scopes import BindingKind, Scope
 from .splices import Splice, apply, delete_statements
+from .syntax import parts_of
 from .told_names import retell
 from .unused_locals import unused_locals
 
@@ -127,6 +129,12 @@ def _unused(analysis: Analysis, replaced: Sequence[Splice]) -> list[Splice]:
 
 def _said(analysis: Analysis, site: Site, new: str, waiting: Sequence[Node]) -> Iterable[_Said]:
     given = site.arguments.get(site.shape.name)
+    if (item := item_of(analysis, site)) is not None:
+        given = parts_of(item)[0]
+        folded = analysis.resolver.fold(given, site.scope)
+        # A namespace of the list stands before it.
+        if folded is not None and folded.value != site.endpoint.name:
+            raise NotNamedError(site)
     places = [(given, site.scope)]
     # A node that waited for a service of the old name would wait for ever.
     places += [(node, analysis.scopes.at(node.start_byte)) for node in waiting]

@@ -333,6 +333,11 @@ RCLPY = {
         "n renames parameter 'a' to 'b'\nn renames parameter 't' to 'a'",
         {"'a'": "'b'", "'t'": "'a'"},
     ),
+    "a parameter in a list": (
+        "self.declare_parameters('', [('a', 2), ('b', 3)])\n        self.get_parameter('a').value",
+        "n renames parameter 'a' to 'c'",
+        {"'a'": "'c'"},
+    ),
     "a parameter where changes are heard of": (
         "self.declare_parameter('a', 2)\n\n    def heard(self, changes):\n"
         "        for each in changes:\n            if each.name == 'a' or each.kind == 'a':\n"
