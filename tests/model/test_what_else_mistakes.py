@@ -240,7 +240,7 @@ MISTAKES: list[tuple[str, str, str, str | None]] = [
         None,
     ),
     (
-        "create_message k of message_type Float64 and input parameter 'count' * 1e400\n"
+        "create_message k of message_type Float64 and input parameter 'count' * 18446744073709551616\n"
         "n publish k to 'd' of message_type Float64",
         "value-out-of-range",
         "k",
@@ -338,7 +338,7 @@ RIGHT = [
     f"{NEAR} for_each 'scan'",
     f"{NEAR} for_each 'scan' when any received.ranges < 1",
     f"{NEAR} for_each 'scan' when received.header.frame_id = \"a\"",
-    "create_message k of message_type Int32 and input received.a[1] * 1e400",
+    "create_message k of message_type Int32 and input received.a[1] * 1e300",
     "n renames parameter 'speed' to 'pace'",
     "n publish go to 'v' of message_type Twist\nn renames parameter 'speed' to 'pace'",
     f"{NEAR} for_each 'scan'\nn renames topic 'scan' to 'front/scan'",

@@ -9,7 +9,7 @@ from plastron_tui.diagnostics import Diagnostic, Label, Span, codes, listed
 from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Field, FieldType, InterfaceKind
-from plastron_tui.ros.parameters import ParameterType
+from plastron_tui.ros.parameters import INTEGERS, ParameterType
 from plastron_tui.ros.primitives import LARGEST_FLOAT, check_scalar, primitive
 
 from ..mistake import Mistake
@@ -109,7 +109,7 @@ def _check(
                 )
             given = type_received(source, heard, catalog, where)
             found = what_of(given, version)
-    if any(abs(number) > LARGEST_FLOAT for _, number in value.steps):
+    if any(map(is_too_large, (number for _, number in value.steps))):
         raise Mistake(Diagnostic(codes.VALUE_OUT_OF_RANGE, "the number is too large", where))
     problem = _misfit(value, found, version) or _too_long(value, given)
     if problem is not None:
@@ -118,6 +118,13 @@ def _check(
         problem = _unfit_default(value, parameter, version)
         if problem is not None:
             raise Mistake(Diagnostic(codes.VALUE_OUT_OF_RANGE, problem, where))
+
+
+def is_too_large(number: object) -> bool:
+    """Whether something is a number that ROS has no type for."""
+    if isinstance(number, int):
+        return number not in INTEGERS
+    return isinstance(number, float) and abs(number) > LARGEST_FLOAT
 
 
 def _what_of_parameter(parameter: Parameter) -> What:

@@ -7,13 +7,12 @@ from typing import TYPE_CHECKING, NamedTuple
 from plastron_tui.diagnostics import Diagnostic, Label, codes, guess
 from plastron_tui.language.statements import Publish
 from plastron_tui.ros.interfaces import Interface, InterfaceKind
-from plastron_tui.ros.primitives import LARGEST_FLOAT
 
 from ..computed_values import received
 from ..mistake import Mistake
 from ..value_diagnostics import Misfit
 from ..values import OfReceived
-from .computed import type_received, what_of
+from .computed import is_too_large, type_received, what_of
 from .subscription import Subscription
 
 if TYPE_CHECKING:
@@ -111,7 +110,7 @@ def _condition(run: Run, statement: Publish, node: Node, type_: Interface) -> Co
     if problem is not None:
         raise Mistake(Diagnostic(codes.COMPUTED_TYPE_MISMATCH, problem, where))
     value = given.value.value
-    if isinstance(value, (int, float)) and abs(value) > LARGEST_FLOAT:
+    if is_too_large(value):
         raise Mistake(Diagnostic(codes.VALUE_OUT_OF_RANGE, "the number is too large", where))
     return Condition(given.quantifier, source, given.operator, value)
 
