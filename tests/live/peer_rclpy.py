@@ -8,6 +8,7 @@ import os
 import sys
 import time
 from contextlib import suppress
+from itertools import repeat
 
 import rclpy
 from action_msgs.msg import GoalStatus
@@ -79,7 +80,7 @@ def send(node, action, type_name, fields, cancel_at, second_at):
 
 
 def serve(node, action, type_name, how, feedback, result):
-    """Serve an action: `succeed`, `abort` or `reject` each goal, or `die` of it."""
+    """Serve an action: `succeed`, `abort` or `reject` each goal, `hold` it or `die` of it."""
     type_ = load("action", type_name)
 
     def on_goal(goal):
@@ -91,12 +92,14 @@ def serve(node, action, type_name, how, feedback, result):
         return CancelResponse.ACCEPT
 
     def work(handle):
-        for _ in range(3):
+        for _ in repeat(None) if how == "hold" else range(3):
+            if how == "hold" and handle.is_cancel_requested:
+                break
             handle.publish_feedback(type_.Feedback(**feedback))
             time.sleep(0.2)
         if how == "die":
             os._exit(0)
-        {"succeed": handle.succeed, "abort": handle.abort}[how]()
+        {"succeed": handle.succeed, "abort": handle.abort, "hold": handle.canceled}[how]()
         return type_.Result(**result)
 
     callbacks = {"goal_callback": on_goal, "cancel_callback": on_cancel}
