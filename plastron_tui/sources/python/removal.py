@@ -121,6 +121,7 @@ def remove_uses(
             or _readies(analysis, reference, sites[0].endpoint.kind)
             or is_own_call(analysis, reference)
             or _ends_endpoint(analysis, reference)
+            or _forgets_ended(analysis, reference)
         ):
             removal.statements.append(reference.statement)
         elif reference.use is Use.BINDING:
@@ -190,6 +191,20 @@ def _ends_endpoint(analysis: Analysis, reference: Reference) -> bool:
     return ending in _DESTROYING and [part.id for part in parts_of(arguments)] == [
         reference.node.id
     ]
+
+
+def _forgets_ended(analysis: Analysis, reference: Reference) -> bool:
+    """Whether a statement is `self.x = None` right behind `self.x.destroy()`."""
+    before = reference.statement.prev_named_sibling
+    assigned = next(iter(reference.statement.named_children), None)
+    if before is None or assigned is None or assigned.type != "assignment":
+        return False
+    value = assigned.child_by_field_name("right")
+    target = assigned.child_by_field_name("left")
+    if value is None or target is None or value.type != "none":
+        return False
+    held = analysis.syntax.slice(target)
+    return analysis.syntax.slice(before) in {f"{held}.{each}()" for each in _ENDING}
 
 
 def _remove_calling(analysis: Analysis, uses: list[Reference], removal: Removal) -> list[Reference]:
