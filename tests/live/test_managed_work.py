@@ -5,6 +5,7 @@ What they talk to (`peer_rclpy.py`, `probe_ros2.py`) knows nothing of Plastron.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
@@ -48,16 +49,18 @@ STATES = {
 class Managed:
     """A generated node with one thing to do, and its transitions."""
 
-    def __init__(self, graph: Graph, folder: Path, part: str, **changes: str) -> None:
+    def __init__(
+        self, graph: Graph, folder: Path, part: str, changes: Mapping[str, str] | None = None
+    ) -> None:
         program = folder / f"{NAME}.plastron"
         program.write_text(
             f"create_node '{NAME}' as node managed\nnode {STATEMENTS[part]}\ngenerate_node node\n"
         )
         file = generate_one(str(program.with_suffix("")), folder / "output", graph.target)
-        for constant, value in changes.items():
+        for old, new in (changes or {}).items():
             text = file.read_text()
-            assert f"{constant} = 10.0" in text
-            file.write_text(text.replace(f"{constant} = 10.0", f"{constant} = {value}"))
+            assert text.count(old) == 1
+            file.write_text(text.replace(old, new))
         self._graph = graph
         self._there = THERE[part]
         self.process: Process = graph.run_and_wait(file)
@@ -179,7 +182,8 @@ BUSY = {
 
 @pytest.mark.parametrize("part", BUSY)
 def test_what_waits_for_a_server_ends(ros: Graph, tmp_path: Path, part: str) -> None:
-    node = Managed(ros, tmp_path, part, WARNING_PERIOD="0.2")
+    often = {"WARNING_PERIOD = 10.0": "WARNING_PERIOD = 0.2"}
+    node = Managed(ros, tmp_path, part, often)
     for _ in range(2):
         node.go("configure", "activate")
         node.process.wait_to_print(BUSY[part], count=node.process.output.count(BUSY[part]) + 2)
@@ -205,6 +209,19 @@ def test_what_waits_for_an_answer_ends(ros: Graph, tmp_path: Path, part: str) ->
     end(node.process)
     assert "[ERROR]" not in node.process.output
     server.kill()
+
+
+@pytest.mark.parametrize("part", STATEMENTS)
+def test_an_activation_that_fails_leaves_nothing_behind(
+    ros: Graph, tmp_path: Path, part: str
+) -> None:
+    end_of = "        return super().on_activate(state)\n"
+    node = Managed(ros, tmp_path, part, {end_of: "        raise ValueError\n" + end_of})
+    for _ in range(2):
+        node.go("configure")
+        [passed] = ros.lifecycle(NAME, [("activate", NOTHING)])
+        assert passed == ["activate", False, "unconfigured", NOTHING], node.process.output
+    end(node.process)
 
 
 WAYS: dict[str, tuple[str, ...]] = {

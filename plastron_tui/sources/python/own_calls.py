@@ -14,7 +14,6 @@ from .scopes import Scope
 from .splices import line_end
 from .syntax import parts_of
 
-
 # The functions of the templates that start what is asked once.
 _STARTING = frozenset({"main", "work", "on_activate"})
 
