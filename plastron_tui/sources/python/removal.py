@@ -121,12 +121,11 @@ def remove_uses(
             or _readies(analysis, reference, sites[0].endpoint.kind)
             or is_own_call(analysis, reference)
             or _ends_endpoint(analysis, reference)
-            or _forgets_ended(analysis, reference)
         ):
             removal.statements.append(reference.statement)
         elif reference.use is Use.BINDING:
             rebound.add(line_of(reference.node))
-        elif _is_guard(reference):
+        elif _is_guard(analysis, reference):
             guards.append(reference)
         elif reference.use is not Use.NOTHING:
             removal.lines.add(line_of(reference.node))
@@ -152,15 +151,19 @@ def remove_uses(
         removal.lines |= {line_of(each.node) for each in kept}
 
 
-def _is_guard(reference: Reference) -> bool:
-    """Whether a use only asks if there is an endpoint: `if self.pub is not None:`."""
+def _is_guard(analysis: Analysis, reference: Reference) -> bool:
+    """Whether a use only asks if there is an endpoint: `if self.pub is not None:`.
+
+    A client or a server of an action is also asked for in `self.waitables`.
+    """
     condition, asked = reference.statement.child_by_field_name("condition"), reference.node
     if reference.statement.type != "if_statement" or condition is None:
         return False
     if condition.type == "comparison_operator":
         parts = parts_of(condition)
-        is_none = len(parts) == 2 and parts[1].type == "none"
-        return is_none and parts[0].id == asked.id
+        if len(parts) != 2 or parts[0].id != asked.id:
+            return False
+        return parts[1].type == "none" or analysis.syntax.slice(parts[1]).endswith(".waitables")
     return condition.id == asked.id
 
 
@@ -191,20 +194,6 @@ def _ends_endpoint(analysis: Analysis, reference: Reference) -> bool:
     return ending in _DESTROYING and [part.id for part in parts_of(arguments)] == [
         reference.node.id
     ]
-
-
-def _forgets_ended(analysis: Analysis, reference: Reference) -> bool:
-    """Whether a statement is `self.x = None` right behind `self.x.destroy()`."""
-    before = reference.statement.prev_named_sibling
-    assigned = next(iter(reference.statement.named_children), None)
-    if before is None or assigned is None or assigned.type != "assignment":
-        return False
-    value = assigned.child_by_field_name("right")
-    target = assigned.child_by_field_name("left")
-    if value is None or target is None or value.type != "none":
-        return False
-    held = analysis.syntax.slice(target)
-    return analysis.syntax.slice(before) in {f"{held}.{each}()" for each in _ENDING}
 
 
 def _remove_calling(analysis: Analysis, uses: list[Reference], removal: Removal) -> list[Reference]:
