@@ -130,18 +130,37 @@ def test_a_goal_is_sent_each_time(ros: Graph, tmp_path: Path) -> None:
     server.interrupt()
 
 
-@pytest.mark.parametrize("last", ["deactivate", "shutdown"])
-def test_a_goal_that_was_sent_is_canceled(ros: Graph, tmp_path: Path, last: str) -> None:
+def test_a_goal_that_was_sent_is_canceled(ros: Graph, tmp_path: Path) -> None:
     server = serve(ros, "hold")
     node = Managed(ros, tmp_path, "goal")
-    node.go("configure", "activate")
-    for turn in range(1 if last == "shutdown" else 2):
+    for turn in range(2):
+        node.go("configure", "activate")
         wait_until(lambda turn=turn: len(told(server, "goal")) == turn + 1, "a goal")
-        node.process.wait_to_print("count: ")
-        node.go(last)
+        node.process.wait_to_print("count: ", count=node.process.output.count("count: ") + 1)
+        node.go("deactivate")
         wait_until(lambda turn=turn: len(told(server, "cancel")) == turn + 1, "a cancel")
-        if turn == 0 and last == "deactivate":
-            node.go("cleanup", "configure", "activate")
+        node.go("cleanup")
+    # What is destroyed at once may be gone before its cancel is out.
+    node.go("configure", "activate")
+    wait_until(lambda: len(told(server, "goal")) == 3, "a goal")
+    node.go("shutdown")
+    end(node.process)
+    assert "[ERROR]" not in node.process.output
+    server.interrupt()
+
+
+def test_a_goal_that_is_not_yet_accepted_is_canceled(ros: Graph, tmp_path: Path) -> None:
+    server = serve(ros, "late")
+    node = Managed(ros, tmp_path, "goal")
+    node.go("configure", "activate")
+    wait_until(lambda: told(server, "goal"), "a goal")
+    node.go("deactivate", "activate")
+    # The new goal has nothing to do with the old one.
+    wait_until(lambda: len(told(server, "goal")) == 2, "a goal")
+    wait_until(lambda: len(told(server, "cancel")) == 1, "a cancel")
+    node.process.wait_to_print("count: ")
+    node.go("deactivate")
+    wait_until(lambda: len(told(server, "cancel")) == 2, "a cancel")
     end(node.process)
     assert "[ERROR]" not in node.process.output
     server.interrupt()
