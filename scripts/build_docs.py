@@ -167,6 +167,15 @@ Without it all messages arrive, and the last ten are kept for who is slow.
 A publisher and a subscription of a program that ROS 2 would never match are an error
 (`qos-incompatible`).
 
+## Managed nodes
+
+A `managed` node is a [lifecycle node](https://design.ros2.org/articles/node_lifecycle.html) of ROS 2. What
+it has is there from configuration to cleanup. While it is active it publishes, calls functions
+again and again, and asks others: what is asked once is asked once each time that it is activated.
+Its actions reject goals while it is inactive. Deactivation ends what is under way: it aborts the
+goals that the node works on, cancels those that it has sent, and no longer waits for answers.
+Services are answered, and messages heard, while it is inactive too.
+
 ## Types
 
 A type is looked up among those of the ROS distribution that the node is for, those of the ROS

@@ -24,9 +24,6 @@ SENTENCES = (
 )
 """What a program may say of its node; a new kind of endpoint is a line here."""
 
-NOT_MANAGED = ("client_requests", "provides_action", "sends_goal")
-"""What a managed node cannot have."""
-
 _ONCE = {
     "'rate'": "n has_parameter 'rate' of parameter_type float with default 5",
     "'heard'": "subscribe n to 'heard' of message_type Point",
@@ -74,10 +71,9 @@ def random_programs(draw: st.DrawFn, library: str) -> str:
     """Return a program whose node is generated last, for a client library; with rclpy some have
     a managed node."""
     is_managed = library == "rclpy" and draw(st.booleans())
-    sentences = [each for each in SENTENCES if not is_managed or each.split()[1] not in NOT_MANAGED]
     lines: list[str] = []
     for number, sentence in enumerate(
-        draw(st.lists(st.sampled_from(sentences), min_size=1, max_size=8))
+        draw(st.lists(st.sampled_from(SENTENCES), min_size=1, max_size=8))
     ):
         made: list[str] = []
 

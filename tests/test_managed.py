@@ -85,6 +85,21 @@ def test_an_assignment_whose_name_leaves_no_room_goes_into_parentheses() -> None
 
 
 @pytest.mark.parametrize(
+    ("line", "operands"),
+    [
+        ("if not {0} or {1} is not goal:", ["not {0}", "or {1} is not goal"]),
+        ("while {0} and not {1} or goal:", ["{0} and not {1}", "or goal"]),
+        ("elif goal == ' and ' and {0} and {1}:", ["goal == ' and '", "and {0}", "and {1}"]),
+    ],
+)
+def test_a_condition_that_is_too_long_goes_into_parentheses(line: str, operands: list[str]) -> None:
+    names = "self." + "long_" * 6 + "one", "self." + "long_" * 6 + "two"
+    word = line.partition(" ")[0]
+    inner = "".join(f"        {each.format(*names)}\n" for each in operands)
+    assert fit(f"    {line.format(*names)}\n") == f"    {word} (\n{inner}    ):\n"
+
+
+@pytest.mark.parametrize(
     "line",
     [
         "{0} = {1}('a'); self.b = {1}('b')",

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+from plastron_tui.model.kinds import Client
 from plastron_tui.model.source import EndpointKind, FileSet, SourceUnit
 from plastron_tui.model.workspace import Node
 from plastron_tui.output.merge3 import merge_files
@@ -108,14 +109,17 @@ def merge_created(
 def _is_more_than_calls(node: Node, base: Node) -> bool:
     """Tell whether a program changed what a node does at more places than where it is created."""
     now, before = node.endpoints, base.endpoints
-    changed = (
+    changed = [
         endpoint
         for key in dict.fromkeys((*before, *now))
         if key not in now or key not in before or is_changed(before[key], now[key])
         for endpoint in (before.get(key), now.get(key))
         if endpoint is not None
-    )
-    return node.is_managed != base.is_managed or not all(map(is_plain, changed))
+    ]
+    # A managed node calls others from its activation on.
+    calls = [each for each in changed if isinstance(each, Client) and each.requests]
+    is_plainly = all(map(is_plain, changed)) and not (node.is_managed and calls)
+    return node.is_managed != base.is_managed or not is_plainly
 
 
 def tell_lost_in(merged: Merged, sides: Sides, target: Target) -> Merged:

@@ -8,6 +8,7 @@ import os
 import sys
 import time
 from contextlib import suppress
+from itertools import repeat
 
 import rclpy
 from action_msgs.msg import GoalStatus
@@ -79,11 +80,16 @@ def send(node, action, type_name, fields, cancel_at, second_at):
 
 
 def serve(node, action, type_name, how, feedback, result):
-    """Serve an action: `succeed`, `abort` or `reject` each goal, or `die` of it."""
+    """Serve an action: `succeed`, `abort` or `reject` each goal, or `die` of it.
+
+    `hold` works on a goal until it is canceled, `late` does so too, and takes long to accept it.
+    """
+    is_held = how in ("hold", "late")
     type_ = load("action", type_name)
 
     def on_goal(goal):
         tell("goal", goal=plain(goal))
+        time.sleep(5 if how == "late" else 0)
         return GoalResponse.REJECT if how == "reject" else GoalResponse.ACCEPT
 
     def on_cancel(_):
@@ -91,12 +97,15 @@ def serve(node, action, type_name, how, feedback, result):
         return CancelResponse.ACCEPT
 
     def work(handle):
-        for _ in range(3):
+        for _ in repeat(None) if is_held else range(3):
+            if is_held and handle.is_cancel_requested:
+                break
             handle.publish_feedback(type_.Feedback(**feedback))
             time.sleep(0.2)
         if how == "die":
             os._exit(0)
-        {"succeed": handle.succeed, "abort": handle.abort}[how]()
+        ways = {"succeed": handle.succeed, "abort": handle.abort}
+        ways.get(how, handle.canceled)()
         return type_.Result(**result)
 
     callbacks = {"goal_callback": on_goal, "cancel_callback": on_cancel}

@@ -84,3 +84,29 @@ def test_handwork_in_the_same_lines_is_a_conflict(
     [conflict] = folder.generate(*BEFORE).conflicts
     assert conflict.startswith("file-conflict") and now in conflict
     assert folder.file().read_text() == before
+
+
+ASKING = {
+    "once": "n client_requests 'd' of service_type Trigger with input none",
+    "again": "n client_requests 'd' of service_type Trigger with input none at 2 hz",
+    "goal": "n sends_goal to 'd' of action_type Fibonacci with input order=5",
+    "server": "n provides_action 'd' of action_type Fibonacci",
+}
+
+
+@pytest.mark.parametrize("statement", ASKING.values(), ids=ASKING)
+def test_what_asks_others_comes_and_goes_beside_handwork(folder: Folder, statement: str) -> None:
+    folder.is_managed = True
+    folder.generate(*BEFORE)
+    logged = '        self.get_logger().info(f"kept: {message}")\n'
+    folder.edit(logged, f"{logged}        self.count = 1  # mine\n")
+    edited = folder.file().read_text()
+    assert folder.generate(*BEFORE, statement).conflicts == []
+    assert node_of(folder).is_managed
+    assert "self.count = 1  # mine" in folder.file().read_text()
+    made = {each.name: each.transition for each in node_of(folder).endpoints if each.type}
+    assert made["d"] == "on_configure"
+    assert "        self.end_tasks()\n" in folder.file().read_text()
+    check_again(folder, *BEFORE, statement)
+    assert folder.generate(*BEFORE).conflicts == []
+    assert folder.file().read_text() == edited

@@ -1,4 +1,4 @@
-"""Managed nodes: what has to hold of every one that is written, and what none can have yet."""
+"""Managed nodes: what has to hold of every one that is written, and what none can have."""
 
 from __future__ import annotations
 
@@ -24,15 +24,14 @@ from plastron_tui.targets import find_target
 
 RUFF = Path(sys.executable).with_name("ruff")
 STRING = InterfaceName("std_msgs", "String")
-MADE = re.compile(r"self\.(\w+)=self\.create_(\w+)\(")
+MADE = re.compile(r"self\.(\w+)=(?:self\.create_(\w+)|Action(?:Client|Server))\(")
 # What each transition has to end (design.ros2.org, node_lifecycle).
 ENDS = {
-    "on_deactivate": {"timers"},
+    "on_deactivate": {"timers", "tasks"},
     "on_cleanup": {"endpoints"},
-    "on_shutdown": {"timers", "endpoints"},
-    "on_error": {"timers", "endpoints"},
+    "on_shutdown": {"timers", "tasks", "endpoints"},
+    "on_error": {"timers", "tasks", "endpoints"},
 }
-NOT_MANAGED = (EndpointKind.CLIENT, EndpointKind.ACTION_SERVER, EndpointKind.ACTION_CLIENT)
 
 thorough = settings(
     max_examples=examples(20),
@@ -44,9 +43,6 @@ thorough = settings(
 @st.composite
 def managed(draw: st.DrawFn) -> Node:
     node = draw(nodes("rclpy"))
-    for kind in NOT_MANAGED:
-        for name in [*node.by_kind[kind]]:
-            node.take(kind, name)
     node.is_managed = True
     return node
 
@@ -73,21 +69,28 @@ def methods(text: str) -> dict[str, str]:
 def test_what_one_transition_makes_another_destroys(node: Node) -> None:
     found = methods(render(node))
     destroying = {"endpoints": "on_configure", "timers": "on_activate"}
-    there = set()
+    there = {"tasks"} if "end_tasks" in found else set()
     for what, making in destroying.items():
         made = MADE.findall(found.get(making, ""))
         ended = found.get(f"destroy_{what}", "")
         for attribute, noun in made:
             assert f"self.{attribute}=None" in found["__init__"]
-            assert ended.count(f"self.destroy_{noun}(self.{attribute})") == 1
+            way = (
+                f"self.destroy_{noun}(self.{attribute})" if noun else f"self.{attribute}.destroy()"
+            )
+            assert ended.count(way) == 1
         there |= {what} if made else set()
-        assert bool(made) == (making in found) == (f"destroy_{what}" in found)
-        assert not made or found[making].endswith(f"returnsuper().{making}(state)")
+        assert bool(made) == (f"destroy_{what}" in found)
+        is_begun = what == "timers" and "tasks" in there
+        assert (bool(made) or is_begun) == (making in found)
+        assert making not in found or found[making].endswith(f"returnsuper().{making}(state)")
     for transition, ends in ENDS.items():
         assert (transition in found) == bool(ends & there)
         if transition in found:
-            called = set(re.findall(r"self\.destroy_(\w+)\(\)", found[transition]))
-            assert called == ends & there
+            called = re.findall(r"self\.(?:destroy|end)_(\w+)\(\)", found[transition])
+            assert called == [
+                each for each in ("timers", "tasks", "endpoints") if each in ends & there
+            ]
             assert found[transition].endswith(f"returnsuper().{transition}(state)")
     assert "create_" not in found["__init__"]
 
@@ -101,14 +104,14 @@ def test_it_reads_as_what_it_is(node: Node) -> None:
     assert source is not None
     [read] = source.nodes
     assert (read.name, read.is_managed) == (node.name, True)
-    made = [each for each in read.endpoints if each.kind is not EndpointKind.TIMER]
+    # Parameters are there before any transition, timers are made by a later one.
+    others = (EndpointKind.TIMER, EndpointKind.PARAMETER)
+    made = [each for each in read.endpoints if each.kind not in others]
     assert sorted((each.kind.value, each.name or "") for each in made) == sorted(
-        (kind.value, name) for kind, name in node.endpoints
+        (kind.value, name) for kind, name in node.endpoints if kind not in others
     )
-    # Parameters are there before any transition.
-    for each in made:
-        is_parameter = each.kind is EndpointKind.PARAMETER
-        assert each.transition == (None if is_parameter else "on_configure")
+    assert {each.transition for each in made} <= {"on_configure"}
+    assert {*read.parameters} == {*node.by_kind[EndpointKind.PARAMETER]}
     timers = read.of_kind(EndpointKind.TIMER)
     assert all(each.transition == "on_activate" for each in timers)
 
@@ -140,9 +143,9 @@ def test_a_callback_takes_no_transitions_place(topic: str) -> None:
 
 PROGRAM = "create_node 'lamp' as lamp managed using rclpy\n{}\ngenerate_node lamp\n"
 REFUSED = {
-    "a client": (
-        "lamp client_requests 'reset' of service_type Empty with input none",
-        "unsupported-target: plastron cannot write clients for managed nodes yet",
+    "what ends its work": (
+        "lamp repeats end_tasks at 1 hz",
+        "invalid-function: `end_tasks` is a method that every managed rclpy node has",
     ),
     "a transition": (
         "lamp repeats on_activate at 1 hz",

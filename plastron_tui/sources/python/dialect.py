@@ -37,6 +37,7 @@ class Dialect:
         task_names: those that only a node has that calls services or has any part in actions.
         serving: how the attribute of an action ends that a node provides.
         managed_symbols: names that a managed node imports, in place of `symbols`.
+        managed_server_symbols: names that a managed node imports that provides actions.
         managed_names: names that only a method of a managed node must not have.
     """
 
@@ -56,6 +57,7 @@ class Dialect:
     task_names: frozenset[str]
     serving: str
     managed_symbols: tuple[Symbol, ...] = ()
+    managed_server_symbols: tuple[Symbol, ...] = ()
     managed_names: frozenset[str] = frozenset()
 
     def reserved(self, symbols: Iterable[Symbol]) -> set[str]:

@@ -120,6 +120,8 @@ def _break(parts: list[_Part], margin: str, tail: str, style: Brackets) -> list[
         return [flat]
     at = next((i for i in reversed(range(len(parts))) if _is_breakable(parts[i])), None)
     if at is None:
+        if lines := _break_condition(parts, margin, style):
+            return lines
         pieces = _break_string(_flat(parts), margin, tail, style) if style.splits_strings else []
         return pieces or [flat]
     group = parts[at]
@@ -169,6 +171,21 @@ def _align(group: _Group, head: str, foot: str, style: Brackets) -> list[str]:
         else:
             lines.append(" " * len(head) + item)
     return lines if all(width(each) <= style.limit for each in lines) else []
+
+
+def _break_condition(parts: list[_Part], margin: str, style: Brackets) -> list[str]:
+    """Lay out a long condition in parentheses, an operand a line; nothing where there is none."""
+    word = next((each for each in ("or", "and") if each in parts), "")
+    if not word or parts[0] not in ("if", "elif", "while") or parts[-1] != ":":
+        return []
+    operands: list[list[_Part]] = [[]]
+    for part in parts[1:-1]:
+        if part == word:
+            operands.append([])
+        operands[-1].append(part)
+    inner = margin + style.indent
+    lines = [f"{inner}{_flat(each).strip()}" for each in operands]
+    return [f"{margin}{parts[0]} (", *lines, f"{margin}):"]
 
 
 def _break_string(text: str, margin: str, tail: str, style: Brackets) -> list[str]:

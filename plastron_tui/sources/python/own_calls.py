@@ -14,6 +14,9 @@ from .scopes import Scope
 from .splices import line_end
 from .syntax import parts_of
 
+# The functions of the templates that start what is asked once.
+_STARTING = frozenset({"main", "work", "on_activate"})
+
 
 def call_in_own_method(added: Addition, requests: list[str]) -> bool:
     """Call a service as a node that Plastron wrote calls its others; False where none does."""
@@ -52,7 +55,9 @@ def _asking(added: Addition, methods: dict[str, Scope], request: str) -> list[st
     waited = "{client}"
     if added.is_rclpy:
         waited = f"{added.writer.conventions.string(added.name)}, {waited}.service_is_ready"
-    return [f"{wait}{{self}}.wait_until_served({waited})", call]
+    waiting = f"{wait}{{self}}.wait_until_served({waited})"
+    # A managed node may be deactivated while it waits.
+    return [f"if {waiting}:", f"\t{call}"] if "end_tasks" in methods else [waiting, call]
 
 
 def _is_async(function: Scope) -> bool:
@@ -68,7 +73,7 @@ def _started_in(added: Addition, function: Scope) -> Node | None:
     if statement is None or call is None or call.type not in ("call", "await") or not is_alone:
         return None
     around = added.analysis.scopes.at(statement.start_byte).enclosing("function")
-    return statement if around is not None and around.name in ("main", "work") else None
+    return statement if around is not None and around.name in _STARTING else None
 
 
 def _mentions(added: Addition, function: Scope, name: str) -> bool:

@@ -125,7 +125,7 @@ def remove_uses(
             removal.statements.append(reference.statement)
         elif reference.use is Use.BINDING:
             rebound.add(line_of(reference.node))
-        elif _is_guard(reference):
+        elif _is_guard(analysis, reference):
             guards.append(reference)
         elif reference.use is not Use.NOTHING:
             removal.lines.add(line_of(reference.node))
@@ -151,15 +151,19 @@ def remove_uses(
         removal.lines |= {line_of(each.node) for each in kept}
 
 
-def _is_guard(reference: Reference) -> bool:
-    """Whether a use only asks if there is an endpoint: `if self.pub is not None:`."""
+def _is_guard(analysis: Analysis, reference: Reference) -> bool:
+    """Whether a use only asks if there is an endpoint: `if self.pub is not None:`.
+
+    A client or a server of an action is also asked for in `self.waitables`.
+    """
     condition, asked = reference.statement.child_by_field_name("condition"), reference.node
     if reference.statement.type != "if_statement" or condition is None:
         return False
     if condition.type == "comparison_operator":
         parts = parts_of(condition)
-        is_none = len(parts) == 2 and parts[1].type == "none"
-        return is_none and parts[0].id == asked.id
+        if len(parts) != 2 or parts[0].id != asked.id:
+            return False
+        return parts[1].type == "none" or analysis.syntax.slice(parts[1]).endswith(".waitables")
     return condition.id == asked.id
 
 

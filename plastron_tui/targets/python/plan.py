@@ -209,6 +209,7 @@ class ActionServerPlan(NamedTuple):
 
     Attributes:
         attribute: what holds the server (ROS 1), or the goal that is worked on (ROS 2).
+        server: what holds the server of a managed node, "" in others.
         name: the action, as a literal.
         label: the action, as prose.
         type: the class of the action.
@@ -224,6 +225,7 @@ class ActionServerPlan(NamedTuple):
     method: str
     feedback: str
     result: str
+    server: str = ""
 
 
 @dataclass(slots=True)
@@ -273,9 +275,16 @@ class NodePlan:
         return [
             *(each.attribute for each in self.publishers),
             *(each.attribute for each in self.clients),
+            *self.action_attributes,
             *(each.attribute for each in self.services),
             *(each.attribute for each in self.subscriptions),
         ]
+
+    @property
+    def action_attributes(self) -> list[str]:
+        """What holds the clients and servers of actions of a managed node."""
+        clients = [each.attribute for each in self.action_clients]
+        return [*clients, *(each.server for each in self.action_servers)]
 
     @property
     def timer_attributes(self) -> list[str]:
@@ -308,14 +317,20 @@ class NodePlan:
         return bool(self.goals) or (bool(self.calls) and self.keeps_running)
 
     @property
+    def waits(self) -> bool:
+        """Whether the node waits, for others or for a next step, while it goes on with the rest."""
+        return bool(self.works or self.action_servers)
+
+    @property
     def keeps_running(self) -> bool:
-        """Whether the node has anything to do after its calls and goals."""
+        """Whether the node has anything to do after its calls and goals, or does them again."""
         others = (
             self.publishers
             or self.subscriptions
             or self.services
             or self.action_servers
             or self.timers
+            or self.is_managed
         )
         return bool(others) or not self.tasks
 

@@ -61,10 +61,10 @@ _NODE_PRIVATE = """
 _MANAGED = """
     _callbacks _managed_entities _service_change_state _service_get_available_states
     _service_get_available_transitions _service_get_state _service_get_transition_graph
-    _state_machine add_managed_entity create_lifecycle_publisher destroy_endpoints
-    destroy_lifecycle_publisher destroy_timers on_activate on_cleanup on_configure on_deactivate
-    on_error on_shutdown trigger_activate trigger_cleanup trigger_configure trigger_deactivate
-    trigger_shutdown
+    _state_machine accept_goal add_managed_entity cancel_goal create_lifecycle_publisher
+    destroy_endpoints destroy_lifecycle_publisher destroy_timers end_tasks is_active on_activate
+    on_cleanup on_configure on_deactivate on_error on_shutdown sent_goals trigger_activate
+    trigger_cleanup trigger_configure trigger_deactivate trigger_shutdown waits
 """
 
 _TASK_NAMES = """
@@ -134,6 +134,7 @@ DIALECT = _Rclpy(
         ("rclpy.executors", "ExternalShutdownException"),
         ("rclpy.lifecycle", "LifecycleNode"),
     ),
+    managed_server_symbols=(("rclpy.action", "GoalResponse"),),
     managed_names=frozenset(_MANAGED.split()),
 )
 

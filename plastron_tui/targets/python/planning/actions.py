@@ -28,6 +28,7 @@ def add_action_servers(writing: Writing, plan: NodePlan) -> None:
                 type=writing.class_of(type_, InterfaceKind.ACTION),
                 method=method,
                 feedback=f"{writing.part_of(type_, InterfaceKind.ACTION, 'Feedback')}()",
+                server=writing.held(f"{name}_server"),
                 result=f"{writing.part_of(type_, InterfaceKind.ACTION, 'Result')}()",
             )
         )

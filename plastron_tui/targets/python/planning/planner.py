@@ -9,7 +9,6 @@ from plastron_tui.model.kinds import (
     ActionClient,
     ActionServer,
     Client,
-    EndpointKind,
     Parameter,
     Publisher,
     Service,
@@ -89,7 +88,6 @@ class Planner:
         plan.is_managed = node.is_managed
         given = {name for each in node.endpoints.values() if (name := callback_of(each))}
         writing = Writing(node, self._catalog, dialect, imports, given)
-        _check_managed(writing)
         _check_names(writing)
         for add in _PARTS:
             add(writing, plan)
@@ -100,21 +98,6 @@ class Planner:
         plan.class_name = naming.Scope(taken).new(naming.class_name(node.name))
         plan.imports = imports.render(_standard(dialect, plan), dialect.modules, symbols)
         return plan, imports
-
-
-_NOT_MANAGED = (EndpointKind.CLIENT, EndpointKind.ACTION_CLIENT, EndpointKind.ACTION_SERVER)
-"""What waits for others, and would have to stop when a transition takes away what it waits with."""
-
-
-def _check_managed(writing: Writing) -> None:
-    """Refuse what a managed node cannot have."""
-    if not writing.node.is_managed:
-        return
-    for kind in _NOT_MANAGED:
-        for each in writing.node.by_kind[kind].values():
-            message = f"plastron cannot write {kind.word}s for managed nodes yet"
-            remedy = "give them to a node of their own, or leave `managed` out"
-            writing.refuse(codes.UNSUPPORTED_TARGET, message, each.span, remedy)
 
 
 def _check_names(writing: Writing) -> None:
@@ -154,11 +137,13 @@ def _symbols(dialect: Dialect, plan: NodePlan) -> tuple[Symbol, ...]:
     symbols = dialect.managed_symbols if plan.is_managed else dialect.symbols
     if plan.action_servers:
         symbols += dialect.server_symbols
+    if plan.action_servers and plan.is_managed:
+        symbols += dialect.managed_server_symbols
     if plan.goals:
         symbols += dialect.goal_symbols
     if plan.action_clients:
         symbols += dialect.client_symbols
-    if plan.action_servers or plan.works:
+    if plan.waits:
         symbols += dialect.task_symbols
     return symbols
 
