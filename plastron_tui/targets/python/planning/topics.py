@@ -21,7 +21,6 @@ from ..plan import (
     SendPlan,
     SubscriptionPlan,
 )
-from .computed import holder_of, lacks
 from .periods import planned_timer
 from .writing import Writing
 
@@ -102,7 +101,7 @@ def _condition(
     """Write what must hold of a message that is called `received`; tell whether that may fail."""
     if condition is None:
         return "", False
-    holder = holder_of(writing, condition.source, "received", heard)
+    holder = writing.computing.holder_of(condition.source, "received", heard)
     compared = holder if condition.quantifier is None else "each"
     operator = "==" if condition.operator == "=" else condition.operator
     text = f"{compared} {operator} {writing.setting(condition.value)}"
@@ -110,7 +109,7 @@ def _condition(
         text = compared if condition.value else f"not {compared}"
     if condition.quantifier is not None:
         text = f"{condition.quantifier}({text} for each in {holder})"
-    return text, lacks(writing, condition.source, heard)
+    return text, writing.computing.lacks(condition.source, heard)
 
 
 def add_subscriptions(writing: Writing, plan: NodePlan) -> None:
