@@ -40,6 +40,7 @@ from .new_parameter import declare, parameter_place
 from .own_calls import keep_running
 from .place import Place, beside
 from .qos_arguments import check_policies
+from .reacting import place_before_hearing, react
 from .removal import callback_scope
 from .repeating import repeat, tick_stub
 from .scopes import Scope
@@ -110,12 +111,14 @@ def plan_addition(
     elif present:
         _use_present(added, node, present)
     else:
+        place_before_hearing(added, node)
         lines = _create(added)
         if (note := shared_name(added)) is not None:
             writer.notes.append(note)
     sending: list[str] = []
     if isinstance(endpoint, Publisher):
         sending = add_publishing(added, endpoint)
+        react(added, node, endpoint)
     elif isinstance(endpoint, Client):
         sending = add_calls(added, endpoint)
     timers = timers_below(analysis, added.place) if len(sending) == 1 else None
@@ -306,6 +309,8 @@ def _stub(added: Addition, name: str, interface: Interface) -> list[str]:
         answer = added.endpoint.answer if isinstance(added.endpoint, Service) else None
         returned = names[1] if added.is_rclpy else response
         if answer is not None:
-            returned = messages.answer(interface, answer, names[0])
-        lines.append(f"\treturn {returned}")
+            answered = f"return {messages.answer(interface, answer, names[0])}"
+            lines += [f"\t{each}" for each in messages.conditions.around([answered])]
+        if answer is None or messages.conditions:
+            lines.append(f"\treturn {returned}")
     return lines

@@ -15,7 +15,6 @@ from plastron_tui.model.kinds import (
     Service,
     Timer,
 )
-from plastron_tui.model.values import OfReceived, Value, computed_in
 
 from .messages import CannotAddError
 
@@ -41,21 +40,8 @@ def _reasons(endpoint: Endpoint) -> Iterator[_Reason]:
     match endpoint:
         case Publisher(publications=publications):
             for each in publications:
-                if each.reaction is not None:
-                    heard = each.reaction.topic
-                    yield _Reason(
-                        f"what is sent to `{name}` for each message of `{heard}` is not written "
-                        "into a loaded file",
-                        f"publish to `{name}` by hand in the function that hears `{heard}`",
-                    )
                 if each.parameter is not None:
                     yield _parameter_rate(f"the rate of `{name}`", each.parameter)
-                if _is_received(each.message.value):
-                    yield _Reason(
-                        f"what is sent to `{name}` is computed from a message that is received, "
-                        "which is not written into a loaded file",
-                        "publish it by hand in the function that hears the message",
-                    )
         case Client(requests=requests) if any(each.rate is not None for each in requests):
             yield _Reason(
                 f"calls of `{name}` at a rate are not written into a loaded file",
@@ -96,7 +82,3 @@ def _parameter_rate(what: str, parameter: str) -> _Reason:
         f"{what} is that of the parameter `{bare}`, which is not written into a loaded file",
         f"write the rate as a number, or let a timer follow `{bare}` by hand",
     )
-
-
-def _is_received(value: Value) -> bool:
-    return any(isinstance(each.source, OfReceived) for each in computed_in(value))

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
 from plastron_tui.diagnostics import Span
+from plastron_tui.model.kinds import Condition
 from plastron_tui.model.kinds.computed import type_received
 from plastron_tui.model.kinds.ranges import Interval, field_range, range_of_calculated
 from plastron_tui.model.values import Computed, OfParameter, OfReceived
@@ -63,6 +64,18 @@ class _Source(NamedTuple):
         return self.range is not None and isinstance(self.range.least, int)
 
 
+def condition_of(condition: Condition, holder: str, value: str) -> str:
+    """Write what must hold of a field, of which the text is known and that of what it is to be."""
+    compared = holder if condition.quantifier is None else "each"
+    operator = "==" if condition.operator == "=" else condition.operator
+    text = f"{compared} {operator} {value}"
+    if isinstance(condition.value, bool):
+        text = compared if condition.value else f"not {compared}"
+    if condition.quantifier is not None:
+        text = f"{condition.quantifier}({text} for each in {holder})"
+    return text
+
+
 @dataclass(frozen=True, slots=True)
 class Computing:
     """What writes the values of a file that are known when they are sent.
@@ -90,10 +103,6 @@ class Computing:
             heard: its fields.
         """
         source = self._source(value.source, holder, heard)
-        if self.lacks(value.source, heard):
-            assert isinstance(value.source, OfReceived)
-            assert value.source.position is not None
-            self.guard.element(self._path(value.source, holder), value.source.position)
         if source.type == value.type and not value.steps:
             return source.text
         if value.type.is_array:
@@ -118,9 +127,11 @@ class Computing:
 
     def holder_of(self, source: OfReceived, holder: str, heard: Sequence[Field]) -> str:
         """Write a field of what is received; an element of an array is a number of Python's own."""
-        text = self._path(source, holder)
+        text = ".".join((holder, *map(self.dialect.field, source.path)))
         if source.position is None:
             return text
+        if self.lacks(source, heard):
+            self.guard.element(text, source.position)
         text += f"[{source.position}]"
         whole = self._whole(source, heard)
         range_ = field_range(whole, self.dialect.ros_version)
@@ -129,9 +140,6 @@ class Computing:
         if whole.length is None or range_ is None or whole.name == "byte" or not self._is_rclpy:
             return text
         return f"{'int' if isinstance(range_.least, int) else 'float'}({text})"
-
-    def _path(self, source: OfReceived, holder: str) -> str:
-        return ".".join((holder, *map(self.dialect.field, source.path)))
 
     def _whole(self, source: OfReceived, heard: Sequence[Field]) -> FieldType:
         """Return the type of the list that a source is an element of."""

@@ -33,8 +33,9 @@ def add_publishing(added: Addition, publisher: Publisher) -> list[str]:
     """Publish a publisher's messages; return the lines that follow its creation."""
     if not publisher.publications:
         return []
-    once = [each for each in publisher.publications if each.is_once]
-    again = [each for each in publisher.publications if not each.is_once]
+    unasked = [each for each in publisher.publications if each.reaction is None]
+    once = [each for each in unasked if each.is_once]
+    again = [each for each in unasked if not each.is_once]
     return [*_again(added, again), *_once(added, once)]
 
 
@@ -45,7 +46,7 @@ def _once(added: Addition, publications: Sequence[Publication]) -> list[str]:
     added.stand(is_nested=added.is_nested)
     lines = []
     for each in publications:
-        lines += _sending(added, each, f"{naming.words(added.name)}_message", False)
+        lines += sending(added, each, f"{naming.words(added.name)}_message", False)
     return send_when_heard(added, lines) if added.is_rclpy else lines
 
 
@@ -98,15 +99,17 @@ def _publish_in(added: Addition, block: Node, publications: Sequence[Publication
     lines = []
     prefix = naming.words(added.name)
     for publication in publications:
-        lines += _sending(added, publication, added.free_name(f"{prefix}_message"), False)
+        lines += sending(added, publication, added.free_name(f"{prefix}_message"), False)
     added.writer.lines(offset, indent, lines)
 
 
-def _sending(added: Addition, publication: Publication, variable: str, is_named: bool) -> list[str]:
+def sending(added: Addition, publication: Publication, variable: str, is_named: bool) -> list[str]:
     """Return the lines that send one message; a header gets the time."""
-    value = publication.message.value
-    message = added.messages.message(value)
-    needs_stamp = added.messages.needs_stamp(value)
+    messages, value = added.messages, publication.message.value
+    if publication.reaction is not None:
+        messages.when(publication.reaction.condition)
+    message = messages.message(value)
+    needs_stamp = messages.needs_stamp(value)
     now = ""
     if needs_stamp and added.is_rclpy:
         receiver = added.receiver_in_callback() or added.place.receiver
@@ -114,9 +117,10 @@ def _sending(added: Addition, publication: Publication, variable: str, is_named:
     elif needs_stamp:
         now = f"{added.rospy('Time')}.now()"
     if not now and not is_named:
-        return [f"{added.variable}.publish({message})"]
+        return messages.conditions.around([f"{added.variable}.publish({message})"])
     stamp = [f"{variable}.header.stamp = {now}"] if now else []
-    return [f"{variable} = {message}", *stamp, f"{added.variable}.publish({variable})"]
+    lines = [f"{variable} = {message}", *stamp, f"{added.variable}.publish({variable})"]
+    return messages.conditions.around(lines)
 
 
 def _timer(added: Addition, rate: float, publications: list[Publication]) -> list[str]:
@@ -128,7 +132,7 @@ def _timer(added: Addition, rate: float, publications: list[Publication]) -> lis
     summary = "" if is_silent else f"Publish to {added.label}."
     body: list[str] = []
     for publication in publications:
-        body += _sending(added, publication, "message", True)
+        body += sending(added, publication, "message", True)
     callback, lines = _function(added, method, summary, body)
     period = _period(rate)
     added.writer.endpoints.append((EndpointKind.TIMER, _timer_name(added, period), "None", method))

@@ -116,7 +116,16 @@ ROWS: dict[str, tuple[str, str, str, str]] = {
         "not-in-ros-1",
         "not-in-ros-1",
     ),
-    f"{GO}driver publish go to 'out' of message_type Twist for_each 'scan'": ("edit-refused",) * 4,
+    f"{GO}driver publish go to 'out' of message_type Twist for_each 'scan'": (
+        "+self.out_pub.publish(Twist())",
+        "+out_pub.publish(Twist())",
+        "+self.out_pub.publish(Twist())",
+        "+out_pub.publish(Twist())",
+    ),
+    "create_message i of message_type std_msgs/Int8 and input data=parameter 'idle' + 1\n"
+    "driver publish i to 'out' of message_type std_msgs/Int8 at 3 hz": (
+        ("+if -128 <= number <= 127:",) * 4
+    ),
     f"{GO}driver publish go to 'out' of message_type Twist at parameter 'gain' hz": (
         ("edit-refused",) * 4
     ),

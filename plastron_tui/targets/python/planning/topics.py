@@ -10,6 +10,7 @@ from plastron_tui.model.kinds import Condition, Publication, Publisher, Rate, Su
 from plastron_tui.ros.interfaces import Field, InterfaceKind
 from plastron_tui.ros.qos import Qos
 from plastron_tui.sources.python import naming
+from plastron_tui.sources.python.computed import condition_of
 from plastron_tui.sources.python.qos_code import new_keywords, profile
 
 from ..plan import (
@@ -102,13 +103,7 @@ def _condition(
     if condition is None:
         return "", False
     holder = writing.computing.holder_of(condition.source, "received", heard)
-    compared = holder if condition.quantifier is None else "each"
-    operator = "==" if condition.operator == "=" else condition.operator
-    text = f"{compared} {operator} {writing.setting(condition.value)}"
-    if isinstance(condition.value, bool):
-        text = compared if condition.value else f"not {compared}"
-    if condition.quantifier is not None:
-        text = f"{condition.quantifier}({text} for each in {holder})"
+    text = condition_of(condition, holder, writing.setting(condition.value))
     return text, writing.computing.lacks(condition.source, heard)
 
 
