@@ -40,7 +40,7 @@ from .new_parameter import declare, parameter_place
 from .own_calls import keep_running
 from .place import Place, beside
 from .qos_arguments import check_policies
-from .reacting import place_before_hearing, react
+from .reacting import place_before_hearing, react, shared
 from .removal import callback_scope
 from .repeating import repeat, tick_stub
 from .scopes import Scope
@@ -113,6 +113,7 @@ def plan_addition(
     else:
         place_before_hearing(added, node)
         lines = _create(added)
+        lines = [*shared(added, node), *lines]
         if (note := shared_name(added)) is not None:
             writer.notes.append(note)
     sending: list[str] = []

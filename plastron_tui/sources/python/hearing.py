@@ -38,6 +38,7 @@ class Heard(NamedTuple):
         statement: the statement that the new ones follow, or come before.
         offset: the start of a line.
         indent: the white space before the statements there.
+        is_empty: whether the line above is a `pass`, which is all that the function does.
     """
 
     function: Scope
@@ -45,6 +46,7 @@ class Heard(NamedTuple):
     statement: Node
     offset: int
     indent: str
+    is_empty: bool = False
 
 
 def find_heard(analysis: Analysis, sites: list[Site]) -> Heard:
@@ -72,7 +74,9 @@ def find_heard(analysis: Analysis, sites: list[Site]) -> Heard:
     if _comes_to_end(body, last) and not _is_changed(analysis, function, body, message):
         returns = last.type == "return_statement"
         offset = line_start(text, last.start_byte) if returns else line_end(text, last.end_byte)
-        return Heard(function, message, last, offset, indent)
+        line = text[line_start(text, last.start_byte) : offset].strip()
+        is_empty = len(statements) == 1 and line == b"pass"
+        return Heard(function, message, last, offset, indent, is_empty)
     first = next((each for each in statements if not is_docstring(each)), last)
     offset = before_comments(text, line_start(text, first.start_byte))
     return Heard(function, message, first, offset, indent)

@@ -17,7 +17,9 @@ from .hearing import Heard, NotHeardError, find_heard
 from .messages import CannotAddError
 from .place import climb, place_before
 from .references import statement_of
+from .removal import callback_scope
 from .sending import sending
+from .splices import Splice, line_start
 
 
 def place_before_hearing(added: Addition, node: Analysis) -> None:
@@ -31,6 +33,17 @@ def place_before_hearing(added: Addition, node: Analysis) -> None:
             is_before = statement is not None and statement.start_byte < added.place.offset
             if statement is not None and is_before and _is_beside(added, site):
                 added.place = place_before(added.analysis, added.place, statement)
+
+
+def shared(added: Addition, node: Analysis) -> list[str]:
+    """Return the line that lets functions of the module see the publisher that `main` creates."""
+    endpoint, module = added.endpoint, added.analysis.scopes.module
+    if not isinstance(endpoint, Publisher) or "." in added.variable or added.place.scope is module:
+        return []
+    sites = [site for each in endpoint.publications for site in _sites(node, each)]
+    hearing = [callback_scope(added.analysis, each) for each in sites]
+    is_needed = any(each is not None and each.parent is module for each in hearing)
+    return [f"global {added.variable}"] if is_needed else []
 
 
 def _is_beside(added: Addition, site: Site) -> bool:
@@ -64,6 +77,10 @@ def _react(added: Addition, publication: Publication, sites: list[Site]) -> None
     inside.stand(is_nested=True)
     variable = added.free_name(f"{naming.words(added.name)}_message")
     added.writer.lines(heard.offset, heard.indent, sending(inside, publication, variable, False))
+    if heard.is_empty:
+        text = added.analysis.syntax.text
+        empty = Splice(line_start(text, heard.offset - 1), heard.offset)
+        added.writer.splices += [empty] if empty not in added.writer.splices else []
 
 
 def _sites(node: Analysis, publication: Publication) -> list[Site]:
@@ -94,9 +111,12 @@ def _inside(added: Addition, heard: Heard) -> Addition:
         receiver = f"{function.self_name}{dot}{rest}" if first == holder else receiver
     else:
         found = function.lookup(holder)
-        is_nested = place.scope is not added.analysis.scopes.module
-        is_seen = function.is_within(place.scope) and (
-            found is None or found[0] is place.scope or (not is_nested and found[0].parent is None)
+        module = added.analysis.scopes.module
+        is_new = place.scope.lookup(holder) is None
+        is_seen = found is not None and found == place.scope.lookup(holder)
+        # What is new is shared with the functions of the module.
+        is_seen = is_seen or (
+            is_new and (function.is_within(place.scope) or function.parent is module)
         )
         receiver = place.receiver
     if not is_seen:

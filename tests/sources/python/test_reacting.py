@@ -106,6 +106,19 @@ def test_each_message_is_followed_by_one(tmp_path: Path, case: str) -> None:
     assert after.index("rospy.Publisher(") < after.index("rospy.Subscriber(")
 
 
+def test_a_publisher_of_a_function_is_shared_with_the_one_that_hears(tmp_path: Path) -> None:
+    text = "import rclpy\nfrom std_msgs.msg import String\n\n\ndef hear(msg):\n    pass\n\n\n"
+    text += "def main():\n    rclpy.init()\n    node = rclpy.create_node('driver')\n"
+    text += (
+        "    node.create_subscription(String, 'scan', hear, 10)\n    rclpy.spin(node)\n\n\nmain()\n"
+    )
+    after, told = made(tmp_path, text, SAY)
+    assert not told
+    assert "def hear(msg):\n    out_pub.publish(String())\n\n\n" in after
+    assert "    global out_pub\n    out_pub = node.create_publisher(String, 'out', 10)\n" in after
+    assert made(tmp_path, after, BACK)[0] == text
+
+
 HEARD = "rospy.Subscriber('scan', String, {})\n"
 REFUSED = {
     "a lambda hears it in line 15": HEARD.format("lambda m: hear(m)"),
@@ -116,6 +129,9 @@ REFUSED = {
     "`kept` is decorated": HEARD.format("kept"),
     "`hear` is used in line 16 as well": HEARD.format("hear") + "hear(String())\n",
     "several functions hear it": HEARD.format("hear") + HEARD.format("other"),
+    "`hear` does not see `out`": "def f():\n    out = rospy.Publisher('out', String)\n    "
+    + HEARD.format("hear")
+    + "f()\n",
     "the body of `short` is not one of lines": HEARD.format("short"),
 }
 
