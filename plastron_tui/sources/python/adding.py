@@ -102,6 +102,7 @@ def plan_addition(
     added = Addition.at(place, analysis, kind, endpoint, catalog, dialect)
     writer = added.writer
     lines: list[str] = []
+    is_section = True
     if isinstance(endpoint, Parameter):
         lines = declare(added, endpoint)
     elif isinstance(endpoint, Timer):
@@ -113,7 +114,9 @@ def plan_addition(
     else:
         place_before_hearing(added, node)
         lines = _create(added)
-        lines = [*shared(added, node), *lines]
+        above = shared(added, node)
+        is_section = added.place is place and not above
+        lines = [*above, *lines]
         if (note := shared_name(added)) is not None:
             writer.notes.append(note)
     sending: list[str] = []
@@ -130,7 +133,7 @@ def plan_addition(
     destroy_created(added, lines)
     functions, writer.splices = writer.splices, []
     if lines:
-        if starts_section(analysis, added.place, kind):
+        if is_section and starts_section(analysis, added.place, kind):
             lines = ["", *lines, *[""] * is_followed(analysis, added.place)]
         writer.lines(added.place.offset, added.place.indent, lines)
     if timers is not None:

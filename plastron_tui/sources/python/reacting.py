@@ -90,6 +90,7 @@ def _sites(node: Analysis, publication: Publication) -> list[Site]:
         each
         for each in node.sites
         if each.endpoint.kind is EndpointKind.SUBSCRIPTION
+        and not each.shape.gives_message
         and topic in (each.endpoint.name, each.endpoint.default)
     ]
 
