@@ -42,7 +42,7 @@ from .place import Place, beside
 from .qos_arguments import check_policies
 from .reacting import place_before_hearing, react, shared
 from .removal import callback_scope
-from .repeating import repeat, tick_stub
+from .repeating import place_behind_rates, repeat, tick_stub
 from .scopes import Scope
 from .sending import add_calls, add_publishing
 from .sending_once import check_kept
@@ -106,12 +106,15 @@ def plan_addition(
     if isinstance(endpoint, Parameter):
         lines = declare(added, endpoint)
     elif isinstance(endpoint, Timer):
+        place_behind_rates(added, node)
         callback = callback_for(added, None)
         check_parameters(added, callback)
         lines = repeat(added, endpoint, callback)
     elif present:
         _use_present(added, node, present)
+        place_behind_rates(added, node)
     else:
+        place_behind_rates(added, node)
         place_before_hearing(added, node)
         lines = _create(added)
         above = shared(added, node)

@@ -18,7 +18,7 @@ from plastron_tui.ros.interfaces import Interface
 from plastron_tui.ros.names import name_as_written, parameter_name
 
 from . import literals, naming
-from .analysis import Analysis
+from .analysis import Analysis, Site
 from .calls import Argument
 from .conventions import conventions_of
 from .dialect import Dialect
@@ -84,7 +84,7 @@ class Addition:
     def messages(self) -> Messages:
         """What writes types and values; made anew, for the two would keep each other alive."""
         imports, conventions = self.imports, self.writer.conventions
-        span, read = self.endpoint.span, self._read_parameter
+        span, read = self.endpoint.span, self.read_parameter
         messages = Messages(
             self.catalog, self.dialect, imports, conventions, span, read, self.free_name
         )
@@ -92,7 +92,7 @@ class Addition:
             messages.hear(*self.heard)
         return messages
 
-    def _read_parameter(self, name: str) -> tuple[str, Interval]:
+    def read_parameter(self, name: str) -> tuple[str, Interval]:
         """Write what reads a parameter of the node, and tell which numbers it may be.
 
         Raises:
@@ -230,6 +230,11 @@ class Addition:
         holder = self.place.receiver.partition(".")[0]
         is_seen = holder in ("", self.place.self_name) or bool(self._held_receiver)
         return self.place.owner is not None and is_seen
+
+    def is_beside(self, site: Site) -> bool:
+        """Whether a call is in the function, or the module, that the endpoint goes into."""
+        module = self.analysis.scopes.module
+        return (site.scope.enclosing("function") or module) is self.place.scope
 
     def callback_group(self, kind: EndpointKind) -> str:
         """Return the callback group that all endpoints of a kind beside this one are in."""

@@ -11,9 +11,7 @@ from plastron_tui.model.kinds import (
     ActionServer,
     Client,
     Endpoint,
-    Publisher,
     Service,
-    Timer,
 )
 
 from .messages import CannotAddError
@@ -38,10 +36,6 @@ def refuse_by_hand(endpoint: Endpoint) -> None:
 def _reasons(endpoint: Endpoint) -> Iterator[_Reason]:
     name = endpoint.name
     match endpoint:
-        case Publisher(publications=publications):
-            for each in publications:
-                if each.parameter is not None:
-                    yield _parameter_rate(f"the rate of `{name}`", each.parameter)
         case Client(requests=requests) if any(each.rate is not None for each in requests):
             yield _Reason(
                 f"calls of `{name}` at a rate are not written into a loaded file",
@@ -60,8 +54,6 @@ def _reasons(endpoint: Endpoint) -> Iterator[_Reason]:
                 "create an action client by hand, wait for its server and send the goal; "
                 "or let a node of its own send it: `create_node`",
             )
-        case Timer(rate=rate) if rate is not None and rate.parameter is not None:
-            yield _parameter_rate(f"the rate of `{name}`", rate.parameter)
 
 
 def refuse_answer(endpoint: Endpoint) -> None:
@@ -74,11 +66,3 @@ def refuse_answer(endpoint: Endpoint) -> None:
         message = f"the answer of `{endpoint.name}` is not written into a function that is there"
         remedy = "leave out `answering`, and fill in the response by hand in its function"
         raise CannotAddError(codes.EDIT_REFUSED, message, endpoint.span, remedy)
-
-
-def _parameter_rate(what: str, parameter: str) -> _Reason:
-    bare = parameter.removeprefix("~/")
-    return _Reason(
-        f"{what} is that of the parameter `{bare}`, which is not written into a loaded file",
-        f"write the rate as a number, or let a timer follow `{bare}` by hand",
-    )

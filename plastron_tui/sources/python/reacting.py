@@ -31,7 +31,7 @@ def place_before_hearing(added: Addition, node: Analysis) -> None:
         for site in _sites(node, each):
             statement = climb(statement_of(site.call))
             is_before = statement is not None and statement.start_byte < added.place.offset
-            if statement is not None and is_before and _is_beside(added, site):
+            if statement is not None and is_before and added.is_beside(site):
                 added.place = place_before(added.analysis, added.place, statement)
 
 
@@ -44,12 +44,6 @@ def shared(added: Addition, node: Analysis) -> list[str]:
     hearing = [callback_scope(added.analysis, each) for each in sites]
     is_needed = any(each is not None and each.parent is module for each in hearing)
     return [f"global {added.variable}"] if is_needed else []
-
-
-def _is_beside(added: Addition, site: Site) -> bool:
-    """Whether a call is in the function, or the module, that an addition goes into."""
-    module = added.analysis.scopes.module
-    return (site.scope.enclosing("function") or module) is added.place.scope
 
 
 def react(added: Addition, node: Analysis, publisher: Publisher) -> None:

@@ -10,11 +10,11 @@ from collections.abc import Sequence
 from tree_sitter import Node
 
 from plastron_tui.diagnostics import Diagnostic, codes
-from plastron_tui.model.kinds import Client, Publication, Publisher
+from plastron_tui.model.kinds import Client, Publication, Publisher, Rate
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind
 
-from . import literals, naming
+from . import naming
 from .addition import Addition
 from .conventions import leading_space, method_naming, variable_naming
 from .function_place import function_place, method_place
@@ -23,6 +23,7 @@ from .loggers import own_logger
 from .own_calls import call_in_own_method, keep_running
 from .own_loop import is_sleep, own_block, statements_of, woken_loop
 from .removal import callback_scope
+from .repeating import period_of
 from .sending_once import send_when_heard
 from .signatures import parameter_names, signatures_of
 from .splices import line_end, line_start
@@ -56,10 +57,11 @@ def _again(added: Addition, sent: Sequence[Publication]) -> list[str]:
         return []
     block = own_block(added)
     fitting: list[Publication] = []
-    by_rate: dict[float, list[Publication]] = defaultdict(list)
+    by_rate: dict[Rate, list[Publication]] = defaultdict(list)
     for publication in sent:
         is_fitting = block is not None and _fits(publication, block.rate)
-        (fitting if is_fitting else by_rate[publication.rate]).append(publication)
+        rate = Rate(publication.rate, publication.parameter)
+        (fitting if is_fitting else by_rate[rate]).append(publication)
     if block is not None and fitting:
         scope = added.analysis.scopes.at(block.body.start_byte)
         added.stand(is_nested=scope.is_within(added.place.scope))
@@ -85,7 +87,7 @@ def _wakes(added: Addition, line: int) -> Diagnostic:
 def _fits(publication: Publication, own_rate: float | None) -> bool:
     """Whether a message goes into a loop: its rate is not written, or the loop's."""
     is_same = own_rate is not None and math.isclose(publication.rate, own_rate)
-    return publication.is_rate_open or is_same
+    return publication.is_rate_open or (is_same and publication.parameter is None)
 
 
 def _publish_in(added: Addition, block: Node, publications: Sequence[Publication]) -> None:
@@ -123,7 +125,7 @@ def sending(added: Addition, publication: Publication, variable: str, is_named: 
     return messages.conditions.around(lines)
 
 
-def _timer(added: Addition, rate: float, publications: list[Publication]) -> list[str]:
+def _timer(added: Addition, rate: Rate, publications: list[Publication]) -> list[str]:
     """Publish in a timer of its own; return the lines that follow the creation."""
     # A function of the file that published may be left, and do something else now.
     names = (method_naming(added.analysis, each).name(added.name) for each in ("publish", "send"))
@@ -134,7 +136,7 @@ def _timer(added: Addition, rate: float, publications: list[Publication]) -> lis
     for publication in publications:
         body += sending(added, publication, "message", True)
     callback, lines = _function(added, method, summary, body)
-    period = _period(rate)
+    period = period_of(added, rate)
     added.writer.endpoints.append((EndpointKind.TIMER, _timer_name(added, period), "None", method))
     timer = f"{_timer_call(added, period, callback)})"
     is_held = holds_handles(added.analysis, added.place, EndpointKind.TIMER)
@@ -166,12 +168,6 @@ def _timer_name(added: Addition, period: str) -> str:
     if added.is_rclpy:
         return period
     return f"{added.rospy('Duration')}({period})"
-
-
-def _period(rate: float) -> str:
-    """Return the seconds between two messages; Python 2 divides integers to integers."""
-    seconds = literals.number(1 / rate)
-    return seconds if len(seconds) <= 6 else f"1.0 / {literals.number(rate)}"
 
 
 def _function(added: Addition, name: str, summary: str, body: list[str]) -> tuple[str, list[str]]:

@@ -79,6 +79,8 @@ def lost_sending(
 def _often(sent: Publication) -> str:
     if sent.reaction is not None:
         return f"for each message of `{sent.reaction.topic}`"
+    if sent.parameter is not None:
+        return f"as often as `{sent.parameter.removeprefix('~/')}` says"
     return f"{sent.rate:g} times a second" if sent.rate else "once"
 
 
