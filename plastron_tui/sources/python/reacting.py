@@ -79,7 +79,9 @@ def _react(added: Addition, publication: Publication, sites: list[Site]) -> None
 
 def _sites(node: Analysis, publication: Publication) -> list[Site]:
     """Return the subscriptions of the topic that something is sent for."""
-    topic = publication.reaction.topic if publication.reaction is not None else None
+    if publication.reaction is None:
+        return []
+    topic = publication.reaction.topic
     return [
         each
         for each in node.sites

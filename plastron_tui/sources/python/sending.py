@@ -24,7 +24,7 @@ from .own_calls import call_in_own_method, keep_running
 from .own_loop import is_sleep, own_block, statements_of, woken_loop
 from .removal import callback_scope
 from .repeating import period_of
-from .sending_once import send_when_heard
+from .sending_once import PERIOD, when_heard
 from .signatures import parameter_names, signatures_of
 from .splices import line_end, line_start
 from .surroundings import holds_handles
@@ -48,7 +48,17 @@ def _once(added: Addition, publications: Sequence[Publication]) -> list[str]:
     lines = []
     for each in publications:
         lines += sending(added, each, f"{naming.words(added.name)}_message", False)
-    return send_when_heard(added, lines) if added.is_rclpy else lines
+    if not added.is_rclpy:
+        return lines
+    holder, dot, _ = added.variable.rpartition(".")
+    timer = _timer_variable(added)
+    bare = timer.rpartition(".")[2].removesuffix("_timer").removesuffix("_")
+    heard = f"{holder}{dot}{added.free_name(f'{bare}_is_heard')}"
+    name = added.free_name(method_naming(added.analysis, "publish").name(added.name))
+    summary = f"Publish to {added.label}, once: when somebody listens."
+    callback, above = _function(added, name, summary, when_heard(added, heard, timer, lines))
+    added.writer.endpoints.append((EndpointKind.TIMER, PERIOD, "None", name))
+    return [f"{heard} = False", *above, f"{timer} = {_timer_call(added, PERIOD, callback)})"]
 
 
 def _again(added: Addition, sent: Sequence[Publication]) -> list[str]:

@@ -108,7 +108,7 @@ ROWS: dict[str, tuple[str, str, str, str]] = {
     ),
     f"{GO}driver publish go to 'out' of message_type Twist once": (
         "+self.out_is_heard = self.out_pub.get_subscription_count() > 0",
-        "edit-refused",
+        "+out_is_heard = out_pub.get_subscription_count() > 0",
         "+self.out_pub = rospy.Publisher('out', Twist, queue_size=1, latch=True)",
         "+out_pub = rospy.Publisher('out', Twist, queue_size=1, latch=True)",
     ),
