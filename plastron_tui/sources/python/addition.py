@@ -116,7 +116,7 @@ class Addition:
             return f"{receiver}.get_parameter({written}).value", range_
         if default is None or default.type not in _LITERALS:
             message = f"the file does not say the default of `{name}` in one place"
-            remedy = f"publish by hand what is computed from `{name}`"
+            remedy = f"write by hand what `{name}` is needed for"
             raise CannotAddError(codes.EDIT_REFUSED, message, self.endpoint.span, remedy)
         value = self.analysis.syntax.slice(default)
         return f"{self.rospy('get_param', in_callback=True)}({written}, {value})", range_

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from typing import NoReturn
 
@@ -70,7 +71,12 @@ def _react(added: Addition, publication: Publication, sites: list[Site]) -> None
     inside.heard = heard.message, interface
     inside.stand(is_nested=True)
     variable = added.free_name(f"{naming.words(added.name)}_message")
-    added.writer.lines(heard.offset, heard.indent, sending(inside, publication, variable, False))
+    lines = sending(inside, publication, variable, False)
+    root = inside.place.receiver.partition(".")[0]
+    is_used = bool(root) and any(re.search(rf"\b{root}\.", each) for each in lines)
+    if is_used and heard.function.lookup(root) is None:
+        raise NotHeardError(f"`{heard.function.name}` does not see `{root}`")
+    added.writer.lines(heard.offset, heard.indent, lines)
     if heard.is_empty:
         text = added.analysis.syntax.text
         empty = Splice(line_start(text, heard.offset - 1), heard.offset)

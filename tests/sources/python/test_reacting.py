@@ -106,17 +106,77 @@ def test_each_message_is_followed_by_one(tmp_path: Path, case: str) -> None:
     assert after.index("rospy.Publisher(") < after.index("rospy.Subscriber(")
 
 
+IN_MAIN = """\
+import rclpy
+from std_msgs.msg import String
+
+
+def hear(msg):
+    pass
+
+
+def main():
+    rclpy.init()
+    node = rclpy.create_node('driver')
+    node.create_subscription(String, 'scan', hear, 10)
+    rclpy.spin(node)
+
+
+main()
+"""
+
+
 def test_a_publisher_of_a_function_is_shared_with_the_one_that_hears(tmp_path: Path) -> None:
-    text = "import rclpy\nfrom std_msgs.msg import String\n\n\ndef hear(msg):\n    pass\n\n\n"
-    text += "def main():\n    rclpy.init()\n    node = rclpy.create_node('driver')\n"
-    text += (
-        "    node.create_subscription(String, 'scan', hear, 10)\n    rclpy.spin(node)\n\n\nmain()\n"
-    )
-    after, told = made(tmp_path, text, SAY)
+    after, told = made(tmp_path, IN_MAIN, SAY)
     assert not told
     assert "def hear(msg):\n    out_pub.publish(String())\n\n\n" in after
     assert "    global out_pub\n    out_pub = node.create_publisher(String, 'out', 10)\n" in after
-    assert made(tmp_path, after, BACK)[0] == text
+    assert made(tmp_path, after, BACK)[0] == IN_MAIN
+
+
+def test_a_stamp_needs_a_node_that_is_seen(tmp_path: Path) -> None:
+    after, told = made(tmp_path, IN_MAIN, SAY.replace("std_msgs/String", "sensor_msgs/Range"))
+    assert after == IN_MAIN
+    assert [each.partition(": ")[2] for each in told] == ["`hear` does not see `node`"]
+
+
+MANAGED = """\
+import rclpy
+from rclpy.lifecycle import LifecycleNode, TransitionCallbackReturn
+from std_msgs.msg import String
+
+
+class Driver(LifecycleNode):
+    def __init__(self):
+        super().__init__('driver')
+
+    def on_configure(self, state):
+        self.sub = self.create_subscription(String, 'scan', self.hear, 10)
+        return TransitionCallbackReturn.SUCCESS
+
+    def on_cleanup(self, state):
+        self.destroy_subscription(self.sub)
+        return TransitionCallbackReturn.SUCCESS
+
+    def hear(this, msg: String) -> None:
+        this.last = msg
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Driver())
+
+
+main()
+"""
+
+
+def test_a_method_says_its_own_name_of_the_object(tmp_path: Path) -> None:
+    after, told = made(tmp_path, MANAGED, SAY)
+    assert not told
+    assert "        this.out_pub.publish(String())\n" in after
+    assert "        self.destroy_publisher(self.out_pub)\n" in after
+    assert made(tmp_path, after, BACK) == (MANAGED, [])
 
 
 HEARD = "rospy.Subscriber('scan', String, {})\n"
