@@ -240,7 +240,8 @@ MISTAKES: list[tuple[str, str, str, str | None]] = [
         None,
     ),
     (
-        "create_message k of message_type Float64 and input parameter 'count' * 18446744073709551616\n"
+        "create_message k of message_type Float64 "
+        "and input parameter 'count' * 18446744073709551616\n"
         "n publish k to 'd' of message_type Float64",
         "value-out-of-range",
         "k",

@@ -228,6 +228,14 @@ WRITTEN_ANEW = Code(
     severity=Severity.WARNING,
 )
 
+READ_ONCE = Code(
+    "read-once",
+    "What is added to a loaded file has the rate that a parameter says as the node starts. In a "
+    "node that Plastron writes the rate follows the parameter; in a file of yours, let it do so by "
+    "hand where the parameter changes while the node runs.",
+    severity=Severity.WARNING,
+)
+
 SHARED_NAME = Code(
     "shared-name",
     "An endpoint is added to a class of a loaded file whose objects are told a name or a namespace "

@@ -40,8 +40,9 @@ from .new_parameter import declare, parameter_place
 from .own_calls import keep_running
 from .place import Place, beside
 from .qos_arguments import check_policies
+from .reacting import place_before_hearing, react, shared
 from .removal import callback_scope
-from .repeating import repeat, tick_stub
+from .repeating import place_behind_rates, repeat, tick_stub
 from .scopes import Scope
 from .sending import add_calls, add_publishing
 from .sending_once import check_kept
@@ -101,21 +102,30 @@ def plan_addition(
     added = Addition.at(place, analysis, kind, endpoint, catalog, dialect)
     writer = added.writer
     lines: list[str] = []
+    is_section = True
     if isinstance(endpoint, Parameter):
         lines = declare(added, endpoint)
     elif isinstance(endpoint, Timer):
+        place_behind_rates(added, node)
         callback = callback_for(added, None)
         check_parameters(added, callback)
         lines = repeat(added, endpoint, callback)
     elif present:
         _use_present(added, node, present)
+        place_behind_rates(added, node)
     else:
+        place_behind_rates(added, node)
+        place_before_hearing(added, node)
         lines = _create(added)
+        above = shared(added, node)
+        is_section = added.place is place and not above
+        lines = [*above, *lines]
         if (note := shared_name(added)) is not None:
             writer.notes.append(note)
     sending: list[str] = []
     if isinstance(endpoint, Publisher):
         sending = add_publishing(added, endpoint)
+        react(added, node, endpoint)
     elif isinstance(endpoint, Client):
         sending = add_calls(added, endpoint)
     timers = timers_below(analysis, added.place) if len(sending) == 1 else None
@@ -126,7 +136,7 @@ def plan_addition(
     destroy_created(added, lines)
     functions, writer.splices = writer.splices, []
     if lines:
-        if starts_section(analysis, added.place, kind):
+        if is_section and starts_section(analysis, added.place, kind):
             lines = ["", *lines, *[""] * is_followed(analysis, added.place)]
         writer.lines(added.place.offset, added.place.indent, lines)
     if timers is not None:
@@ -306,6 +316,8 @@ def _stub(added: Addition, name: str, interface: Interface) -> list[str]:
         answer = added.endpoint.answer if isinstance(added.endpoint, Service) else None
         returned = names[1] if added.is_rclpy else response
         if answer is not None:
-            returned = messages.answer(interface, answer, names[0])
-        lines.append(f"\treturn {returned}")
+            answered = f"return {messages.answer(interface, answer, names[0])}"
+            lines += [f"\t{each}" for each in messages.conditions.around([answered])]
+        if answer is None or messages.conditions:
+            lines.append(f"\treturn {returned}")
     return lines

@@ -10,6 +10,7 @@ from tree_sitter import Node
 
 from plastron_tui.diagnostics import codes
 from plastron_tui.model.kinds import Endpoint
+from plastron_tui.model.kinds.ranges import EVERY_FLOAT, EVERY_INTEGER, Interval
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.model.unique_names import numbered
 from plastron_tui.ros.catalog import Catalog
@@ -17,7 +18,7 @@ from plastron_tui.ros.interfaces import Interface
 from plastron_tui.ros.names import name_as_written, parameter_name
 
 from . import literals, naming
-from .analysis import Analysis
+from .analysis import Analysis, Site
 from .calls import Argument
 from .conventions import conventions_of
 from .dialect import Dialect
@@ -43,6 +44,7 @@ class Addition:
     Attributes:
         variable: the source of the variable that holds it, "" where none does.
         handed: what its callback gets besides what ROS gives it.
+        heard: the message that what is sent is computed of: its name and type, None for none.
     """
 
     analysis: Analysis
@@ -56,6 +58,7 @@ class Addition:
     dialect: Dialect
     variable: str = ""
     handed: HandedOn = field(default_factory=HandedOn)
+    heard: tuple[str, Interface] | None = None
 
     @classmethod
     def at(
@@ -81,11 +84,16 @@ class Addition:
     def messages(self) -> Messages:
         """What writes types and values; made anew, for the two would keep each other alive."""
         imports, conventions = self.imports, self.writer.conventions
-        span, read = self.endpoint.span, self._read_parameter
-        return Messages(self.catalog, self.dialect, imports, conventions, span, read)
+        span, read = self.endpoint.span, self.read_parameter
+        messages = Messages(
+            self.catalog, self.dialect, imports, conventions, span, read, self.free_name
+        )
+        if self.heard is not None:
+            messages.hear(*self.heard)
+        return messages
 
-    def _read_parameter(self, name: str) -> tuple[str, bool]:
-        """Write what reads a parameter of the node, and tell whether it may be an integer.
+    def read_parameter(self, name: str) -> tuple[str, Interval]:
+        """Write what reads a parameter of the node, and tell which numbers it may be.
 
         Raises:
             CannotAddError: rospy is to read it with a default, which the file does not say.
@@ -100,17 +108,18 @@ class Addition:
         found = (parameter_call(self.analysis, each).default for each in sites)
         default = next((each for each in found if each is not None), None)
         is_float = default is not None and default.type == "float"
+        range_ = EVERY_FLOAT if is_float else EVERY_INTEGER
         self.writer.endpoints.append((EndpointKind.PARAMETER, whole, "None", ""))
         written = self.writer.conventions.string(name_as_written(whole, version))
         if self.is_rclpy:
             receiver = self.receiver_in_callback() or self.place.receiver
-            return f"{receiver}.get_parameter({written}).value", not is_float
+            return f"{receiver}.get_parameter({written}).value", range_
         if default is None or default.type not in _LITERALS:
             message = f"the file does not say the default of `{name}` in one place"
-            remedy = f"publish by hand what is computed from `{name}`"
+            remedy = f"write by hand what `{name}` is needed for"
             raise CannotAddError(codes.EDIT_REFUSED, message, self.endpoint.span, remedy)
         value = self.analysis.syntax.slice(default)
-        return f"{self.rospy('get_param', in_callback=True)}({written}, {value})", not is_float
+        return f"{self.rospy('get_param', in_callback=True)}({written}, {value})", range_
 
     def interface(self) -> Interface:
         """Return the type of the endpoint."""
@@ -221,6 +230,11 @@ class Addition:
         holder = self.place.receiver.partition(".")[0]
         is_seen = holder in ("", self.place.self_name) or bool(self._held_receiver)
         return self.place.owner is not None and is_seen
+
+    def is_beside(self, site: Site) -> bool:
+        """Whether a call is in the function, or the module, that the endpoint goes into."""
+        module = self.analysis.scopes.module
+        return (site.scope.enclosing("function") or module) is self.place.scope
 
     def callback_group(self, kind: EndpointKind) -> str:
         """Return the callback group that all endpoints of a kind beside this one are in."""

@@ -11,11 +11,8 @@ from plastron_tui.model.kinds import (
     ActionServer,
     Client,
     Endpoint,
-    Publisher,
     Service,
-    Timer,
 )
-from plastron_tui.model.values import OfReceived, Value, computed_in
 
 from .messages import CannotAddError
 
@@ -39,23 +36,6 @@ def refuse_by_hand(endpoint: Endpoint) -> None:
 def _reasons(endpoint: Endpoint) -> Iterator[_Reason]:
     name = endpoint.name
     match endpoint:
-        case Publisher(publications=publications):
-            for each in publications:
-                if each.reaction is not None:
-                    heard = each.reaction.topic
-                    yield _Reason(
-                        f"what is sent to `{name}` for each message of `{heard}` is not written "
-                        "into a loaded file",
-                        f"publish to `{name}` by hand in the function that hears `{heard}`",
-                    )
-                if each.parameter is not None:
-                    yield _parameter_rate(f"the rate of `{name}`", each.parameter)
-                if _is_received(each.message.value):
-                    yield _Reason(
-                        f"what is sent to `{name}` is computed from a message that is received, "
-                        "which is not written into a loaded file",
-                        "publish it by hand in the function that hears the message",
-                    )
         case Client(requests=requests) if any(each.rate is not None for each in requests):
             yield _Reason(
                 f"calls of `{name}` at a rate are not written into a loaded file",
@@ -74,8 +54,6 @@ def _reasons(endpoint: Endpoint) -> Iterator[_Reason]:
                 "create an action client by hand, wait for its server and send the goal; "
                 "or let a node of its own send it: `create_node`",
             )
-        case Timer(rate=rate) if rate is not None and rate.parameter is not None:
-            yield _parameter_rate(f"the rate of `{name}`", rate.parameter)
 
 
 def refuse_answer(endpoint: Endpoint) -> None:
@@ -88,15 +66,3 @@ def refuse_answer(endpoint: Endpoint) -> None:
         message = f"the answer of `{endpoint.name}` is not written into a function that is there"
         remedy = "leave out `answering`, and fill in the response by hand in its function"
         raise CannotAddError(codes.EDIT_REFUSED, message, endpoint.span, remedy)
-
-
-def _parameter_rate(what: str, parameter: str) -> _Reason:
-    bare = parameter.removeprefix("~/")
-    return _Reason(
-        f"{what} is that of the parameter `{bare}`, which is not written into a loaded file",
-        f"write the rate as a number, or let a timer follow `{bare}` by hand",
-    )
-
-
-def _is_received(value: Value) -> bool:
-    return any(isinstance(each.source, OfReceived) for each in computed_in(value))

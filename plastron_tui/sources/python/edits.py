@@ -19,7 +19,7 @@ from plastron_tui.model.kinds import (
     callback_of,
     is_sending,
 )
-from plastron_tui.model.source import Add, Change, Remove, Rename, Update
+from plastron_tui.model.source import Add, Change, EndpointKind, Remove, Rename, Update
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceName
 
@@ -123,7 +123,7 @@ class Edits:
     _exchange: Exchange = field(default_factory=Exchange)
 
     def make(self, changes: Sequence[Change]) -> None:
-        """Make changes, in their order.
+        """Make changes, in their order, but what is sent for a message once something hears that.
 
         Raises:
             CannotAddError: there is no place for an endpoint, or its type is not known.
@@ -133,7 +133,7 @@ class Edits:
         renames = [change for change in changes if isinstance(change, Rename)]
         if renames:
             self._rename(renames)
-        at = 0
+        changes, at = sorted(changes, key=_turn), 0
         while at < len(changes):
             change = changes[at]
             if isinstance(change, Add):
@@ -392,6 +392,14 @@ class Edits:
             message = "the file is too large for so many changes, each of which reads it anew"
             remedy = "let several nodes have them, or make some of the changes by hand"
             raise RefusedError(Diagnostic(codes.EDIT_REFUSED, message, help=remedy))
+
+
+def _turn(change: Change) -> int:
+    """Return when a change is made: what sends goes before what hears, and comes after it."""
+    if isinstance(change, Remove):
+        return 0 if change.kind is EndpointKind.PUBLISHER else 1
+    sent = getattr(getattr(change, "endpoint", None), "publications", ())
+    return 2 if any(each.reaction is not None for each in sent) else 1
 
 
 def _applied(analysis: Analysis, writers: Iterable[Writer]) -> bytes:

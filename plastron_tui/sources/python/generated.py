@@ -315,6 +315,21 @@ def repeated_task(analysis: Analysis, function: Scope) -> str | None:
     return found["task"] if found is not None else None
 
 
+_SENDS_ONCE = re.compile(
+    r"def \w+\([^)]*\)[^:]*:\s+(?:\"\"\"|''')Publish to [^\n]*, once: when somebody listens\."
+    r"(?:\"\"\"|''')\s+(?:(?:global|nonlocal) \w+\s+)?was_heard = (?P<heard>[\w.]+)\s+"
+    r"(?P=heard) = (?P<publisher>[\w.]+)\.get_subscription_count\(\) > 0\s+"
+    r"if (?:was_heard and (?P=heard)|not (?P=heard):\s+.*\s+elif was_heard):\s+"
+    r"# A subscription [^\n]*\s+(?P<timer>[\w.]+)\.cancel\(\)\s.*",
+    re.DOTALL,
+)
+
+
+def sent_once(analysis: Analysis, function: Scope) -> re.Match[str] | None:
+    """Return what a function names that sends something once, None for others."""
+    return _SENDS_ONCE.fullmatch(analysis.syntax.slice(function.node))
+
+
 def is_named_as_own(function: Scope) -> bool:
     """Whether a function is called as those that Plastron writes to send something."""
     return _SENDING.match(function.name) is not None

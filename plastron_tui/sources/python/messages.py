@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import NoReturn
 
 from plastron_tui.diagnostics import Code, Diagnostic, Span, codes
-from plastron_tui.model.kinds.computed import type_received, what_of
-from plastron_tui.model.values import Computed, MessageValue, OfParameter, Value
+from plastron_tui.model.kinds import Condition
+from plastron_tui.model.kinds.ranges import EVERY_INTEGER, Interval
+from plastron_tui.model.values import Computed, MessageValue, Value
 from plastron_tui.ros.catalog import Catalog, moved
 from plastron_tui.ros.interfaces import Field, FieldType, Interface, InterfaceKind, InterfaceName
 
-from . import literals
+from .computed import Computing, ParameterValue
 from .conventions import Conventions
-from .dialect import Dialect
+from .dialect import Dialect, plain_scalar
 from .typeimports import FileImports
-
-ReadParameter = Callable[[str], tuple[str, bool]]
-"""Writes what reads a parameter, and tells whether that may be an integer."""
 
 _HEADER = InterfaceName("std_msgs", "Header")
 
@@ -30,8 +29,94 @@ class CannotAddError(Exception):
         self.diagnostic = Diagnostic(code, message, span, help=remedy)
 
 
+class Conditions:
+    """What must hold so that fields can hold what is computed for them."""
+
+    def __init__(self, name: Callable[[str], str]) -> None:
+        """Require nothing yet; `name` returns a free name like a wanted one."""
+        self._name = name
+        self._named: dict[str, str] = {}
+        self._required: dict[str, None] = {}
+
+    def number(self, text: str, limits: Interval) -> str:
+        """Require a number to be in the limits of a field; what is read for it is read once."""
+        if not _within(text, limits):
+            return text
+        text = self._once(text, "number")
+        self.require(_within(text, limits))
+        return text
+
+    def numbers(self, text: str, limits: Interval) -> str:
+        """Require that of each number of a list."""
+        within = _within("each", limits)
+        if not within:
+            return text
+        text = self._once(text, "numbers")
+        self.require(f"all({within} for each in {text})")
+        return text
+
+    def _once(self, text: str, wanted: str) -> str:
+        """Return the variable that gets what a call returns."""
+        if "(" in text and text not in self._named:
+            self._named[text] = self._name(wanted)
+        return self._named.get(text, text)
+
+    def short(self) -> str:
+        """Leave a number alone that only 64 bits can hold: hardly anything is as great."""
+        return ""
+
+    def element(self, holder: str, position: int) -> None:
+        """Require a list to have an element."""
+        self.require(f"len({holder}) > {position}")
+
+    def require(self, condition: str) -> None:
+        """Require that something holds."""
+        self._required[condition] = None
+
+    def __bool__(self) -> bool:
+        """Whether anything is required."""
+        return bool(self._required)
+
+    def around(self, lines: Sequence[str]) -> list[str]:
+        """Write lines that are only run where all of that holds."""
+        if not self:
+            return [*lines]
+        named = (f"{name} = {text}" for text, name in self._named.items())
+        required = " and ".join(self._required)
+        return [*named, f"if {required}:", *(f"\t{line}" for line in lines)]
+
+
+class _Unguarded:
+    """Lets a field have whatever it is given."""
+
+    def number(self, text: str, limits: Interval) -> str:
+        del limits
+        return text
+
+    numbers = number
+
+    def short(self) -> str:
+        return ""
+
+    def element(self, holder: str, position: int) -> None:
+        pass
+
+
+def _within(text: str, limits: Interval) -> str:
+    """Write that a number is in limits, "" for those of 64 bits, which hardly anything passes."""
+    least = f"{limits.least} <= " if limits.least > EVERY_INTEGER.least else ""
+    most = f" <= {limits.most}" if limits.most < EVERY_INTEGER.most else ""
+    if least and not most:
+        return f"{text} >= {limits.least}"
+    return f"{least}{text}{most}" if least or most else ""
+
+
 class Messages:
-    """Writes types and values into a file."""
+    """Writes types and values into a file.
+
+    Attributes:
+        conditions: what must hold so that what was written can be sent.
+    """
 
     def __init__(
         self,
@@ -40,14 +125,17 @@ class Messages:
         imports: FileImports,
         conventions: Conventions,
         span: Span | None,
-        read: ReadParameter,
+        read: ParameterValue,
+        name: Callable[[str], str],
     ) -> None:
         self._catalog = catalog
         self._dialect = dialect
         self._imports = imports
         self._conventions = conventions
         self._span = span
-        self._read = read
+        self.conditions = Conditions(name)
+        where = span or Span(0, 0)
+        self._computing = Computing(catalog, dialect, where, read, self.conditions)
         self._received: tuple[str, Sequence[Field]] = ("received", ())
 
     def interface(self, type_: InterfaceName | None, kind: InterfaceKind, name: str) -> Interface:
@@ -80,7 +168,8 @@ class Messages:
         return f"{self.type_class(interface)}({self._arguments(interface, value)})"
 
     def request(self, interface: Interface, value: MessageValue) -> str:
-        """Write a request of a service."""
+        """Write a request of a service, which is sent whether or not its fields can hold it."""
+        self._computing = replace(self._computing, guard=_Unguarded())
         return f"{self.request_class(interface)}({self._arguments(interface, value)})"
 
     def request_class(self, interface: Interface) -> str:
@@ -89,9 +178,21 @@ class Messages:
 
     def answer(self, interface: Interface, value: MessageValue, request: str) -> str:
         """Write a response of a service that has values, of the request that a name holds."""
-        self._received = request, interface.fields
+        self.hear(request, interface)
         class_ = self._dialect.response(interface.name, self._imports).removesuffix("()")
         return f"{class_}({self._written(interface.response.fields, interface, value)})"
+
+    def hear(self, holder: str, interface: Interface) -> None:
+        """Compute what is written next of a message that a name holds."""
+        self._received = holder, interface.fields
+
+    def when(self, condition: Condition | None) -> None:
+        """Write what must hold of the message that is received."""
+        if condition is None:
+            return
+        value = condition.value
+        text = self._conventions.string(value) if isinstance(value, str) else plain_scalar(value)
+        self.conditions.require(self._computing.condition(condition, *self._received, text))
 
     def response(self, interface: Interface) -> str:
         """Write the default response of a service."""
@@ -123,7 +224,7 @@ class Messages:
 
     def _value(self, type_: FieldType, value: Value) -> str:
         if isinstance(value, Computed):
-            return self._computed(value)
+            return self._computing.write(value, *self._received)
         if type_.is_array and isinstance(value, tuple):
             element = type_._replace(is_array=False, length=None, bound=None)
             return f"[{', '.join(self._value(element, each) for each in value)}]"
@@ -132,28 +233,6 @@ class Messages:
         if isinstance(value, str):
             return self._conventions.string(value)
         return self._dialect.scalar(type_, value, self._imports)
-
-    def _computed(self, value: Computed) -> str:
-        """Write a value that is known when it is sent."""
-        source = value.source
-        if isinstance(source, OfParameter):
-            written, is_whole = self._read(source.name)
-        else:
-            holder, fields = self._received
-            path = ".".join(map(self._dialect.field, source.path))
-            position = "" if source.position is None else f"[{source.position}]"
-            written = f"{holder}.{path}{position}"
-            where = self._span or Span(0, 0)
-            type_ = type_received(source, fields, self._catalog, where)
-            is_whole = what_of(type_, self._catalog.ros_version).kind is int
-        for operator, number in value.steps:
-            written += f" {operator} {literals.number(number)}"
-        if self._dialect.ros_version == 1:
-            return written
-        if value.type.is_array:
-            return f"list({written})" if isinstance(source, OfParameter) else written
-        is_float = value.type.name in {"float32", "float64"}
-        return f"float({written})" if is_float and is_whole and not value.is_float else written
 
     def _refuse(self, code: Code, message: str) -> NoReturn:
         raise CannotAddError(code, message, self._span)

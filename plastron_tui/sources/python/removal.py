@@ -22,6 +22,7 @@ from .generated import (
     is_own_call,
     is_publishing_function,
     repeated_task,
+    sent_once,
     serves,
 )
 from .rates import is_once
@@ -109,6 +110,8 @@ def remove_uses(
     uses = references(variable, analysis)
     if sites[0].endpoint.kind in (EndpointKind.CLIENT, EndpointKind.ACTION_CLIENT):
         uses = _remove_calling(analysis, uses, removal)
+    elif sites[0].endpoint.kind is EndpointKind.PUBLISHER:
+        uses = _remove_once(analysis, uses, removal)
     for reference in uses:
         if reference.statement.id in created or any(
             splice.start <= reference.node.start_byte < splice.end for splice in cut
@@ -224,6 +227,35 @@ def _remove_calling(analysis: Analysis, uses: list[Reference], removal: Removal)
         reference
         for reference in uses
         if not any(node.start_byte <= reference.node.start_byte < node.end_byte for node in gone)
+    ]
+
+
+def _remove_once(analysis: Analysis, uses: list[Reference], removal: Removal) -> list[Reference]:
+    """Remove the functions that Plastron wrote to send something once; return the other uses."""
+    gone: list[Scope] = []
+    for reference in uses:
+        function = analysis.scopes.at(reference.node.start_byte).enclosing("function")
+        if function is None or any(each is function for each in gone):
+            continue
+        found, timers = sent_once(analysis, function), timers_of(analysis, function)
+        if found is None or len(timers) != 1 or len(function_uses(analysis, function)) != 1:
+            continue
+        name = found["heard"].rpartition(".")[2]
+        outside = [
+            statement_of(each)
+            for each in identifiers(name, analysis)
+            if not analysis.scopes.at(each.start_byte).is_within(function)
+        ]
+        if destroying(analysis, timers[0]) is None or len(outside) != 1:
+            continue
+        gone.append(function)
+        removal.sites += timers
+        removal.statements += [statement_of(timers[0].call), definition(function), *outside]
+        removal.statements += destroying(analysis, timers[0]) or []
+    return [
+        each
+        for each in uses
+        if not any(analysis.scopes.at(each.node.start_byte).is_within(scope) for scope in gone)
     ]
 
 

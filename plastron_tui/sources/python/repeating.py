@@ -5,14 +5,19 @@ Source: `rclpy.node.Node.create_timer` of Jazzy, `rospy.Timer` of Noetic.
 
 from __future__ import annotations
 
-from plastron_tui.model.kinds import Timer
+from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.model.kinds import Endpoint, Publisher, Rate, Timer
 from plastron_tui.model.source import EndpointKind
+from plastron_tui.ros.names import parameter_name
 
 from . import literals
 from .addition import Addition
+from .analysis import Analysis, Site
 from .conventions import variable_naming
 from .lifecycle import is_transition
 from .loggers import own_logger
+from .messages import CannotAddError
+from .place import beside
 from .rates import timer_pace
 from .replacing import NotInPlaceError, Replacement
 from .signatures import parameter_names, signatures_of
@@ -22,16 +27,55 @@ from .surroundings import holds_handles
 _MOST_DIGITS = 6
 
 
-def period_text(rate: float) -> str:
+def period_of(added: Addition, rate: Rate) -> str:
     """Write the seconds between two calls; Python 2 divides integers to integers."""
-    seconds = literals.number(1 / rate)
-    return seconds if len(seconds) <= _MOST_DIGITS else f"1.0 / {literals.number(rate)}"
+    if rate.parameter is not None:
+        bare = rate.parameter.removeprefix("~/")
+        message = f"the rate of `{added.name}` is what `{bare}` is as the node starts"
+        help_ = f"let the timer follow `{bare}` by hand, if that changes while the node runs"
+        note = Diagnostic(codes.READ_ONCE, message, added.endpoint.span, help=help_)
+        added.writer.notes.append(note)
+        return f"1.0 / {added.read_parameter(rate.parameter)[0]}"
+    seconds = literals.number(1 / rate.hertz)
+    return seconds if len(seconds) <= _MOST_DIGITS else f"1.0 / {literals.number(rate.hertz)}"
+
+
+def place_behind_rates(added: Addition, node: Analysis) -> None:
+    """Let what has the rate of a parameter come behind the line that declares it.
+
+    Raises:
+        CannotAddError: rclpy does not surely know the parameter there.
+    """
+    for name in _rates(added.endpoint) if added.is_rclpy else ():
+        found = [each for each in node.sites if _declares(each, name) and added.is_beside(each)]
+        place = beside(node, found[0]) if found else None
+        if place is None:
+            bare = name.removeprefix("~/")
+            message = f"the file does not declare `{bare}` where `{added.name}` would get its rate"
+            remedy = f"write the rate as a number, or let a timer follow `{bare}` by hand"
+            raise CannotAddError(codes.EDIT_REFUSED, message, added.endpoint.span, remedy)
+        if place.offset > added.place.offset:
+            added.place = place
+            added.stand(is_nested=True)
+
+
+def _rates(endpoint: Endpoint) -> list[str]:
+    """Return the parameters that are rates of an endpoint."""
+    rate = endpoint.rate if isinstance(endpoint, Timer) else None
+    sent = endpoint.publications if isinstance(endpoint, Publisher) else ()
+    given = [rate.parameter if rate is not None else None, *(each.parameter for each in sent)]
+    return [each for each in given if each is not None]
+
+
+def _declares(site: Site, name: str) -> bool:
+    is_declaring = not {"declare_parameter", "declare_parameters"}.isdisjoint(site.shape.callees)
+    return is_declaring and site.endpoint.name == parameter_name(name.removeprefix("~/"), 2)
 
 
 def repeat(added: Addition, timer: Timer, callback: str) -> list[str]:
     """Return the statement that has a function called at a rate."""
     assert timer.rate is not None, "statements say the rate"
-    period = period_text(timer.rate.hertz)
+    period = period_of(added, timer.rate)
     name = period
     if added.is_rclpy:
         group = added.callback_group(EndpointKind.TIMER)
@@ -82,7 +126,8 @@ def set_rate(update: Replacement, timer: Timer) -> None:
     """
     assert timer.rate is not None, "statements say the rate"
     pace = timer_pace(update.analysis, update.site)
-    splice = None if pace is None else pace.set_to(update.analysis, timer.rate.hertz)
+    is_number = pace is not None and timer.rate.parameter is None
+    splice = pace.set_to(update.analysis, timer.rate.hertz) if pace and is_number else None
     if splice is None:
         raise NotInPlaceError
     update.splices.append(splice)

@@ -10,11 +10,11 @@ from collections.abc import Sequence
 from tree_sitter import Node
 
 from plastron_tui.diagnostics import Diagnostic, codes
-from plastron_tui.model.kinds import Client, Publication, Publisher
+from plastron_tui.model.kinds import Client, Publication, Publisher, Rate
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind
 
-from . import literals, naming
+from . import naming
 from .addition import Addition
 from .conventions import leading_space, method_naming, variable_naming
 from .function_place import function_place, method_place
@@ -23,7 +23,8 @@ from .loggers import own_logger
 from .own_calls import call_in_own_method, keep_running
 from .own_loop import is_sleep, own_block, statements_of, woken_loop
 from .removal import callback_scope
-from .sending_once import send_when_heard
+from .repeating import period_of
+from .sending_once import PERIOD, when_heard
 from .signatures import parameter_names, signatures_of
 from .splices import line_end, line_start
 from .surroundings import holds_handles
@@ -33,8 +34,9 @@ def add_publishing(added: Addition, publisher: Publisher) -> list[str]:
     """Publish a publisher's messages; return the lines that follow its creation."""
     if not publisher.publications:
         return []
-    once = [each for each in publisher.publications if each.is_once]
-    again = [each for each in publisher.publications if not each.is_once]
+    unasked = [each for each in publisher.publications if each.reaction is None]
+    once = [each for each in unasked if each.is_once]
+    again = [each for each in unasked if not each.is_once]
     return [*_again(added, again), *_once(added, once)]
 
 
@@ -45,8 +47,18 @@ def _once(added: Addition, publications: Sequence[Publication]) -> list[str]:
     added.stand(is_nested=added.is_nested)
     lines = []
     for each in publications:
-        lines += _sending(added, each, f"{naming.words(added.name)}_message", False)
-    return send_when_heard(added, lines) if added.is_rclpy else lines
+        lines += sending(added, each, f"{naming.words(added.name)}_message", False)
+    if not added.is_rclpy:
+        return lines
+    holder, dot, _ = added.variable.rpartition(".")
+    timer = _timer_variable(added)
+    bare = timer.rpartition(".")[2].removesuffix("_timer").removesuffix("_")
+    heard = f"{holder}{dot}{added.free_name(f'{bare}_is_heard')}"
+    name = added.free_name(method_naming(added.analysis, "publish").name(added.name))
+    summary = f"Publish to {added.label}, once: when somebody listens."
+    callback, above = _function(added, name, summary, when_heard(added, heard, timer, lines))
+    added.writer.endpoints.append((EndpointKind.TIMER, PERIOD, "None", name))
+    return [f"{heard} = False", *above, f"{timer} = {_timer_call(added, PERIOD, callback)})"]
 
 
 def _again(added: Addition, sent: Sequence[Publication]) -> list[str]:
@@ -55,10 +67,11 @@ def _again(added: Addition, sent: Sequence[Publication]) -> list[str]:
         return []
     block = own_block(added)
     fitting: list[Publication] = []
-    by_rate: dict[float, list[Publication]] = defaultdict(list)
+    by_rate: dict[Rate, list[Publication]] = defaultdict(list)
     for publication in sent:
         is_fitting = block is not None and _fits(publication, block.rate)
-        (fitting if is_fitting else by_rate[publication.rate]).append(publication)
+        rate = Rate(publication.rate, publication.parameter)
+        (fitting if is_fitting else by_rate[rate]).append(publication)
     if block is not None and fitting:
         scope = added.analysis.scopes.at(block.body.start_byte)
         added.stand(is_nested=scope.is_within(added.place.scope))
@@ -84,7 +97,7 @@ def _wakes(added: Addition, line: int) -> Diagnostic:
 def _fits(publication: Publication, own_rate: float | None) -> bool:
     """Whether a message goes into a loop: its rate is not written, or the loop's."""
     is_same = own_rate is not None and math.isclose(publication.rate, own_rate)
-    return publication.is_rate_open or is_same
+    return publication.is_rate_open or (is_same and publication.parameter is None)
 
 
 def _publish_in(added: Addition, block: Node, publications: Sequence[Publication]) -> None:
@@ -98,15 +111,17 @@ def _publish_in(added: Addition, block: Node, publications: Sequence[Publication
     lines = []
     prefix = naming.words(added.name)
     for publication in publications:
-        lines += _sending(added, publication, added.free_name(f"{prefix}_message"), False)
+        lines += sending(added, publication, added.free_name(f"{prefix}_message"), False)
     added.writer.lines(offset, indent, lines)
 
 
-def _sending(added: Addition, publication: Publication, variable: str, is_named: bool) -> list[str]:
+def sending(added: Addition, publication: Publication, variable: str, is_named: bool) -> list[str]:
     """Return the lines that send one message; a header gets the time."""
-    value = publication.message.value
-    message = added.messages.message(value)
-    needs_stamp = added.messages.needs_stamp(value)
+    messages, value = added.messages, publication.message.value
+    if publication.reaction is not None:
+        messages.when(publication.reaction.condition)
+    message = messages.message(value)
+    needs_stamp = messages.needs_stamp(value)
     now = ""
     if needs_stamp and added.is_rclpy:
         receiver = added.receiver_in_callback() or added.place.receiver
@@ -114,12 +129,13 @@ def _sending(added: Addition, publication: Publication, variable: str, is_named:
     elif needs_stamp:
         now = f"{added.rospy('Time')}.now()"
     if not now and not is_named:
-        return [f"{added.variable}.publish({message})"]
+        return messages.conditions.around([f"{added.variable}.publish({message})"])
     stamp = [f"{variable}.header.stamp = {now}"] if now else []
-    return [f"{variable} = {message}", *stamp, f"{added.variable}.publish({variable})"]
+    lines = [f"{variable} = {message}", *stamp, f"{added.variable}.publish({variable})"]
+    return messages.conditions.around(lines)
 
 
-def _timer(added: Addition, rate: float, publications: list[Publication]) -> list[str]:
+def _timer(added: Addition, rate: Rate, publications: list[Publication]) -> list[str]:
     """Publish in a timer of its own; return the lines that follow the creation."""
     # A function of the file that published may be left, and do something else now.
     names = (method_naming(added.analysis, each).name(added.name) for each in ("publish", "send"))
@@ -128,9 +144,9 @@ def _timer(added: Addition, rate: float, publications: list[Publication]) -> lis
     summary = "" if is_silent else f"Publish to {added.label}."
     body: list[str] = []
     for publication in publications:
-        body += _sending(added, publication, "message", True)
+        body += sending(added, publication, "message", True)
     callback, lines = _function(added, method, summary, body)
-    period = _period(rate)
+    period = period_of(added, rate)
     added.writer.endpoints.append((EndpointKind.TIMER, _timer_name(added, period), "None", method))
     timer = f"{_timer_call(added, period, callback)})"
     is_held = holds_handles(added.analysis, added.place, EndpointKind.TIMER)
@@ -162,12 +178,6 @@ def _timer_name(added: Addition, period: str) -> str:
     if added.is_rclpy:
         return period
     return f"{added.rospy('Duration')}({period})"
-
-
-def _period(rate: float) -> str:
-    """Return the seconds between two messages; Python 2 divides integers to integers."""
-    seconds = literals.number(1 / rate)
-    return seconds if len(seconds) <= 6 else f"1.0 / {literals.number(rate)}"
 
 
 def _function(added: Addition, name: str, summary: str, body: list[str]) -> tuple[str, list[str]]:

@@ -9,17 +9,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from plastron_tui.diagnostics import codes
-from plastron_tui.model.source import EndpointKind
 
 from .addition import Addition
 from .analysis import Site
-from .conventions import method_naming, variable_naming
-from .function_place import method_place
 from .messages import CannotAddError
-from .signatures import signatures_of
-from .writing import Key
 
-_PERIOD = "0.2"
+PERIOD = "0.2"
 """How often rclpy looks whether somebody listens, in seconds."""
 
 
@@ -41,37 +36,25 @@ def check_kept(added: Addition, site: Site) -> None:
     )
 
 
-def send_when_heard(added: Addition, sending: Sequence[str]) -> list[str]:
-    """Write the method that sends once somebody listens; return the lines that start it.
+def when_heard(added: Addition, heard: str, timer: str, sends: Sequence[str]) -> list[str]:
+    """Write what a timer does so that something is sent once somebody listens.
 
-    Raises:
-        CannotAddError: there is no class for the method.
+    Args:
+        added: the publisher.
+        heard: the variable that says whether somebody listened the last time.
+        timer: the variable that holds the timer.
+        sends: what sends.
     """
-    holder, dot, _ = added.variable.rpartition(".")
-    if not added.is_method_place or not dot or added.place.owner is None:
-        raise CannotAddError(
-            codes.EDIT_REFUSED,
-            f"what is sent once to `{added.name}` is only written into a class that is a node",
-            added.endpoint.span,
-            "publish it by hand once somebody listens: `get_subscription_count()` tells",
-        )
-    method = added.free_name(method_naming(added.analysis, "publish").name(added.name))
-    timer = added.free_name(variable_naming(added.analysis, EndpointKind.TIMER).name(added.name))
-    heard = added.free_name(f"{timer.removesuffix('_timer').removesuffix('_')}_is_heard")
-    self_name = added.place.self_name
-    manner = signatures_of(added.analysis, EndpointKind.TIMER)
-    lines = [
-        manner.head(method, [(self_name, "")], "None"),
-        f'\t"""Publish to {added.label}, once: when somebody listens."""',
-        f"\twas_heard = {self_name}.{heard}",
-        f"\t{self_name}.{heard} = {added.variable}.get_subscription_count() > 0",
-        f"\tif was_heard and {self_name}.{heard}:",
-        "\t\t# A subscription that is there for so long knows this publisher too.",
-        f"\t\t{self_name}.{timer}.cancel()",
-        *(f"\t\t{line}" for line in sending),
+    declared = []
+    if "." not in heard:
+        # The function is one of the module, or stands in the one that creates the publisher.
+        declared = [f"{'global' if added.place.scope.parent is None else 'nonlocal'} {heard}"]
+    return [
+        *declared,
+        f"was_heard = {heard}",
+        f"{heard} = {added.variable}.get_subscription_count() > 0",
+        f"if was_heard and {heard}:",
+        "\t# A subscription that is there for so long knows this publisher too.",
+        f"\t{timer}.cancel()",
+        *(f"\t{line}" for line in sends),
     ]
-    added.writer.function(method_place(added.analysis, added.place, ()), lines)
-    key: Key = (EndpointKind.TIMER, _PERIOD, "None", method)
-    added.writer.endpoints.append(key)
-    call = f"{added.place.receiver}.create_timer({_PERIOD}, {self_name}.{method})"
-    return [f"{holder}.{heard} = False", f"{holder}.{timer} = {call}"]

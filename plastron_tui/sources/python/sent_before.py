@@ -8,7 +8,7 @@ from typing import NamedTuple
 from tree_sitter import Node
 
 from plastron_tui.diagnostics import Diagnostic, listed
-from plastron_tui.model.kinds import Publisher
+from plastron_tui.model.kinds import Publication, Publisher
 
 from .analysis import Analysis, Site
 from .creation import Removal, line_of, remove_creation
@@ -66,14 +66,22 @@ def lost_sending(
         yield written_anew(message, new, old)
     lines = sorted({line_of(each.statement) for each in publishing})
     if lines and values and not is_in_place:
-        rates = dict.fromkeys(each.rate for each in values if not each.is_rate_open)
-        often = " and ".join(f"{rate:g} times a second" if rate else "once" for rate in rates)
+        rates = dict.fromkeys(_often(each) for each in values if not each.is_rate_open)
+        often = " and ".join(rates)
         numbers = listed(map(str, lines))
         is_one = len(lines) == 1
         who = f"line {numbers} no longer decides" if is_one else f"lines {numbers} no longer decide"
         message = f"{who} when `{new.name}` is sent"
         message += f": that is {often}" if often else ""
         yield written_anew(message, new, old)
+
+
+def _often(sent: Publication) -> str:
+    if sent.reaction is not None:
+        return f"for each message of `{sent.reaction.topic}`"
+    if sent.parameter is not None:
+        return f"as often as `{sent.parameter.removeprefix('~/')}` says"
+    return f"{sent.rate:g} times a second" if sent.rate else "once"
 
 
 def lost_of_site(

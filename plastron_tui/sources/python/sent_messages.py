@@ -9,7 +9,7 @@ from typing import NamedTuple
 from tree_sitter import Node
 
 from plastron_tui.model.kinds import Client, Publication, Publisher, is_sending
-from plastron_tui.model.values import MessageValue
+from plastron_tui.model.values import MessageValue, computed_in
 from plastron_tui.ros.interfaces import Interface
 
 from .addition import Addition
@@ -87,7 +87,7 @@ def _uses(update: Replacement) -> tuple[Variable, Removal]:
 def _publish(update: Replacement, variable: Variable, publications: Sequence[Publication]) -> bool:
     """Publish other messages in the lines that publish, at other rates where those may change."""
     added, analysis = update.added, update.analysis
-    if any(each.is_once for each in publications):
+    if any(each.is_once or each.reaction or each.parameter for each in publications):
         return False
     # What is sent at one rate stands together.
     rates = list(dict.fromkeys(each.rate for each in publications))
@@ -97,7 +97,10 @@ def _publish(update: Replacement, variable: Variable, publications: Sequence[Pub
     if not len(publishing) == len(sent) == len(publications):
         return False
     for each, publication in zip(sent, publications, strict=True):
-        if each.is_stamped != added.messages.needs_stamp(publication.message.value):
+        messages, value = added.messages, publication.message.value
+        if each.is_stamped != messages.needs_stamp(value):
+            return False
+        if any(computed_in(value)) and messages.message(value) and messages.conditions:
             return False
     if not _repace(update, sent, publications):
         return False

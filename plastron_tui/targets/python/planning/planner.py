@@ -24,12 +24,11 @@ from plastron_tui.sources.python.import_block import Imports, Symbol
 
 from ..plan import NodePlan
 from .actions import add_action_client, add_action_servers
-from .computed import AS_FLOAT32
 from .parameters import add_parameters
 from .services import add_client, add_services
 from .timers import add_timers
 from .topics import add_publishers, add_subscriptions
-from .writing import CannotPlanError, Writing
+from .writing import AS_FLOAT32, CannotPlanError, Writing
 
 
 def _add_clients(writing: Writing, plan: NodePlan) -> None:

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from plastron_tui.model.kinds import Condition, Publication, Publisher, Rate, Subscription
-from plastron_tui.model.kinds.computed import type_received
 from plastron_tui.ros.interfaces import Field, InterfaceKind
 from plastron_tui.ros.qos import Qos
 from plastron_tui.sources.python import naming
@@ -22,7 +21,6 @@ from ..plan import (
     SendPlan,
     SubscriptionPlan,
 )
-from .computed import as_number, compared_with, holder_of, lacks
 from .periods import planned_timer
 from .writing import Writing
 
@@ -103,20 +101,9 @@ def _condition(
     """Write what must hold of a message that is called `received`; tell whether that may fail."""
     if condition is None:
         return "", False
-    type_ = type_received(condition.source, heard, writing.catalog, writing.node.span)
-    holder = holder_of(writing, condition.source, "received", heard)
-    compared = as_number(writing, holder if condition.quantifier is None else "each", type_.element)
-    value = condition.value
-    if isinstance(value, bool):
-        text = compared if value else f"not {compared}"
-    elif condition.operator == "=" and isinstance(value, float):
-        text = f"{compared} == {compared_with(writing, value, type_)}"
-    else:
-        operator = "==" if condition.operator == "=" else condition.operator
-        text = f"{compared} {operator} {writing.setting(value)}"
-    if condition.quantifier is not None:
-        text = f"{condition.quantifier}({text} for each in {holder})"
-    return text, lacks(writing, condition.source, heard)
+    value = writing.setting(condition.value)
+    text = writing.computing.condition(condition, "received", heard, value)
+    return text, writing.computing.lacks(condition.source, heard)
 
 
 def add_subscriptions(writing: Writing, plan: NodePlan) -> None:

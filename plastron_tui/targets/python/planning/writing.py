@@ -7,6 +7,7 @@ from typing import NoReturn
 
 from plastron_tui.diagnostics import Code, Diagnostic, Span, codes
 from plastron_tui.model.kinds import Endpoint, Parameter
+from plastron_tui.model.kinds.ranges import EVERY_FLOAT, EVERY_INTEGER, Interval, limits_of
 from plastron_tui.model.values import (
     Computed,
     MessageValue,
@@ -17,14 +18,21 @@ from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog, moved
 from plastron_tui.ros.interfaces import Field, FieldType, Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.names import name_as_written, parameter_name
+from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.sources.python import literals, naming
+from plastron_tui.sources.python.computed import Computing
 from plastron_tui.sources.python.dialect import Dialect
 from plastron_tui.sources.python.import_block import Imports
 
 from ..plan import MethodPlan, SendPlan
-from .computed import may_fail, written
 
+AS_FLOAT32 = "as_float32"
+"""The function of a file that makes a number one of 32 bits."""
+
+_IN_RANGE = "in_range"
+_ALL_IN_RANGE = "all_in_range"
 _HEADER = InterfaceName("std_msgs", "Header")
+_EVERY = {ParameterType.INT: EVERY_INTEGER, ParameterType.FLOAT: EVERY_FLOAT}
 
 
 class CannotPlanError(Exception):
@@ -32,6 +40,28 @@ class CannotPlanError(Exception):
 
     def __init__(self, diagnostic: Diagnostic) -> None:
         self.diagnostic = diagnostic
+
+
+class _Functions(set[str]):
+    """The functions of a file that keep from a field what it cannot hold."""
+
+    def number(self, text: str, limits: Interval) -> str:
+        """Let a number through that is in a range."""
+        self.add(_IN_RANGE)
+        return f"{_IN_RANGE}({text}, {limits.least}, {limits.most})"
+
+    def numbers(self, text: str, limits: Interval) -> str:
+        """Do so with each number of a list."""
+        self.update((_IN_RANGE, _ALL_IN_RANGE))
+        return f"{_ALL_IN_RANGE}({text}, {limits.least}, {limits.most})"
+
+    def short(self) -> str:
+        """Make a number one of 32 bits."""
+        self.add(AS_FLOAT32)
+        return AS_FLOAT32
+
+    def element(self, holder: str, position: int) -> None:
+        """Let Python raise the error."""
 
 
 class Writing:
@@ -45,6 +75,7 @@ class Writing:
         attributes: the names of what the node's class has.
         methods: the functions that endpoints call, by their names.
         functions: those of the file that its expressions call.
+        computing: what writes the values that are known when they are sent.
     """
 
     def __init__(
@@ -60,7 +91,10 @@ class Writing:
             {*dialect.attribute_names, *dialect.task_names, *managed, *given}
         )
         self.methods: dict[str, MethodPlan] = {}
-        self.functions: set[str] = set()
+        self.functions = _Functions()
+        self.computing = Computing(
+            catalog, dialect, node.span, self._parameter_value, self.functions
+        )
         self._heard: Sequence[Field] = ()
 
     @property
@@ -95,7 +129,7 @@ class Writing:
 
     def may_fail(self, value: MessageValue) -> bool:
         """Tell whether what is computed in a message may not be there, or fit no field."""
-        return any(may_fail(self, each, self._heard) for each in computed_in(value))
+        return any(self.computing.may_fail(each, self._heard) for each in computed_in(value))
 
     def request(self, type_: InterfaceName, value: MessageValue, span: Span | None) -> str:
         """Write a request of a service's type."""
@@ -143,7 +177,7 @@ class Writing:
 
     def _value(self, type_: FieldType, value: Value, span: Span | None, received: str) -> str:
         if isinstance(value, Computed):
-            return written(self, value, received, self._heard)
+            return self.computing.write(value, received, self._heard)
         if type_.is_array and isinstance(value, tuple):
             items = (self._value(type_.element, each, span, received) for each in value)
             return f"[{', '.join(items)}]"
@@ -154,6 +188,12 @@ class Writing:
     def parameter(self, name: str) -> str:
         """Write the value that a parameter of the node has."""
         return self.dialect.parameter(self.parameter_of(name))
+
+    def _parameter_value(self, name: str) -> tuple[str, Interval | None]:
+        parameter = self.parameter_of(name)
+        assert parameter.holds is not None  # statements say it
+        limits = limits_of(self.node, parameter, self.dialect.ros_version)
+        return self.parameter(name), limits or _EVERY.get(parameter.holds.element)
 
     def parameter_of(self, name: str) -> Parameter:
         """Return the parameter of the node that a value names."""

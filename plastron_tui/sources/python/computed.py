@@ -1,0 +1,235 @@
+"""Values that are known when they are sent, as the Python that computes them.
+
+What a field cannot hold never comes to a publisher: rclpy wraps it around or ends the node, and
+rospy's publisher sends nothing any more after one message that cannot be serialized.
+"""
+
+from __future__ import annotations
+
+import math
+from array import array
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple, Protocol
+
+from plastron_tui.diagnostics import Span
+from plastron_tui.model.kinds import Condition
+from plastron_tui.model.kinds.computed import type_received
+from plastron_tui.model.kinds.ranges import Interval, field_range, range_of_calculated
+from plastron_tui.model.values import Computed, OfParameter, OfReceived
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import Field, FieldType
+
+from . import literals
+from .dialect import Dialect
+
+ParameterValue = Callable[[str], tuple[str, Interval | None]]
+"""Writes what reads a parameter, and tells which numbers it may be; None for no number."""
+
+
+class Guard(Protocol):
+    """How a file keeps what a field cannot hold from it."""
+
+    def number(self, text: str, limits: Interval) -> str:
+        """Return a number as the field gets it, which may be out of the field's limits."""
+
+    def numbers(self, text: str, limits: Interval) -> str:
+        """Return a list of numbers as the field gets it, some of which may be out of its limits."""
+
+    def short(self) -> str:
+        """Return what makes a number one of 32 bits that may be too great for them, "" for none."""
+
+    def element(self, holder: str, position: int) -> None:
+        """Note that a list may have too few elements."""
+
+
+_OCTET = "octet"
+"""A byte of ROS 2, which is one of a `bytes` in rclpy."""
+
+
+class _Source(NamedTuple):
+    """What a value comes from.
+
+    Attributes:
+        text: the expression.
+        type: the type of the field that it is, None for a parameter.
+        range: what it can be, or its elements; None for no number.
+    """
+
+    text: str
+    type: FieldType | None
+    range: Interval | None
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether it is of integers."""
+        return self.range is not None and isinstance(self.range.least, int)
+
+
+@dataclass(frozen=True, slots=True)
+class Computing:
+    """What writes the values of a file that are known when they are sent.
+
+    Attributes:
+        catalog: the interface types.
+        dialect: the client library.
+        span: the statement that asks for them.
+        parameter: what writes those of parameters.
+        guard: what keeps from a field what it cannot hold.
+    """
+
+    catalog: Catalog
+    dialect: Dialect
+    span: Span
+    parameter: ParameterValue
+    guard: Guard
+
+    def write(self, value: Computed, holder: str, heard: Sequence[Field]) -> str:
+        """Write a value as its field takes it.
+
+        Args:
+            value: the value.
+            holder: what holds the message or the request that is received.
+            heard: its fields.
+        """
+        source = self._source(value.source, holder, heard)
+        if source.type == value.type and not value.steps:
+            return source.text
+        if value.type.is_array:
+            return self._list(value, source)
+        text = source.text if source.type is None else self._as_number(source.text, source.type)
+        for operator, number in value.steps:
+            text += f" {operator} {literals.number(number)}"
+        return self._fitting(value, source, text)
+
+    def condition(
+        self, condition: Condition, holder: str, heard: Sequence[Field], value: str
+    ) -> str:
+        """Write what must hold of a message.
+
+        Args:
+            condition: what.
+            holder: what holds the message.
+            heard: its fields.
+            value: what a field is compared with, as the file writes it.
+        """
+        type_ = type_received(condition.source, heard, self.catalog, self.span)
+        whole = self.holder_of(condition.source, holder, heard)
+        compared = self._as_number(whole if condition.quantifier is None else "each", type_)
+        operator = "==" if condition.operator == "=" else condition.operator
+        if operator == "==" and type_.name == "float32":
+            value = self._as_short(value)
+        text = f"{compared} {operator} {value}"
+        if isinstance(condition.value, bool):
+            text = compared if condition.value else f"not {compared}"
+        if condition.quantifier is not None:
+            text = f"{condition.quantifier}({text} for each in {whole})"
+        return text
+
+    def may_fail(self, value: Computed, heard: Sequence[Field]) -> bool:
+        """Tell whether there may be no value, or one that its field does not take."""
+        source = self._source(value.source, "received", heard)
+        return self.lacks(value.source, heard) or self._limits(value, source) is not None
+
+    def lacks(self, source: OfParameter | OfReceived, heard: Sequence[Field]) -> bool:
+        """Tell whether a list may have too few elements; a fixed length has been counted."""
+        if isinstance(source, OfParameter) or source.position is None:
+            return False
+        return self._whole(source, heard).length is None
+
+    def holder_of(self, source: OfReceived, holder: str, heard: Sequence[Field]) -> str:
+        """Write a field of what is received; an element of an array is a number of Python's own."""
+        text = ".".join((holder, *map(self.dialect.field, source.path)))
+        if source.position is None:
+            return text
+        if self.lacks(source, heard):
+            self.guard.element(text, source.position)
+        text += f"[{source.position}]"
+        whole = self._whole(source, heard)
+        range_ = field_range(whole, self.dialect.ros_version)
+        # rclpy has arrays of a fixed length as those of NumPy, whose numbers its messages do not
+        # take.
+        if whole.length is None or range_ is None or whole.name == "byte" or not self._is_rclpy:
+            return text
+        return f"{'int' if isinstance(range_.least, int) else 'float'}({text})"
+
+    def _as_number(self, text: str, type_: FieldType) -> str:
+        """Write a value, or an element of a list, as something to calculate and compare with."""
+        return f"{text}[0]" if self._is_rclpy and type_.name == "byte" else text
+
+    def _as_short(self, number: str) -> str:
+        """Write a number as 32 bits hold it."""
+        held = array("f", [float(number)])[0]
+        if held == float(number) or math.isinf(held):
+            return number
+        made = self.guard.short()
+        return f"{made}({number})" if made else literals.number(held)
+
+    def _whole(self, source: OfReceived, heard: Sequence[Field]) -> FieldType:
+        """Return the type of the list that a source is an element of."""
+        return type_received(OfReceived(source.path), heard, self.catalog, self.span)
+
+    @property
+    def _is_rclpy(self) -> bool:
+        return self.dialect.ros_version == 2
+
+    def _source(
+        self, source: OfParameter | OfReceived, holder: str, heard: Sequence[Field]
+    ) -> _Source:
+        if isinstance(source, OfReceived):
+            type_ = type_received(source, heard, self.catalog, self.span)
+            range_ = field_range(type_, self.dialect.ros_version)
+            return _Source(self.holder_of(source, holder, heard), type_, range_)
+        text, range_ = self.parameter(source.name)
+        return _Source(text, None, range_)
+
+    def _list(self, value: Computed, source: _Source) -> str:
+        """Write a list as a field of lists takes it."""
+        text = source.text
+        is_bytes = source.type is not None and source.type.name == "byte" and self._is_rclpy
+        if is_bytes:
+            text = f"[each[0] for each in {text}]"
+        elif self._is_rclpy and source.type is not None and source.range is not None:
+            # An array of another type is no list: its memory would be taken as it is.
+            text = f"{text}.tolist()"
+        limits = self._limits(value, source)
+        if limits is not None:
+            text = self.guard.numbers(text, limits)
+        made = self._made_of(value, source)
+        if made == _OCTET:
+            return f"[bytes([each]) for each in {text}]"
+        if made:
+            return f"list(map({made}, {text}))"
+        is_list = not self._is_rclpy or text != source.text
+        return text if is_list else f"list({text})"
+
+    def _fitting(self, value: Computed, source: _Source, text: str) -> str:
+        """Write a value of which the text is known as the field takes it."""
+        limits = self._limits(value, source)
+        if limits is not None:
+            text = self.guard.number(text, limits)
+        made = self._made_of(value, source)
+        if made == _OCTET:
+            return f"bytes([{text}])"
+        return f"{made}({text})" if made else text
+
+    def _made_of(self, value: Computed, source: _Source) -> str:
+        """Return what makes a number one that the field takes, "" where it is one."""
+        target = field_range(value.type, self.dialect.ros_version)
+        if source.range is None or target is None:
+            return ""
+        if isinstance(target.least, int):
+            return _OCTET if self._is_rclpy and value.type.name == "byte" else ""
+        is_short = value.type.name == "float32"
+        is_long = not target.contains(range_of_calculated(source.range, value.steps))
+        made = self.guard.short() if is_short and is_long else ""
+        is_whole = source.is_whole and not value.is_float
+        return made or ("float" if self._is_rclpy and is_whole else "")
+
+    def _limits(self, value: Computed, source: _Source) -> Interval | None:
+        """Return the limits of a field that a value may pass, None where it cannot."""
+        target = field_range(value.type, self.dialect.ros_version)
+        if source.range is None or target is None or not isinstance(target.least, int):
+            return None
+        is_inside = target.contains(range_of_calculated(source.range, value.steps))
+        return None if is_inside else target
