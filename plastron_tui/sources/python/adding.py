@@ -24,6 +24,7 @@ from plastron_tui.ros.interfaces import Interface
 from .addition import Addition
 from .analysis import Analysis, Site
 from .by_hand import refuse_answer, refuse_by_hand
+from .calling import add_calls
 from .conventions import (
     callback_naming,
     target_name,
@@ -43,7 +44,7 @@ from .qos_arguments import check_policies
 from .removal import callback_scope
 from .repeating import repeat, tick_stub
 from .scopes import Scope
-from .sending import add_calls, add_publishing
+from .sending import add_publishing
 from .sending_once import check_kept
 from .shared_names import shared_name
 from .signatures import parameter_names, signatures_of

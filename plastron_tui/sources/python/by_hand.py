@@ -56,12 +56,10 @@ def _reasons(endpoint: Endpoint) -> Iterator[_Reason]:
                         "which is not written into a loaded file",
                         "publish it by hand in the function that hears the message",
                     )
-        case Client(requests=requests) if any(each.rate is not None for each in requests):
-            yield _Reason(
-                f"calls of `{name}` at a rate are not written into a loaded file",
-                f"call `{name}` by hand in a function, and let the node repeat that: "
-                "`NODE repeats FUNCTION at RATE hz`",
-            )
+        case Client(requests=requests):
+            for sent in requests:
+                if sent.rate is not None and sent.rate.parameter is not None:
+                    yield _parameter_rate(f"the rate of calls of `{name}`", sent.rate.parameter)
         case ActionServer():
             yield _Reason(
                 f"the server of the action `{name}` is not written into a loaded file",

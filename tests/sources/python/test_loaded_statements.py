@@ -15,6 +15,7 @@ GO = "create_message go of message_type Twist and input none\n"
 AGAIN = "driver no_longer_has_parameter 'gain'\ndriver has_parameter 'gain' of parameter_type "
 SCAN = "'scan' of message_type sensor_msgs/LaserScan"
 ADD = "driver provides_service 'add' of service_type AddTwoInts "
+CALM = "driver client_requests 'calm' of service_type Trigger with input none"
 
 # What each of the four files gets: a part of the lines that differ, or the code of the refusal.
 ROWS: dict[str, tuple[str, str, str, str]] = {
@@ -137,9 +138,13 @@ ROWS: dict[str, tuple[str, str, str, str]] = {
     "driver provides_service 'reset' of service_type Trigger answering success=True": (
         ("edit-refused",) * 4
     ),
-    "driver client_requests 'calm' of service_type Trigger with input none at 2 hz": (
-        ("edit-refused",) * 4
+    f"{CALM} at 2 hz": (
+        "+self.calm_timer = self.create_timer(0.5, self.call_calm)",
+        "+node.create_timer(0.5, call_calm)",
+        "+self.calm_timer = rospy.Timer(rospy.Duration(0.5), self.call_calm)",
+        "+rospy.Timer(rospy.Duration(0.5), call_calm)",
     ),
+    f"{CALM} at parameter 'gain' hz": ("edit-refused",) * 4,
     "driver stop_action 'fib'": ("not-serving",) * 4,
     "driver stop_goal to 'fib'": ("not-sending",) * 4,
 }  # fmt: skip
