@@ -6,6 +6,7 @@ import re
 
 from plastron_tui.diagnostics import codes
 from plastron_tui.model.kinds import (
+    ActionClient,
     Client,
     Endpoint,
     Parameter,
@@ -25,6 +26,7 @@ from .addition import Addition
 from .analysis import Analysis, Site
 from .by_hand import refuse_answer, refuse_by_hand
 from .calling import add_calls
+from .calls import ACTIONS
 from .conventions import (
     callback_naming,
     target_name,
@@ -33,10 +35,11 @@ from .conventions import (
 from .dialect import Dialect
 from .existing_callbacks import check_parameters, existing_callback
 from .function_place import FunctionPlace, function_place, method_place
+from .goals import add_goals, check_first
 from .insertion_point import find_place, once_named, running_place
 from .lifecycle import destroy_created, is_transition
 from .messages import CannotAddError
-from .new_call import CLASSES, METHODS, arguments_of, callee_of
+from .new_call import METHODS, arguments_of, callee_of, usual_callee
 from .new_parameter import declare, parameter_place
 from .own_calls import keep_running
 from .place import Place, beside
@@ -86,8 +89,8 @@ def plan_addition(
     present = [
         site for site in node.sites if site.endpoint.kind is kind and site.endpoint.name == name
     ]
-    is_calling = isinstance(endpoint, Client) and is_sending(endpoint)
-    place = find_place(node, kind, needs_function=is_calling)
+    is_asking = isinstance(endpoint, Client | ActionClient) and is_sending(endpoint)
+    place = find_place(node, kind, needs_function=is_asking)
     if isinstance(endpoint, Parameter):
         place = parameter_place(node, place)
     if place is None:
@@ -119,6 +122,8 @@ def plan_addition(
         sending = add_publishing(added, endpoint)
     elif isinstance(endpoint, Client):
         sending = add_calls(added, endpoint)
+    elif isinstance(endpoint, ActionClient):
+        sending = add_goals(added, endpoint)
     timers = timers_below(analysis, added.place) if len(sending) == 1 else None
     if timers is None:
         lines += sending
@@ -164,6 +169,7 @@ def _check_methods(added: Addition) -> None:
 def _use_present(added: Addition, node: Analysis, present: list[Site]) -> None:
     """Send through an endpoint that the file has: behind the last of its like, or behind it."""
     sent = added.endpoint.publications if isinstance(added.endpoint, Publisher) else ()
+    check_first(added, present)
     for site in present:
         if any(each.is_once for each in sent):
             check_kept(added, site)
@@ -191,6 +197,10 @@ def _create(added: Addition) -> list[str]:
     """Return the statement that creates the endpoint; its callback is written on the way."""
     interface = added.interface()
     class_ = added.messages.type_class(interface)
+    if added.kind in ACTIONS and is_transition(added.analysis, added.place):
+        message = f"`{added.place.scope.name}` would make the action `{added.name}` in each cycle"
+        remedy = "make it by hand, and destroy it in the transition that undoes this one"
+        raise CannotAddError(codes.EDIT_REFUSED, message, added.endpoint.span, remedy)
     callback = callback_for(added, interface)
     check_parameters(added, callback)
     model = _model(added)
@@ -209,7 +219,7 @@ def _model(added: Addition) -> Site | None:
     names = {*shapes.functions(), *shapes.methods()}
     beside = added.place.beside
     sites = [site for site in added.analysis.sites if site.endpoint.kind is added.kind]
-    usual = CLASSES[added.kind] if not added.is_rclpy else METHODS[added.kind]
+    usual = usual_callee(added)
     sites = [
         site
         for site in sites
@@ -227,7 +237,8 @@ def _variable(added: Addition, model: Site | None) -> str:
     rospy and rclpy hold subscriptions and services themselves: a local variable is of no use, and
     an attribute is where a lifecycle node has to destroy them.
     """
-    is_sender = added.kind in (EndpointKind.PUBLISHER, EndpointKind.CLIENT)
+    # What nothing holds of an action is soon gone, or cannot be started.
+    is_sender = added.kind in (EndpointKind.PUBLISHER, EndpointKind.CLIENT, *ACTIONS)
     is_attribute = is_attribute_style(added.analysis, added.place, added.kind)
     if is_transition(added.analysis, added.place):
         is_attribute = True

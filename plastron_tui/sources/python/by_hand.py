@@ -66,11 +66,11 @@ def _reasons(endpoint: Endpoint) -> Iterator[_Reason]:
                 "create an action server by hand, with a function that works on its goals; "
                 "or let a node of its own provide the action: `create_node`",
             )
-        case ActionClient():
+        case ActionClient(goals=goals) if len(goals) > 1:
             yield _Reason(
-                f"goals for `{name}` are not written into a loaded file",
-                "create an action client by hand, wait for its server and send the goal; "
-                "or let a node of its own send it: `create_node`",
+                f"of the goals for `{name}` no more than one is written into a loaded file",
+                "send the others by hand, each when the one before is done; "
+                "or let a node of its own send them: `create_node`",
             )
         case Timer(rate=rate) if rate is not None and rate.parameter is not None:
             yield _parameter_rate(f"the rate of `{name}`", rate.parameter)

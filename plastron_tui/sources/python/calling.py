@@ -79,19 +79,19 @@ def _tried(added: Addition, requests: Sequence[str], first: Sequence[str] = ()) 
 
 def _return_unless_there(added: Addition) -> list[str]:
     """Return the lines of rclpy that leave a function while a service is not there."""
-    return return_unless_there(added, "service_is_ready", "service")
-
-
-def return_unless_there(added: Addition, is_there: str, what: str) -> list[str]:
-    """Return the lines of rclpy that leave a function while nobody serves what it asks for."""
     # A call that waits would hold up all else that the node does.
-    quote = added.writer.conventions.quote
     return [
-        f"if not {added.variable}.{is_there}():",
-        f"\t{node_info(added)}("
-        f"{quote}{added.label}: waiting for the {what}{quote}, throttle_duration_sec=10.0)",
+        f"if not {added.variable}.service_is_ready():",
+        f"\t{waiting_log(added, 'service')}",
         "\treturn",
     ]
+
+
+def waiting_log(added: Addition, what: str) -> str:
+    """Return the statement of rclpy that logs, now and then, that nobody serves something yet."""
+    quote = added.writer.conventions.quote
+    text = f"{quote}{added.label}: waiting for the {what}{quote}"
+    return f"{node_info(added)}({text}, throttle_duration_sec=10.0)"
 
 
 def _call_async(added: Addition, requests: Sequence[str]) -> list[str]:

@@ -20,7 +20,7 @@ _INTERFACES = ("msg", "srv", "action")
 # To import these only defines names; another module may do anything when it is imported.
 _DEFINING = (sys.stdlib_module_names - {"__future__", "readline"}) | {
     *("cv2", "cv_bridge", "numpy", "scipy", "PIL", "yaml", "angles", "transforms3d"),
-    *("tf", "tf2_ros", "tf_transformations", "sensor_msgs", "sensor_msgs_py"),
+    *("actionlib", "tf", "tf2_ros", "tf_transformations", "sensor_msgs", "sensor_msgs_py"),
 }
 # Of the client libraries the names go, but not what the node is made with.
 _LIBRARIES = ("rclpy.", "rospy.")

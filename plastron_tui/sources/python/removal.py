@@ -38,6 +38,7 @@ from .references import (
 )
 from .scopes import Scope
 from .syntax import parts_of
+from .written_functions import EXECUTING, HELPERS, SENDING, is_one_of
 
 # What ends an endpoint: its own methods, and those of an rclpy node.
 _ENDING = frozenset({"destroy", "shutdown", "unregister"})
@@ -101,7 +102,7 @@ def remove_uses(
     analysis: Analysis, variable: Variable, sites: list[Site], removal: Removal
 ) -> None:
     """Remove what only publishes on a variable; note the lines of every other use."""
-    created = {statement.id for statement in removal.statements}
+    gone = [(each.start_byte, each.end_byte) for each in removal.statements]
     cut = [splice for splice in removal.splices if not splice.text]
     publishing: list[Reference] = []
     guards: list[Reference] = []
@@ -110,7 +111,8 @@ def remove_uses(
     if sites[0].endpoint.kind in (EndpointKind.CLIENT, EndpointKind.ACTION_CLIENT):
         uses = _remove_calling(analysis, uses, removal)
     for reference in uses:
-        if reference.statement.id in created or any(
+        start = reference.node.start_byte
+        if any(first <= start < last for first, last in gone) or any(
             splice.start <= reference.node.start_byte < splice.end for splice in cut
         ):
             continue
@@ -199,7 +201,11 @@ def _remove_calling(analysis: Analysis, uses: list[Reference], removal: Removal)
         function = analysis.scopes.at(reference.node.start_byte).enclosing("function")
         if function is None:
             continue
-        if is_calling_function(analysis, function) or is_asking_function(analysis, function):
+        if (
+            is_calling_function(analysis, function)
+            or is_asking_function(analysis, function)
+            or is_one_of(analysis, function, SENDING)
+        ):
             functions[function.node.id] = function
     for function in list(functions.values()):
         if is_asking_function(analysis, function):
@@ -255,6 +261,34 @@ def _remove_repeating(analysis: Analysis, function: Scope, removal: Removal) -> 
         first = [each for each in bindings if each.scope is not function]
         removal.statements += [statement_of(each.node) for each in first]
     return True
+
+
+def executing(analysis: Analysis, sites: Iterable[Site]) -> list[Node]:
+    """Return the functions that Plastron wrote to work on goals of action servers that go."""
+    found = []
+    for site in sites:
+        function = callback_scope(analysis, site)
+        if site.endpoint.kind is not EndpointKind.ACTION_SERVER or function is None:
+            continue
+        if is_one_of(analysis, function, EXECUTING) and len(function_uses(analysis, function)) == 1:
+            found.append(definition(function))
+    return found
+
+
+def unused_helpers(analysis: Analysis, removal: Removal) -> list[Node]:
+    """Return the functions that Plastron wrote for those that go, and that nothing else uses."""
+    found: list[Node] = []
+    helpers = [
+        scope
+        for scope in analysis.scopes.all
+        if scope.kind == "function" and is_one_of(analysis, scope, HELPERS)
+    ]
+    for helper in helpers:
+        gone = [(each.start_byte, each.end_byte) for each in removal.statements]
+        uses = [each.start_byte for each in function_uses(analysis, helper)]
+        if uses and all(any(start <= use < end for start, end in gone) for use in uses):
+            found.append(definition(helper))
+    return found
 
 
 def destroying(analysis: Analysis, timer: Site) -> list[Node] | None:

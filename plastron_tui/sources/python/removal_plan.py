@@ -9,7 +9,7 @@ from .emptied_blocks import bare_conditions, emptied_blocks
 from .imports import unused_imports
 from .leftovers import placeholders, remove_idle, sending_logs, stub_callbacks
 from .references import Variable
-from .removal import remove_uses, waits
+from .removal import executing, remove_uses, unused_helpers, waits
 from .splices import around, delete_statements
 from .unused_attributes import unused_attributes
 from .unused_locals import unused_locals
@@ -22,10 +22,12 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
     for site in sites:
         for variable in remove_creation(analysis, site, removal):
             variables[variable] = None
+    removal.statements += executing(analysis, sites)
     for variable in variables:
         remove_uses(analysis, variable, sites, removal)
     if removal.lines:
         return removal
+    removal.statements += unused_helpers(analysis, removal)
     for found in waits(analysis, sites).values():
         removal.statements += [statement for statement, _ in found]
     removal.statements += sending_logs(analysis, removal)

@@ -9,7 +9,6 @@ from typing import NamedTuple
 from tree_sitter import Node
 
 from plastron_tui.model.kinds import (
-    ActionClient,
     Client,
     Publication,
     Publisher,
@@ -49,8 +48,6 @@ def resend(update: Replacement, interface: Interface) -> None:
     endpoint = update.added.endpoint
     if not is_sending(endpoint):
         return
-    if isinstance(endpoint, ActionClient):
-        raise NotInPlaceError
     variable, uses = _uses(update)
     if isinstance(endpoint, Publisher):
         is_done = _publish(update, variable, endpoint.publications)

@@ -55,12 +55,18 @@ def start_timer(added: Addition, rate: float, callback: str, method: str) -> lis
     return [timer]
 
 
+def function_source(added: Addition, name: str) -> str:
+    """Return the source of a function that `write_function` writes."""
+    is_method = added.is_method_place and "." in added.variable
+    return f"{added.place.self_name}.{name}" if is_method else name
+
+
 def write_function(
     added: Addition,
     name: str,
     summary: str,
     body: Sequence[str],
-    taken: Sequence[str] | None = None,
+    taken: Sequence[tuple[str, str]] | None = None,
 ) -> tuple[str, list[str]]:
     """Write a method, or return the lines of a function that sees the local variables.
 
@@ -69,7 +75,8 @@ def write_function(
         name: the function's name.
         summary: what it does, "" for a file that does not say it.
         body: its statements.
-        taken: what it takes besides the object; by default what timers call functions with.
+        taken: what it takes besides the object; each with its type; by default what
+            timers call functions with.
 
     Returns:
         The source of the function, and the lines that define it where it is a local one.
@@ -77,13 +84,13 @@ def write_function(
     self_name = added.place.self_name
     manner = signatures_of(added.analysis, EndpointKind.TIMER)
     if taken is None:
-        usual = ["event"]
-        taken = [] if added.is_rclpy else parameter_names(added.analysis, EndpointKind.TIMER, usual)
-    parameters = [(each, "") for each in taken]
+        names = parameter_names(added.analysis, EndpointKind.TIMER, ["event"])
+        taken = [] if added.is_rclpy else [(each, "") for each in names]
     if summary:
         body = [f'"""{summary}"""', *body]
-    if added.is_method_place and "." in added.variable:
-        head = manner.head(name, [(self_name, ""), *parameters], "None")
+    source = function_source(added, name)
+    if source != name:
+        head = manner.head(name, [(self_name, ""), *taken], "None")
         lines = [head, *("\t" + line for line in body)]
         senders = [
             scope
@@ -92,8 +99,8 @@ def write_function(
             and (scope := callback_scope(added.analysis, site)) is not None
         ]
         added.writer.function(method_place(added.analysis, added.place, senders), lines)
-        return f"{self_name}.{name}", []
-    lines = [manner.head(name, parameters, "None"), *("\t" + line for line in body)]
+        return source, []
+    lines = [manner.head(name, taken, "None"), *("\t" + line for line in body)]
     if added.place.scope.parent is None:
         gap = added.writer.conventions.blank_lines
         added.writer.function(function_place(added.analysis, added.place, (), gap), lines)

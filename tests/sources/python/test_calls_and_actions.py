@@ -16,6 +16,8 @@ HELLO, HI = (
     f"driver publish {name} to 'out' of message_type Twist"
     for name in ("hello", "hi")
 )
+GOAL = "driver sends_goal to 'fib' of action_type Fibonacci with input order=5"
+STOP_GOAL = "driver stop_goal to 'fib'"
 STOP_CALM = "driver stop_request 'calm'"
 CLASSES = [file for file in FILES if file.endswith("class")]
 
@@ -33,6 +35,7 @@ def after(folder: Path, text: str, statements: str) -> str:
 # What is added, what takes it out again, and what a reader finds in between.
 ROWS = {
     "a call at a rate": (f"{CALM} at 2 hz", STOP_CALM, EndpointKind.CLIENT, "calm"),
+    "a goal": (GOAL, STOP_GOAL, EndpointKind.ACTION_CLIENT, "fib"),
     "messages at two rates": (
         f"{HELLO} at 2 hz\n{HI} at 3 hz",
         "driver stop_publishing to 'out'",
@@ -79,3 +82,48 @@ def test_a_call_at_a_rate_becomes_one_that_is_made_once(tmp_path: Path, file: st
     again, once = f"{CALM} at 2 hz", CALM
     text = after(tmp_path, FILES[file], again)
     assert after(tmp_path, text, f"{STOP_CALM}\n{once}") == after(tmp_path, FILES[file], once)
+
+
+LIFECYCLE = """\
+from rclpy.lifecycle import LifecycleNode
+
+
+class Driver(LifecycleNode):
+    def __init__(self):
+        super().__init__('driver')
+
+    def on_configure(self, state):
+        self.pub = self.create_publisher(String, 'a', 10)
+        return super().on_configure(state)
+"""
+
+
+def refusal(folder: Path, text: str, statements: str) -> str:
+    """Return what is said against statements, and what to do instead."""
+    (folder / "driver.py").write_text(text)
+    program = f"load driver as driver\n{statements}\ngenerate_node driver\n"
+    session = Session(program.encode(), folder / "program.plastron")
+    _, found = session.plan()
+    [said] = [*session.diagnostics, *found]
+    return f"{said.code}: {said.message}; {said.help}"
+
+
+def test_a_managed_node_makes_its_actions_by_hand(tmp_path: Path) -> None:
+    said = refusal(tmp_path, LIFECYCLE, GOAL)
+    assert "`on_configure` would make the action `fib` in each cycle; make it by hand" in said
+
+
+@pytest.mark.parametrize("file", FILES)
+def test_a_client_that_sends_goals_gets_no_other(tmp_path: Path, file: str) -> None:
+    text = after(tmp_path, FILES[file], GOAL)
+    said = refusal(tmp_path, text, GOAL)
+    assert "may be at work on another goal; send the goal by hand" in said
+
+
+@pytest.mark.parametrize("file", FILES)
+def test_what_somebody_wrote_into_a_function_stays(tmp_path: Path, file: str) -> None:
+    text = after(tmp_path, FILES[file], GOAL)
+    last = "_timer.cancel()" if file.startswith("rclpy") else "('fib: %s', state)"
+    assert text.count(last) == 1
+    text = text.replace(last, f"{last}; print('sent')")
+    assert refusal(tmp_path, text, STOP_GOAL).startswith("endpoint-in-use: the action client `fib`")

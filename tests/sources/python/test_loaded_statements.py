@@ -16,6 +16,7 @@ AGAIN = "driver no_longer_has_parameter 'gain'\ndriver has_parameter 'gain' of p
 SCAN = "'scan' of message_type sensor_msgs/LaserScan"
 ADD = "driver provides_service 'add' of service_type AddTwoInts "
 CALM = "driver client_requests 'calm' of service_type Trigger with input none"
+GOAL = "driver sends_goal to 'fib' of action_type Fibonacci with input order=5"
 
 # What each of the four files gets: a part of the lines that differ, or the code of the refusal.
 ROWS: dict[str, tuple[str, str, str, str]] = {
@@ -145,6 +146,13 @@ ROWS: dict[str, tuple[str, str, str, str]] = {
         "+rospy.Timer(rospy.Duration(0.5), call_calm)",
     ),
     f"{CALM} at parameter 'gain' hz": ("edit-refused",) * 4,
+    GOAL: (
+        "+self.fib_client = ActionClient(self, Fibonacci, 'fib')",
+        "+fib_client = ActionClient(node, Fibonacci, 'fib')",
+        "+self.fib_client = actionlib.SimpleActionClient('fib', FibonacciAction)",
+        "+fib_client = actionlib.SimpleActionClient('fib', FibonacciAction)",
+    ),
+    f"{GOAL}\n{GOAL[:-1]}6": ("edit-refused",) * 4,
     "driver stop_action 'fib'": ("not-serving",) * 4,
     "driver stop_goal to 'fib'": ("not-sending",) * 4,
 }  # fmt: skip
