@@ -84,12 +84,12 @@ def _send_async(added: Addition, method: str, summary: str, goal: str) -> list[s
     callback, lines = write_function(added, method, summary, sending)
     hearing = filled(
         AWAIT_RESULT,
+        label=added.label,
         log_error=f"{error}({quote}{added.label}: the goal was rejected{quote})",
         log_result=f"{info}({label}{{done.result()}}{quote})",
     )
-    told = f"Log whether {added.label} takes the goal, and what comes of it."
     type_ = ""
     if signatures_of(added.analysis, EndpointKind.TIMER).says_types:
         type_ = added.imports.use("rclpy.task", "Future")
-    lines += write_function(added, answer, told, hearing, [("future", type_)])[1]
+    lines += write_function(added, answer, "", hearing, [("future", type_)])[1]
     return [*lines, f"{timer} = {timer_call(added, '0.1', callback, method)}"]

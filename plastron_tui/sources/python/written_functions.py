@@ -1,7 +1,7 @@
 """Functions that an edit writes for actions, and that it knows again: each is declared once.
 
 A line is one statement, a tab in front of it a level of indent. What is in braces differs; what
-begins with `log` logs something.
+begins with `log` logs something. A short function is known by its docstring too: people write such.
 
 Source: `rclpy.action` of Jazzy, `actionlib` of Noetic.
 """
@@ -31,6 +31,7 @@ SEND_ASYNC = (
 """Sends a goal in rclpy."""
 
 AWAIT_RESULT = (
+    '"""Log whether {label} takes the goal, and what comes of it."""',
     "goal_handle = future.result()",
     "if not goal_handle.accepted:",
     "\t{log_error}",
@@ -82,16 +83,20 @@ EXECUTE = (
 )
 """Works on a goal in rospy, in a thread of its own."""
 
-ACCEPT_CANCEL = ("return {cancel_response}.ACCEPT",)
-"""Lets whoever sent a goal cancel it; rclpy would not."""
+ACCEPT_CANCEL = (
+    '"""Let whoever sent a goal cancel it; rclpy would not."""',
+    "return {cancel_response}.ACCEPT",
+)
+"""Lets whoever sent a goal cancel it."""
 
 SLEEP = (
+    '"""Wait, while the node goes on with its other work."""',
     "woken = {future}()",
     "timer = {node}.create_timer(seconds, lambda: woken.set_result(None))",
     "await woken",
     "{node}.destroy_timer(timer)",
 )
-"""Waits in rclpy, while the node goes on with its other work."""
+"""Waits in rclpy."""
 
 SENDING = (SEND_ASYNC, SEND_AND_WAIT)
 EXECUTING = (EXECUTE_ASYNC, EXECUTE)
@@ -108,9 +113,14 @@ def filled(function: tuple[str, ...], **values: str) -> list[str]:
 
 def is_one_of(analysis: Analysis, function: Scope, functions: tuple[tuple[str, ...], ...]) -> bool:
     """Whether a function of a file is one of some, and nobody has been at work in it."""
-    found = list(_statements(analysis, body_of(function)))
     comments = {analysis.syntax.slice(each) for each in _comments(function.node)}
-    return comments <= {STEP} and any(_is_alike(found, each) for each in functions)
+    if not comments <= {STEP}:
+        return False
+    whole = parts_of(function.node.child_by_field_name("body"))
+    documented, bare = (list(_statements(analysis, each)) for each in (whole, body_of(function)))
+    return any(
+        _is_alike(documented if each[0].startswith('"') else bare, each) for each in functions
+    )
 
 
 def _is_alike(found: list[str], function: tuple[str, ...]) -> bool:
@@ -124,7 +134,7 @@ def _pattern(line: str) -> str:
     literal, *rest = _DIFFERENT.split(_plain(line))
     parts = [re.escape(literal)]
     for name, after in zip(rest[::2], rest[1::2], strict=True):
-        parts += [_LOG if name.startswith("log") else r"[^:]+", re.escape(after)]
+        parts += [_LOG if name.startswith("log") else ".+", re.escape(after)]
     return "".join(parts)
 
 
@@ -145,7 +155,7 @@ def _statements(analysis: Analysis, statements: list[Node]) -> Iterator[str]:
 
 def _plain(text: str) -> str:
     """Return a statement without what only formats it."""
-    return re.sub(r",(?=[)\]])", "", re.sub(r"\s+", "", text))
+    return re.sub(r",(?=[)\]])", "", re.sub(r"\s+", "", text)).replace("'''", '"""')
 
 
 def _comments(node: Node) -> Iterator[Node]:
