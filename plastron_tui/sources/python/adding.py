@@ -7,6 +7,7 @@ import re
 from plastron_tui.diagnostics import codes
 from plastron_tui.model.kinds import (
     ActionClient,
+    ActionServer,
     Client,
     Endpoint,
     Parameter,
@@ -49,6 +50,7 @@ from .repeating import repeat, tick_stub
 from .scopes import Scope
 from .sending import add_publishing
 from .sending_once import check_kept
+from .serving import Serving, serve, serve_with
 from .shared_names import shared_name
 from .signatures import parameter_names, signatures_of
 from .surroundings import (
@@ -201,16 +203,32 @@ def _create(added: Addition) -> list[str]:
         message = f"`{added.place.scope.name}` would make the action `{added.name}` in each cycle"
         remedy = "make it by hand, and destroy it in the transition that undoes this one"
         raise CannotAddError(codes.EDIT_REFUSED, message, added.endpoint.span, remedy)
-    callback = callback_for(added, interface)
+    serving = _serving(added, interface)
+    callback = serving.callback
     check_parameters(added, callback)
     model = _model(added)
-    arguments = arguments_of(added, model, class_, callback)
+    arguments = arguments_of(added, model, class_, callback, serving.more)
     callee = callee_of(added, model)
-    added.variable = _variable(added, model)
+    added.variable = added.variable or _variable(added, model)
     call = f"{callee}({arguments})"
     name = callback.rpartition(".")[2] if callback else ""
     added.writer.endpoints.append((added.kind, added.name, str(interface.name), name))
-    return [f"{added.variable} = {call}" if added.variable else call]
+    made = f"{added.variable} = {call}" if added.variable else call
+    return [*serving.above, made, *serving.below]
+
+
+def _serving(added: Addition, interface: Interface) -> Serving:
+    """Return the callback, with what an action server needs besides; it is written on the way."""
+    endpoint = added.endpoint
+    if not isinstance(endpoint, ActionServer):
+        return Serving(callback_for(added, interface))
+    wanted = endpoint.callback
+    existing = existing_callback(added, wanted) if wanted is not None else None
+    # What works on the goals talks to the server.
+    added.variable = _variable(added, _model(added))
+    if existing is not None:
+        return serve_with(added, existing)
+    return serve(added, interface, wanted, callback_place(added))
 
 
 def _model(added: Addition) -> Site | None:

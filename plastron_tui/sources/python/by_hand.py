@@ -8,7 +8,6 @@ from typing import NamedTuple
 from plastron_tui.diagnostics import codes
 from plastron_tui.model.kinds import (
     ActionClient,
-    ActionServer,
     Client,
     Endpoint,
     Publisher,
@@ -60,12 +59,6 @@ def _reasons(endpoint: Endpoint) -> Iterator[_Reason]:
             for sent in requests:
                 if sent.rate is not None and sent.rate.parameter is not None:
                     yield _parameter_rate(f"the rate of calls of `{name}`", sent.rate.parameter)
-        case ActionServer():
-            yield _Reason(
-                f"the server of the action `{name}` is not written into a loaded file",
-                "create an action server by hand, with a function that works on its goals; "
-                "or let a node of its own provide the action: `create_node`",
-            )
         case ActionClient(goals=goals) if len(goals) > 1:
             yield _Reason(
                 f"of the goals for `{name}` no more than one is written into a loaded file",

@@ -17,7 +17,6 @@ from .analysis import Site
 from .calling import node_info, waiting_log
 from .conventions import callback_naming, method_naming
 from .messages import CannotAddError
-from .own_calls import keep_running
 from .signatures import signatures_of
 from .timer_functions import function_source, timer_call, timer_variable, write_function
 from .written_functions import AWAIT_RESULT, SEND_AND_WAIT, SEND_ASYNC, filled
@@ -43,7 +42,6 @@ def add_goals(added: Addition, client: ActionClient) -> list[str]:
     added.stand(is_nested=added.is_nested)
     interface = added.messages.interface(client.type, InterfaceKind.ACTION, client.name)
     goal = added.messages.goal(interface, client.goals[0])
-    keep_running(added)
     method = added.free_name(method_naming(added.analysis, "send").name(added.name))
     summary = f"Send a goal to {added.label} once it is there, and log what comes back."
     if added.is_rclpy:

@@ -27,7 +27,13 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
         remove_uses(analysis, variable, sites, removal)
     if removal.lines:
         return removal
-    removal.statements += unused_helpers(analysis, removal)
+    helpers = unused_helpers(analysis, removal)
+    removal.statements += helpers
+    removal.sites += [
+        site
+        for site in analysis.sites
+        if any(each.start_byte <= site.call.start_byte < each.end_byte for each in helpers)
+    ]
     for found in waits(analysis, sites).values():
         removal.statements += [statement for statement, _ in found]
     removal.statements += sending_logs(analysis, removal)

@@ -18,17 +18,18 @@ HELLO, HI = (
 )
 GOAL = "driver sends_goal to 'fib' of action_type Fibonacci with input order=5"
 STOP_GOAL = "driver stop_goal to 'fib'"
+ACTION = "driver provides_action 'fib' of action_type Fibonacci"
+STOP_ACTION = "driver stop_action 'fib'"
 STOP_CALM = "driver stop_request 'calm'"
-CLASSES = [file for file in FILES if file.endswith("class")]
 
 
-def after(folder: Path, text: str, statements: str) -> str:
-    """Return a node's file after statements that nothing is said against."""
+def after(folder: Path, text: str, statements: str, *codes: str) -> str:
+    """Return a node's file after statements against which nothing is said but some codes."""
     (folder / "driver.py").write_text(text)
     program = f"load driver as driver\n{statements}\ngenerate_node driver\n"
     session = Session(program.encode(), folder / "program.plastron")
     plan, found = session.plan()
-    assert not [str(each.message) for each in (*session.diagnostics, *found)]
+    assert [str(each.code) for each in (*session.diagnostics, *found)] == [*codes]
     return plan.files[0].text.decode() if plan.files else text
 
 
@@ -36,6 +37,7 @@ def after(folder: Path, text: str, statements: str) -> str:
 ROWS = {
     "a call at a rate": (f"{CALM} at 2 hz", STOP_CALM, EndpointKind.CLIENT, "calm"),
     "a goal": (GOAL, STOP_GOAL, EndpointKind.ACTION_CLIENT, "fib"),
+    "an action": (ACTION, STOP_ACTION, EndpointKind.ACTION_SERVER, "fib"),
     "messages at two rates": (
         f"{HELLO} at 2 hz\n{HI} at 3 hz",
         "driver stop_publishing to 'out'",
@@ -50,7 +52,10 @@ ROWS = {
     ),
 }
 CASES = [
-    pytest.param(file, *row, id=f"{what} | {file}") for what, row in ROWS.items() for file in FILES
+    pytest.param(file, *row, id=f"{what} | {file}")
+    for what, row in ROWS.items()
+    for file in FILES
+    if (what, file) != ("an action", "rclpy script")
 ]
 
 
@@ -127,3 +132,51 @@ def test_what_somebody_wrote_into_a_function_stays(tmp_path: Path, file: str) ->
     assert text.count(last) == 1
     text = text.replace(last, f"{last}; print('sent')")
     assert refusal(tmp_path, text, STOP_GOAL).startswith("endpoint-in-use: the action client `fib`")
+
+
+@pytest.mark.parametrize("stop", [STOP_GOAL, STOP_ACTION])
+@pytest.mark.parametrize("file", [each for each in FILES if each.endswith("class")])
+def test_of_two_actions_one_goes(tmp_path: Path, file: str, stop: str) -> None:
+    both = {STOP_GOAL: GOAL, STOP_ACTION: ACTION}[stop]
+    first = after(tmp_path, FILES[file], both.replace("'fib'", "'first'"))
+    second = after(tmp_path, first, both)
+    assert second.count("    async def sleep(") == (
+        file.startswith("rclpy") and stop == STOP_ACTION
+    )
+    assert after(tmp_path, second, stop) == first
+
+
+def test_an_action_of_a_script_gets_its_function_by_hand(tmp_path: Path) -> None:
+    said = refusal(tmp_path, FILES["rclpy script"], ACTION)
+    assert said.startswith("edit-refused: what works on the goals of `fib` is only written into a")
+    assert said.endswith("node; write it by hand, and name it with `calling`")
+
+
+def test_what_works_on_a_goal_has_the_types_that_the_file_says(tmp_path: Path) -> None:
+    text = FILES["rclpy class"].replace("(self, msg)", "(self, msg: LaserScan) -> None")
+    text = text.replace("def tick(self)", "def tick(self) -> None")
+    text = text.replace("def __init__(self)", "def __init__(self) -> None").replace(
+        "(self, request, response)",
+        "(self, request: Trigger.Request, response: Trigger.Response) -> Trigger.Response",
+    )
+    typed = after(tmp_path, text, ACTION)
+    assert "execute_fib(self, goal_handle: ServerGoalHandle) -> Fibonacci.Result:" in typed
+    assert "accept_cancel(self, goal_handle: ServerGoalHandle) -> CancelResponse:" in typed
+    assert "async def sleep(self, seconds: float) -> None:" in typed
+    assert after(tmp_path, typed, STOP_ACTION) == text
+    asking = after(tmp_path, text, GOAL)
+    assert "def fib_goal_callback(self, future: Future) -> None:" in asking
+    assert after(tmp_path, asking, STOP_GOAL) == text
+
+
+@pytest.mark.parametrize("file", FILES)
+def test_a_function_of_the_file_works_on_goals(tmp_path: Path, file: str) -> None:
+    self_name, indent = ("self, ", "    ") if file.endswith("class") else ("", "")
+    work = f"{indent}def work({self_name}goal):\n{indent}    print(goal)\n\n\n{indent}def tick("
+    before = FILES[file].replace(f"{indent}def tick(", work)
+    text = after(tmp_path, before, f"{ACTION} calling work")
+    node = loaded(tmp_path, text)
+    assert [*node.names(EndpointKind.ACTION_SERVER)] == ["fib"]
+    assert "cancel" not in text
+    stopped = after(tmp_path, text, STOP_ACTION, "uncalled-function")
+    assert stopped == before

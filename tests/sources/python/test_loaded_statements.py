@@ -153,6 +153,21 @@ ROWS: dict[str, tuple[str, str, str, str]] = {
         "+fib_client = actionlib.SimpleActionClient('fib', FibonacciAction)",
     ),
     f"{GOAL}\n{GOAL[:-1]}6": ("edit-refused",) * 4,
+    "driver provides_action 'fib' of action_type Fibonacci": (
+        "+async def execute_fib(self, goal_handle):",
+        "edit-refused",
+        "+def execute_fib(self, goal):",
+        "+def execute_fib(goal):",
+    ),
+    "driver provides_action 'fib' of action_type Fibonacci calling blink": (
+        "+async def blink(self, goal_handle):",
+        "edit-refused",
+        "+def blink(self, goal):",
+        "+def blink(goal):",
+    ),
+    "driver provides_action 'fib' of action_type Fibonacci calling reset_callback": (
+        ("function-conflict",) * 4
+    ),
     "driver stop_action 'fib'": ("not-serving",) * 4,
     "driver stop_goal to 'fib'": ("not-sending",) * 4,
 }  # fmt: skip
