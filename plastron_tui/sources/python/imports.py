@@ -29,7 +29,8 @@ _LIBRARIES = ("rclpy.", "rospy.")
 def is_interface_module(target: str) -> bool:
     """Whether a qualified name is an interface type, or a module of such types."""
     parts = target.split(".")
-    return len(parts) >= 2 and parts[1] in _INTERFACES
+    # `rclpy.action` is a part of the client library.
+    return len(parts) >= 2 and parts[1] in _INTERFACES and not target.startswith(_LIBRARIES)
 
 
 def unused_imports(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 from tree_sitter import Node
@@ -40,6 +41,7 @@ from .scopes import Scope
 from .syntax import parts_of
 from .written_functions import EXECUTING, HELPERS, SENDING, is_one_of
 
+_GOAL = re.compile(r"\.(\w+) = goal_handle\b")
 # What ends an endpoint: its own methods, and those of an rclpy node.
 _ENDING = frozenset({"destroy", "shutdown", "unregister"})
 # What makes an action ready, and is of no use without it.
@@ -271,8 +273,21 @@ def executing(analysis: Analysis, sites: Iterable[Site]) -> list[Node]:
         if site.endpoint.kind is not EndpointKind.ACTION_SERVER or function is None:
             continue
         if is_one_of(analysis, function, EXECUTING) and len(function_uses(analysis, function)) == 1:
-            found.append(definition(function))
+            found += [definition(function), *_first_goal(analysis, function)]
     return found
+
+
+def _first_goal(analysis: Analysis, function: Scope) -> list[Node]:
+    """Return `self.goal = None`, where such a function alone has to do with the attribute."""
+    held = _GOAL.search(analysis.syntax.slice(function.node))
+    node = function.node
+    others = [
+        statement_of(each)
+        for each in (identifiers(held[1], analysis) if held is not None else ())
+        if not node.start_byte <= each.start_byte < node.end_byte
+    ]
+    is_none = len(others) == 1 and analysis.syntax.slice(others[0]).endswith("= None")
+    return others if is_none else []
 
 
 def unused_helpers(analysis: Analysis, removal: Removal) -> list[Node]:

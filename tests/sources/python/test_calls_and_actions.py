@@ -180,3 +180,25 @@ def test_a_function_of_the_file_works_on_goals(tmp_path: Path, file: str) -> Non
     assert "cancel" not in text
     stopped = after(tmp_path, text, STOP_ACTION, "uncalled-function")
     assert stopped == before
+
+
+def test_what_a_helper_makes_goes_too(tmp_path: Path) -> None:
+    first = "        self.cmd_pub ="
+    text = FILES["rclpy class"].replace(
+        first, f"        self.set_up()\n\n    def set_up(self):\n{first}"
+    )
+    added = after(tmp_path, text, ACTION)
+    assert "        self.fib_goal = None\n" in added.partition("def set_up(")[2]
+    assert after(tmp_path, added, STOP_ACTION) == text
+
+
+def test_imports_of_the_client_library_stand_together(tmp_path: Path) -> None:
+    sorted_, jumbled = "from geometry_msgs.msg import Twist\n", "from rclpy.node import Node\n"
+    text = FILES["rclpy class"].replace(sorted_, "").replace(jumbled, jumbled + sorted_, 1)
+    text = text.replace("import rclpy\n", "import sys\nimport rclpy\nimport os\n", 1)
+    added = after(tmp_path, text, ACTION)
+    actions = (
+        "from rclpy.action import ActionServer, CancelResponse\nfrom rclpy.task import Future\n"
+    )
+    assert actions in added.partition(jumbled)[2]
+    assert after(tmp_path, added, STOP_ACTION) == text
