@@ -6,6 +6,7 @@ from .analysis import Analysis, Site
 from .creation import Removal, parameters_in, remove_creation
 from .dead_values import dead_targets, dead_values
 from .emptied_blocks import bare_conditions, emptied_blocks
+from .function_place import rulers_above
 from .imports import unused_imports
 from .leftovers import placeholders, remove_idle, sending_logs, stub_callbacks
 from .references import Variable
@@ -48,6 +49,7 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
     gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
     callbacks = stub_callbacks(analysis, removal.sites, gone)
     removal.statements += callbacks
+    removal.statements += rulers_above(analysis, removal.statements)
     gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
     imports, names = unused_imports(analysis, gone)
     # A block that all of these empty together needs one `pass`.

@@ -202,3 +202,21 @@ def test_imports_of_the_client_library_stand_together(tmp_path: Path) -> None:
     )
     assert actions in added.partition(jumbled)[2]
     assert after(tmp_path, added, STOP_ACTION) == text
+
+
+@pytest.mark.parametrize(
+    ("add", "stop"),
+    [
+        (ACTION, STOP_ACTION),
+        (GOAL, STOP_GOAL),
+        (CALM, STOP_CALM),
+        ("subscribe driver to 'x' of message_type String", "unsubscribe driver from 'x'"),
+    ],
+)
+def test_the_lines_that_part_methods_go_with_them(tmp_path: Path, add: str, stop: str) -> None:
+    text = FILES["rclpy class"]
+    for method in ("scan_callback", "reset_callback", "tick"):
+        text = text.replace(f"    def {method}(", f"    # {'=' * 20}\n    def {method}(")
+    added = after(tmp_path, text, add)
+    assert added.count("# ====") > 3
+    assert after(tmp_path, added, stop) == text
