@@ -15,8 +15,6 @@ from plastron_tui.diagnostics import codes
 from plastron_tui.model.endpoint_details import TimerDetails
 from plastron_tui.model.kinds import (
     EDITABLE,
-    ActionClient,
-    ActionServer,
     Endpoint,
     EndpointKey,
     EndpointKind,
@@ -50,9 +48,6 @@ def facts(endpoint: Endpoint, library: str) -> dict[str, Any]:
     match endpoint:
         case Publisher(qos=qos) | Subscription(qos=qos) if qos is not None:
             found["qos"] = qos.over(DEFAULT) if library == "rclpy" else in_ros_1(endpoint, qos)
-        case ActionServer(type=type_) | ActionClient(type=type_) if type_ and library == "rospy":
-            # A file of ROS 1 names the message that holds the whole action.
-            found["type"] = type_._replace(name=f"{type_.name}Action")
         case Timer(rate=rate) if rate is not None and rate.parameter is None:
             found["period"] = pytest.approx(1 / rate.hertz)
         case Parameter() if endpoint.holds is not None:

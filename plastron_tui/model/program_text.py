@@ -10,7 +10,7 @@ from plastron_tui.language.declaration import DECLARATIONS, SlotKind
 from plastron_tui.language.keywords import KEYWORDS
 from plastron_tui.language.sentence import quoted, sentence
 from plastron_tui.language.statements import CreateMessage, HasParameter, Repeats
-from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.names import (
     check_node_name,
     check_parameter_name,
@@ -109,9 +109,6 @@ def _statement(
         return None
     if endpoint.kind.facts.check_name(name, ros_version) is not None:
         return None
-    if endpoint.kind.facts.interface is InterfaceKind.ACTION and ros_version == 1:
-        # Code of ROS 1 names the message that all parts of an action are in.
-        type_ = type_._replace(name=type_.name.removesuffix("Action"))
     stem = f"{name.strip('/~').replace('/', '_')}_message"
     more = {"function": _calling(endpoint), "qos": _qos(endpoint.qos, ros_version)}
     return endpoint_statements(endpoint.kind, node, name, type_, lambda: variables.new(stem), more)

@@ -6,6 +6,8 @@ import re
 
 from plastron_tui.diagnostics import codes
 from plastron_tui.model.kinds import (
+    ActionClient,
+    ActionServer,
     Client,
     Endpoint,
     Parameter,
@@ -24,6 +26,8 @@ from plastron_tui.ros.interfaces import Interface
 from .addition import Addition
 from .analysis import Analysis, Site
 from .by_hand import refuse_answer, refuse_by_hand
+from .calling import add_calls
+from .calls import ACTIONS
 from .conventions import (
     callback_naming,
     target_name,
@@ -32,10 +36,11 @@ from .conventions import (
 from .dialect import Dialect
 from .existing_callbacks import check_parameters, existing_callback
 from .function_place import FunctionPlace, function_place, method_place
+from .goals import add_goals, check_first
 from .insertion_point import find_place, once_named, running_place
 from .lifecycle import destroy_created, is_transition
 from .messages import CannotAddError
-from .new_call import CLASSES, METHODS, arguments_of, callee_of
+from .new_call import METHODS, arguments_of, callee_of, usual_callee
 from .new_parameter import declare, parameter_place
 from .own_calls import keep_running
 from .place import Place, beside
@@ -44,8 +49,9 @@ from .reacting import place_before_hearing, react, shared
 from .removal import callback_scope
 from .repeating import place_behind_rates, repeat, tick_stub
 from .scopes import Scope
-from .sending import add_calls, add_publishing
+from .sending import add_publishing
 from .sending_once import check_kept
+from .serving import Serving, serve, serve_with
 from .shared_names import shared_name
 from .signatures import parameter_names, signatures_of
 from .surroundings import (
@@ -86,8 +92,8 @@ def plan_addition(
     present = [
         site for site in node.sites if site.endpoint.kind is kind and site.endpoint.name == name
     ]
-    is_calling = isinstance(endpoint, Client) and is_sending(endpoint)
-    place = find_place(node, kind, needs_function=is_calling)
+    is_asking = isinstance(endpoint, Client | ActionClient) and is_sending(endpoint)
+    place = find_place(node, kind, needs_function=is_asking)
     if isinstance(endpoint, Parameter):
         place = parameter_place(node, place)
     if place is None:
@@ -128,6 +134,8 @@ def plan_addition(
         react(added, node, endpoint)
     elif isinstance(endpoint, Client):
         sending = add_calls(added, endpoint)
+    elif isinstance(endpoint, ActionClient):
+        sending = add_goals(added, endpoint)
     timers = timers_below(analysis, added.place) if len(sending) == 1 else None
     if timers is None:
         lines += sending
@@ -173,6 +181,7 @@ def _check_methods(added: Addition) -> None:
 def _use_present(added: Addition, node: Analysis, present: list[Site]) -> None:
     """Send through an endpoint that the file has: behind the last of its like, or behind it."""
     sent = added.endpoint.publications if isinstance(added.endpoint, Publisher) else ()
+    check_first(added, present)
     for site in present:
         if any(each.is_once for each in sent):
             check_kept(added, site)
@@ -200,16 +209,36 @@ def _create(added: Addition) -> list[str]:
     """Return the statement that creates the endpoint; its callback is written on the way."""
     interface = added.interface()
     class_ = added.messages.type_class(interface)
-    callback = callback_for(added, interface)
+    if added.kind in ACTIONS and is_transition(added.analysis, added.place):
+        message = f"`{added.place.scope.name}` would make the action `{added.name}` in each cycle"
+        remedy = "make it by hand, and destroy it in the transition that undoes this one"
+        raise CannotAddError(codes.EDIT_REFUSED, message, added.endpoint.span, remedy)
+    serving = _serving(added, interface)
+    callback = serving.callback
     check_parameters(added, callback)
     model = _model(added)
-    arguments = arguments_of(added, model, class_, callback)
+    arguments = arguments_of(added, model, class_, callback, serving.more)
     callee = callee_of(added, model)
-    added.variable = _variable(added, model)
+    added.variable = added.variable or _variable(added, model)
     call = f"{callee}({arguments})"
     name = callback.rpartition(".")[2] if callback else ""
     added.writer.endpoints.append((added.kind, added.name, str(interface.name), name))
-    return [f"{added.variable} = {call}" if added.variable else call]
+    made = f"{added.variable} = {call}" if added.variable else call
+    return [*serving.above, made, *serving.below]
+
+
+def _serving(added: Addition, interface: Interface) -> Serving:
+    """Return the callback, with what an action server needs besides; it is written on the way."""
+    endpoint = added.endpoint
+    if not isinstance(endpoint, ActionServer):
+        return Serving(callback_for(added, interface))
+    wanted = endpoint.callback
+    existing = existing_callback(added, wanted) if wanted is not None else None
+    # What works on the goals talks to the server.
+    added.variable = _variable(added, _model(added))
+    if existing is not None:
+        return serve_with(added, existing)
+    return serve(added, interface, wanted, callback_place(added))
 
 
 def _model(added: Addition) -> Site | None:
@@ -218,7 +247,7 @@ def _model(added: Addition) -> Site | None:
     names = {*shapes.functions(), *shapes.methods()}
     beside = added.place.beside
     sites = [site for site in added.analysis.sites if site.endpoint.kind is added.kind]
-    usual = CLASSES[added.kind] if not added.is_rclpy else METHODS[added.kind]
+    usual = usual_callee(added)
     sites = [
         site
         for site in sites
@@ -236,7 +265,8 @@ def _variable(added: Addition, model: Site | None) -> str:
     rospy and rclpy hold subscriptions and services themselves: a local variable is of no use, and
     an attribute is where a lifecycle node has to destroy them.
     """
-    is_sender = added.kind in (EndpointKind.PUBLISHER, EndpointKind.CLIENT)
+    # What nothing holds of an action is soon gone, or cannot be started.
+    is_sender = added.kind in (EndpointKind.PUBLISHER, EndpointKind.CLIENT, *ACTIONS)
     is_attribute = is_attribute_style(added.analysis, added.place, added.kind)
     if is_transition(added.analysis, added.place):
         is_attribute = True

@@ -143,6 +143,7 @@ class Addition:
             name
             for name in chain([wanted, *others], numbered(wanted))
             if name not in self.dialect.method_names
+            and name not in self.writer.names
             and literals.is_name(name)
             and not any(True for _ in identifiers(name, self.analysis))
         )

@@ -2,24 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import NamedTuple
-
 from plastron_tui.diagnostics import codes
-from plastron_tui.model.kinds import (
-    ActionClient,
-    ActionServer,
-    Client,
-    Endpoint,
-    Service,
-)
+from plastron_tui.model.kinds import ActionClient, Endpoint, Service
 
 from .messages import CannotAddError
-
-
-class _Reason(NamedTuple):
-    message: str
-    remedy: str
 
 
 def refuse_by_hand(endpoint: Endpoint) -> None:
@@ -28,32 +14,13 @@ def refuse_by_hand(endpoint: Endpoint) -> None:
     Raises:
         CannotAddError: it is to be written by hand; the help says what.
     """
-    reason = next(_reasons(endpoint), None)
-    if reason is not None:
-        raise CannotAddError(codes.EDIT_REFUSED, reason.message, endpoint.span, reason.remedy)
-
-
-def _reasons(endpoint: Endpoint) -> Iterator[_Reason]:
-    name = endpoint.name
-    match endpoint:
-        case Client(requests=requests) if any(each.rate is not None for each in requests):
-            yield _Reason(
-                f"calls of `{name}` at a rate are not written into a loaded file",
-                f"call `{name}` by hand in a function, and let the node repeat that: "
-                "`NODE repeats FUNCTION at RATE hz`",
-            )
-        case ActionServer():
-            yield _Reason(
-                f"the server of the action `{name}` is not written into a loaded file",
-                "create an action server by hand, with a function that works on its goals; "
-                "or let a node of its own provide the action: `create_node`",
-            )
-        case ActionClient():
-            yield _Reason(
-                f"goals for `{name}` are not written into a loaded file",
-                "create an action client by hand, wait for its server and send the goal; "
-                "or let a node of its own send it: `create_node`",
-            )
+    if isinstance(endpoint, ActionClient) and len(endpoint.goals) > 1:
+        message = (
+            f"of the goals for `{endpoint.name}` no more than one is written into a loaded file"
+        )
+        remedy = "send the others by hand, each when the one before is done; "
+        remedy += "or let a node of its own send them: `create_node`"
+        raise CannotAddError(codes.EDIT_REFUSED, message, endpoint.span, remedy)
 
 
 def refuse_answer(endpoint: Endpoint) -> None:

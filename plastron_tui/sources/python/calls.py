@@ -15,6 +15,8 @@ from plastron_tui.ros.catalog import newest_distribution
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.qos import DEFAULT, Qos
 
+ACTIONS = (EndpointKind.ACTION_SERVER, EndpointKind.ACTION_CLIENT)
+
 
 class Argument(NamedTuple):
     """Where a call takes an argument: its position (-1: by keyword only) and its keyword."""

@@ -21,6 +21,8 @@ _WORDS = {
     EndpointKind.SUBSCRIPTION: ("sub", "subscriber", "subscription"),
     EndpointKind.SERVICE: ("srv", "service", "server"),
     EndpointKind.CLIENT: ("client", "cli", "proxy", "srv", "service"),
+    EndpointKind.ACTION_SERVER: ("server", "action_server"),
+    EndpointKind.ACTION_CLIENT: ("client", "action_client"),
     EndpointKind.TIMER: ("timer",),
 }
 _USUAL = {
@@ -28,6 +30,8 @@ _USUAL = {
     EndpointKind.SUBSCRIPTION: "sub",
     EndpointKind.SERVICE: "service",
     EndpointKind.CLIENT: "client",
+    EndpointKind.ACTION_SERVER: "server",
+    EndpointKind.ACTION_CLIENT: "client",
     EndpointKind.TIMER: "timer",
 }
 _BEFORE = frozenset({"on", "handle", "process"})
@@ -198,7 +202,7 @@ def _method_prefix(analysis: Analysis) -> str:
 def _like(word: str, kind: EndpointKind) -> str:
     """Return the word of another kind that goes with one: `subscriber` with `publisher`."""
     usual = _USUAL[kind]
-    if kind not in (EndpointKind.CLIENT, EndpointKind.TIMER):
+    if kind in (EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION, EndpointKind.SERVICE):
         usual = _WORDS[kind][len(word) > len("proxy")]
     return usual.capitalize() if word[:1].isupper() else usual
 

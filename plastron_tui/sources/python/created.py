@@ -14,7 +14,7 @@ from plastron_tui.ros.qos import Qos, common
 from .analysis import Analysis
 from .arguments import Arguments
 from .callbacks import callback_name
-from .calls import Argument, CallShape
+from .calls import ACTIONS, Argument, CallShape
 from .constants import Defaulted, Known
 from .guesses import is_default_guess, is_star_guess
 from .qos import qos_of
@@ -81,6 +81,9 @@ def _endpoint(
     type_node = arguments.get(shape.type) if shape.type is not None else None
     callback = arguments.get(shape.callback) if shape.callback is not None else None
     type_ = resolver.interface(type_node, scope) if type_node is not None else None
+    if type_ is not None and shape.kind in ACTIONS and analysis.library.ros_version == 1:
+        # Code of ROS 1 names the message that all parts of an action are in.
+        type_ = type_._replace(name=type_.name.removesuffix("Action"))
     text = name_node if name_node is not None else arguments.splat
     if shape.fixed is not None:
         name, type_ = shape.fixed

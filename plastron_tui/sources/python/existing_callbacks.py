@@ -79,7 +79,7 @@ def check_parameters(added: Addition, callback: str) -> None:
 def misfit(added: Addition, callback: str) -> str | None:
     """Return why the file's function cannot be called, None where it can, as far as is known.
 
-    rospy calls a callback with a message or a request; rclpy calls that of a service with a
+    rospy calls a callback with a message, a request or a goal; rclpy calls that of a service with a
     response besides, that of a subscription with a `MessageInfo` besides where it takes two, and
     that of a timer with nothing.
     """
@@ -89,7 +89,8 @@ def misfit(added: Addition, callback: str) -> str | None:
         return None
     least, most = counts
     given = 2 if added.is_rclpy and added.kind is EndpointKind.SERVICE else 1
-    ways = {given, 2} if added.is_rclpy else {given}
+    is_action = added.kind is EndpointKind.ACTION_SERVER
+    ways = {given, 2} if added.is_rclpy and not is_action else {given}
     if added.is_rclpy and added.kind is EndpointKind.TIMER:
         given, ways = 0, {0}
     given += len(added.handed)

@@ -66,6 +66,18 @@ def _ruler(analysis: Analysis, node: Node) -> str:
     return line if is_usual and _RULER.fullmatch(line) else ""
 
 
+def rulers_above(analysis: Analysis, functions: Iterable[Node]) -> list[Node]:
+    """Return the lines of dashes or the like above functions, in classes that have such."""
+    found = []
+    for each in functions:
+        above = each.prev_named_sibling if each.type.endswith("_definition") else None
+        if above is not None and above.type == "comment":
+            ruler = _ruler(analysis, each)
+            if ruler and analysis.syntax.slice(above) == ruler:
+                found.append(above)
+    return found
+
+
 def _method_gap(node: Node) -> int:
     """Return how many blank lines stand between the methods of a class, most often."""
     methods = [each for each in parts_of(node.parent) if each.type.endswith("_definition")]

@@ -188,7 +188,7 @@ _SERVING_SUMMARIES = re.compile(
 # What these do, beside filling in messages.
 _SERVING_CALLS = re.compile(
     r"publish|warning|logwarn(_throttle)?|logerr|loginfo|info|error|cancel|shutdown|reset"
-    r"|call(_\w+)?|send_\w+|wait_\w+|ask"
+    r"|call(_\w+)?|send_\w+|wait_\w+|ask|add_done_callback"
 )
 
 
@@ -231,9 +231,11 @@ def _publishes(analysis: Analysis, statement: Node) -> bool:
 _CALLING = frozenset(
     {"expression_statement", "try_statement", "if_statement", "return_statement", "pass_statement"}
 )
+_REPEATING_SUMMARY = "if it is there, and log its answer."
 # The first is also what rospy nodes said before.
 _CALLING_SUMMARIES = (
     "once it is there, and log its answer.",
+    _REPEATING_SUMMARY,
     "within 10 s, and log its answer.",
 )
 
@@ -264,6 +266,16 @@ def is_calling_function(analysis: Analysis, function: Scope) -> bool:
                     for each in block.named_children
                 ]
     return True
+
+
+def repeats_call(analysis: Analysis, node: Node) -> bool:
+    """Whether a node is in a function that Plastron wrote to call a service at a rate."""
+    function = analysis.scopes.at(node.start_byte).enclosing("function")
+    return (
+        function is not None
+        and is_calling_function(analysis, function)
+        and _REPEATING_SUMMARY in analysis.syntax.slice(function.node)
+    )
 
 
 # What the methods of Plastron's templates call that ask a server, and how they wait for it.

@@ -182,10 +182,11 @@ def _anchor(analysis: Analysis, group: Group, module: str, line: str) -> Node | 
                 place = sum(key <= order.key(line.strip()) for key in keys)
                 behind = group.index(members[place - 1 if place else 0]) - (not place)
                 return group[behind] if behind >= 0 else None
-    if not is_interface_module(module):
-        return None
     same = [node for node in alike if _package(module_of(analysis, node)) == _package(module)]
-    return (same or alike)[-1]
+    if is_interface_module(module):
+        return (same or alike)[-1]
+    libraries = [node for node in group if is_library(module_of(analysis, node))]
+    return next(reversed(same or libraries), None)
 
 
 class _Order(NamedTuple):

@@ -20,7 +20,7 @@ _INTERFACES = ("msg", "srv", "action")
 # To import these only defines names; another module may do anything when it is imported.
 _DEFINING = (sys.stdlib_module_names - {"__future__", "readline"}) | {
     *("cv2", "cv_bridge", "numpy", "scipy", "PIL", "yaml", "angles", "transforms3d"),
-    *("tf", "tf2_ros", "tf_transformations", "sensor_msgs", "sensor_msgs_py"),
+    *("actionlib", "tf", "tf2_ros", "tf_transformations", "sensor_msgs", "sensor_msgs_py"),
 }
 # Of the client libraries the names go, but not what the node is made with.
 _LIBRARIES = ("rclpy.", "rospy.")
@@ -29,7 +29,8 @@ _LIBRARIES = ("rclpy.", "rospy.")
 def is_interface_module(target: str) -> bool:
     """Whether a qualified name is an interface type, or a module of such types."""
     parts = target.split(".")
-    return len(parts) >= 2 and parts[1] in _INTERFACES
+    # `rclpy.action` is a part of the client library.
+    return len(parts) >= 2 and parts[1] in _INTERFACES and not target.startswith(_LIBRARIES)
 
 
 def unused_imports(

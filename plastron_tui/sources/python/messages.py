@@ -159,8 +159,7 @@ class Messages:
 
     def type_class(self, interface: Interface) -> str:
         """Return the class of an interface type."""
-        folder = "msg" if interface.kind is InterfaceKind.MESSAGE else "srv"
-        return self._imports.use(f"{interface.name.package}.{folder}", interface.name.name)
+        return self._dialect.class_of(interface.name, interface.kind, self._imports)
 
     def message(self, value: MessageValue) -> str:
         """Write a message."""
@@ -175,6 +174,14 @@ class Messages:
     def request_class(self, interface: Interface) -> str:
         """Return the class of a service's requests."""
         return self._dialect.request(interface.name, self._imports)
+
+    def goal(self, interface: Interface, value: MessageValue) -> str:
+        """Write a goal of an action."""
+        return f"{self.part(interface, 'Goal')}({self._arguments(interface, value)})"
+
+    def part(self, interface: Interface, part: str) -> str:
+        """Return the class of an action's goals, of its feedback, or of its results."""
+        return self._dialect.part_of(interface.name, interface.kind, part, self._imports)
 
     def answer(self, interface: Interface, value: MessageValue, request: str) -> str:
         """Write a response of a service that has values, of the request that a name holds."""

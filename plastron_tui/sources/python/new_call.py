@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 
 from plastron_tui.model.kinds import Subscription
@@ -26,6 +27,10 @@ CLASSES = {
     EndpointKind.SERVICE: "Service",
     EndpointKind.CLIENT: "ServiceProxy",
 }
+_ACTIONS = {
+    EndpointKind.ACTION_SERVER: "ActionServer",
+    EndpointKind.ACTION_CLIENT: "ActionClient",
+}
 # A plain name, which may be another one's profile as well.
 _NAME = re.compile(r"[\w.]+")
 # A profile that may be made anew in each call.
@@ -38,7 +43,12 @@ _QUEUE = re.compile(r"[1-9]\d{0,5}$")
 
 
 def callee_of(added: Addition, model: Site | None) -> str:
-    """Return what is called: a method of the node, or a class of rospy."""
+    """Return what is called: a method of the node, or a class."""
+    if added.kind in _ACTIONS:
+        module, _, class_ = _callee(added).rpartition(".")
+        if added.is_rclpy:
+            return added.imports.use(module, class_)
+        return added.imports.library(module, class_, added.place.scope)
     if added.is_rclpy:
         method = METHODS[added.kind]
         if model is not None:
@@ -49,12 +59,27 @@ def callee_of(added: Addition, model: Site | None) -> str:
     return added.rospy(CLASSES[added.kind])
 
 
-def arguments_of(added: Addition, model: Site | None, class_: str, callback: str) -> str:
-    """Return the arguments of the call, by position or keyword as the model has them."""
+def arguments_of(
+    added: Addition,
+    model: Site | None,
+    class_: str,
+    callback: str,
+    more: Sequence[tuple[str, str]] = (),
+) -> str:
+    """Return the arguments of the call, by position or keyword as the model has them.
+
+    Args:
+        added: what is created.
+        model: a call that creates one of its kind, None where there is none.
+        class_: the source of its type.
+        callback: the source of its callback, "" for none.
+        more: keywords besides, with what they are.
+    """
     name = name_as_written(added.name, added.dialect.ros_version)
     topic = _quoted(added, model, name)
     shape = _shape(added)
-    given = ((shape.name, topic), (shape.type, class_), (shape.callback, callback))
+    given = [(shape.name, topic), (shape.type, class_), (shape.callback, callback)]
+    given.append((shape.node, added.place.receiver))
     values = {argument: value for argument, value in given if argument is not None and value}
     asked = creation_qos(added)
     queue = "" if asked else _queue(added, model)
@@ -76,6 +101,7 @@ def arguments_of(added: Addition, model: Site | None, class_: str, callback: str
     for keyword, value in asked:
         is_named = is_keyword or not added.is_rclpy
         parts.append(f"{keyword}{equals}{value}" if is_named else value)
+    parts += [f"{keyword}{equals}{value}" for keyword, value in more]
     if group := added.callback_group(added.kind):
         parts.append(f"callback_group{equals}{group}")
     is_tight = model is not None and _COMMA.search(_written(model)) is None
@@ -114,9 +140,21 @@ def _has_spaced_keywords(model: Site) -> bool:
 
 
 def _shape(added: Addition) -> CallShape:
-    name = METHODS[added.kind] if added.is_rclpy else f"rospy.{CLASSES[added.kind]}"
     library = added.analysis.library
-    return {**library.functions(), **library.methods()}[name]
+    return {**library.functions(), **library.methods()}[_callee(added)]
+
+
+def _callee(added: Addition) -> str:
+    """Return the name, among the client library's shapes, of what makes an endpoint."""
+    if added.kind in _ACTIONS:
+        name = _ACTIONS[added.kind]
+        return f"rclpy.action.{name}" if added.is_rclpy else f"actionlib.Simple{name}"
+    return METHODS[added.kind] if added.is_rclpy else f"rospy.{CLASSES[added.kind]}"
+
+
+def usual_callee(added: Addition) -> str:
+    """Return the last part of the name of what makes an endpoint."""
+    return _callee(added).rpartition(".")[2]
 
 
 def _queue(added: Addition, model: Site | None) -> str:

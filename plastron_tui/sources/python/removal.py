@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 from tree_sitter import Node
@@ -39,7 +40,9 @@ from .references import (
 )
 from .scopes import Scope
 from .syntax import parts_of
+from .written_functions import EXECUTING, HELPERS, SENDING, is_one_of
 
+_GOAL = re.compile(r"\.(\w+) = goal_handle\b")
 # What ends an endpoint: its own methods, and those of an rclpy node.
 _ENDING = frozenset({"destroy", "shutdown", "unregister"})
 # What makes an action ready, and is of no use without it.
@@ -102,7 +105,7 @@ def remove_uses(
     analysis: Analysis, variable: Variable, sites: list[Site], removal: Removal
 ) -> None:
     """Remove what only publishes on a variable; note the lines of every other use."""
-    created = {statement.id for statement in removal.statements}
+    gone = [(each.start_byte, each.end_byte) for each in removal.statements]
     cut = [splice for splice in removal.splices if not splice.text]
     publishing: list[Reference] = []
     guards: list[Reference] = []
@@ -113,7 +116,8 @@ def remove_uses(
     elif sites[0].endpoint.kind is EndpointKind.PUBLISHER:
         uses = _remove_once(analysis, uses, removal)
     for reference in uses:
-        if reference.statement.id in created or any(
+        start = reference.node.start_byte
+        if any(first <= start < last for first, last in gone) or any(
             splice.start <= reference.node.start_byte < splice.end for splice in cut
         ):
             continue
@@ -206,7 +210,11 @@ def _remove_calling(analysis: Analysis, uses: list[Reference], removal: Removal)
         function = analysis.scopes.at(reference.node.start_byte).enclosing("function")
         if function is None:
             continue
-        if is_calling_function(analysis, function) or is_asking_function(analysis, function):
+        if (
+            is_calling_function(analysis, function)
+            or is_asking_function(analysis, function)
+            or is_one_of(analysis, function, SENDING)
+        ):
             functions[function.node.id] = function
     for function in list(functions.values()):
         if is_asking_function(analysis, function):
@@ -291,6 +299,47 @@ def _remove_repeating(analysis: Analysis, function: Scope, removal: Removal) -> 
         first = [each for each in bindings if each.scope is not function]
         removal.statements += [statement_of(each.node) for each in first]
     return True
+
+
+def executing(analysis: Analysis, sites: Iterable[Site]) -> list[Node]:
+    """Return the functions that Plastron wrote to work on goals of action servers that go."""
+    found = []
+    for site in sites:
+        function = callback_scope(analysis, site)
+        if site.endpoint.kind is not EndpointKind.ACTION_SERVER or function is None:
+            continue
+        if is_one_of(analysis, function, EXECUTING) and len(function_uses(analysis, function)) == 1:
+            found += [definition(function), *_first_goal(analysis, function)]
+    return found
+
+
+def _first_goal(analysis: Analysis, function: Scope) -> list[Node]:
+    """Return `self.goal = None`, where such a function alone has to do with the attribute."""
+    held = _GOAL.search(analysis.syntax.slice(function.node))
+    node = function.node
+    others = [
+        statement_of(each)
+        for each in (identifiers(held[1], analysis) if held is not None else ())
+        if not node.start_byte <= each.start_byte < node.end_byte
+    ]
+    is_none = len(others) == 1 and analysis.syntax.slice(others[0]).endswith("= None")
+    return others if is_none else []
+
+
+def unused_helpers(analysis: Analysis, removal: Removal) -> list[Node]:
+    """Return the functions that Plastron wrote for those that go, and that nothing else uses."""
+    found: list[Node] = []
+    helpers = [
+        scope
+        for scope in analysis.scopes.all
+        if scope.kind == "function" and is_one_of(analysis, scope, HELPERS)
+    ]
+    for helper in helpers:
+        gone = [(each.start_byte, each.end_byte) for each in removal.statements]
+        uses = [each.start_byte for each in function_uses(analysis, helper)]
+        if uses and all(any(start <= use < end for start, end in gone) for use in uses):
+            found.append(definition(helper))
+    return found
 
 
 def destroying(analysis: Analysis, timer: Site) -> list[Node] | None:

@@ -6,10 +6,11 @@ from .analysis import Analysis, Site
 from .creation import Removal, parameters_in, remove_creation
 from .dead_values import dead_targets, dead_values
 from .emptied_blocks import bare_conditions, emptied_blocks
+from .function_place import rulers_above
 from .imports import unused_imports
 from .leftovers import placeholders, remove_idle, sending_logs, stub_callbacks
 from .references import Variable
-from .removal import remove_uses, waits
+from .removal import executing, remove_uses, unused_helpers, waits
 from .splices import around, delete_statements
 from .unused_attributes import unused_attributes
 from .unused_locals import unused_locals
@@ -22,10 +23,18 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
     for site in sites:
         for variable in remove_creation(analysis, site, removal):
             variables[variable] = None
+    removal.statements += executing(analysis, sites)
     for variable in variables:
         remove_uses(analysis, variable, sites, removal)
     if removal.lines:
         return removal
+    helpers = unused_helpers(analysis, removal)
+    removal.statements += helpers
+    removal.sites += [
+        site
+        for site in analysis.sites
+        if any(each.start_byte <= site.call.start_byte < each.end_byte for each in helpers)
+    ]
     for found in waits(analysis, sites).values():
         removal.statements += [statement for statement, _ in found]
     removal.statements += sending_logs(analysis, removal)
@@ -40,6 +49,7 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
     gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
     callbacks = stub_callbacks(analysis, removal.sites, gone)
     removal.statements += callbacks
+    removal.statements += rulers_above(analysis, removal.statements)
     gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
     imports, names = unused_imports(analysis, gone)
     # A block that all of these empty together needs one `pass`.

@@ -6,7 +6,7 @@ Source: `rclpy.node.Node.create_timer` of Jazzy, `rospy.Timer` of Noetic.
 from __future__ import annotations
 
 from plastron_tui.diagnostics import Diagnostic, codes
-from plastron_tui.model.kinds import Endpoint, Publisher, Rate, Timer
+from plastron_tui.model.kinds import Client, Endpoint, Publisher, Rate, Timer
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.names import parameter_name
 
@@ -63,7 +63,9 @@ def _rates(endpoint: Endpoint) -> list[str]:
     """Return the parameters that are rates of an endpoint."""
     rate = endpoint.rate if isinstance(endpoint, Timer) else None
     sent = endpoint.publications if isinstance(endpoint, Publisher) else ()
-    given = [rate.parameter if rate is not None else None, *(each.parameter for each in sent)]
+    asked = endpoint.requests if isinstance(endpoint, Client) else ()
+    given = [each.rate.parameter for each in asked if each.rate is not None]
+    given += [rate.parameter if rate is not None else None, *(each.parameter for each in sent)]
     return [each for each in given if each is not None]
 
 

@@ -3,31 +3,23 @@
 from __future__ import annotations
 
 import math
-import re
 from collections import defaultdict
 from collections.abc import Sequence
 
 from tree_sitter import Node
 
 from plastron_tui.diagnostics import Diagnostic, codes
-from plastron_tui.model.kinds import Client, Publication, Publisher, Rate
+from plastron_tui.model.kinds import Publication, Publisher, Rate
 from plastron_tui.model.source import EndpointKind
-from plastron_tui.ros.interfaces import InterfaceKind
 
 from . import naming
 from .addition import Addition
-from .conventions import leading_space, method_naming, variable_naming
-from .function_place import function_place, method_place
-from .lifecycle import is_transition
-from .loggers import own_logger
-from .own_calls import call_in_own_method, keep_running
+from .conventions import leading_space, method_naming
 from .own_loop import is_sleep, own_block, statements_of, woken_loop
-from .removal import callback_scope
-from .repeating import period_of
 from .sending_once import PERIOD, when_heard
-from .signatures import parameter_names, signatures_of
+from .signatures import signatures_of
 from .splices import line_end, line_start
-from .surroundings import holds_handles
+from .timer_functions import start_timer, timer_call, timer_variable, write_function
 
 
 def add_publishing(added: Addition, publisher: Publisher) -> list[str]:
@@ -51,14 +43,15 @@ def _once(added: Addition, publications: Sequence[Publication]) -> list[str]:
     if not added.is_rclpy:
         return lines
     holder, dot, _ = added.variable.rpartition(".")
-    timer = _timer_variable(added)
+    timer = timer_variable(added)
     bare = timer.rpartition(".")[2].removesuffix("_timer").removesuffix("_")
     heard = f"{holder}{dot}{added.free_name(f'{bare}_is_heard')}"
     name = added.free_name(method_naming(added.analysis, "publish").name(added.name))
     summary = f"Publish to {added.label}, once: when somebody listens."
-    callback, above = _function(added, name, summary, when_heard(added, heard, timer, lines))
-    added.writer.endpoints.append((EndpointKind.TIMER, PERIOD, "None", name))
-    return [f"{heard} = False", *above, f"{timer} = {_timer_call(added, PERIOD, callback)})"]
+    body = when_heard(added, heard, timer, lines)
+    callback, above = write_function(added, name, summary, body)
+    call = timer_call(added, PERIOD, callback, name)
+    return [f"{heard} = False", *above, f"{timer} = {call}"]
 
 
 def _again(added: Addition, sent: Sequence[Publication]) -> list[str]:
@@ -145,129 +138,5 @@ def _timer(added: Addition, rate: Rate, publications: list[Publication]) -> list
     body: list[str] = []
     for publication in publications:
         body += sending(added, publication, "message", True)
-    callback, lines = _function(added, method, summary, body)
-    period = period_of(added, rate)
-    added.writer.endpoints.append((EndpointKind.TIMER, _timer_name(added, period), "None", method))
-    timer = f"{_timer_call(added, period, callback)})"
-    is_held = holds_handles(added.analysis, added.place, EndpointKind.TIMER)
-    if is_transition(added.analysis, added.place) or is_held:
-        return [*lines, f"{_timer_variable(added)} = {timer}"]
-    return [*lines, timer]
-
-
-def _timer_variable(added: Addition) -> str:
-    """Return the attribute of the node, or the variable, that a timer is held by."""
-    wanted = variable_naming(added.analysis, EndpointKind.TIMER).name(added.name)
-    holder, dot, _ = added.variable.rpartition(".")
-    name = added.free_name(wanted if dot else wanted.lstrip("_"))
-    return f"{holder}{dot}{name}"
-
-
-def _timer_call(added: Addition, period: str, callback: str) -> str:
-    if added.is_rclpy:
-        group = added.callback_group(EndpointKind.TIMER)
-        end = f", callback_group={group}" if group else ""
-        return f"{added.place.receiver}.create_timer({period}, {callback}{end}"
-    timer = added.rospy("Timer")
-    duration = added.rospy("Duration")
-    return f"{timer}({duration}({period}), {callback}"
-
-
-def _timer_name(added: Addition, period: str) -> str:
-    """Return the expression that a reader finds as the timer's period."""
-    if added.is_rclpy:
-        return period
-    return f"{added.rospy('Duration')}({period})"
-
-
-def _function(added: Addition, name: str, summary: str, body: list[str]) -> tuple[str, list[str]]:
-    """Write a timer's method, or return the lines of a function that sees the local variables."""
-    self_name = added.place.self_name
-    manner = signatures_of(added.analysis, EndpointKind.TIMER)
-    taken = () if added.is_rclpy else parameter_names(added.analysis, EndpointKind.TIMER, ["event"])
-    parameters = [(each, "") for each in taken]
-    if summary:
-        body = [f'"""{summary}"""', *body]
-    if added.is_method_place and "." in added.variable:
-        head = manner.head(name, [(self_name, ""), *parameters], "None")
-        lines = [head, *("\t" + line for line in body)]
-        senders = [
-            scope
-            for site in added.analysis.sites
-            if site.endpoint.kind is EndpointKind.TIMER
-            and (scope := callback_scope(added.analysis, site)) is not None
-        ]
-        added.writer.function(method_place(added.analysis, added.place, senders), lines)
-        return f"{self_name}.{name}", []
-    lines = [manner.head(name, parameters, "None"), *("\t" + line for line in body)]
-    if added.place.scope.parent is None:
-        gap = added.writer.conventions.blank_lines
-        added.writer.function(function_place(added.analysis, added.place, (), gap), lines)
-        return name, []
-    return name, ["", *lines, ""]
-
-
-def add_calls(added: Addition, client: Client) -> list[str]:
-    """Call a service with each request; return the lines that follow the client's creation."""
-    if not client.requests:
-        return []
-    added.stand(is_nested=added.is_nested)
-    interface = added.messages.interface(client.type, InterfaceKind.SERVICE, client.name)
-    requests = [added.messages.request(interface, each.value) for each in client.requests]
-    if call_in_own_method(added, requests):
-        return []
-    keep_running(added)
-    name = added.free_name(method_naming(added.analysis, "call").name(added.name))
-    if added.is_rclpy:
-        summary = f"Call {added.label} once it is there, and log its answer."
-        return _call_rclpy(added, name, summary, requests)
-    summary = f"Call {added.label} within 10 s, and log its answer."
-    errors = [
-        added.rospy(error, in_callback=not added.is_nested)
-        for error in ("ROSException", "ServiceException")
-    ]
-    body = ["try:", f"\t{added.variable}.wait_for_service(timeout=10.0)"]
-    for request in requests:
-        body.append(f"\tresponse = {added.variable}({request})")
-        body.append("\t" + added.log("info", "response", in_callback=not added.is_nested))
-    body.append(f"except ({', '.join(errors)}) as error:")
-    body.append("\t" + added.log("error", "error", in_callback=not added.is_nested))
-    callback, lines = _function(added, name, summary, body)
-    added.writer.endpoints.append((EndpointKind.TIMER, _timer_name(added, "0.1"), "None", name))
-    return [*lines, f"{_timer_call(added, '0.1', callback)}, oneshot=True)"]
-
-
-def _call_rclpy(added: Addition, name: str, summary: str, requests: list[str]) -> list[str]:
-    """Call once from a timer, so that the node goes on while the service answers."""
-    timer = _timer_variable(added)
-    info = _info(added)
-    quote = added.writer.conventions.quote
-    # A call that waits would hold up all else that the node does.
-    body = [
-        f"if not {added.variable}.service_is_ready():",
-        f"\t{info}("
-        f"{quote}{added.label}: waiting for the service{quote}, throttle_duration_sec=10.0)",
-        "\treturn",
-        f"{timer}.cancel()",
-    ]
-    logged = f"f{quote}{added.label}: {{done.result()}}{quote}"
-    for request in requests:
-        body.append(f"future = {added.variable}.call_async({request})")
-        logs = f"{info}({logged})"
-        body.append(f"future.add_done_callback(lambda done: {logs})")
-    callback, lines = _function(added, name, summary, body)
-    added.writer.endpoints.append((EndpointKind.TIMER, _timer_name(added, "0.1"), "None", name))
-    return [*lines, f"{timer} = {_timer_call(added, '0.1', callback)})"]
-
-
-def _info(added: Addition) -> str:
-    """Return what logs for a node of rclpy: the file's own logger, where it is the node's."""
-    own = own_logger(added.analysis, added.place, "info")
-    holder = re.escape(own.rpartition(".")[0])
-    is_of_node = re.search(
-        rf"^[ \t]*{holder}(:[^=\n]*)? *= *[\w.]+\.get_logger\(\)[ \t\r]*$".encode(),
-        added.analysis.syntax.text,
-        re.M,
-    )
-    receiver = added.receiver_in_callback() or added.place.receiver
-    return own if own and is_of_node else f"{receiver}.get_logger().info"
+    callback, lines = write_function(added, method, summary, body)
+    return [*lines, *start_timer(added, rate, callback, method)]

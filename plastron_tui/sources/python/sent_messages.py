@@ -8,14 +8,14 @@ from typing import NamedTuple
 
 from tree_sitter import Node
 
-from plastron_tui.model.kinds import Client, Publication, Publisher, is_sending
-from plastron_tui.model.values import MessageValue, computed_in
+from plastron_tui.model.kinds import Client, Publication, Publisher, Request, is_sending
+from plastron_tui.model.values import computed_in
 from plastron_tui.ros.interfaces import Interface
 
 from .addition import Addition
 from .analysis import Analysis, Site
 from .creation import Removal, parameters_in, remove_creation
-from .generated import is_docstring, is_named_as_own, is_own_call
+from .generated import is_docstring, is_named_as_own, is_own_call, repeats_call
 from .leftovers import remove_idle
 from .own_loop import is_loop, is_sleep
 from .rates import Pace, is_once, is_shared, loop_pace, timer_pace
@@ -47,9 +47,8 @@ def resend(update: Replacement, interface: Interface) -> None:
     if isinstance(endpoint, Publisher):
         is_done = _publish(update, variable, endpoint.publications)
     else:
-        assert isinstance(endpoint, Client), "only publishers and clients send"
-        requests = [each.value for each in endpoint.requests]
-        is_done = _request(update, variable, interface, requests)
+        assert isinstance(endpoint, Client), "only publishers and clients are changed in place"
+        is_done = _request(update, variable, interface, endpoint.requests)
     if isinstance(endpoint, Publisher):
         old, interfaces = update.site.endpoint, update.added.messages.interfaces
         name = old.name or old.default or ""
@@ -215,16 +214,19 @@ def _set_rate(update: Replacement, runner: _Runner, rate: float) -> bool:
 
 
 def _request(
-    update: Replacement, variable: Variable, interface: Interface, requests: Sequence[MessageValue]
+    update: Replacement, variable: Variable, interface: Interface, requests: Sequence[Request]
 ) -> bool:
-    """Send other requests in the calls that there are, where there are as many."""
+    """Send other requests in the calls that there are, where there are as many, as often."""
     uses = references(variable, update.analysis)
     given = [node for each in uses if (node := _request_in(update.analysis, each)) is not None]
-    if len(given) != len(requests):
+    is_repeated = any(each.rate is not None for each in requests)
+    if is_repeated or len(given) != len(requests):
+        return False
+    if any(repeats_call(update.analysis, node) for node in given):
         return False
     for node, request in zip(given, requests, strict=True):
         _stand(update.added, node)
-        update.put(node, update.added.messages.request(interface, request))
+        update.put(node, update.added.messages.request(interface, request.value))
     update.added.stand(is_nested=True)
     return True
 

@@ -16,14 +16,16 @@ from .syntax import is_in_loop
 from .waits import Waits
 
 # What has no use unless something holds it.
-_HELD = (EndpointKind.PUBLISHER, EndpointKind.CLIENT)
-_HEADING = re.compile(rb"publish|subscri|service|client|server|timer", re.IGNORECASE)
+_HELD = (EndpointKind.PUBLISHER, EndpointKind.CLIENT, EndpointKind.ACTION_CLIENT)
+_HEADING = re.compile(rb"publish|subscri|service|client|server|action|timer", re.IGNORECASE)
 # What the heading of a section says of its endpoints.
 _SECTIONS = {
     EndpointKind.PUBLISHER: b"publish",
     EndpointKind.SUBSCRIPTION: b"subscri",
     EndpointKind.SERVICE: b"service",
     EndpointKind.CLIENT: b"client",
+    EndpointKind.ACTION_SERVER: b"action",
+    EndpointKind.ACTION_CLIENT: b"action",
     EndpointKind.TIMER: b"timer",
 }
 _QUOTES = (b'"""', b"'''")

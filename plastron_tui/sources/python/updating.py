@@ -13,6 +13,7 @@ from plastron_tui.ros.interfaces import Interface
 from .adding import callback_for
 from .addition import Addition
 from .analysis import Analysis, Site
+from .calls import ACTIONS
 from .conventions import target_name
 from .dialect import Dialect
 from .existing_callbacks import check_parameters, misfit
@@ -49,7 +50,7 @@ def plan_update(
         CannotAddError: the new type is not known.
     """
     place = beside(analysis, site)
-    if place is None:
+    if place is None or change.kind in ACTIONS:
         raise NotInPlaceError
     added = Addition.at(place, analysis, change.kind, change.endpoint, catalog, dialect)
     added.variable = target_name(analysis, site) or ""

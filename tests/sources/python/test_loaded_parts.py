@@ -86,7 +86,7 @@ rospy.spin()
         ),
         (
             ACTIONS_RCLPY,
-            "driver provides_action 'more' of action_type example_interfaces/Fibonacci",
+            "driver sends_goal to 'other' of action_type Fibonacci with input none",
             "edit-refused",
         ),
         (

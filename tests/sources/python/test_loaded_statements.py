@@ -15,6 +15,8 @@ GO = "create_message go of message_type Twist and input none\n"
 AGAIN = "driver no_longer_has_parameter 'gain'\ndriver has_parameter 'gain' of parameter_type "
 SCAN = "'scan' of message_type sensor_msgs/LaserScan"
 ADD = "driver provides_service 'add' of service_type AddTwoInts "
+CALM = "driver client_requests 'calm' of service_type Trigger with input none"
+GOAL = "driver sends_goal to 'fib' of action_type Fibonacci with input order=5"
 
 # What each of the four files gets: a part of the lines that differ, or the code of the refusal.
 ROWS: dict[str, tuple[str, str, str, str]] = {
@@ -161,8 +163,40 @@ ROWS: dict[str, tuple[str, str, str, str]] = {
     "driver provides_service 'reset' of service_type Trigger answering success=True": (
         ("edit-refused",) * 4
     ),
-    "driver client_requests 'calm' of service_type Trigger with input none at 2 hz": (
-        ("edit-refused",) * 4
+    f"{CALM} at 2 hz": (
+        "+self.calm_timer = self.create_timer(0.5, self.call_calm)",
+        "+node.create_timer(0.5, call_calm)",
+        "+self.calm_timer = rospy.Timer(rospy.Duration(0.5), self.call_calm)",
+        "+rospy.Timer(rospy.Duration(0.5), call_calm)",
+    ),
+    f"{CALM} at parameter 'gain' hz": (
+        "+self.calm_timer = self.create_timer("
+        "1.0 / self.get_parameter('gain').value, self.call_calm)",
+        "+node.create_timer(1.0 / node.get_parameter('gain').value, call_calm)",
+        "+rospy.Duration(1.0 / rospy.get_param('~gain', 1.0)), self.call_calm",
+        "+rospy.Timer(rospy.Duration(1.0 / rospy.get_param('~gain', 1.0)), call_calm)",
+    ),
+    GOAL: (
+        "+self.fib_client = ActionClient(self, Fibonacci, 'fib')",
+        "+fib_client = ActionClient(node, Fibonacci, 'fib')",
+        "+self.fib_client = actionlib.SimpleActionClient('fib', FibonacciAction)",
+        "+fib_client = actionlib.SimpleActionClient('fib', FibonacciAction)",
+    ),
+    f"{GOAL}\n{GOAL[:-1]}6": ("edit-refused",) * 4,
+    "driver provides_action 'fib' of action_type Fibonacci": (
+        "+async def execute_fib(self, goal_handle):",
+        "edit-refused",
+        "+def execute_fib(self, goal):",
+        "+def execute_fib(goal):",
+    ),
+    "driver provides_action 'fib' of action_type Fibonacci calling blink": (
+        "+async def blink(self, goal_handle):",
+        "edit-refused",
+        "+def blink(self, goal):",
+        "+def blink(goal):",
+    ),
+    "driver provides_action 'fib' of action_type Fibonacci calling reset_callback": (
+        ("function-conflict",) * 4
     ),
     "driver stop_action 'fib'": ("not-serving",) * 4,
     "driver stop_goal to 'fib'": ("not-sending",) * 4,
