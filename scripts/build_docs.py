@@ -174,6 +174,7 @@ it has is there from configuration to cleanup. While it is active it publishes, 
 again and again, and asks others: what is asked once is asked once each time that it is activated.
 Its actions reject goals while it is inactive. Deactivation ends what is under way: it aborts the
 goals that the node works on, cancels those that it has sent, and no longer waits for answers.
+A node that is shut down while it is active may leave what it has sent to the server, as at Ctrl-C.
 Services are answered, and messages heard, while it is inactive too.
 
 ## Types
