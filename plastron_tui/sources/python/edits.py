@@ -19,7 +19,7 @@ from plastron_tui.model.kinds import (
     callback_of,
     is_sending,
 )
-from plastron_tui.model.source import Add, Change, EndpointKind, Remove, Rename, Update
+from plastron_tui.model.source import Add, Change, Remove, Rename, Update
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceName
 
@@ -133,7 +133,7 @@ class Edits:
         renames = [change for change in changes if isinstance(change, Rename)]
         if renames:
             self._rename(renames)
-        changes, at = sorted(changes, key=_turn), 0
+        changes, at = sorted(changes, key=_reacts), 0
         while at < len(changes):
             change = changes[at]
             if isinstance(change, Add):
@@ -394,12 +394,10 @@ class Edits:
             raise RefusedError(Diagnostic(codes.EDIT_REFUSED, message, help=remedy))
 
 
-def _turn(change: Change) -> int:
-    """Return when a change is made: what sends goes before what hears, and comes after it."""
-    if isinstance(change, Remove):
-        return 0 if change.kind is EndpointKind.PUBLISHER else 1
+def _reacts(change: Change) -> bool:
+    """Whether a change sends something for messages, which something has to hear before."""
     sent = getattr(getattr(change, "endpoint", None), "publications", ())
-    return 2 if any(each.reaction is not None for each in sent) else 1
+    return any(each.reaction is not None for each in sent)
 
 
 def _applied(analysis: Analysis, writers: Iterable[Writer]) -> bytes:

@@ -51,9 +51,10 @@ class Conditions:
         within = _within("each", limits)
         if not within:
             return text
-        text = self._once(text, "numbers")
-        self.require(f"all({within} for each in {text})")
-        return text
+        name = self._once(text, "numbers")
+        self.require(f"all({within} for each in {name})")
+        # A parameter of rclpy holds an array, which a field of another type does not take.
+        return name if name == text or text.endswith(".tolist()") else f"list({name})"
 
     def _once(self, text: str, wanted: str) -> str:
         """Return the variable that gets what a call returns."""

@@ -153,6 +153,27 @@ ROWS: dict[str, tuple[str, str, str, str]] = {
         "+Twist(linear=Vector3(x=rospy.get_param('~gain', 1.0) * 2))",
         "+out_pub.publish(Twist(linear=Vector3(x=rospy.get_param('~gain', 1.0) * 2)))",
     ),
+    "driver has_parameter 'levels' of parameter_type int_list with default [1, 2]\n"
+    "create_message l of message_type std_msgs/Int8MultiArray and input data=parameter 'levels'\n"
+    "driver publish l to 'out' of message_type std_msgs/Int8MultiArray": (
+        "+self.out_pub.publish(Int8MultiArray(data=list(numbers)))",
+        "+out_pub.publish(Int8MultiArray(data=list(numbers)))",
+        "+if all(-128 <= each <= 127 for each in numbers):",
+        "+if all(-128 <= each <= 127 for each in numbers):",
+    ),
+    "subscribe driver to 'levels' of message_type std_msgs/Int32MultiArray\n"
+    "create_message l of message_type std_msgs/Int8MultiArray and input data=received.data\n"
+    "driver publish l to 'out' of message_type std_msgs/Int8MultiArray for_each 'levels'": (
+        "+numbers = msg.data.tolist()",
+        "+numbers = msg.data.tolist()",
+        "+if all(-128 <= each <= 127 for each in msg.data):",
+        "+if all(-128 <= each <= 127 for each in msg.data):",
+    ),
+    "subscribe driver to 'levels' of message_type std_msgs/Int32MultiArray\n"
+    "create_message l of message_type std_msgs/UInt64 and input data=received.data[2]\n"
+    "driver publish l to 'out' of message_type std_msgs/UInt64 for_each 'levels'": (
+        ("+if len(msg.data) > 2 and msg.data[2] >= 0:",) * 4
+    ),
     f"{ADD}answering sum=received.a + 1": (
         "+return AddTwoInts.Response(sum=request.a + 1)",
         "+return AddTwoInts.Response(sum=request.a + 1)",
