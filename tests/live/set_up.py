@@ -95,7 +95,12 @@ except ImportError:
         owner.spin_once = telling(rclpy_endpoints, owner.spin_once)
     rclpy.timer.Rate.sleep = telling(rclpy_endpoints, rclpy.timer.Rate.sleep)
 else:
-    for owner, name in ((rospy, "spin"), (rospy, "sleep"), (rospy.Rate, "sleep")):
+    for owner, name in (
+        (rospy, "spin"),
+        (rospy, "sleep"),
+        (rospy.Rate, "sleep"),
+        (rospy.rostime, "wallsleep"),
+    ):
         setattr(owner, name, telling(rospy_endpoints, getattr(owner, name)))
 
 if __name__ == "__main__":

@@ -75,7 +75,6 @@ class Writing:
         attributes: the names of what the node's class has.
         methods: the functions that endpoints call, by their names.
         functions: those of the file that its expressions call.
-        computing: what writes the values that are known when they are sent.
     """
 
     def __init__(
@@ -92,15 +91,19 @@ class Writing:
         )
         self.methods: dict[str, MethodPlan] = {}
         self.functions = _Functions()
-        self.computing = Computing(
-            catalog, dialect, node.span, self._parameter_value, self.functions
-        )
         self._heard: Sequence[Field] = ()
 
     @property
     def is_rclpy(self) -> bool:
         """Whether the file is one of ROS 2."""
         return self.dialect.ros_version == 2
+
+    @property
+    def computing(self) -> Computing:
+        """What writes the values that are known when they are sent."""
+        # Not kept: each would hold the other, and only the cycle collector would free them.
+        given = self.catalog, self.dialect, self.node.span
+        return Computing(*given, self._parameter_value, self.functions)
 
     def held(self, attribute: str) -> str:
         """Name what holds a part of a managed node, which destroys it later; "" in other nodes."""
