@@ -36,6 +36,7 @@ from .conventions import (
 from .dialect import Dialect
 from .existing_callbacks import check_parameters, existing_callback
 from .function_place import FunctionPlace, function_place, method_place
+from .functions import callback_scope
 from .goals import add_goals, check_first
 from .insertion_point import find_place, once_named, running_place
 from .lifecycle import destroy_created, is_transition
@@ -46,7 +47,6 @@ from .own_calls import keep_running
 from .place import Place, beside
 from .qos_arguments import check_policies
 from .reacting import place_before_hearing, react, shared
-from .removal import callback_scope
 from .repeating import place_behind_rates, repeat, tick_stub
 from .scopes import Scope
 from .sending import add_publishing

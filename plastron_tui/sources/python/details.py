@@ -8,9 +8,9 @@ from plastron_tui.model.source import EndpointKind, SourceEndpoint
 from .action_callbacks import action_details
 from .analysis import Analysis, Site
 from .evaluation import Evaluator
+from .functions import callback_scope
 from .generated import serves
 from .parameter_details import parameter_details
-from .removal import callback_scope
 from .runs import EVERYWHERE
 from .timers import timer_details
 from .transitions import Transitions

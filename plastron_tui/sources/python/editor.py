@@ -15,7 +15,8 @@ from .analysis import Analysis
 from .calls import LIBRARIES
 from .compiling import syntax_error
 from .dialect import Dialect
-from .edits import Edits, Found, endpoints_of
+from .edits import Edits
+from .found_endpoints import Found, endpoints_of
 from .guessed_names import tell_guessed_names
 from .idle_code import tell_idle, tell_unused_results
 from .imports import restore_imports

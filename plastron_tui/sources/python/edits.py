@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
@@ -30,6 +29,7 @@ from .by_hand import refuse_answer, refuse_by_hand
 from .creation import Removal
 from .dialect import Dialect
 from .existing_callbacks import NotCallableError
+from .found_endpoints import Found, endpoints_of, respell
 from .imports import unused_imports
 from .lost import Exchange, or_renames
 from .messages import CannotAddError
@@ -45,34 +45,13 @@ from .sent_before import lost_of_site
 from .sites import analyze_again
 from .splices import apply, delete_statements
 from .updating import plan_update
-from .writing import Key, Writer, key_of
+from .writing import Writer, key_of
 
 # With fewer additions to come it does not pay to find out whether they may be made in one go.
 _MANY = 16
 
 _MOST_WORK = 16 * 1024 * 1024
 """The most bytes that the changes of a file read, each of which reads the file as it then is."""
-
-
-Found = Counter[tuple[str, Key]]
-"""The endpoints of a file, each with the label of its node."""
-
-
-def endpoints_of(analysis: Analysis) -> Found:
-    """Return the endpoints of a file."""
-    labels = labels_of(analysis)
-    return Counter((labels.get(site, ""), key_of(site.endpoint)) for site in analysis.sites)
-
-
-def _by_expression(analysis: Analysis) -> Found:
-    """Return the endpoints that go by an expression, in which a parameter may be named."""
-    labels = labels_of(analysis)
-    sites = (each for each in analysis.sites if each.endpoint.name is None)
-    return Counter((labels.get(each, ""), key_of(each.endpoint)) for each in sites)
-
-
-def _without_expressions(found: Found) -> Found:
-    return Counter((label, (key[0], None, *key[2:])) for label, key in found.elements())
 
 
 class _Manner(NamedTuple):
@@ -170,10 +149,7 @@ class Edits:
         self._read(before.syntax.text)
         splices = realigned(before.syntax, renaming.splices)
         self.analysis = analyze_again(before, apply(before.syntax.text, splices))
-        spelled, respelled = _by_expression(before), _by_expression(self.analysis)
-        if _without_expressions(spelled) == _without_expressions(respelled):
-            self.expected.subtract(spelled)
-            self.expected.update(respelled)
+        respell(self.expected, before, self.analysis)
 
     def _remove(self, change: Remove) -> None:
         sites = find_sites(part_of(self.analysis, change.node), change)

@@ -12,9 +12,9 @@ from plastron_tui.model.source import EndpointKind
 
 from . import literals
 from .addition import Addition
+from .functions import definition
 from .messages import CannotAddError
 from .place import place_behind
-from .removal import definition
 from .scopes import Binding, BindingKind, Scope
 from .syntax import parts_of
 

@@ -12,8 +12,8 @@ from tree_sitter import Node
 
 from .analysis import Analysis
 from .conventions import leading_space
+from .functions import definition
 from .place import Place
-from .removal import definition
 from .scopes import Scope
 from .splices import before_comments, line_end, line_start
 from .syntax import parts_of

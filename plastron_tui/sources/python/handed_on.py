@@ -13,7 +13,7 @@ from .analysis import Analysis, Site
 from .arguments import Arguments
 from .callbacks import is_partial
 from .calls import Argument
-from .removal import callback_scope
+from .functions import callback_scope
 from .scopes import BindingKind
 
 # `rospy.topics.Subscriber` calls `cb(msg, cb_args)` where `callback_args` is not None.

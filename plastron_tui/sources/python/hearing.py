@@ -10,10 +10,10 @@ from tree_sitter import Node
 
 from .analysis import Analysis, Site
 from .conventions import leading_space
+from .functions import callback_scope, definition, function_uses
 from .generated import is_docstring
 from .handed_on import handed_by_call
 from .references import function_of, is_member
-from .removal import callback_scope, definition, function_uses
 from .scopes import BindingKind, Scope
 from .splices import before_comments, line_end, line_start
 from .syntax import parts_of

@@ -10,9 +10,9 @@ from plastron_tui.model.source import EndpointKind
 
 from .analysis import Analysis, NodeSite, Site
 from .conventions import target_name
+from .functions import callback_scope
 from .place import LAST, Place, beside, climb, is_guarded, place_at, stays
 from .references import statement_of
-from .removal import callback_scope
 from .run_order import Starting, When
 from .scopes import Scope
 from .syntax import is_main_guard, parts_of

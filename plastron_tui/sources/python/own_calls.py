@@ -7,9 +7,9 @@ from tree_sitter import Node
 from .addition import Addition
 from .conventions import leading_space, method_naming
 from .function_place import method_place
+from .functions import function_uses
 from .generated import is_asking_function, is_own_helper
 from .references import identifiers, statement_of
-from .removal import function_uses
 from .scopes import Scope
 from .splices import line_end
 from .syntax import parts_of

@@ -11,10 +11,10 @@ from plastron_tui.model.source import EndpointKind
 
 from .addition import Addition
 from .analysis import Analysis, Site
+from .functions import callback_scope, function_uses
 from .generated import is_named_as_own
 from .rates import is_once, loop_rate, timer_rate
 from .references import statement_of
-from .removal import callback_scope, function_uses
 from .run_order import Starting, is_sure
 from .scopes import Scope
 from .syntax import parts_of

@@ -14,11 +14,11 @@ from plastron_tui.ros.interfaces import InterfaceKind
 from . import naming
 from .addition import Addition
 from .analysis import Analysis, Site
+from .functions import callback_scope
 from .hearing import Heard, NotHeardError, find_heard
 from .messages import CannotAddError
 from .place import climb, place_before
 from .references import statement_of
-from .removal import callback_scope
 from .sending import sending
 from .splices import Splice, line_start
 

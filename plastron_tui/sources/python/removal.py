@@ -12,11 +12,11 @@ from plastron_tui.ros.names import name_as_read
 
 from .analysis import Analysis, Site
 from .arguments import Arguments
-from .callbacks import callback_target
 from .calls import Argument
 from .constants import Known
 from .creation import Removal, line_of
 from .emptied_blocks import emptied_blocks
+from .functions import callback_scope, definition, function_uses, timers_of
 from .generated import (
     is_asking_function,
     is_calling_function,
@@ -31,9 +31,7 @@ from .references import (
     Reference,
     Use,
     Variable,
-    function_of,
     identifiers,
-    is_member,
     references,
     statement_of,
     variable_of,
@@ -363,15 +361,6 @@ def destroying(analysis: Analysis, timer: Site) -> list[Node] | None:
     return ends if len(ends) + len(inside) == len(uses) else None
 
 
-def timers_of(analysis: Analysis, function: Scope) -> list[Site]:
-    """Return the timers that call a function."""
-    return [
-        site
-        for site in analysis.sites
-        if site.endpoint.kind is EndpointKind.TIMER and callback_scope(analysis, site) is function
-    ]
-
-
 def _remove_publishing(
     analysis: Analysis, variable: Variable, publishing: list[Reference], removal: Removal
 ) -> None:
@@ -396,35 +385,3 @@ def _remove_publishing(
                 for reference in publishing
                 if analysis.scopes.at(reference.node.start_byte).is_within(function)
             ]
-
-
-def definition(function: Scope) -> Node:
-    """Return the statement that defines a function, with its decorators."""
-    parent = function.node.parent
-    is_decorated = parent is not None and parent.type == "decorated_definition"
-    return parent if is_decorated and parent is not None else function.node
-
-
-def callback_scope(analysis: Analysis, site: Site) -> Scope | None:
-    """Return the function of the file that a call site's callback is."""
-    if site.shape.callback is None:
-        return None
-    node = callback_target(site.arguments.get(site.shape.callback), site.scope, analysis)
-    return function_of(node, analysis) if node is not None else None
-
-
-def function_uses(analysis: Analysis, function: Scope) -> list[Node]:
-    """Return the places that mention a function, its definition aside."""
-    is_method = function.parent is not None and function.parent.kind == "class"
-    found = []
-    for node in identifiers(function.name, analysis):
-        name = function.node.child_by_field_name("name")
-        if name is not None and node.id == name.id:
-            continue
-        parent = node.parent
-        if parent is not None and parent.type == "keyword_argument" and is_member(node):
-            continue
-        if not is_method and is_member(node):
-            continue
-        found.append(node)
-    return found

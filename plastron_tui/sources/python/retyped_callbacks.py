@@ -10,10 +10,10 @@ from tree_sitter import Node
 from plastron_tui.ros.interfaces import Interface, InterfaceName
 
 from .analysis import Analysis
+from .functions import callback_scope
 from .generated import body_of
 from .log_uses import is_only_told
 from .references import Variable, references
-from .removal import callback_scope
 from .replacing import Replacement
 from .scopes import BindingKind, Scope
 from .splices import Splice

@@ -15,12 +15,13 @@ from plastron_tui.ros.interfaces import Interface
 from .addition import Addition
 from .analysis import Analysis, Site
 from .creation import Removal, parameters_in, remove_creation
+from .functions import timers_of
 from .generated import is_docstring, is_named_as_own, is_own_call, repeats_call
 from .leftovers import remove_idle
 from .own_loop import is_loop, is_sleep
 from .rates import Pace, is_once, is_shared, loop_pace, timer_pace
 from .references import Reference, Variable, references
-from .removal import remove_uses, timers_of
+from .removal import remove_uses
 from .removal_plan import remove_what_served
 from .replacing import NotInPlaceError, Replacement
 from .same_message import is_message

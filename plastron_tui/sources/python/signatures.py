@@ -12,9 +12,9 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 
 from .analysis import Analysis, Site
+from .functions import callback_scope
 from .generated import is_docstring
 from .handed_on import handed_by_partial
-from .removal import callback_scope
 from .scopes import Scope
 from .syntax import parts_of
 

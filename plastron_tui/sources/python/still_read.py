@@ -13,6 +13,7 @@ from plastron_tui.model.source import Change, Remove, Update
 
 from .analysis import Analysis
 from .creation import line_of
+from .functions import function_uses
 from .nodes import part_of
 from .references import (
     Use,
@@ -24,7 +25,7 @@ from .references import (
     statement_of,
     variable_of,
 )
-from .removal import find_sites, function_uses
+from .removal import find_sites
 from .runs import LOOPS
 from .scopes import Scope
 from .syntax import is_inside, nodes_in, parts_of

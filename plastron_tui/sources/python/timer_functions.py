@@ -10,8 +10,8 @@ from plastron_tui.model.source import EndpointKind
 from .addition import Addition
 from .conventions import variable_naming
 from .function_place import function_place, method_place
+from .functions import callback_scope
 from .lifecycle import is_transition
-from .removal import callback_scope
 from .repeating import period_of
 from .signatures import parameter_names, signatures_of
 from .surroundings import holds_handles

@@ -13,9 +13,10 @@ from plastron_tui.model.source import Change, Remove, Update
 from .analysis import Analysis
 from .callers import count_words
 from .creation import line_of
+from .functions import definition, function_uses
 from .generated import is_own_helper
 from .nodes import part_of
-from .removal import definition, find_sites, function_uses
+from .removal import find_sites
 from .scopes import Scope
 
 

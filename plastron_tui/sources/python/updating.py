@@ -17,6 +17,7 @@ from .calls import ACTIONS
 from .conventions import target_name
 from .dialect import Dialect
 from .existing_callbacks import check_parameters, misfit
+from .functions import callback_scope
 from .generated import body_of, is_stub
 from .handed_on import HandedOn, handed_by_call, handed_by_partial
 from .leftovers import stub_callbacks
@@ -24,7 +25,6 @@ from .lost import written_anew
 from .message_filters import hands_on, takers
 from .place import beside
 from .qos_arguments import requalify
-from .removal import callback_scope
 from .renaming import NotNamedError, plan_names
 from .replacing import NotInPlaceError, Replacement
 from .retyped_callbacks import missing_fields, needs_type, retype_callback
