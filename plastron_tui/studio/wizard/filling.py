@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from plastron_tui.language import Slot, SlotKind
@@ -10,12 +10,13 @@ from plastron_tui.language.declaration import Form as Written
 from plastron_tui.model.kinds import INTERFACES
 
 from .ask import Ask, Choice, Trial
+from .computed_values import sources_of
 from .context import Scene
 from .form import NEW, Cell, Cells, Form, excluded_by, laid_out
 from .goals import maker_of
 from .kinds import KINDS
 from .program_trial import Finding, Placed, check
-from .values import Entry, Heading, Path, entries_of, input_text, problem_of
+from .values import Entry, Heading, Path, entries_of, input_text
 
 LARGEST_TRIED = 64 * 1024
 """In a larger program choices are not tried out before they are offered: it takes too long."""
@@ -71,6 +72,15 @@ class Filled:
     def all_problems(self) -> list[Finding]:
         """What is wrong in it and in what it needs."""
         return [*(each for maker in self.makers for each in maker.all_problems), *self.problems]
+
+
+def filled_of(form: Form, filled: Sequence[Filled]) -> Filled | None:
+    """Return a form as it is filled, among some and those that make what they need."""
+    for each in filled:
+        found = each if each.form is form else filled_of(form, each.makers)
+        if found is not None:
+            return found
+    return None
 
 
 class Filler:
@@ -173,8 +183,9 @@ class Filler:
             if problem is not None:
                 filled.problems.append(Finding(form, slot.name, problem))
             if slot.kind.form is Written.VALUES:
+                sources = sources_of(ask)
                 for entry in filled.used:
-                    problem = problem_of(entry, filled.given[entry.path], ask.version)
+                    problem = sources.problem(entry, filled.given[entry.path])
                     if problem is not None:
                         finding = Finding(form, slot.name, problem, path=entry.path)
                         filled.problems.append(finding)
@@ -196,6 +207,20 @@ class Filler:
             before[each.name] = filled.cells[each.name]
         shown = Filled(filled.form, filled.base, filled.scene, before, filled.around)
         return KINDS[slot.kind].choices(self.ask(shown, slot), query)
+
+    def value_choices(self, filled: Filled, slot: Slot, path: Path) -> list[Choice]:
+        """Return what can be taken for a field of the values."""
+        sources = sources_of(self.ask(filled, slot))
+        entries = (each for each in filled.entries if isinstance(each, Entry))
+        return [
+            choice
+            for each in entries
+            if each.path == path
+            for choice in (
+                *(Choice(str(constant.value), constant.name) for constant in each.constants),
+                *sources.choices(each),
+            )
+        ]
 
     def _try(self, filled: Filled, slot: Slot, text: str, depth: int) -> Trial:
         scene = filled.base
