@@ -140,8 +140,9 @@ def fitting(
         catalog: the types.
     """
     version = catalog.ros_version
-    own = [name for name, each in parameters.items() if fits(type_, each, version)]
-    yield from _parameters(own, ())
+    for name, each in parameters.items():
+        if each.holds is not None and fits(type_, each, version):
+            yield Candidate(f"parameter '{name}'", each.holds.value)
     kind = what_of(type_, version).kind
 
     def is_turned(part: Part) -> bool:

@@ -47,7 +47,7 @@ class Sources:
         """Return what a field can take as it is."""
         if entry.type not in self._known:
             self._known[entry.type] = [
-                Choice(each.text, each.detail or "as that says")
+                Choice(each.text, each.detail)
                 for each in fitting(entry.type, self.parameters, self.heard, self.catalog)
             ]
         return self._known[entry.type]

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import Enum, auto
+from typing import NamedTuple
 
 from plastron_tui.language import Declaration, SlotKind
+from plastron_tui.language import statements as st
 from plastron_tui.model.kinds import INTERFACES
 from plastron_tui.session import Session
 
@@ -13,7 +15,7 @@ from .ask import Choice
 from .context import Scene, Surroundings
 from .filling import Filled, Filler, filled_of
 from .form import Form
-from .goals import MORE_ABOUT, MORE_TITLE, Aim, aim_of, declarations_of
+from .goals import MORE_ABOUT, MORE_TITLE, Aim, aim_of, answering, declarations_of
 from .helps import helps_of
 from .menu import RECIPES, Offer
 from .program_trial import Finding, Outcome, Placed, check, node_of
@@ -68,6 +70,13 @@ class Look:
         return filled_of(form, self.filled)
 
 
+class Heard(NamedTuple):
+    """A topic that a node listens to."""
+
+    node: str
+    topic: str
+
+
 class Course:
     """The state of the wizard, without a screen.
 
@@ -114,6 +123,25 @@ class Course:
         self._is_recipes, self._is_more = True, False
         self.head = self.purpose = None
         self.at = 1
+
+    def answer(self, heard: Heard) -> None:
+        """Go on to what a node sends for each message of a topic."""
+        self.choose(None)
+        self.choose(answering())
+        form = self.main_form
+        assert form is not None
+        for kind, text in ((SlotKind.NODE, heard.node), (SlotKind.TRIGGER, heard.topic)):
+            slot = form.slot_of(kind)
+            if slot is not None:
+                form.enter(slot.name, text)
+
+    def heard(self, look: Look) -> Heard | None:
+        """Return what a node listens to by what was entered; None where that is something else."""
+        form = self.main_form
+        filled = None if form is None else look.of(form)
+        if filled is None or filled.form.declaration.type is not st.Subscribe:
+            return None
+        return Heard(filled.cells["node"].text, filled.cells["topic"].text)
 
     def is_chosen(self, offer: Offer) -> bool:
         """Tell whether an entry of the menu that is shown was taken before."""

@@ -30,6 +30,13 @@ from .values import Entry, Heading, Path
 Key = tuple[str, "Path | None"]
 
 
+_LEFT_OUT = {
+    SlotKind.TRIGGER: "or for each of a topic",
+    SlotKind.CONDITION: "always",
+}
+"""What is shown in a slot that is left out, where there is more to say of it."""
+
+
 class Put(Message):
     """Something was entered: a slot's text, or the value of a field."""
 
@@ -304,7 +311,8 @@ def _specs(filled: Filled) -> list[_Spec]:
         text = new_words(slot) if cell.is_new else cell.text
         label = slot.name.replace("_", " ")
         is_flag = slot.kind.form is Written.FLAG
-        placeholder = "left out" if slot.name in optional and not is_flag else ""
+        left_out = _LEFT_OUT.get(slot.kind, "left out")
+        placeholder = left_out if slot.name in optional and not is_flag else ""
         is_fixed = bool(cell.reason)
         note = cell.reason
         if slot.kind is SlotKind.LIBRARY:

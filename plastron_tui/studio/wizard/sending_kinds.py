@@ -93,7 +93,7 @@ class TriggerKind(Kind):
 
 def _deaf(ask: Ask) -> str:
     who = f"`{ask.node}`" if ask.node else "the node"
-    return f"{who} listens to no topic yet"
+    return f"{who} listens to no topic yet: let it react first"
 
 
 class ConditionKind(Kind):

@@ -245,6 +245,26 @@ def test_of_clauses_that_exclude_each_other_the_last_one_that_is_entered_stays(l
     assert [slot for slot in entered if filled[slot].text] == [last]
 
 
+def test_a_node_that_reacts_goes_on_to_send_for_each_message() -> None:
+    it = course(ROBOT)
+    form = form_after(it, MORE, REACT)
+    form.enter("topic", "joy")
+    form.enter("type", "Joy")
+    look = it.look()
+    heard = it.heard(look)
+    assert heard == ("robot", "joy") and look.outcome is not None
+    after = Course(look.outcome.session, it.surroundings)
+    after.answer(heard)
+    assert after.page.form is after.main_form is not None
+    assert written(after).endswith(" for_each 'joy'")
+
+
+def test_what_does_not_listen_leads_to_no_answer() -> None:
+    it = course(ROBOT)
+    form_after(it, MORE, SEND)
+    assert it.heard(it.look()) is None
+
+
 def test_a_clause_that_is_given_up_lets_the_suggestion_come_back() -> None:
     it = course(ROBOT)
     form = form_after(it, MORE, SEND)
@@ -289,7 +309,13 @@ def test_choices_that_work(
 FIXED = [
     (ROBOT, [MORE, HAVE], {"type": "string"}, "minimum", "only a number has a range"),
     (ROBOT, [MORE, SEND], {}, "condition", "only with a trigger"),
-    ("", [MAKE, SEND], {}, "trigger", "`talker` listens to no topic yet"),
+    (
+        "",
+        [MAKE, SEND],
+        {},
+        "trigger",
+        "`talker` listens to no topic yet: let it react first",
+    ),
 ]
 
 
