@@ -193,8 +193,8 @@ class Filler:
     def ask(self, filled: Filled, slot: Slot, depth: int = 0) -> Ask:
         """Return the question about a slot."""
 
-        def try_out(text: str) -> Trial:
-            return self._try(filled, slot, text, depth)
+        def try_out(text: str, without: frozenset[str]) -> Trial:
+            return self._try(filled, slot, text, depth, without)
 
         return Ask(filled.form, slot, filled.scene, filled.cells, try_out, filled.around, depth > 0)
 
@@ -222,11 +222,13 @@ class Filler:
             )
         ]
 
-    def _try(self, filled: Filled, slot: Slot, text: str, depth: int) -> Trial:
+    def _try(
+        self, filled: Filled, slot: Slot, text: str, depth: int, without: frozenset[str]
+    ) -> Trial:
         scene = filled.base
         if depth >= _DEEPEST or len(scene.text) > LARGEST_TRIED:
             return Trial(None, scene.lonely)
-        form = filled.form.trial(slot.name, text, filled.cells)
+        form = filled.form.trial(slot.name, text, filled.cells, without)
         key = (
             scene.text,
             form.declaration.kind,
@@ -235,7 +237,10 @@ class Filler:
             slot.name,
             depth,
             tuple(form.given.items()),
-            tuple((name, tuple(each.entered.items())) for name, each in form.makers.items()),
+            tuple(
+                (name, tuple(each.entered.items()), tuple(each.values.items()))
+                for name, each in form.makers.items()
+            ),
         )
         found = self._tried.get(key)
         if found is None:
@@ -248,12 +253,18 @@ class Filler:
         filled = self.fill(form, scene, depth=depth + 1)
         problems = filled.all_problems
         if problems:
-            return Trial(problems[0].message, scene.lonely, problems[0].slot)
+            return Trial(problems[0].message, scene.lonely, _needing(problems[0], form))
         outcome = check(scene.session, filled.written)
         lonely = Scene(outcome.session).lonely
         if not outcome.findings:
             return Trial(None, lonely)
-        return Trial(outcome.findings[0].words, lonely, outcome.findings[0].slot)
+        return Trial(outcome.findings[0].words, lonely, _needing(outcome.findings[0], form))
+
+
+def _needing(finding: Finding, form: Form) -> str:
+    """Return the slot of a form that what is wrong is in, or that needs the form which it is in."""
+    needs = (name for name, maker in form.makers.items() if maker is finding.form)
+    return next(needs, finding.slot)
 
 
 def _clause_problems(filled: Filled) -> Iterator[Finding]:

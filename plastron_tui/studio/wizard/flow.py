@@ -22,7 +22,7 @@ from .program_trial import Finding, Outcome, Placed, check, node_of
 from .values import Path
 from .where_mended import where_mended
 
-SEARCHED = tuple(INTERFACES)
+SEARCHED = (*INTERFACES, SlotKind.CONDITION)
 """The slots whose choices are what a search finds, not a list that is narrowed down."""
 
 MOST_CHOICES = 200

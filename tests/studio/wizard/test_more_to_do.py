@@ -281,6 +281,18 @@ CHOICES = [
     (SEND, {}, "trigger", "", ["scan", "go"]),
     (SEND, {"trigger": "go"}, "condition", "", ["received.data = True"]),
     (SEND, {"trigger": "scan"}, "condition", "ranges", ["any received.ranges < 0.5"]),
+    (SEND, {"trigger": "scan"}, "condition", "", ["received.angle_min < 0.5"]),
+    (
+        SEND,
+        {"trigger": "scan"},
+        "condition",
+        "received.range",
+        ["received.range_min < 0.5", "received.range_max < 0.5", "any received.ranges < 0.5"],
+    ),
+    (SEND, {"trigger": "scan"}, "condition", "ranges <= 0.3", ["any received.ranges < 0.3"]),
+    (SEND, {"trigger": "scan"}, "condition", "all ranges>2", ["all received.ranges > 2"]),
+    (SEND, {"trigger": "scan"}, "condition", "ranges[0] =", ["received.ranges[0] = 0.5"]),
+    (SEND, {"trigger": "scan"}, "condition", "near", ["received.angle_min < 0.5"]),
     (SEND, {"type": "String"}, "qos", "", ["", "system_default", "latched", "reliable"]),
     (SEND, {"type": "Imu"}, "qos", "", ["", "sensor_data", "system_default"]),
     (SEND, {"type": "Imu"}, "qos", "reliable", ["reliable, sensor_data", "reliable, volatile"]),
@@ -304,6 +316,47 @@ def test_choices_that_work(
     for text in found:
         form.enter(slot, text)
         assert it.blocking(it.look()) == (), text
+
+
+CONDITIONS = [
+    ("scan", "ranges < 0.3", "write `any received.ranges < 0.3`"),
+    ("scan", "near", "such as `received.angle_min < 0.5`"),
+    ("go", "data", "such as `received.data = True`"),
+    ("go", "", None),
+]
+
+
+@pytest.mark.parametrize(("trigger", "text", "words"), CONDITIONS)
+def test_a_condition_is_explained_with_a_field_of_what_arrives(
+    trigger: str, text: str, words: str | None
+) -> None:
+    it = course(ROBOT)
+    form = form_after(it, MORE, SEND)
+    form.enter("trigger", trigger)
+    form.enter("condition", text)
+    found = [each.words for each in it.look().problems]
+    assert (words is None and not found) or (words is not None and found[0].endswith(words))
+
+
+TYPES = [
+    (SEND, "topic", "goal_pose", "PoseStamped"),
+    (REACT, "topic", "robot/initialpose", "PoseWithCovarianceStamped"),
+    (REACT, "topic", "something", "String"),
+    (ANSWER, "service", "add", "AddTwoInts"),
+    (ASK, "service", "math/add_two_ints", "AddTwoInts"),
+]
+
+
+@pytest.mark.parametrize("library", ["rclpy", "rospy"])
+@pytest.mark.parametrize(("way", "slot", "name", "type_"), TYPES)
+def test_a_usual_name_brings_its_type(
+    way: str, slot: str, name: str, type_: str, library: str
+) -> None:
+    it = course(f"create_node 'robot' as robot using {library}\n")
+    form = form_after(it, MORE, way)
+    form.enter(slot, name)
+    look = it.look()
+    assert look.problems == () and look.filled[0].cells["type"].text == type_
 
 
 FIXED = [

@@ -213,13 +213,50 @@ def test_a_mistake_in_another_row_closes_nothing() -> None:
     it = course(TWO_NODES)
     form = form_after(it, MORE, SEND)
     form.entered = {"message": "NavSatFix"}
-    assert closed(it, "node") == {"listener": "", "talker": ""}
+    assert closed(it, "node") == {"listener": "", "talker": "", NEW: ""}
     # What is closed by the choice itself stays closed, though it is the only one.
     form.entered = {"topic": "chatter"}
     it = course("create_message number of message_type Int32 and input 5\n" + TWO_NODES)
     form = form_after(it, MORE, SEND)
     form.entered = {"topic": "chatter"}
     assert "`chatter` is of type" in closed(it, "message")["number"]
+
+
+SPOILT = """\
+create_node 'ears' as ears
+subscribe ears to 'cmd_vel' of message_type Twist
+ears provides_service 'sum' of service_type AddTwoInts
+create_node 'eye' as eye
+eye has_parameter 'rate' of parameter_type float with default 1
+"""
+WRONG = [
+    (SEND, {"qos": "joy"}, "topic", "cmd_vel"),
+    (SEND, {"rate": "1 hz"}, "topic", "cmd_vel"),
+    (SEND, {"rate": "1 hz", "qos": "joy"}, "topic", "cmd_vel"),
+    (SEND, {"message": "nothing"}, "topic", "cmd_vel"),
+    (SEND, {"message": NEW, "variable": "1st"}, "topic", "cmd_vel"),
+    (SEND, {"message": NEW, "linear.x": "fast"}, "topic", "cmd_vel"),
+    (ASK, {"rate": "1 hz"}, "service", "sum"),
+    (ASK, {"a": "many"}, "service", "sum"),
+]
+
+
+@pytest.mark.parametrize(("way", "wrong", "slot", "suggested"), WRONG)
+def test_a_mistake_in_one_row_changes_no_suggestion_of_another(
+    way: str, wrong: dict[str, str], slot: str, suggested: str
+) -> None:
+    it = course(SPOILT)
+    form = form_after(it, MORE, way)
+    slots = {each.name for each in form.declaration.slots}
+    form.entered = {name: text for name, text in wrong.items() if name in slots}
+    makers = it.look().filled[0].makers
+    for name, text in wrong.items():
+        if name == "variable":
+            makers[0].form.entered[name] = text
+        elif name not in slots:
+            (makers[0].form if makers else form).values[tuple(name.split("."))] = text
+    look = it.look()
+    assert look.problems and look.filled[0].cells[slot].text == suggested
 
 
 def test_what_would_leave_a_node_idle_is_closed() -> None:
