@@ -71,8 +71,7 @@ class Unsubscribe(Statement):
     example="talker publish greeting to 'chatter' of message_type String at 2 hz",
     purpose="send something, at a rate, once, or when something arrives",
     ros_term="publisher",
-    about="A message goes out on a topic: so many times a second, once, or for each message that "
-    "arrives, such as a stop when something is near.",
+    about="A message goes to all who listen: again and again, or to stop when something is near.",
 )
 class Publish(Statement):
     """Let a node send a message to a topic: at a rate, once, or for each that arrives."""

@@ -90,9 +90,11 @@ class FormPage(Vertical):
         Binding("pageup", "choose(-6)", "Choices back", show=False),
     ]
 
-    def __init__(self, form: Form) -> None:
+    def __init__(self, form: Form, start: Key | None = None) -> None:
+        """Make the page; the row `start` gets the focus, where it is there, or else the first."""
         super().__init__(id="wizard-form")
         self.form = form
+        self._start = start
         self.problems: tuple[Finding, ...] = ()
         self.choices: list[Choice] = []
         self._shapes: list[tuple[object, ...]] = []
@@ -142,7 +144,7 @@ class FormPage(Vertical):
 
     async def _build(self, specs: Sequence[_Spec], shapes: list[tuple[object, ...]]) -> None:
         """Make the rows from the first one on that is another than before."""
-        here = self.key_here
+        here, self._start = self.key_here or self._start, None
         pairs = zip(self._shapes, shapes, strict=False)
         kept = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
         self._shapes = shapes

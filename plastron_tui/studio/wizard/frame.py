@@ -63,6 +63,8 @@ class Frame(Paged, Dialog[str]):
         self._items: list[Item] = []
         self._actions: list[str] = []
         self._heard: Heard | None = None
+        # By form, the row that had the focus last.
+        self._places: dict[Form, Key] = {}
         self._shown: tuple[bool, Page] | None = None
 
     def changed(self) -> None:
@@ -123,7 +125,7 @@ class Frame(Paged, Dialog[str]):
             self._items, self._actions = list(items.values()), list(items)
             return MenuPage(strings.DONE, self._items)
         if page.kind is PageKind.FORM and page.form is not None:
-            return FormPage(page.form)
+            return FormPage(page.form, self._places.get(page.form))
         if page.kind is PageKind.REVIEW:
             offer = f"write {view.look.node} to its file, too" if view.look.can_generate else ""
             return ReviewPage(strings.review(view.look), offer, course.generates)

@@ -186,6 +186,9 @@ class Wizard(Frame):
     @on(Looked)
     def looked(self) -> None:
         """Look up the choices of another row."""
+        page = self._form_page
+        if page is not None and page.key_here is not None:
+            self._places[page.form] = page.key_here
         self.changed()
 
     @on(Generates)
@@ -296,6 +299,7 @@ class Wizard(Frame):
         self.app.bell()
         page = self.course.page
         if finding.form is not None and finding.form is not page.form:
+            self._places[finding.form] = (finding.slot, finding.path)
             number = self.course.page_of(finding.form, look)
             if number is not None:
 

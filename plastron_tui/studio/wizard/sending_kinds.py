@@ -79,7 +79,7 @@ class TriggerKind(Kind):
     def fixed(self, ask: Ask) -> Cell | None:
         """Return that there is none where the node listens to nothing."""
         is_open = ask.scene.heard(ask.node) or ask.form.entered.get(ask.slot.name)
-        return None if is_open else Cell("", _deaf(ask))
+        return None if is_open else Cell("", "it listens to nothing yet")
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return what the node listens to."""
@@ -92,13 +92,8 @@ class TriggerKind(Kind):
         if text in heard:
             return None
         if not heard:
-            return _deaf(ask)
+            return f"`{ask.node}` listens to no topic yet"
         return f"`{ask.node}` does not listen to `{text}`, but to {listed(list(heard))}"
-
-
-def _deaf(ask: Ask) -> str:
-    who = f"`{ask.node}`" if ask.node else "the node"
-    return f"{who} listens to no topic yet: let it react first"
 
 
 class ConditionKind(Kind):

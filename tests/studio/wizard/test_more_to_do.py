@@ -367,7 +367,7 @@ FIXED = [
         [MAKE, SEND],
         {},
         "trigger",
-        "`talker` listens to no topic yet: let it react first",
+        "it listens to nothing yet",
     ),
 ]
 
