@@ -64,6 +64,9 @@ class NewVariableKind(Kind):
         wanted = mended_node_name(name, 1) or name
         if not is_variable(wanted):
             wanted = "message" if ask.slot.kind is SlotKind.NEW_MESSAGE else "node"
+        # What several nodes send on one topic is told apart by who sends it.
+        if ask.form.parent is not None and wanted in ask.scene.taken and ask.node:
+            wanted = f"{ask.node}_{wanted}"
         return ask.scene.free(f"{wanted}_node" if wanted in KEYWORDS else wanted)
 
     def problem(self, ask: Ask, text: str) -> str | None:

@@ -338,6 +338,15 @@ def test_a_condition_is_explained_with_a_field_of_what_arrives(
     assert (words is None and not found) or (words is not None and found[0].endswith(words))
 
 
+def test_what_two_nodes_send_is_called_after_them() -> None:
+    taken = "create_message go_message of message_type String and input none"
+    it = course(f"create_node 'left' as left\n{taken}\n")
+    form = form_after(it, MORE, SEND)
+    for topic, message in (("away", "away_message"), ("go", "left_go_message")):
+        form.entered = {"message": NEW, "topic": topic}
+        assert it.look().filled[0].cells["message"].text == message
+
+
 TYPES = [
     (SEND, "topic", "goal_pose", "PoseStamped"),
     (REACT, "topic", "robot/initialpose", "PoseWithCovarianceStamped"),
@@ -362,13 +371,7 @@ def test_a_usual_name_brings_its_type(
 FIXED = [
     (ROBOT, [MORE, HAVE], {"type": "string"}, "minimum", "only a number has a range"),
     (ROBOT, [MORE, SEND], {}, "condition", "only with a trigger"),
-    (
-        "",
-        [MAKE, SEND],
-        {},
-        "trigger",
-        "it listens to nothing yet",
-    ),
+    ("", [MAKE, SEND], {}, "trigger", "it listens to nothing yet"),
 ]
 
 
