@@ -33,7 +33,8 @@ class CreateMessage(Statement):
     example="subscribe listener to 'chatter' of message_type String",
     purpose="react to what others send",
     ros_term="subscriber",
-    about="A function of the node is called with each message that arrives on a topic.",
+    about="A function of the node is called with each message that arrives on a topic. "
+    "What it sends for each of them comes next.",
 )
 class Subscribe(Statement):
     """Let a node listen to a topic."""
@@ -66,14 +67,14 @@ class Unsubscribe(Statement):
     "publish_statement",
     "{node} publish {message} to {topic} of message_type {type}"
     " [at {rate} hz | {once} | for_each {trigger} [when {condition}]] [with qos {qos}]",
-    summary="Let a node send a message to a topic, again and again.",
+    summary="Let a node send a message to a topic: at a rate, once, or for each that arrives.",
     example="talker publish greeting to 'chatter' of message_type String at 2 hz",
-    purpose="send something, again and again",
+    purpose="send something, at a rate, once, or when something arrives",
     ros_term="publisher",
-    about="A message goes out on a topic, so many times a second; whoever listens gets it.",
+    about="A message goes to all who listen: again and again, or to stop when something is near.",
 )
 class Publish(Statement):
-    """Let a node send a message to a topic, again and again."""
+    """Let a node send a message to a topic: at a rate, once, or for each that arrives."""
 
     node: str = slot(SlotKind.NODE, "the node that sends")
     message: str = slot(SlotKind.MESSAGE, "the message that it sends")
@@ -84,8 +85,12 @@ class Publish(Statement):
         "how often, in hertz; without it 10, or as often as the loop of a loaded file",
     )
     once: bool = slot(SlotKind.ONCE, "sent once, and to each who listens later")
-    trigger: str | None = slot(SlotKind.TRIGGER, "sent for each message that arrives on this topic")
-    condition: Condition | None = slot(SlotKind.CONDITION, "what must hold of what arrives")
+    trigger: str | None = slot(
+        SlotKind.TRIGGER, "instead of at a rate, for each message that arrives on this topic"
+    )
+    condition: Condition | None = slot(
+        SlotKind.CONDITION, "what must hold of what arrives; without it, each is answered"
+    )
     qos: QosWords | None = slot(SlotKind.QOS, QOS_HELP)
 
 

@@ -127,6 +127,26 @@ def is_too_large(number: object) -> bool:
     return isinstance(number, float) and abs(number) > LARGEST_FLOAT
 
 
+def fits(type_: FieldType, source: Parameter | FieldType, ros_version: int) -> bool:
+    """Tell whether a field can be what a parameter holds, or what a received field does.
+
+    Args:
+        type_: the type of the field.
+        source: the parameter, or the type of what is received.
+        ros_version: the generation of ROS.
+    """
+    if isinstance(source, FieldType):
+        value = Computed(OfReceived(()), (), type_)
+        found = what_of(source, ros_version)
+        return not (_misfit(value, found, ros_version) or _too_long(value, source))
+    if source.holds is None:
+        return False
+    value = Computed(OfParameter(source.name), (), type_)
+    if _misfit(value, _what_of_parameter(source), ros_version) or _too_long(value, None):
+        return False
+    return source.default is None or not _unfit_default(value, source, ros_version)
+
+
 def _what_of_parameter(parameter: Parameter) -> What:
     assert parameter.holds is not None  # `find_parameter` has seen to it
     return What(_PARAMETERS[parameter.holds.element], parameter.holds.is_list)

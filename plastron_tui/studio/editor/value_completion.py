@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from plastron_tui.language import SlotKind
 from plastron_tui.language.expectations import Expectation, ValuePlace
-from plastron_tui.model.kinds import INTERFACES
-from plastron_tui.ros.interfaces import Field, Interface, InterfaceKind
+from plastron_tui.model.kinds import INTERFACES, Parameter
+from plastron_tui.model.kinds.computed import fits, what_of
+from plastron_tui.ros.interfaces import Field, FieldType, Interface, InterfaceKind
 
 from .candidate import Candidate
 from .vocabulary import Vocabulary
@@ -21,6 +22,7 @@ _RECEIVED = "received."
 _OPERATORS = frozenset({"<", "=", ">"})
 _BEFORE_VALUE = frozenset({"=", ",", "(", "["})
 _TRUTH = (Candidate("True"), Candidate("False"))
+_DEEPEST = 4
 
 
 def resolver(catalog: Catalog) -> TypeResolver:
@@ -87,16 +89,17 @@ def conditions(
             yield each.candidate
 
 
-class _Part:
+class Part:
     """A field of what is received, by its whole path."""
 
     def __init__(self, path: str, field: Field) -> None:
+        self.path = path
         self.field = field
         is_whole = field.type.message is not None and not field.type.is_array
         self.candidate = Candidate(path, str(field.type), "." if is_whole else "")
 
 
-def _received(fields: Sequence[Field], prefix: str, catalog: Catalog) -> Iterator[_Part]:
+def _received(fields: Sequence[Field], prefix: str, catalog: Catalog) -> Iterator[Part]:
     """Yield the fields that go on from what is written."""
     _, *parents, _ = prefix.split(".") if prefix.startswith(_RECEIVED) else ("", "")
     inner: Sequence[Field] = fields
@@ -104,7 +107,53 @@ def _received(fields: Sequence[Field], prefix: str, catalog: Catalog) -> Iterato
         inner = _fields_in(_field(tuple(fields), ".".join(parents), catalog), catalog) or ()
     start = "".join(f"{parent}." for parent in parents)
     for field in inner:
-        yield _Part(f"{_RECEIVED}{start}{field.name}", field)
+        yield Part(f"{_RECEIVED}{start}{field.name}", field)
+
+
+def all_received(fields: Sequence[Field], catalog: Catalog) -> Iterator[Part]:
+    """Yield the fields of what is received, each before those that are in it, the header last."""
+
+    def within(prefix: str) -> Iterator[Part]:
+        for part in sorted(_received(fields, prefix, catalog), key=_is_header):
+            yield part
+            if part.candidate.after and part.path.count(".") < _DEEPEST:
+                yield from within(f"{part.path}.")
+
+    yield from within("")
+
+
+def _is_header(part: Part) -> bool:
+    return part.field.type.package == "std_msgs" and part.field.type.name == "Header"
+
+
+def fitting(
+    type_: FieldType, parameters: Mapping[str, Parameter], heard: Sequence[Field], catalog: Catalog
+) -> Iterator[Candidate]:
+    """Offer the parameters, and the parts of what is received, that a field can be as they are.
+
+    What holds the same kind of values comes before what can be turned into it.
+
+    Args:
+        type_: the type of the field.
+        parameters: those of the node, by the names that programs write.
+        heard: the fields of what is received then.
+        catalog: the types.
+    """
+    version = catalog.ros_version
+    for name, each in parameters.items():
+        if each.holds is not None and fits(type_, each, version):
+            yield Candidate(f"parameter '{name}'", each.holds.value)
+    kind = what_of(type_, version).kind
+
+    def is_turned(part: Part) -> bool:
+        return what_of(part.field.type, version).kind != kind
+
+    for part in sorted(all_received(heard, catalog), key=is_turned):
+        given = part.field.type
+        if fits(type_, given, version):
+            yield Candidate(part.path, str(given))
+        elif given.is_array and fits(type_, given.element, version):
+            yield Candidate(f"{part.path}[0]", f"the first of {given}")
 
 
 def _heard_fields(
@@ -118,8 +167,13 @@ def _heard_fields(
     elif "variable" in filled:
         types = vocabulary.heard_with(filled["variable"])
         found = [catalog.find(type_, InterfaceKind.MESSAGE) for type_ in types]
+    yield from fields_of(found)
+
+
+def fields_of(found: Iterable[object]) -> Iterable[Field]:
+    """Return the fields of all types among what was found, one of each name."""
     fields = [field for each in found if isinstance(each, Interface) for field in each.fields]
-    yield from {field.name: field for field in fields}.values()
+    return {field.name: field for field in fields}.values()
 
 
 # Values.

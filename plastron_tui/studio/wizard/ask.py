@@ -30,7 +30,8 @@ class Trial(NamedTuple):
     Attributes:
         reason: why it cannot be, None when it can.
         lonely: how many topics, services and actions lack a side then.
-        slot: the slot that the reason is about, "" where it is about something else.
+        slot: the slot that the reason is about, or that needs what it is about; "" where it is
+            about something else.
     """
 
     reason: str | None
@@ -65,7 +66,8 @@ class Ask:
     slot: Slot
     scene: Scene
     cells: Cells
-    try_out: Callable[[str], Trial]
+    try_out: Callable[[str, frozenset[str]], Trial]
+    """Tell what comes of a text in the slot, without what was entered in some others."""
     around: Cells = field(default_factory=dict)
     """The cells of the form that this one makes something for."""
     is_trial: bool = False

@@ -9,13 +9,15 @@ from pathlib import Path
 
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.keywords import KEYWORDS
-from plastron_tui.model.kinds import EDITABLE, Parameter, Subscription
+from plastron_tui.model.kinds import EDITABLE, Parameter
 from plastron_tui.model.types import TypeResolver
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.names import resolved_name
 from plastron_tui.session import Session
 from plastron_tui.targets import ros_version
+
+from ..editor.vocabulary import Vocabulary
 
 
 @dataclass(slots=True)
@@ -148,17 +150,18 @@ class Scene:
         kinds = (kind for kind in EDITABLE if kind.editing.ended_by is statement)
         return [kind.written(name) for kind in kinds for name in node.names(kind)]
 
-    def parameters(self, variable: str) -> dict[str, Parameter]:
-        """Return the parameters of a node, by the names that programs write."""
-        node = self.workspace.nodes.get(variable)
-        found = {} if node is None else node.of(Parameter)
-        return {name.removeprefix("~/"): each for name, each in found.items()}
+    @cached_property
+    def vocabulary(self) -> Vocabulary:
+        """The names of the program, as completion has them."""
+        return Vocabulary(self.session.program, self.workspace)
+
+    def parameters(self, variable: str | None) -> dict[str, Parameter]:
+        """Return the parameters of a node, of all nodes for None, by the names programs write."""
+        return self.vocabulary.parameters(variable)
 
     def heard(self, variable: str) -> dict[str, InterfaceName | None]:
         """Return the types of what a node listens to, by topic."""
-        node = self.workspace.nodes.get(variable)
-        found = {} if node is None else node.of(Subscription)
-        return {name: each.type for name, each in found.items()}
+        return {name: each.type for name, each in self.vocabulary.heard(variable).items()}
 
 
 def free_name(wanted: str, taken: Iterable[str]) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from plastron_tui.language import Slot, SlotKind
@@ -10,12 +10,13 @@ from plastron_tui.language.declaration import Form as Written
 from plastron_tui.model.kinds import INTERFACES
 
 from .ask import Ask, Choice, Trial
+from .computed_values import sources_of
 from .context import Scene
 from .form import NEW, Cell, Cells, Form, excluded_by, laid_out
 from .goals import maker_of
 from .kinds import KINDS
 from .program_trial import Finding, Placed, check
-from .values import Entry, Heading, Path, entries_of, input_text, problem_of
+from .values import Entry, Heading, Path, entries_of, input_text
 
 LARGEST_TRIED = 64 * 1024
 """In a larger program choices are not tried out before they are offered: it takes too long."""
@@ -71,6 +72,15 @@ class Filled:
     def all_problems(self) -> list[Finding]:
         """What is wrong in it and in what it needs."""
         return [*(each for maker in self.makers for each in maker.all_problems), *self.problems]
+
+
+def filled_of(form: Form, filled: Sequence[Filled]) -> Filled | None:
+    """Return a form as it is filled, among some and those that make what they need."""
+    for each in filled:
+        found = each if each.form is form else filled_of(form, each.makers)
+        if found is not None:
+            return found
+    return None
 
 
 class Filler:
@@ -173,8 +183,9 @@ class Filler:
             if problem is not None:
                 filled.problems.append(Finding(form, slot.name, problem))
             if slot.kind.form is Written.VALUES:
+                sources = sources_of(ask)
                 for entry in filled.used:
-                    problem = problem_of(entry, filled.given[entry.path], ask.version)
+                    problem = sources.problem(entry, filled.given[entry.path])
                     if problem is not None:
                         finding = Finding(form, slot.name, problem, path=entry.path)
                         filled.problems.append(finding)
@@ -182,8 +193,8 @@ class Filler:
     def ask(self, filled: Filled, slot: Slot, depth: int = 0) -> Ask:
         """Return the question about a slot."""
 
-        def try_out(text: str) -> Trial:
-            return self._try(filled, slot, text, depth)
+        def try_out(text: str, without: frozenset[str]) -> Trial:
+            return self._try(filled, slot, text, depth, without)
 
         return Ask(filled.form, slot, filled.scene, filled.cells, try_out, filled.around, depth > 0)
 
@@ -197,11 +208,27 @@ class Filler:
         shown = Filled(filled.form, filled.base, filled.scene, before, filled.around)
         return KINDS[slot.kind].choices(self.ask(shown, slot), query)
 
-    def _try(self, filled: Filled, slot: Slot, text: str, depth: int) -> Trial:
+    def value_choices(self, filled: Filled, slot: Slot, path: Path) -> list[Choice]:
+        """Return what can be taken for a field of the values."""
+        sources = sources_of(self.ask(filled, slot))
+        entries = (each for each in filled.entries if isinstance(each, Entry))
+        return [
+            choice
+            for each in entries
+            if each.path == path
+            for choice in (
+                *(Choice(str(constant.value), constant.name) for constant in each.constants),
+                *sources.choices(each),
+            )
+        ]
+
+    def _try(
+        self, filled: Filled, slot: Slot, text: str, depth: int, without: frozenset[str]
+    ) -> Trial:
         scene = filled.base
         if depth >= _DEEPEST or len(scene.text) > LARGEST_TRIED:
             return Trial(None, scene.lonely)
-        form = filled.form.trial(slot.name, text, filled.cells)
+        form = filled.form.trial(slot.name, text, filled.cells, without)
         key = (
             scene.text,
             form.declaration.kind,
@@ -210,7 +237,10 @@ class Filler:
             slot.name,
             depth,
             tuple(form.given.items()),
-            tuple((name, tuple(each.entered.items())) for name, each in form.makers.items()),
+            tuple(
+                (name, tuple(each.entered.items()), tuple(each.values.items()))
+                for name, each in form.makers.items()
+            ),
         )
         found = self._tried.get(key)
         if found is None:
@@ -223,12 +253,18 @@ class Filler:
         filled = self.fill(form, scene, depth=depth + 1)
         problems = filled.all_problems
         if problems:
-            return Trial(problems[0].message, scene.lonely, problems[0].slot)
+            return Trial(problems[0].message, scene.lonely, _needing(problems[0], form))
         outcome = check(scene.session, filled.written)
         lonely = Scene(outcome.session).lonely
         if not outcome.findings:
             return Trial(None, lonely)
-        return Trial(outcome.findings[0].words, lonely, outcome.findings[0].slot)
+        return Trial(outcome.findings[0].words, lonely, _needing(outcome.findings[0], form))
+
+
+def _needing(finding: Finding, form: Form) -> str:
+    """Return the slot of a form that what is wrong is in, or that needs the form which it is in."""
+    needs = (name for name, maker in form.makers.items() if maker is finding.form)
+    return next(needs, finding.slot)
 
 
 def _clause_problems(filled: Filled) -> Iterator[Finding]:

@@ -2,24 +2,27 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from enum import Enum, auto
+from typing import NamedTuple
 
 from plastron_tui.language import Declaration, SlotKind
+from plastron_tui.language import statements as st
 from plastron_tui.model.kinds import INTERFACES
 from plastron_tui.session import Session
 
 from .ask import Choice
 from .context import Scene, Surroundings
-from .filling import Filled, Filler
+from .filling import Filled, Filler, filled_of
 from .form import Form
-from .goals import MORE_ABOUT, MORE_TITLE, Aim, aim_of, declarations_of
+from .goals import MORE_ABOUT, MORE_TITLE, Aim, aim_of, answering, declarations_of
 from .helps import helps_of
 from .menu import RECIPES, Offer
 from .program_trial import Finding, Outcome, Placed, check, node_of
-from .values import Entry, Path
+from .values import Path
+from .where_mended import where_mended
 
-SEARCHED = tuple(INTERFACES)
+SEARCHED = (*INTERFACES, SlotKind.CONDITION)
 """The slots whose choices are what a search finds, not a list that is narrowed down."""
 
 MOST_CHOICES = 200
@@ -64,13 +67,14 @@ class Look:
 
     def of(self, form: Form) -> Filled | None:
         """Return a form as it is filled."""
+        return filled_of(form, self.filled)
 
-        def within(filled: Filled) -> Filled | None:
-            if filled.form is form:
-                return filled
-            return next((found for each in filled.makers if (found := within(each))), None)
 
-        return next((found for each in self.filled if (found := within(each))), None)
+class Heard(NamedTuple):
+    """A topic that a node listens to."""
+
+    node: str
+    topic: str
 
 
 class Course:
@@ -119,6 +123,25 @@ class Course:
         self._is_recipes, self._is_more = True, False
         self.head = self.purpose = None
         self.at = 1
+
+    def answer(self, heard: Heard) -> None:
+        """Go on to what a node sends for each message of a topic."""
+        self.choose(None)
+        self.choose(answering())
+        form = self.main_form
+        assert form is not None
+        for kind, text in ((SlotKind.NODE, heard.node), (SlotKind.TRIGGER, heard.topic)):
+            slot = form.slot_of(kind)
+            if slot is not None:
+                form.enter(slot.name, text)
+
+    def heard(self, look: Look) -> Heard | None:
+        """Return what a node listens to by what was entered; None where that is something else."""
+        form = self.main_form
+        filled = None if form is None else look.of(form)
+        if filled is None or filled.form.declaration.type is not st.Subscribe:
+            return None
+        return Heard(filled.cells["node"].text, filled.cells["topic"].text)
 
     def is_chosen(self, offer: Offer) -> bool:
         """Tell whether an entry of the menu that is shown was taken before."""
@@ -243,7 +266,7 @@ class Course:
         broken = {each.form for each in known}
         more = [
             each
-            for each in (_where_chosen(found, filled) for found in outcome.findings)
+            for each in (where_mended(found, filled) for found in outcome.findings)
             # What a slot knows of itself is said in its own words, and nothing that follows.
             if (each.form, each.slot, each.path) not in places
             and not (broken and (each.form in broken or each.form is None))
@@ -286,17 +309,13 @@ class Course:
 
     def choices(self, filled: Filled, slot: str, path: Path | None, query: str) -> list[Choice]:
         """Return what can be taken for a slot, or for a field of the values."""
-        if path is not None:
-            return [
-                Choice(str(constant.value), constant.name)
-                for each in filled.entries
-                if isinstance(each, Entry) and each.path == path
-                for constant in each.constants
-            ]
         found = next(each for each in filled.form.declaration.slots if each.name == slot)
-        if filled.cells[slot].reason:
+        if path is not None:
+            choices = self._filler.value_choices(filled, found, path)
+        elif filled.cells[slot].reason:
             return []
-        choices = self._filler.choices(filled, found, query)
+        else:
+            choices = self._filler.choices(filled, found, query)
         if found.kind not in SEARCHED:
             folded = query.strip().lower()
             fitting = [each for each in choices if folded in each.text.lower()]
@@ -375,20 +394,3 @@ class Course:
         anew = self._filled_anew(declaration, scene, filled)
         after = Scene(check(scene.session, anew.written).session)
         return after.lonely < scene.lonely
-
-
-def _where_chosen(finding: Finding, filled: list[Filled]) -> Finding:
-    """Return what is wrong in the form where it can be mended.
-
-    What a form takes over from the one that it makes something for is chosen there.
-    """
-    form = finding.form
-    if form is None or form.parent is None:
-        return finding
-    parent = form.parent[0]
-    known = Look(tuple(filled)).of(form)
-    slot = next((each for each in form.declaration.slots if each.name == finding.slot), None)
-    if known is None or slot is None or not known.cells[slot.name].reason:
-        return finding
-    there = parent.slot_of(slot.kind)
-    return finding if there is None else replace(finding, form=parent, slot=there.name)

@@ -7,12 +7,16 @@ from dataclasses import dataclass, field
 
 from plastron_tui.language import Declaration, Document, Slot, SlotKind, format_document
 from plastron_tui.language.declaration import Clause
+from plastron_tui.language.declaration import Form as Written
 from plastron_tui.language.sentence import sentence
 
 from .values import Path
 
 NEW = "\0new"
 """What is entered in a slot for: one that does not exist yet."""
+
+VALUES = tuple(kind for kind in SlotKind if kind.form is Written.VALUES)
+"""The slots whose values have a form of their own."""
 
 
 @dataclass(eq=False)
@@ -56,25 +60,39 @@ class Form:
             for other in excluded_by(self.declaration, slot):
                 self.entered.pop(other, None)
 
-    def trial(self, slot: str, text: str, cells: Cells) -> Form:
+    def has_entered(self, slot: str) -> bool:
+        """Tell whether something was entered in a slot, in its values or in the form it needs."""
+        values_slot = self.slot_of(*VALUES)
+        is_values = values_slot is not None and values_slot.name == slot
+        return slot in self.entered or slot in self.makers or (is_values and bool(self.values))
+
+    def trial(self, slot: str, text: str, cells: Cells, without: frozenset[str]) -> Form:
         """Return a form in which something else was entered; this one stays as it is.
 
-        What is in the slots before, as `cells` has it, stays there.
+        What is in the slots before, as `cells` has it, stays there. Of the slots in `without`
+        what was entered is left out: of one that needs a form of its own, in that.
         """
         kept = {
             name: NEW if cell.is_new else cell.text
             for name, cell in cells.items()
             if not cell.reason and name != slot
         }
+        values_slot = self.slot_of(*VALUES)
+        has_values = values_slot is None or values_slot.name not in without
         other = Form(
             self.declaration,
             {**self.entered, **kept},
-            dict(self.values),
+            dict(self.values) if has_values else {},
             self.parent,
             dict(self.given),
         )
         other.enter(slot, text)
+        for name in without:
+            if other.entered.get(name) != NEW:
+                other.entered.pop(name, None)
         for name, maker in self.makers.items():
+            if name in without:
+                continue
             copy = Form(maker.declaration, dict(maker.entered), dict(maker.values), (other, name))
             other.makers[name] = copy
         return other

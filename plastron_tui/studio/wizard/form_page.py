@@ -30,6 +30,13 @@ from .values import Entry, Heading, Path
 Key = tuple[str, "Path | None"]
 
 
+_LEFT_OUT = {
+    SlotKind.TRIGGER: "or for each of a topic",
+    SlotKind.CONDITION: "always",
+}
+"""What is shown in a slot that is left out, where there is more to say of it."""
+
+
 class Put(Message):
     """Something was entered: a slot's text, or the value of a field."""
 
@@ -83,9 +90,11 @@ class FormPage(Vertical):
         Binding("pageup", "choose(-6)", "Choices back", show=False),
     ]
 
-    def __init__(self, form: Form) -> None:
+    def __init__(self, form: Form, start: Key | None = None) -> None:
+        """Make the page; the row `start` gets the focus, where it is there, or else the first."""
         super().__init__(id="wizard-form")
         self.form = form
+        self._start = start
         self.problems: tuple[Finding, ...] = ()
         self.choices: list[Choice] = []
         self._shapes: list[tuple[object, ...]] = []
@@ -135,7 +144,7 @@ class FormPage(Vertical):
 
     async def _build(self, specs: Sequence[_Spec], shapes: list[tuple[object, ...]]) -> None:
         """Make the rows from the first one on that is another than before."""
-        here = self.key_here
+        here, self._start = self.key_here or self._start, None
         pairs = zip(self._shapes, shapes, strict=False)
         kept = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
         self._shapes = shapes
@@ -304,7 +313,8 @@ def _specs(filled: Filled) -> list[_Spec]:
         text = new_words(slot) if cell.is_new else cell.text
         label = slot.name.replace("_", " ")
         is_flag = slot.kind.form is Written.FLAG
-        placeholder = "left out" if slot.name in optional and not is_flag else ""
+        left_out = _LEFT_OUT.get(slot.kind, "left out")
+        placeholder = left_out if slot.name in optional and not is_flag else ""
         is_fixed = bool(cell.reason)
         note = cell.reason
         if slot.kind is SlotKind.LIBRARY:

@@ -15,7 +15,7 @@ from ..key_order import Paged
 from ..screens.dialog import Dialog
 from . import strings
 from .ask import Choice
-from .flow import Course, Look, Page, PageKind
+from .flow import Course, Heard, Look, Page, PageKind
 from .form import Form
 from .form_page import FormPage, Key
 from .menu import Offer
@@ -61,6 +61,10 @@ class Frame(Paged, Dialog[str]):
         self._is_stale = False
         self._offers: list[Offer] = []
         self._items: list[Item] = []
+        self._actions: list[str] = []
+        self._heard: Heard | None = None
+        # By form, the row that had the focus last.
+        self._places: dict[Form, Key] = {}
         self._shown: tuple[bool, Page] | None = None
 
     def changed(self) -> None:
@@ -117,10 +121,11 @@ class Frame(Paged, Dialog[str]):
     def _page_widget(self, page: Page, view: View) -> Widget:
         course = self.course
         if self.is_done:
-            self._items = strings.done_items(course.session)
+            items = strings.done_items(course.session, self._heard.topic if self._heard else "")
+            self._items, self._actions = list(items.values()), list(items)
             return MenuPage(strings.DONE, self._items)
         if page.kind is PageKind.FORM and page.form is not None:
-            return FormPage(page.form)
+            return FormPage(page.form, self._places.get(page.form))
         if page.kind is PageKind.REVIEW:
             offer = f"write {view.look.node} to its file, too" if view.look.can_generate else ""
             return ReviewPage(strings.review(view.look), offer, course.generates)

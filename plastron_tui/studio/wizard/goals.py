@@ -65,3 +65,12 @@ def maker_of(kind: SlotKind) -> Declaration | None:
 def generating() -> Declaration | None:
     """Return the statement that writes a node to its file."""
     return next((each for each in DECLARATIONS.values() if each.writes_file), None)
+
+
+def answering() -> Declaration:
+    """Return the statement that sends something for each message that arrives."""
+    return next(
+        each
+        for each in DECLARATIONS.values()
+        if any(slot.kind is SlotKind.TRIGGER for slot in each.slots)
+    )

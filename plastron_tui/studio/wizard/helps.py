@@ -8,6 +8,7 @@ from plastron_tui.language import Slot, SlotKind
 from plastron_tui.language.declaration import Form as Written
 
 from .ask import Ask
+from .computed_values import sources_of
 from .filling import Filled
 from .kinds import unanswered
 from .libraries import explained
@@ -24,8 +25,11 @@ def helps_of(filled: Filled, ask: Callable[[Slot], Ask]) -> dict[tuple[str, Path
         if slot.kind is SlotKind.LIBRARY:
             said[slot.name, None] = explained(ask(slot))
         if slot.kind.form is Written.VALUES:
+            sources = sources_of(ask(slot))
             for each in filled.entries:
                 if isinstance(each, Entry):
                     about = f": {each.comment}" if each.comment else ""
-                    said[slot.name, each.path] = f"{each.name} ({each.note}){about}"
+                    others = sources.example(each)
+                    others = f", or {others}" if others else ""
+                    said[slot.name, each.path] = f"{each.name} ({each.note}){others}{about}"
     return said

@@ -7,6 +7,9 @@ from plastron_tui.ros.names import NameProblem
 from .ask import Ask, Choice
 from .form import Cell
 
+OF_THE_LIST = "choose one with ↓"
+"""What to do where only what is offered will do."""
+
 
 class Kind:
     """A kind of slot."""

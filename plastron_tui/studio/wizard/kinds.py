@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import PurePath
 
 from plastron_tui.language import SlotKind
@@ -22,18 +22,15 @@ from .ask import Ask, Choice
 from .context import Meeting, free_name
 from .form import NEW, is_variable
 from .goals import maker_of
-from .kind import Kind, name_problem
+from .kind import OF_THE_LIST, Kind, name_problem
 from .libraries import LibraryKind
 from .node_files import FileKind, NodeOfFileKind
 from .parameter_kinds import BoundKind, DefaultKind, ParameterKind, ParameterTypeKind, TextKind
 from .rename_kinds import NamedKind, NewNameKind, OldNameKind
 from .sending_kinds import ConditionKind, FlagKind, QosKind, RateKind, TriggerKind
 from .taken_back import nothing_to_take, taken_back
+from .trials import closed_by, first_that_works, trials
 from .type_kinds import NAMES, TypeKind, name_for_type
-
-MOST_TRIALS = 12
-"""So many choices are tried out before they are offered; the rest is checked when it is taken."""
-
 
 _NODE_NAMES = ("talker", "listener", "watcher", "helper")
 
@@ -67,6 +64,9 @@ class NewVariableKind(Kind):
         wanted = mended_node_name(name, 1) or name
         if not is_variable(wanted):
             wanted = "message" if ask.slot.kind is SlotKind.NEW_MESSAGE else "node"
+        # What several nodes send on one topic is told apart by who sends it.
+        if ask.form.parent is not None and wanted in ask.scene.taken and ask.node:
+            wanted = f"{ask.node}_{wanted}"
         return ask.scene.free(f"{wanted}_node" if wanted in KEYWORDS else wanted)
 
     def problem(self, ask: Ask, text: str) -> str | None:
@@ -86,21 +86,6 @@ class NewVariableKind(Kind):
         return None
 
 
-def closed_by(ask: Ask, names: Sequence[str]) -> dict[str, str]:
-    """Return why some of the choices for a slot cannot be taken.
-
-    What was entered in another slot, and is wrong whatever is taken here, closes nothing.
-    """
-    tried = {name: ask.try_out(name) for name in names[:MOST_TRIALS]}
-    common = {(each.reason, each.slot) for each in tried.values()}
-    if len(common) == 1:
-        ((reason, slot),) = common
-        is_entered = slot != ask.slot.name and slot in ask.form.entered
-        if reason is not None and is_entered and not any(f"`{name}`" in reason for name in tried):
-            return {}
-    return {name: each.reason for name, each in tried.items() if each.reason is not None}
-
-
 class NodeKind(Kind):
     """A node of the program."""
 
@@ -108,9 +93,9 @@ class NodeKind(Kind):
         """Return what fits the rest of the form and of the program."""
         held = ask.held
         nodes = sorted(_last_first(ask), key=lambda variable: variable in held)
-        for variable in nodes[:MOST_TRIALS]:
-            if ask.try_out(variable).reason is None:
-                return variable
+        working = first_that_works(ask, nodes)
+        if working is not None:
+            return working
         if nodes:
             return nodes[0]
         return NEW if _can_make(ask) else ""
@@ -134,9 +119,9 @@ class NodeKind(Kind):
         if not ask.scene.workspace.nodes:
             return "there is no node yet: make one first"
         if not text:
-            return "a node is needed: choose one of the list"
+            return f"a node is needed: {OF_THE_LIST}"
         if text not in ask.scene.workspace.nodes:
-            return f"there is no node `{text}`: choose one of the list"
+            return f"there is no node `{text}`: {OF_THE_LIST}"
         return None
 
 
@@ -153,7 +138,7 @@ def _can_make(ask: Ask) -> bool:
     """Tell whether one that does not exist yet would do."""
     if maker_of(ask.slot.kind) is None:
         return False
-    return ask.try_out(NEW).reason is None
+    return first_that_works(ask, [NEW]) is not None
 
 
 class MessageKind(Kind):
@@ -168,10 +153,8 @@ class MessageKind(Kind):
             for publisher in node.of(Publisher).values()
             for publication in publisher.publications
         }
-        for variable in [name for name in reversed(workspace.messages) if name not in sent][:3]:
-            if ask.try_out(variable).reason is None:
-                return variable
-        return NEW
+        unsent = [name for name in reversed(workspace.messages) if name not in sent]
+        return first_that_works(ask, unsent[:3]) or NEW
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return what there is, and what is closed."""
@@ -192,7 +175,7 @@ class MessageKind(Kind):
             return f"`{text}` is a type: take `a new message` here, and the type comes further down"
         if not text or not ask.scene.workspace.messages:
             return "a message is needed: take `a new message`, or another one of the list"
-        return f"there is no message `{text}`: choose one of the list"
+        return f"there is no message `{text}`: {OF_THE_LIST}"
 
 
 class MeetingKind(Kind):
@@ -216,11 +199,11 @@ class MeetingKind(Kind):
             for each in self._names(ask)
             if each.name not in held and ask.node not in (*each.senders, *each.takers)
         ]
-        for meeting in [] if ask.is_trial else there[:MOST_TRIALS]:
-            tried = ask.try_out(meeting.name)
-            helps = tried.lonely < ask.scene.lonely or not (sends or meeting.is_lonely)
+        met = {} if ask.is_trial else {each.name: each for each in there}
+        for name, tried in trials(ask, list(met)):
+            helps = tried.lonely < ask.scene.lonely or not (sends or met[name].is_lonely)
             if tried.reason is None and helps:
-                return meeting.name
+                return name
         known = ask.scene.meetings(ask.interface, ask.version)
         message = ask.scene.workspace.messages.get(ask.text(SlotKind.MESSAGE))
         wanted = name_for_type(ask.interface, None if message is None else message.value.type)

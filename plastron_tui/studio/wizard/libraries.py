@@ -8,7 +8,7 @@ from plastron_tui.targets import LIBRARIES, has_target, ros_version
 
 from .ask import Ask, Choice
 from .context import Scene
-from .kind import Kind
+from .kind import OF_THE_LIST, Kind
 
 
 class LibraryKind(Kind):
@@ -37,7 +37,7 @@ class LibraryKind(Kind):
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell why there is no such library."""
         if text not in LIBRARIES:
-            return f"there is no client library `{text}`: choose one of the list"
+            return f"there is no client library `{text}`: {OF_THE_LIST}"
         if not has_target(text):
             return f"plastron does not write {text} yet: choose {_written()}"
         return None

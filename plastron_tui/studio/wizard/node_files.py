@@ -17,7 +17,7 @@ from plastron_tui.targets import languages
 
 from .ask import Ask, Choice
 from .form import Cell
-from .kind import Kind
+from .kind import OF_THE_LIST, Kind
 
 MOST_FILES = 60
 """The most files that are listed."""
@@ -33,7 +33,7 @@ class FileKind(Kind):
     def suggest(self, ask: Ask) -> str:
         """Return the first file that is not loaded yet."""
         for choice in self.choices(ask, ""):
-            if ask.try_out(choice.text).reason is None:
+            if ask.try_out(choice.text, frozenset()).reason is None:
                 return choice.text
         return ""
 
@@ -102,7 +102,7 @@ class NodeOfFileKind(Kind):
         source = _source(ask)
         if source is not None and text in _labels(source):
             return None
-        return f"the file has no node `{text}`: choose one of the list"
+        return f"the file has no node `{text}`: {OF_THE_LIST}"
 
 
 def _source(ask: Ask) -> SourceUnit | None:

@@ -11,7 +11,7 @@ from plastron_tui.ros.parameters import ParameterType
 from .ask import Ask, Choice
 from .context import free_name
 from .form import Cell
-from .kind import Kind, name_problem
+from .kind import OF_THE_LIST, Kind, name_problem
 from .taken_back import nothing_to_take, taken_back
 from .values import Entry, Python, problem_of, written
 
@@ -91,7 +91,7 @@ class ParameterTypeKind(Kind):
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell why a text cannot stand there."""
         known = {each.value for each in ParameterType}
-        return None if text in known else "no such type: choose one of the list"
+        return None if text in known else f"no such type: {OF_THE_LIST}"
 
 
 class DefaultKind(Kind):

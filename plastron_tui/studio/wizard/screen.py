@@ -19,7 +19,7 @@ from ..panels.text_view import TextView
 from ..screens.question import Question
 from . import strings
 from .ask import Choice
-from .flow import Course, Look, PageKind
+from .flow import Course, Heard, Look, PageKind
 from .form import Form
 from .form_page import Key, Looked, Put
 from .frame import MENUS, Frame, View
@@ -186,6 +186,9 @@ class Wizard(Frame):
     @on(Looked)
     def looked(self) -> None:
         """Look up the choices of another row."""
+        page = self._form_page
+        if page is not None and page.key_here is not None:
+            self._places[page.form] = page.key_here
         self.changed()
 
     @on(Generates)
@@ -201,7 +204,7 @@ class Wizard(Frame):
     def picked(self, message: Picked) -> None:
         """Take an entry of a menu."""
         if self.is_done:
-            self._finish_with(strings.DONE_ACTIONS[message.number])
+            self._finish_with(self._actions[message.number])
             return
         offer = self._offers[message.number]
         if self._writes_at_once(offer):
@@ -223,17 +226,21 @@ class Wizard(Frame):
         return all(node.is_idle or name in generated for name, node in workspace.nodes.items())
 
     def _finish_with(self, action: str) -> None:
-        if action != "more":
+        if action == "more":
+            self._start_anew(None)
+        elif action == "answer":
+            self._start_anew(self._heard)
+        else:
             self.dismiss(action)
-            return
-        self._start_anew()
 
-    def _start_anew(self) -> None:
+    def _start_anew(self, heard: Heard | None) -> None:
         around = replace(self.course.surroundings, files=None)
 
         def do() -> None:
             self.course = Course(self.course.session, around)
             self.is_done = False
+            if heard is not None:
+                self.course.answer(heard)
 
         self.query_one(ResultView).forget()
         self._turn(do)
@@ -292,6 +299,7 @@ class Wizard(Frame):
         self.app.bell()
         page = self.course.page
         if finding.form is not None and finding.form is not page.form:
+            self._places[finding.form] = (finding.slot, finding.path)
             number = self.course.page_of(finding.form, look)
             if number is not None:
 
@@ -309,6 +317,7 @@ class Wizard(Frame):
         assert look.outcome is not None
         async with self._lock:
             session = self._enter(look.outcome.edits)
+            self._heard = self.course.heard(look)
             self.course = Course(session, self.course.surroundings)
             self.is_done = True
         self._turn()

@@ -3,24 +3,29 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
 
 from plastron_tui.diagnostics import listed
 from plastron_tui.language import SlotKind
 from plastron_tui.model.kinds import HIGHEST_RATE, INTERFACES, LOWEST_RATE
-from plastron_tui.ros.catalog import Catalog
-from plastron_tui.ros.interfaces import Field, InterfaceKind, InterfaceName
+from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.primitives import primitive
 from plastron_tui.ros.qos_words import Said, is_sensor_type, offered_words, parse_words
 
+from ..editor.value_completion import Part, all_received
 from .ask import Ask, Choice
 from .form import Cell
 from .kind import Kind
+from .trials import first_that_works
 
-_DEEPEST = 3
 _CONDITION = re.compile(
     r"((any|all) )?received(\.[A-Za-z]\w*)+(\[\d+\])?\s*[<>=]\s*\S.*", re.ASCII | re.DOTALL
 )
+_TYPED = re.compile(
+    r"\s*((?P<quantifier>any|all)\s+)?(received\.?)?(?P<path>[\w.]*)(?P<at>\[\d+\])?"
+    r"\s*((?P<operator>[<>=]+)\s*(?P<value>.*))?",
+    re.ASCII | re.DOTALL,
+)
+"""A condition, or what there is of it by now."""
 _PARAMETER = re.compile(r"parameter\s*'([^']*)'")
 
 
@@ -74,7 +79,7 @@ class TriggerKind(Kind):
     def fixed(self, ask: Ask) -> Cell | None:
         """Return that there is none where the node listens to nothing."""
         is_open = ask.scene.heard(ask.node) or ask.form.entered.get(ask.slot.name)
-        return None if is_open else Cell("", _deaf(ask))
+        return None if is_open else Cell("", "it listens to nothing yet")
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return what the node listens to."""
@@ -87,13 +92,8 @@ class TriggerKind(Kind):
         if text in heard:
             return None
         if not heard:
-            return _deaf(ask)
+            return f"`{ask.node}` listens to no topic yet"
         return f"`{ask.node}` does not listen to `{text}`, but to {listed(list(heard))}"
-
-
-def _deaf(ask: Ask) -> str:
-    who = f"`{ask.node}`" if ask.node else "the node"
-    return f"{who} listens to no topic yet"
 
 
 class ConditionKind(Kind):
@@ -105,37 +105,48 @@ class ConditionKind(Kind):
         return None if has_trigger else Cell("", "only with a trigger")
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
-        """Return a condition for each field of what arrives."""
+        """Return a condition for each field of what arrives, of those that are meant by a text."""
         type_ = ask.scene.heard(ask.node).get(ask.text(SlotKind.TRIGGER))
         catalog = ask.scene.catalog(ask.version)
         found = None if type_ is None else catalog.find(type_, InterfaceKind.MESSAGE)
-        fields = () if found is None else found.fields
-        return [Choice(text, note) for text, note in _conditions(fields, "received", catalog, 0)]
+        parts = [] if found is None else list(all_received(found.fields, catalog))
+        typed = _TYPED.fullmatch(query)
+        wanted = "" if typed is None else typed["path"].lower()
+        meant = [each for each in parts if wanted in each.path.removeprefix("received.").lower()]
+        return [
+            Choice(text, str(each.field.type))
+            for each in meant or parts
+            if (text := _condition(each, typed if meant else None, catalog.ros_version))
+        ]
 
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell why a text is no condition."""
         if _CONDITION.fullmatch(text):
             return None
-        return "it compares a field of what arrives, such as `received.data > 5`"
+        offered = [each.text for each in self.choices(ask, text)]
+        typed = _TYPED.fullmatch(text)
+        if typed is not None and typed["value"] and offered and typed["path"] in offered[0]:
+            return f"write `{offered[0]}`"
+        example = offered[0] if offered else "received.data > 5"
+        return f"it compares a field of what arrives, such as `{example}`"
 
 
-def _conditions(
-    fields: Sequence[Field], before: str, catalog: Catalog, depth: int
-) -> Iterator[tuple[str, str]]:
-    """Yield a condition for each field that can be compared, and the type of the field."""
-    for field in fields:
-        path, message = f"{before}.{field.name}", field.type.message
-        if message is not None:
-            inner = catalog.find(message, InterfaceKind.MESSAGE)
-            if inner is not None and not field.type.is_array and depth < _DEEPEST:
-                yield from _conditions(inner.fields, path, catalog, depth + 1)
-            continue
-        known = primitive(field.type.name, catalog.ros_version)
-        if known is None or known.parts:
-            continue
-        words = {bool: "= True", str: '= ""', float: "< 0.5"}.get(known.kind, "> 5")
-        start = "any " if field.type.is_array else ""
-        yield f"{start}{path} {words}", str(field.type)
+def _condition(part: Part, typed: re.Match[str] | None, ros_version: int) -> str:
+    """Return a condition on a field, with what was typed of it; "" for what is not compared."""
+    known = primitive(part.field.type.name, ros_version)
+    if part.field.type.package is not None or known is None or known.parts:
+        return ""
+    operator, _, value = {bool: "= True", str: '= ""', float: "< 0.5"}.get(
+        known.kind, "> 5"
+    ).partition(" ")
+    quantifier, at = ("any " if part.field.type.is_array else ""), ""
+    if typed is not None:
+        if part.field.type.is_array and typed["at"]:
+            quantifier, at = "", typed["at"]
+        elif part.field.type.is_array and typed["quantifier"]:
+            quantifier = f"{typed['quantifier']} "
+        operator, value = (typed["operator"] or operator)[0], typed["value"] or value
+    return f"{quantifier}{part.path}{at} {operator} {value}"
 
 
 class QosKind(Kind):
@@ -146,7 +157,7 @@ class QosKind(Kind):
         word = "sensor_data"
         if ask.is_trial or ask.version == 1 or not is_sensor_type(_type_of(ask)):
             return ""
-        return word if ask.try_out(word).reason is None else ""
+        return first_that_works(ask, [word]) or ""
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return the words that may follow those that are written."""

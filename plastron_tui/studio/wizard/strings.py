@@ -10,11 +10,13 @@ from .flow import Look, Page, PageKind
 from .menu_page import Item
 
 DONE = "It is in the program now. One undo (Ctrl-Z in the editor) takes it out again."
-DONE_ACTIONS = ("more", "screen.generate", "screen.run", "")
 
 
-def done_items(session: Session) -> list[Item]:
-    """Return what can be done once the statements are in the program."""
+def done_items(session: Session, heard: str) -> dict[str, Item]:
+    """Return what can be done once the statements are in the program, by the actions.
+
+    `heard` is the topic to which a node listens since then, "" for none.
+    """
     workspace = session.workspace
     closed = ""
     if has_errors(session.diagnostics):
@@ -22,14 +24,19 @@ def done_items(session: Session) -> list[Item]:
     elif not workspace.generations:
         closed = "the program writes no node to a file yet"
     is_whole = not closed and Scene(session).lonely == 0
-    return [
-        Item("something more", "", "Another node, or something more for one that is there.",
-             is_advised=not is_whole),
-        Item("write the files", "", "Shows each file before it is written.", closed, is_whole),
-        Item("run the nodes", "", "Writes the files, starts the nodes and shows what they say.",
-             closed),
-        Item("back to the text", "", "Go on in the editor."),
-    ]  # fmt: skip
+    items = {
+        "more": Item("something more", "",
+                     "Another node, or something more for one that is there.",
+                     is_advised=not is_whole),
+        "screen.generate": Item("write the files", "", "Shows each file before it is written.",
+                                closed, is_whole),
+        "screen.run": Item("run the nodes", "",
+                           "Writes the files, starts the nodes and shows what they say.", closed),
+    }  # fmt: skip
+    if heard:
+        about = "A message that answers each of them, or those for which a condition holds."
+        items["answer"] = Item(f"send something for each message of `{heard}`", "", about)
+    return {**items, "": Item("back to the text", "", "Go on in the editor.")}
 
 
 def title(page: Page, is_done: bool) -> str:

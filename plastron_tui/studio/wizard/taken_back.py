@@ -11,7 +11,7 @@ def taken_back(ask: Ask) -> list[Choice]:
     """Return what the node has of the kind that the statement takes away."""
     found = []
     for name in ask.scene.ended_by(ask.node, ask.form.declaration.type):
-        tried = ask.try_out(name)
+        tried = ask.try_out(name, frozenset())
         if tried.slot != ask.slot.name:
             found.append(Choice(name, closed=tried.reason or ""))
     return found

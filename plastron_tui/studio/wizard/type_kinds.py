@@ -10,7 +10,7 @@ from plastron_tui.ros.search import FoundType, search_types
 
 from .ask import MEETINGS, Ask, Choice
 from .form import Cell
-from .kind import Kind
+from .kind import OF_THE_LIST, Kind
 
 MOST_TYPES = 80
 """The most types that a search lists."""
@@ -31,19 +31,29 @@ NAMES = {
 
 # The names that most robots use for what they send (ROS REP 105 and the packages' own defaults).
 _USUAL = {
-    "chatter": "std_msgs/String",
-    "cmd_vel": "geometry_msgs/Twist",
-    "odom": "nav_msgs/Odometry",
-    "scan": "sensor_msgs/LaserScan",
-    "imu": "sensor_msgs/Imu",
-    "image_raw": "sensor_msgs/Image",
-    "joint_states": "sensor_msgs/JointState",
-    "battery_state": "sensor_msgs/BatteryState",
-    "range": "sensor_msgs/Range",
-    "map": "nav_msgs/OccupancyGrid",
-    "path": "nav_msgs/Path",
-    "pose": "geometry_msgs/Pose",
-    "joy": "sensor_msgs/Joy",
+    InterfaceKind.MESSAGE: {
+        "chatter": "std_msgs/String",
+        "cmd_vel": "geometry_msgs/Twist",
+        "odom": "nav_msgs/Odometry",
+        "scan": "sensor_msgs/LaserScan",
+        "imu": "sensor_msgs/Imu",
+        "image_raw": "sensor_msgs/Image",
+        "camera_info": "sensor_msgs/CameraInfo",
+        "joint_states": "sensor_msgs/JointState",
+        "battery_state": "sensor_msgs/BatteryState",
+        "range": "sensor_msgs/Range",
+        "fix": "sensor_msgs/NavSatFix",
+        "map": "nav_msgs/OccupancyGrid",
+        "path": "nav_msgs/Path",
+        "pose": "geometry_msgs/Pose",
+        "goal_pose": "geometry_msgs/PoseStamped",
+        "initialpose": "geometry_msgs/PoseWithCovarianceStamped",
+        "joy": "sensor_msgs/Joy",
+        "tf": "tf2_msgs/TFMessage",
+    },
+    # The package of these is another one in each generation of ROS.
+    InterfaceKind.SERVICE: {"add": "AddTwoInts", "add_two_ints": "AddTwoInts"},
+    InterfaceKind.ACTION: {},
 }
 
 
@@ -51,7 +61,7 @@ def name_for_type(kind: InterfaceKind, type_: InterfaceName | None) -> str:
     """Return what a topic, a service or an action of a type is usually called."""
     if type_ is None:
         return NAMES[kind]
-    usual = (name for name, full in _USUAL.items() if full == str(type_))
+    usual = (name for name, full in _USUAL[kind].items() if full in (str(type_), type_.name))
     return next(usual, _snake(type_.name))
 
 
@@ -84,14 +94,11 @@ class TypeKind(Kind):
     def suggest(self, ask: Ask) -> str:
         """Return the type that a topic of the name usually has, or a simple one."""
         name = ask.text(*MEETINGS).rpartition("/")[2]
-        default = _DEFAULTS[ask.interface]
-        usual = _USUAL.get(name) if ask.interface is InterfaceKind.MESSAGE else None
-        if usual is None:
-            return default
-        full = InterfaceName(*usual.split("/"))
-        if ask.scene.catalog(ask.version).find(full, ask.interface) is None:
-            return default
-        return ask.scene.written(full, ask.interface, ask.version)
+        usual = _USUAL[ask.interface].get(name, "")
+        found = ask.scene.resolve(usual, ask.interface, ask.version) if usual else None
+        if found is None:
+            return _DEFAULTS[ask.interface]
+        return ask.scene.written(found.name, ask.interface, ask.version)
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return the types that a search finds, each with its fields and a line about it."""
@@ -105,10 +112,10 @@ class TypeKind(Kind):
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell why a text is no type: only then is the statement itself of use."""
         if not text:
-            return "a type is needed: write what it is for, and choose one of the list"
+            return f"a type is needed: write what it is for, and {OF_THE_LIST}"
         is_name = all(part.isascii() and part.isidentifier() for part in text.split("/"))
         if not is_name or self._is_purpose(ask, text):
-            return "no type is called that: choose one of the list"
+            return f"no type is called that: {OF_THE_LIST}"
         return None
 
     def _is_purpose(self, ask: Ask, text: str) -> bool:

@@ -31,13 +31,13 @@ MOST_FIELDS = 200
 
 _DEEPEST = 8
 _HEADER = InterfaceName("std_msgs", "Header")
-_NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?", re.ASCII)
+NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 _TEXT = re.compile(r'"(?:[^"\\]|\\.)*"')
 _LONGEST_SHOWN = 40
 _PIECE = re.compile(r'\s*("(?:[^"\\]|\\.)*"|(?:[^\s,]+(?:\s+[^\s,]+)*)?)\s*(?:,|$)')
 _COMPUTED = re.compile(
     r"(parameter '[^']+'|received(\.[A-Za-z]\w*)+(\[\d+\])?)"
-    rf"(\s*[-+*/]\s*({_NUMBER.pattern}))*",
+    rf"(\s*[-+*/]\s*({NUMBER.pattern}))*",
     re.ASCII,
 )
 _TRUE = frozenset({"true", "yes", "on", "1"})
@@ -71,6 +71,11 @@ class Entry:
     def name(self) -> str:
         """The path as a program writes it."""
         return ".".join(self.path)
+
+    @property
+    def is_time(self) -> bool:
+        """Whether it is a time or a duration, in seconds or in parts."""
+        return self.python is float and self.type.name.lower() in ("time", "duration")
 
     @property
     def is_switch(self) -> bool:
@@ -217,22 +222,28 @@ def _scalar(entry: Entry, text: str, *, is_item: bool = False) -> str:
     return plain
 
 
-def problem_of(entry: Entry, text: str, ros_version: int) -> str | None:
+def problem_of(entry: Entry, text: str, ros_version: int, others: str = "") -> str | None:
     """Tell why what was entered does not fit its field, None where it does, as far as is known.
 
     Of messages within an array only the parentheses are looked at here, and nothing of what is
     computed when it is sent: the statement says that.
+
+    Args:
+        entry: the field.
+        text: what was entered.
+        ros_version: the generation of ROS.
+        others: an example of what else could stand there, "" where nothing could.
     """
     if is_computed(text):
         return None
     if entry.python is None:
         return _parentheses_problem(text)
     if not entry.type.is_array:
-        return _scalar_problem(entry, text, ros_version)
+        return _scalar_problem(entry, text, ros_version, others)
     inner = text.strip().removeprefix("[").removesuffix("]")
     found = pieces(inner)
     for number, piece in enumerate(found, 1):
-        problem = _scalar_problem(entry, piece, ros_version)
+        problem = _scalar_problem(entry, piece, ros_version, others)
         if problem is not None:
             return f"value {number} of the list: {problem}"
     count, type_ = len(found), entry.type
@@ -259,7 +270,7 @@ def _parentheses_problem(text: str) -> str | None:
     return "a `)` is missing at the end" if depth else None
 
 
-def _scalar_problem(entry: Entry, text: str, ros_version: int) -> str | None:
+def _scalar_problem(entry: Entry, text: str, ros_version: int, others: str) -> str | None:
     plain = text.strip()
     value: bool | int | float | str
     if is_computed(plain):
@@ -270,11 +281,12 @@ def _scalar_problem(entry: Entry, text: str, ros_version: int) -> str | None:
         return None
     if entry.python is str:
         value = text
-    elif _NUMBER.fullmatch(plain) is None:
-        if entry.python is float and plain.startswith("("):
-            return None  # the parts of a time
+    elif NUMBER.fullmatch(plain) is None:
+        if entry.is_time and plain.startswith("("):
+            return None  # its parts
         what = "a whole number" if entry.python is int else "a number"
-        return f"{entry.path[-1]} takes {what}, such as {_example(entry, ros_version)}"
+        example = _example(entry, ros_version) + (f", or {others}" if others else "")
+        return f"{entry.path[-1]} takes {what}, such as {example}"
     else:
         value = _number(plain)
     if entry.type.package is not None:

@@ -9,6 +9,7 @@ from wizard_courses import (
     DO,
     HAVE,
     MAKE,
+    MESSAGE,
     MORE,
     REACT,
     REPEAT,
@@ -18,6 +19,7 @@ from wizard_courses import (
     form_after,
 )
 
+from plastron_tui.studio.wizard.filling import Filled
 from plastron_tui.studio.wizard.flow import Course
 from plastron_tui.studio.wizard.form import NEW, Form
 
@@ -123,6 +125,113 @@ def test_values_may_come_of_parameters() -> None:
     assert look.filled[0].makers[0].text.endswith("and input parameter 'speed' * 2")
 
 
+DRIVER = """\
+create_node 'driver' as driver using rclpy
+driver has_parameter 'speed' of parameter_type float with default 0.5
+driver has_parameter 'frame' of parameter_type string with default "map"
+subscribe driver to 'joy' of message_type Joy
+"""
+SPEED = "parameter 'speed'"
+OFFERED = [
+    ("Twist", ("linear", "x"), "", [SPEED]),
+    ("Twist", ("linear", "x"), "joy", [SPEED, "received.axes[0]", "received.buttons[0]"]),
+    ("TwistStamped", ("header", "frame_id"), "joy", ["parameter 'frame'",
+                                                     "received.header.frame_id"]),
+    ("Bool", ("data",), "joy", []),
+    ("Float32MultiArray", ("data",), "joy", ["received.axes"]),
+    ("Time", ("sec",), "joy", ["received.buttons[0]", "received.header.stamp.sec"]),
+]  # fmt: skip
+
+
+def values_of(it: Course, form: Form) -> Filled:
+    """What is in the form of the values: its own, or that of the message it needs."""
+    (filled,) = it.look().filled
+    return filled.makers[0] if filled.makers else filled
+
+
+def driving(type_: str, trigger: str) -> tuple[Course, Filled]:
+    """The form of a new message that the driver sends."""
+    it = course(DRIVER)
+    form = form_after(it, MORE, SEND)
+    for slot, text in (("message", NEW), ("topic", "out"), ("type", type_), ("trigger", trigger)):
+        form.enter(slot, text)
+    return it, values_of(it, form)
+
+
+@pytest.mark.parametrize(("type_", "path", "trigger", "expected"), OFFERED)
+def test_fields_offer_what_they_can_be_computed_of(
+    type_: str, path: tuple[str, ...], trigger: str, expected: list[str]
+) -> None:
+    it, filled = driving(type_, trigger)
+    offered = [each.text for each in it.choices(filled, "input", path, "")]
+    assert offered[: len(expected)] == expected
+    assert bool(offered) == bool(expected)
+    for text in offered:
+        filled.form.values[path] = text
+        assert it.blocking(it.look()) == (), text
+
+
+def test_an_answer_offers_what_is_asked() -> None:
+    it = course(DRIVER)
+    form = form_after(it, MORE, ANSWER)
+    form.enter("type", "AddTwoInts")
+    filled = values_of(it, form)
+    offered = [each.text for each in it.choices(filled, "answer", ("sum",), "")]
+    assert offered == ["received.a", "received.b"]
+    assert it.helps(filled)["answer", ("sum",)].endswith(", or `received.a`")
+
+
+def test_a_message_that_nobody_sends_yet_offers_what_there_is() -> None:
+    it = course(DRIVER)
+    form = form_after(it, MESSAGE)
+    form.enter("type", "Float64")
+    (filled,) = it.look().filled
+    offered = [each.text for each in it.choices(filled, "input", ("data",), "")]
+    assert offered[:2] == [SPEED, "received.axes[0]"]
+
+
+EXAMPLE = "or `parameter 'speed'` or `received.axes[0] * 0.5`"
+MEANT = [
+    ("parameter speed", "write `parameter 'speed'`"),
+    ('parameter "speed"', "write `parameter 'speed'`"),
+    ("speed * 2", "write `parameter 'speed' * 2`"),
+    ("axes[1] * 0.5", "write `received.axes[1] * 0.5`"),
+    ("joy.axes[1]", "write `received.axes[1]`"),
+    ("received.axes(1)", "write `received.axes[1]`"),
+    ("0.5 * received.axes[1] + 1", "write `received.axes[1] * 0.5 + 1`"),
+    ("-axes[1]", "write `received.axes[1] * -1`"),
+    ("2 - axes[1] * 3", "write `received.axes[1] * -1 * 3 + 2`"),
+    ("received.axes[1] * parameter 'speed'", "two need code in the node"),
+    ("(received.axes[1] + 1) * 2", "what is calculated has no brackets"),
+    ("fast", f"x takes a number, such as 0.5, {EXAMPLE}"),
+    ("parameter", f"x takes a number, such as 0.5, {EXAMPLE}"),
+    ("(1, 2)", f"x takes a number, such as 0.5, {EXAMPLE}"),
+    ("1e999", "the number is too large"),
+    ("received.axis[1]", "did you mean `axes`?"),
+    ("parameter 'sped'", "did you mean `speed`?"),
+    ("received.axes", "`received.axes` is a list of numbers"),
+]
+
+
+@pytest.mark.parametrize(("text", "words"), MEANT)
+def test_what_is_written_in_another_way_is_told_at_its_field(text: str, words: str) -> None:
+    it, filled = driving("Twist", "joy")
+    filled.form.values["linear", "z"] = "received.axes[0]"
+    filled.form.values["linear", "x"] = text
+    (finding,) = it.look().problems
+    assert words in finding.words
+    assert (finding.form, finding.path) == (filled.form, ("linear", "x"))
+
+
+def test_a_value_of_a_request_is_refused_at_its_field() -> None:
+    it = course(DRIVER)
+    form = form_after(it, MORE, ASK)
+    form.enter("type", "AddTwoInts")
+    form.values.update({("a",): "5", ("b",): SPEED})
+    (finding,) = it.look().problems
+    assert finding.message.startswith("`parameter 'speed'` is a number") and finding.path == ("b",)
+
+
 @pytest.mark.parametrize("last", ["rate", "once", "trigger"])
 def test_of_clauses_that_exclude_each_other_the_last_one_that_is_entered_stays(last: str) -> None:
     it = course(ROBOT)
@@ -134,6 +243,26 @@ def test_of_clauses_that_exclude_each_other_the_last_one_that_is_entered_stays(l
     assert look.problems == ()
     filled = look.filled[0].cells
     assert [slot for slot in entered if filled[slot].text] == [last]
+
+
+def test_a_node_that_reacts_goes_on_to_send_for_each_message() -> None:
+    it = course(ROBOT)
+    form = form_after(it, MORE, REACT)
+    form.enter("topic", "joy")
+    form.enter("type", "Joy")
+    look = it.look()
+    heard = it.heard(look)
+    assert heard == ("robot", "joy") and look.outcome is not None
+    after = Course(look.outcome.session, it.surroundings)
+    after.answer(heard)
+    assert after.page.form is after.main_form is not None
+    assert written(after).endswith(" for_each 'joy'")
+
+
+def test_what_does_not_listen_leads_to_no_answer() -> None:
+    it = course(ROBOT)
+    form_after(it, MORE, SEND)
+    assert it.heard(it.look()) is None
 
 
 def test_a_clause_that_is_given_up_lets_the_suggestion_come_back() -> None:
@@ -152,6 +281,18 @@ CHOICES = [
     (SEND, {}, "trigger", "", ["scan", "go"]),
     (SEND, {"trigger": "go"}, "condition", "", ["received.data = True"]),
     (SEND, {"trigger": "scan"}, "condition", "ranges", ["any received.ranges < 0.5"]),
+    (SEND, {"trigger": "scan"}, "condition", "", ["received.angle_min < 0.5"]),
+    (
+        SEND,
+        {"trigger": "scan"},
+        "condition",
+        "received.range",
+        ["received.range_min < 0.5", "received.range_max < 0.5", "any received.ranges < 0.5"],
+    ),
+    (SEND, {"trigger": "scan"}, "condition", "ranges <= 0.3", ["any received.ranges < 0.3"]),
+    (SEND, {"trigger": "scan"}, "condition", "all ranges>2", ["all received.ranges > 2"]),
+    (SEND, {"trigger": "scan"}, "condition", "ranges[0] =", ["received.ranges[0] = 0.5"]),
+    (SEND, {"trigger": "scan"}, "condition", "near", ["received.angle_min < 0.5"]),
     (SEND, {"type": "String"}, "qos", "", ["", "system_default", "latched", "reliable"]),
     (SEND, {"type": "Imu"}, "qos", "", ["", "sensor_data", "system_default"]),
     (SEND, {"type": "Imu"}, "qos", "reliable", ["reliable, sensor_data", "reliable, volatile"]),
@@ -177,10 +318,60 @@ def test_choices_that_work(
         assert it.blocking(it.look()) == (), text
 
 
+CONDITIONS = [
+    ("scan", "ranges < 0.3", "write `any received.ranges < 0.3`"),
+    ("scan", "near", "such as `received.angle_min < 0.5`"),
+    ("go", "data", "such as `received.data = True`"),
+    ("go", "", None),
+]
+
+
+@pytest.mark.parametrize(("trigger", "text", "words"), CONDITIONS)
+def test_a_condition_is_explained_with_a_field_of_what_arrives(
+    trigger: str, text: str, words: str | None
+) -> None:
+    it = course(ROBOT)
+    form = form_after(it, MORE, SEND)
+    form.enter("trigger", trigger)
+    form.enter("condition", text)
+    found = [each.words for each in it.look().problems]
+    assert (words is None and not found) or (words is not None and found[0].endswith(words))
+
+
+def test_what_two_nodes_send_is_called_after_them() -> None:
+    taken = "create_message go_message of message_type String and input none"
+    it = course(f"create_node 'left' as left\n{taken}\n")
+    form = form_after(it, MORE, SEND)
+    for topic, message in (("away", "away_message"), ("go", "left_go_message")):
+        form.entered = {"message": NEW, "topic": topic}
+        assert it.look().filled[0].cells["message"].text == message
+
+
+TYPES = [
+    (SEND, "topic", "goal_pose", "PoseStamped"),
+    (REACT, "topic", "robot/initialpose", "PoseWithCovarianceStamped"),
+    (REACT, "topic", "something", "String"),
+    (ANSWER, "service", "add", "AddTwoInts"),
+    (ASK, "service", "math/add_two_ints", "AddTwoInts"),
+]
+
+
+@pytest.mark.parametrize("library", ["rclpy", "rospy"])
+@pytest.mark.parametrize(("way", "slot", "name", "type_"), TYPES)
+def test_a_usual_name_brings_its_type(
+    way: str, slot: str, name: str, type_: str, library: str
+) -> None:
+    it = course(f"create_node 'robot' as robot using {library}\n")
+    form = form_after(it, MORE, way)
+    form.enter(slot, name)
+    look = it.look()
+    assert look.problems == () and look.filled[0].cells["type"].text == type_
+
+
 FIXED = [
     (ROBOT, [MORE, HAVE], {"type": "string"}, "minimum", "only a number has a range"),
     (ROBOT, [MORE, SEND], {}, "condition", "only with a trigger"),
-    ("", [MAKE, SEND], {}, "trigger", "`talker` listens to no topic yet"),
+    ("", [MAKE, SEND], {}, "trigger", "it listens to nothing yet"),
 ]
 
 

@@ -42,7 +42,7 @@ REFUSED = [
     ([MAKE], "variable", "greeting", "a message is called `greeting` already"),
     ([MAKE], "library", "ros2", "there is no client library `ros2`"),
     ([MAKE], "library", "roscpp", "plastron does not write roscpp yet"),
-    ([MORE, SEND], "node", "", "choose one of the list"),
+    ([MORE, SEND], "node", "", "choose one with ↓"),
     ([MORE, SEND], "message", "Bool", "`Bool` is a type: take `a new message` here"),
     ([MORE, SEND], "message", "", "take `a new message`"),
     ([MORE, SEND], "node", "tolker", "there is no node `tolker`"),
@@ -52,7 +52,7 @@ REFUSED = [
     ([MORE, SEND], "type", "", "write what it is for"),
     ([MORE, SEND], "type", "Strnig", "did you mean `String`?"),
     ([MORE, SEND], "type", "a b", "no type is called that"),
-    ([MORE, SEND], "type", "distance", "no type is called that: choose one of the list"),
+    ([MORE, SEND], "type", "distance", "no type is called that: choose one with ↓"),
     ([MORE, SEND], "type", "Goal", "no message type `Goal` is known in ROS 1 noetic"),
     ([MORE, SEND], "rate", "often", "a number of times a second"),
     ([MORE, SEND], "rate", "0", "more than 0"),
@@ -68,7 +68,7 @@ REFUSED = [
     ([MORE, SEND], "qos", "depth", "`depth` lacks its number"),
     ([MORE, SEND], "qos", "depth 5, depth 6", "`depth` is there twice"),
     ([MORE, HAVE], "parameter", "", "a parameter needs a name, such as `speed`"),
-    ([MORE, HAVE], "type", "double", "no such type: choose one of the list"),
+    ([MORE, HAVE], "type", "double", "no such type: choose one with ↓"),
     ([MORE, HAVE], "default", "fast", "default takes a number, such as 0.5"),
     ([MORE, HAVE], "default", "", "a value is needed, such as 0.5"),
     ([MORE, REPEAT], "function", "", "a function is needed, such as `tick`"),
@@ -213,13 +213,50 @@ def test_a_mistake_in_another_row_closes_nothing() -> None:
     it = course(TWO_NODES)
     form = form_after(it, MORE, SEND)
     form.entered = {"message": "NavSatFix"}
-    assert closed(it, "node") == {"listener": "", "talker": ""}
+    assert closed(it, "node") == {"listener": "", "talker": "", NEW: ""}
     # What is closed by the choice itself stays closed, though it is the only one.
     form.entered = {"topic": "chatter"}
     it = course("create_message number of message_type Int32 and input 5\n" + TWO_NODES)
     form = form_after(it, MORE, SEND)
     form.entered = {"topic": "chatter"}
     assert "`chatter` is of type" in closed(it, "message")["number"]
+
+
+SPOILT = """\
+create_node 'ears' as ears
+subscribe ears to 'cmd_vel' of message_type Twist
+ears provides_service 'sum' of service_type AddTwoInts
+create_node 'eye' as eye
+eye has_parameter 'rate' of parameter_type float with default 1
+"""
+WRONG = [
+    (SEND, {"qos": "joy"}, "topic", "cmd_vel"),
+    (SEND, {"rate": "1 hz"}, "topic", "cmd_vel"),
+    (SEND, {"rate": "1 hz", "qos": "joy"}, "topic", "cmd_vel"),
+    (SEND, {"message": "nothing"}, "topic", "cmd_vel"),
+    (SEND, {"message": NEW, "variable": "1st"}, "topic", "cmd_vel"),
+    (SEND, {"message": NEW, "linear.x": "fast"}, "topic", "cmd_vel"),
+    (ASK, {"rate": "1 hz"}, "service", "sum"),
+    (ASK, {"a": "many"}, "service", "sum"),
+]
+
+
+@pytest.mark.parametrize(("way", "wrong", "slot", "suggested"), WRONG)
+def test_a_mistake_in_one_row_changes_no_suggestion_of_another(
+    way: str, wrong: dict[str, str], slot: str, suggested: str
+) -> None:
+    it = course(SPOILT)
+    form = form_after(it, MORE, way)
+    slots = {each.name for each in form.declaration.slots}
+    form.entered = {name: text for name, text in wrong.items() if name in slots}
+    makers = it.look().filled[0].makers
+    for name, text in wrong.items():
+        if name == "variable":
+            makers[0].form.entered[name] = text
+        elif name not in slots:
+            (makers[0].form if makers else form).values[tuple(name.split("."))] = text
+    look = it.look()
+    assert look.problems and look.filled[0].cells[slot].text == suggested
 
 
 def test_what_would_leave_a_node_idle_is_closed() -> None:

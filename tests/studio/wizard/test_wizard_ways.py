@@ -76,6 +76,9 @@ async def test_the_node_is_named_though_something_else_is_wrong(here: Path) -> N
         await it.press("f2")
         about = it.screen.query_one("#wizard-about")
         assert str(about.content) == "Choose what `talker` shall do."  # type: ignore[attr-defined]
+        # The focus is where it was.
+        await it.press("enter")
+        assert it.form.row_here is it.row("rate")
 
 
 async def test_a_recipe_starts_from_the_first_menu(here: Path) -> None:

@@ -14,7 +14,7 @@ from plastron_tui.studio.wizard.form import Form
 MAKE = "make a node"
 MESSAGE = "make a message"
 MORE = "give a node something more to do"
-SEND = "send something, again and again"
+SEND = "send something, at a rate, once, or when something arrives"
 REACT = "react to what others send"
 ASK = "ask a question and wait for the answer"
 ANSWER = "answer questions"

@@ -1,0 +1,141 @@
+"""What the values of a form can be computed of when they are sent: offered, and mended."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+from plastron_tui.language import SlotKind
+from plastron_tui.model.kinds import INTERFACES, Parameter
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import Field, FieldType, InterfaceKind
+
+from ..editor.value_completion import fields_of, fitting
+from .ask import Ask, Choice
+from .values import NUMBER, Entry, is_computed, problem_of
+
+_NUMBER = NUMBER.pattern
+_QUOTES = "['\"`]?"
+_TERM = re.compile(
+    rf"(?P<before>-|(?P<number>{_NUMBER})\s*(?P<sign>[-+*]))?\s*"
+    rf"(parameter\s*{_QUOTES}(?P<parameter>[\w.]+){_QUOTES}"
+    r"|(?P<path>[A-Za-z]\w*(\.\w+)*)([\[(](?P<position>\d+)[\])])?)"
+    rf"(?P<steps>(\s*[-+*/]\s*({_NUMBER}))*)",
+    re.ASCII,
+)
+_OPERATOR = re.compile("[-+*/]")
+_NO_BRACKETS = "what is calculated has no brackets: a value, and numbers behind it"
+
+
+@dataclass(frozen=True, slots=True)
+class Sources:
+    """What values can be computed of.
+
+    Attributes:
+        parameters: the parameters, by the names that programs write.
+        heard: the fields of what is received then.
+        catalog: the types.
+    """
+
+    parameters: Mapping[str, Parameter]
+    heard: tuple[Field, ...]
+    catalog: Catalog
+    _known: dict[FieldType, list[Choice]] = field(default_factory=dict)
+
+    def choices(self, entry: Entry) -> list[Choice]:
+        """Return what a field can take as it is."""
+        if entry.type not in self._known:
+            self._known[entry.type] = [
+                Choice(each.text, each.detail)
+                for each in fitting(entry.type, self.parameters, self.heard, self.catalog)
+            ]
+        return self._known[entry.type]
+
+    def example(self, entry: Entry) -> str:
+        """Return an example of each kind that a field can take, "" where there is none."""
+        offered = [each.text for each in self.choices(entry)]
+        of_parameter = [each for each in offered if each.startswith("parameter")]
+        of_received = [each for each in offered if not each.startswith("parameter")]
+        is_float = entry.python is float and not (entry.type.is_array or entry.is_time)
+        step = " * 0.5" if is_float else ""
+        shown = [*of_parameter[:1], *(each + step for each in of_received[:1])]
+        return " or ".join(f"`{each}`" for each in shown)
+
+    def problem(self, entry: Entry, text: str) -> str | None:
+        """Tell why a value does not fit its field, and what was meant, as far as is known."""
+        version = self.catalog.ros_version
+        problem = problem_of(entry, text, version, self.example(entry))
+        if problem is None or NUMBER.fullmatch(text.strip()):
+            return problem
+        meant = self.mended(text)
+        if meant is not None:
+            return f"write `{meant}`"
+        parts = (part.strip("() ") for part in _OPERATOR.split(text))
+        meant_parts = [part for part in parts if is_computed(part) or self.mended(part)]
+        if len(meant_parts) > 1:
+            return "one value is calculated with plain numbers; two need code in the node"
+        return _NO_BRACKETS if meant_parts and "(" in text else problem
+
+    def mended(self, text: str) -> str | None:
+        """Return what somebody means who does not write it as a program does, None for nothing."""
+        term = _TERM.fullmatch(text.strip())
+        if term is None:
+            return None
+        source = self._source(term)
+        if source is None:
+            return None
+        steps, number = term["steps"], term["number"]
+        match term["sign"] or term["before"]:
+            case "*":
+                steps = f" * {number}{steps}"
+            case "+":
+                steps = f"{steps} + {number}"
+            case "-":
+                steps = f" * -1{steps}" + (f" + {number}" if number else "")
+        meant = source + steps
+        return meant if is_computed(meant) else None
+
+    def _source(self, term: re.Match[str]) -> str | None:
+        """Return the parameter, or the part of what is received, that is meant."""
+        if term["parameter"] is not None:
+            return f"parameter '{term['parameter']}'"
+        path, at = term["path"], term["position"]
+        names = {each.name for each in self.heard}
+        for part in (path, path.partition(".")[2]):
+            if part.partition(".")[0] in names:
+                return f"received.{part}" + (f"[{at}]" if at is not None else "")
+        return f"parameter '{path}'" if path in self.parameters and at is None else None
+
+
+def sources_of(ask: Ask) -> Sources:
+    """Return what the values of a slot can be computed of.
+
+    A message that is not sent yet may be made of what any node has, as in the editor.
+    """
+    names_node = ask.form.slot_of(SlotKind.NODE) is not None or ask.form.parent is not None
+    parameters = ask.scene.parameters(ask.node if names_node else None)
+    catalog = ask.scene.catalog(ask.version)
+    return Sources(parameters, tuple(fields_of(_heard(ask))), catalog)
+
+
+def _heard(ask: Ask) -> Iterable[object]:
+    """Yield the types of what is received when the values are sent."""
+    if ask.slot.kind is SlotKind.ANSWER:
+        yield ask.scene.resolve(ask.text(*INTERFACES), ask.interface, ask.version)
+        return
+    if ask.form.parent is not None:
+        types = [ask.scene.heard(ask.node).get(ask.parent_text(SlotKind.TRIGGER))]
+    elif ask.form.made is not None:
+        types = list(ask.scene.vocabulary.heard_with(ask.text(SlotKind.NEW_MESSAGE)))
+    else:
+        types = []
+    catalog = ask.scene.catalog(ask.version)
+    yield from (catalog.find(each, InterfaceKind.MESSAGE) for each in types if each is not None)
+
+
+def is_about(message: str, text: str) -> bool:
+    """Tell whether a message names what a value is computed of."""
+    term = _TERM.fullmatch(text.strip())
+    name = None if term is None else term["parameter"] or term["path"].removeprefix("received.")
+    return name is not None and re.search(rf"[`.']{re.escape(name)}\b", message) is not None
