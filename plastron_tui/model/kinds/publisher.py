@@ -80,7 +80,7 @@ def publish(run: Run, statement: Publish) -> None:
     rate = rate_of(run, statement, node)
     reaction = reaction_of(run, statement, node)
     heard = None if reaction is None else reaction[1].fields
-    made = message.span
+    made = run.messages.made_by(message)
     check_computed(run, statement, "message", node, message.value, heard=heard, made=made)
     publisher = node.of(Publisher).get(topic)
     earlier = () if publisher is None else publisher.publications
@@ -105,9 +105,13 @@ def publish(run: Run, statement: Publish) -> None:
 def check_unsent(run: Run, statement: Publish, node: Node, message: Message) -> None:
     """Check that a node does not send a message to a topic yet."""
     publisher = node.of(Publisher).get(spelled(statement.topic))
-    if publisher is not None and any(each.message is message for each in publisher.publications):
-        what = f"`{node.variable}` publishes `{message.variable}` to"
-        raise run.checks.exists_already(statement, "topic", node, codes.ALREADY_PUBLISHING, what)
+    for each in () if publisher is None else publisher.publications:
+        if each.message is message:
+            what, code = (
+                f"`{node.variable}` publishes `{message.variable}` to",
+                codes.ALREADY_PUBLISHING,
+            )
+            raise run.checks.exists_already(statement, "topic", node, code, what, each.span)
 
 
 def check_sent(statement: Publish, message: Message, type_: InterfaceName) -> None:
