@@ -13,6 +13,7 @@ from wrong_statements import (
     ON_BOOL,
     ON_BYTES,
     PARAMETER,
+    PUBLISH,
     REQUEST,
 )
 
@@ -50,6 +51,9 @@ RIGHT = [
     f"{NEAR} for_each 'scan' when any received.ranges = 0.5",
     *(f"{ON_BYTES} received.data {each}" for each in ("> 0", "< 1", "< 255", "= 255", "= 0.0")),
     f"{ON_BOOL} received.data = True",
+    f"{PUBLISH} for_each 'text'\n{PUBLISH} for_each 'news'\n{PUBLISH} at 2 hz",
+    f"{NEAR} for_each 'scan'\n{NEAR} for_each 'scan' when any received.ranges < 1",
+    f"{PUBLISH} once\n{PUBLISH} for_each 'text' with qos latched",
     "create_message k of message_type Int32 and input received.a[1] * 1e400",
     "n renames parameter 'speed' to 'pace'",
     "n publish go to 'v' of message_type Twist\nn renames parameter 'speed' to 'pace'",

@@ -190,6 +190,9 @@ MISTAKES: list[tuple[str, str, str, str | None]] = [
     (f"{ANSWER} sum=parameter 'names'", "computed-type-mismatch", "parameter 'names'", None),
     (f"{NEAR}", "nothing-received", "near", "send it"),
     (f"{NEAR} for_each 'text'", "unknown-field", "received.ranges[0]", "its fields are: data"),
+    (f"{NEAR} for_each 'scan'\n{NEAR} for_each 'scan'", "already-publishing", "'d'", None),
+    (f"{PUBLISH}\n{PUBLISH} at 2 hz", "already-publishing", "'d'", None),
+    (f"{PUBLISH} once\n{PUBLISH} once", "already-publishing", "'d'", None),
     (f"{NEAR} for_each 'scn'", "not-subscribed", "'scn'", "did you mean `scan`?"),
     (
         f"{NEAR} for_each 'scan' when received.ranges < 1",
