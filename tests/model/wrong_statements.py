@@ -336,6 +336,12 @@ MISTAKES: list[tuple[str, str, str, str | None]] = [
         "write `= 1`",
     ),
     (f"{ON_BOOL} received.data = 0", "computed-type-mismatch", "received.data = 0", "`= False`"),
+    (
+        f"{NEAR} for_each 'scan' when received.header = 1",
+        "computed-type-mismatch",
+        "received.header = 1",
+        None,
+    ),
     (f"{ON_BOOL} received.data = 2", "computed-type-mismatch", "received.data = 2", None),
     (f"{ON_BYTES} received.data < 300", "value-out-of-range", "received.data < 300", None),
     (f"{ON_BYTES} received.data < 0", "value-out-of-range", "received.data < 0", None),
@@ -343,10 +349,4 @@ MISTAKES: list[tuple[str, str, str, str | None]] = [
     (f"{ON_BYTES} received.data > 255", "value-out-of-range", "received.data > 255", None),
     (f"{ON_BYTES} received.data = 256", "value-out-of-range", "received.data = 256", None),
     (f"{ON_BYTES} received.data = 0.5", "value-out-of-range", "received.data = 0.5", None),
-    (
-        f"{NEAR} for_each 'scan' when any received.ranges = 0.1",
-        "value-out-of-range",
-        "any received.ranges = 0.1",
-        None,
-    ),
 ]

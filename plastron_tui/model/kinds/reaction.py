@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import operator as operators
-import struct
 from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -149,7 +148,9 @@ def _literal(kind: object, operator: str, value: Scalar) -> str | None:
     """Return the value that is meant by one of another type, None where nobody can tell."""
     if operator != "=" or isinstance(value, str) or value not in (0, 1):
         return None
-    return str(bool(value) if kind is bool else int(value)) if kind is not str else None
+    if kind is bool:
+        return str(bool(value))
+    return str(int(value)) if kind in (int, float) else None
 
 
 def _foregone(type_: FieldType, operator: str, value: Scalar, ros_version: int) -> str | None:
@@ -158,10 +159,8 @@ def _foregone(type_: FieldType, operator: str, value: Scalar, ros_version: int) 
     A float may be infinite, so that it is less, and more, than any number.
     """
     known = primitive(type_.name, ros_version)
-    if known is None or known.parts or not isinstance(value, (int, float)):
+    if known is None or not isinstance(value, (int, float)):
         return None
-    if type_.name == "float32" and operator == "=" and not _is_float32(value):
-        return f"no `float32` is exactly {value}: compare with `<` or `>`"
     if known.low is None or known.high is None:
         return None
     holds = _COMPARE[operator]
@@ -170,11 +169,6 @@ def _foregone(type_: FieldType, operator: str, value: Scalar, ros_version: int) 
         return None
     if len(ends) == 2:
         return None
-    return f"{'every' if True in ends else 'no'} `{type_.name}` is {_WORDS[operator]} {value}"
-
-
-def _is_float32(value: float) -> bool:
-    try:
-        return bool(struct.unpack("<f", struct.pack("<f", value))[0] == value)
-    except (OverflowError, struct.error):  # beyond what it can hold
-        return False
+    which, how = ("every", "always") if True in ends else ("no", "never")
+    what = f"{which} `{type_.name}` is {_WORDS[operator]} {value}"
+    return f"{what}: the condition {how} holds"
