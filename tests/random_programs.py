@@ -15,6 +15,8 @@ SENTENCES = (
     "n publish {string} to '{name}' of message_type String{sent}",
     "n publish {point} to '{name}' of message_type Point{sent}",
     "n publish {echo} to '{name}' of message_type Point for_each 'heard'{when}{qos}",
+    "n publish {point} to 'both' of message_type Point for_each 'heard'{when}\n"
+    "n publish {same} to 'both' of message_type Point at 2 hz",
     "subscribe n to '{name}' of message_type {message_type}{qos}{calling}",
     "n provides_service '{name}' of service_type AddTwoInts{answering}",
     "n client_requests '{name}' of service_type SetBool with input {bool}{asking}",
@@ -85,6 +87,8 @@ def random_programs(draw: st.DrawFn, library: str) -> str:
                 return f"p{number}"
             if slot == "function":
                 return f"look_{number}"
+            if slot == "same":
+                return f"m{number}"
             if slot in _MESSAGES:
                 value = draw(_MESSAGES[slot])
                 made.append(f"create_message m{number} of message_type {value}")

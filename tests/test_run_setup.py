@@ -81,6 +81,28 @@ def test_a_parameter_that_a_node_has_not(
     assert all(help_ in (each.help or "") for each in found if help_)
 
 
+@pytest.mark.parametrize(("version", "text"), [(1, ROSPY), (2, RCLPY)])
+@pytest.mark.parametrize(
+    ("pattern", "name", "help_"),
+    [
+        ("/gain", "speed", None),
+        ("/gain", "sped", "did you mean `speed`?"),
+        ("/r/gain", "sped", "did you mean `speed`?"),
+        ("/other", "sped", None),
+        ("/**", "sped", None),
+        ("/r/*", "sped", None),
+    ],
+)
+def test_a_parameter_of_the_file_that_a_node_has_not(
+    tmp_path: Path, version: int, text: str, pattern: str, name: str, help_: str | None
+) -> None:
+    setup = setup_of(namespace="/r")._replace(params=(NodeParameters(pattern, {name: 1.0}),))
+    file = tmp_path / "p.yaml"
+    found = list(setup.problems([node_of(tmp_path, text, version)], file))
+    expected = [] if help_ is None else [("undeclared-parameter", file, help_)]
+    assert [(each.code, each.file, each.help) for each in found] == expected
+
+
 @pytest.mark.parametrize(
     ("version", "text"),
     [

@@ -7,15 +7,15 @@ and says what to write, or returns None. What none recognises keeps the diagnost
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Callable
 
-from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes, write
-from plastron_tui.diagnostics.suggest import nearest
+from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes
 
-from .declaration import Declaration, Form, SlotKind
+from .declaration import Form, SlotKind
 from .keywords import BY_KEYWORD, FIRST_WORDS, KEYWORDS, VERBS
-from .tokens import QUOTED_KINDS, UNKNOWN, WORD_KINDS, Token, is_glued, text_at
+from .mistake_place import Place, mended
+from .tokens import QUOTED_KINDS, UNKNOWN, is_glued, text_at
+from .value_mistakes import VALUE_SLIPS
 
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _TYPE = re.compile(r"[A-Za-z]\w*(/(msg/|srv/)?[A-Za-z]\w*)?", re.ASCII)
@@ -23,64 +23,13 @@ _TYPE = re.compile(r"[A-Za-z]\w*(/(msg/|srv/)?[A-Za-z]\w*)?", re.ASCII)
 # Opening quotes of word processors, with those that close them, and the straight ones.
 _QUOTES = {"‘": ("’", "'"), "’": ("’", "'"), "“": ("”", '"'), "”": ("”", '"'), "„": ("“”", '"')}
 
-_SECONDS = {"ms": 0.001, "s": 1, "sec": 1, "second": 1, "seconds": 1, "min": 60, "minutes": 60}
-
 _MOST_PARTS = max(word.count("_") for word in KEYWORDS) + 1
 """How many words the longest keyword is made of."""
 
-_COMPUTED = frozenset({Form.VALUES, Form.VALUE, Form.RATE, Form.CONDITION})
-"""The forms in which what is computed can stand."""
+_FOR_WHOM = "write first whose messages it is for: `for_each 'TOPIC_NAME'`"
 
 # What a word is made of where only one of these numbers begins it.
 _PREFIXES = {SlotKind.NEW_MESSAGE: "message", SlotKind.MESSAGE: "message", SlotKind.FUNCTION: "on"}
-
-
-class Place(NamedTuple):
-    """Where a line's first mistake is.
-
-    Attributes:
-        source: the program.
-        tokens: those of the line.
-        at: the token that the mistake starts at.
-        slots: the slots that were looked for, by the first token of each.
-        declaration: the statement that the line was to be, if that is known.
-    """
-
-    source: bytes
-    tokens: Sequence[Token]
-    at: int
-    slots: Mapping[int, SlotKind]
-    declaration: Declaration | None
-
-    @property
-    def token(self) -> Token:
-        """The token that the mistake starts at."""
-        return self.tokens[self.at]
-
-    @property
-    def wanted(self) -> SlotKind | None:
-        """The slot that the token was to fill."""
-        return self.slots.get(self.at)
-
-    def is_name(self, index: int) -> bool:
-        """Tell whether a token can be a variable."""
-        if not 0 <= index < len(self.tokens):
-            return False
-        token = self.tokens[index]
-        return token.kind in WORD_KINDS and token.text not in KEYWORDS
-
-    def run(self, marks: str) -> tuple[int, int]:
-        """Return the half-open range of tokens, joined by marks, that look like one word."""
-        first, last = self.at, self.at + 1
-        while is_glued(self.tokens, first) and self._joins(first - 1, marks):
-            first -= 1
-        while is_glued(self.tokens, last) and self._joins(last, marks):
-            last += 1
-        return first, last
-
-    def _joins(self, index: int, marks: str) -> bool:
-        token = self.tokens[index]
-        return token.kind in WORD_KINDS or token.kind == "number" or not set(token.text) - {*marks}
 
 
 def recognised(place: Place, found: Diagnostic) -> Diagnostic:
@@ -92,20 +41,13 @@ def recognised(place: Place, found: Diagnostic) -> Diagnostic:
     return found
 
 
-def _mended(found: Diagnostic, message: str, span: Span, text: str) -> Diagnostic:
-    """Say what to write in the place of a span."""
-    fix = write(text, span)
-    code = codes.SYNTAX_ERROR
-    return found._replace(code=code, message=message, span=span, help=fix.title, fix=fix)
-
-
 def _comment(place: Place, found: Diagnostic) -> Diagnostic | None:
     start = place.token.start
     mark = "#" if place.token.text[0] == "#" else "--"
     following = place.source[start : start + 3].decode("utf-8", "replace")
     if place.token.kind != UNKNOWN or not following.startswith(mark) or following[2:].isdigit():
         return None
-    return _mended(found, "a comment starts with `//`", Span(start, start + len(mark)), "//")
+    return mended(found, "a comment starts with `//`", Span(start, start + len(mark)), "//")
 
 
 def _quotes(place: Place, found: Diagnostic) -> Diagnostic | None:
@@ -160,14 +102,14 @@ def _mark(place: Place, found: Diagnostic) -> Diagnostic | None:
         if place.at + 1 < len(place.tokens):
             help_ = "write each statement on a line of its own"
             return found._replace(message="a statement ends with its line", help=help_, fix=None)
-        return _mended(found, "a statement ends with its line, without a `;`", token.span, "")
+        return mended(found, "a statement ends with its line, without a `;`", token.span, "")
     if token.text == "%" and place.at and before.kind == "number":
         span = Span(before.start, token.end)
-        return _mended(found, "a number has no unit", span, before.text)
+        return mended(found, "a number has no unit", span, before.text)
     is_call = token.text == "(" and text_at(place.tokens, place.at + 1) == ")"
     if is_call and is_glued(place.tokens, place.at):
         span = Span(token.start, place.tokens[place.at + 1].end)
-        return _mended(found, "a function is given by its name alone", span, "")
+        return mended(found, "a function is given by its name alone", span, "")
     if token.text == "\N{NO-BREAK SPACE}":
         return found._replace(
             message="this is a no-break space, not a plain one",
@@ -185,7 +127,7 @@ def _hyphen(place: Place, found: Diagnostic) -> Diagnostic | None:
     if "-" not in word or not _WORD.fullmatch(right) or right.endswith("_"):
         return None
     span = Span(place.tokens[first].start, place.tokens[last - 1].end)
-    return _mended(found, "a word has letters, digits and `_`, and no `-`", span, right)
+    return mended(found, "a word has letters, digits and `_`, and no `-`", span, right)
 
 
 def _number_first(place: Place, found: Diagnostic) -> Diagnostic | None:
@@ -200,7 +142,7 @@ def _number_first(place: Place, found: Diagnostic) -> Diagnostic | None:
         return None
     span = Span(place.token.start, place.tokens[last - 1].end)
     what = "function" if wanted is SlotKind.FUNCTION else "variable"
-    return _mended(found, f"a {what} starts with a letter", span, right)
+    return mended(found, f"a {what} starts with a letter", span, right)
 
 
 def _type_of_python(place: Place, found: Diagnostic) -> Diagnostic | None:
@@ -214,7 +156,7 @@ def _type_of_python(place: Place, found: Diagnostic) -> Diagnostic | None:
     if len(parts) != 2 or not all(map(_WORD.fullmatch, parts)) or not set(word) & {".", ":"}:
         return None
     span = Span(place.tokens[first].start, place.tokens[last - 1].end)
-    return _mended(found, "a type is written with `/`", span, "/".join(parts))
+    return mended(found, "a type is written with `/`", span, "/".join(parts))
 
 
 def _quoted(place: Place, found: Diagnostic) -> Diagnostic | None:
@@ -225,9 +167,9 @@ def _quoted(place: Place, found: Diagnostic) -> Diagnostic | None:
     text = token.text[1:-1]
     if wanted.form is Form.RATE:
         right = f"parameter '{text}'"
-        return _mended(found, "a rate has the word `parameter` before the name", token.span, right)
+        return mended(found, "a rate has the word `parameter` before the name", token.span, right)
     if wanted.form is Form.TEXT:
-        return _mended(found, "a text is in double quotes", token.span, f'"{text}"')
+        return mended(found, "a text is in double quotes", token.span, f'"{text}"')
     if wanted.form is Form.FILE:
         right = f"'{text}'"
         return found._replace(
@@ -241,7 +183,7 @@ def _quoted(place: Place, found: Diagnostic) -> Diagnostic | None:
     if pattern.fullmatch(text) and text not in KEYWORDS:
         what = wanted.words.partition(",")[0]
         verb = "have" if wanted.form is Form.QOS else "has"
-        return _mended(found, f"{what} {verb} no quotes", token.span, text)
+        return mended(found, f"{what} {verb} no quotes", token.span, text)
     if wanted is SlotKind.MESSAGE:
         return found._replace(help="make a message first, with `create_message`, and name it here")
     return None
@@ -261,28 +203,12 @@ def _swapped(place: Place, found: Diagnostic) -> Diagnostic | None:
     where = "first, before" if is_late else "second, after"
     message = f"`{keyword}` comes {where} the variable of the node"
     span = Span(tokens[0].start, tokens[1].end)
-    return _mended(found, message, span, f"{second} {first}")
+    return mended(found, message, span, f"{second} {first}")
 
 
 def _takes(keyword: str, index: int, kind: SlotKind) -> bool:
     """Tell whether a statement has a slot of a kind at a place among its slots."""
     return BY_KEYWORD[keyword].slots[index].kind is kind
-
-
-def _period(place: Place, found: Diagnostic) -> Diagnostic | None:
-    """Recognise `every 5 s`, where a rate is wanted."""
-    declaration = place.declaration
-    if declaration is None or place.token.text not in ("every", "each"):
-        return None
-    if all(slot.kind is not SlotKind.RATE for slot in declaration.slots):
-        return None
-    words = [token.text for token in place.tokens[place.at + 1 :]]
-    number, unit = ([*words, "", ""] if words[:1] != ["second"] else ["1", *words])[:2]
-    if unit not in _SECONDS or not re.fullmatch(r"\d*\.?\d+", number) or not float(number):
-        return None
-    rate = f"at {1 / (float(number) * _SECONDS[unit]):.6g} hz"
-    span = Span(place.token.start, place.tokens[-1].end)
-    return _mended(found, "how often is said in hertz", span, rate)
 
 
 def _two_words(place: Place, found: Diagnostic) -> Diagnostic | None:
@@ -294,36 +220,29 @@ def _two_words(place: Place, found: Diagnostic) -> Diagnostic | None:
             right = "_".join(words)
             if len(words) == end - first and right in KEYWORDS:
                 span = Span(tokens[first].start, tokens[end - 1].end)
-                return _mended(found, f"`{right}` is written as one word", span, right)
+                return mended(found, f"`{right}` is written as one word", span, right)
     return None
 
 
-def _comparison(place: Place, found: Diagnostic) -> Diagnostic | None:
-    """Recognise `==`, and comparisons that there are not."""
-    token, before = place.token, text_at(place.tokens, place.at - 1)
-    if token.text != "=" or before not in ("=", "<", ">") or not is_glued(place.tokens, place.at):
+def _clause(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `if` for `when`, `when` without `for_each`, and `qos` without `with`."""
+    declaration, text = place.declaration, place.token.text
+    if declaration is None or found.code != codes.SYNTAX_ERROR:
         return None
-    span = Span(place.tokens[place.at - 1].start, token.end)
-    if before == "=":
-        return _mended(found, "one `=` says that two are equal", span, "=")
-    return found._replace(message=f"expected `<`, `>` or `=`, not `{before}=`", span=span)
-
-
-def _misspelt_source(place: Place, found: Diagnostic) -> Diagnostic | None:
-    """Recognise `recieved.x`, and `parameters 'x'`."""
-    token, wanted = place.token, place.wanted
-    following = place.tokens[place.at + 1] if place.at + 1 < len(place.tokens) else None
-    if following is None or token.kind not in WORD_KINDS:
+    clauses = {clause.elements[:2] for clause in declaration.clauses}
+    words = [token.text for token in place.tokens[: place.at]]
+    if text == "qos" and ("with", "qos") in clauses and text not in words:
+        return mended(found, "`qos` has the word `with` before it", place.token.span, "with qos")
+    if text not in ("if", "when") or "when" in words:
         return None
-    if wanted is not None and wanted.form not in _COMPUTED:
+    if all(clause.keyword != "when" for clause in declaration.clauses):
         return None
-    right = "parameter" if following.kind in QUOTED_KINDS else "received"
-    if right == "received" and following.text != ".":
-        return None
-    if token.text == right or nearest(token.text, [right]) is None:
-        return None
-    fix = write(right, token.span)
-    return found._replace(help=f"did you mean `{right}`?", fix=fix)
+    if "for_each" not in words:
+        what = f"`{text}` stands behind `for_each` and a topic"
+        return found._replace(message=what, help=_FOR_WHOM)
+    if text == "if":
+        return mended(found, "a condition begins with `when`", place.token.span, "when")
+    return None
 
 
 _SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
@@ -336,8 +255,7 @@ _SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
     _type_of_python,
     _quoted,
     _swapped,
-    _period,
     _two_words,
-    _comparison,
-    _misspelt_source,
+    *VALUE_SLIPS,
+    _clause,
 )

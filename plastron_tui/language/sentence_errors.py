@@ -10,6 +10,7 @@ from plastron_tui.diagnostics.suggest import nearest
 
 from .declaration import Declaration, Form, Slot, SlotKind
 from .keywords import KEYWORDS
+from .mistake_place import shown, unquoted
 from .open_values import NAME_MARKS, OpenValues, end_of_received, is_received
 from .sentence_match import SentenceMatch, SlotMatch
 from .tokens import QUOTED_KINDS, UNCLOSED_STRING, UNKNOWN, WORD_KINDS, Token, text_at, token_at
@@ -58,12 +59,7 @@ def unexpected(token: Token) -> Diagnostic:
             Span(start, start + 2),
             help="close it with `*/`",
         )
-    return Diagnostic(codes.SYNTAX_ERROR, f"unexpected `{_shown(token.text)}`", token.span)
-
-
-def _shown(text: str) -> str:
-    shown = text if len(text) <= 40 else text[:37] + "..."
-    return shown if shown.isprintable() else ascii(shown)[1:-1]
+    return Diagnostic(codes.SYNTAX_ERROR, f"unexpected `{shown(token.text)}`", token.span)
 
 
 class SentenceErrors:
@@ -103,7 +99,7 @@ class SentenceErrors:
             return self._not_the_word(clause, token)
         if token.text in match.passed:
             return self._no_more(token)
-        return self._error(f"unexpected `{_shown(token.text)}`", token.span)
+        return self._error(f"unexpected `{shown(token.text)}`", token.span)
 
     def _in_clause(self, match: SentenceMatch, mistake: Diagnostic) -> Diagnostic | None:
         """Explain a mistake in what is open that was to begin the clause after it."""
@@ -143,7 +139,7 @@ class SentenceErrors:
                 return self._in_type(filled)
             case Form.FILE if filled.end > filled.first + 1:
                 parts = self._tokens[filled.first : filled.end]
-                return _unquoted(
+                return unquoted(
                     "a bare file name is one word; a path, or a name with its ending, is quoted",
                     Span(token.start, parts[-1].end),
                     "".join(part.text for part in parts),
@@ -159,7 +155,7 @@ class SentenceErrors:
                 help="choose another name",
             )
         if kind.is_quoted and (_fits(token, Form.WORD) or token.kind == "string"):
-            return _unquoted(f"expected {kind.words}", token.span, token.text.strip('"'))
+            return unquoted(f"expected {kind.words}", token.span, token.text.strip('"'))
         return self._expected(kind.words, token)
 
     def _in_type(self, filled: SlotMatch) -> Diagnostic | None:
@@ -303,10 +299,10 @@ class SentenceErrors:
             is_name = text == "=" or (following is not None and following.kind in WORD_KINDS)
             return None if is_name else self._error("expected a field after `.`", token.span)
         if last is not None and last.text == ".":
-            what = f"expected `=` after `{_shown(text)}`"
+            what = f"expected `=` after `{shown(text)}`"
             return None if is_named else self._error(what, token.span)
         if text in _OPERATORS and not values.wants_value:
-            what = "only `parameter` and `received` are calculated with, before a number"
+            what = "a calculation begins with `parameter` or `received`"
             return self._error(what, token.span)
         if kind in (UNKNOWN, UNCLOSED_STRING):
             return _broken_text(token, following)
@@ -317,7 +313,7 @@ class SentenceErrors:
             is_pair = _CLOSED_BY[opened.kind] == kind
             return None if is_pair else self._error(f"`{opened.kind}` is not closed", opened.span)
         if not values.wants_value:
-            what = f"unexpected `{_shown(text)}` in the values"
+            what = f"unexpected `{shown(text)}` in the values"
             return None if kind == "," else self._error(what, token.span)
         if kind in WORD_KINDS and is_named:
             if last is not None and last.text == "=":
@@ -333,17 +329,17 @@ class SentenceErrors:
         if text == "none":
             return self._error("`none` stands alone, and for no values at all", token.span)
         if token.kind not in QUOTED_KINDS and token.kind not in WORD_KINDS:
-            return self._error(f"expected a value, not `{_shown(text)}`", token.span)
+            return self._error(f"expected a value, not `{shown(text)}`", token.span)
         right = _BOOLEANS.get(text.lower())
         if right is None:
             right = f'"{text[1:-1] if token.kind in QUOTED_KINDS else text}"'
-            help_ = f"a number is written in digits, text in double quotes: {_shown(right)}"
+            help_ = f"a number is written in digits, text in double quotes: {shown(right)}"
         elif text in ("true", "false"):
             help_ = f"did you mean `{right}`?"
         else:
             help_ = f'write `{right}`; or, for a text, "{text}"'
-        fix = Fix(f"write {_shown(right)}", (Edit(token.span, right),))
-        what = f"`{_shown(text)}` is no value"
+        fix = Fix(f"write {shown(right)}", (Edit(token.span, right),))
+        what = f"`{shown(text)}` is no value"
         return Diagnostic(codes.SYNTAX_ERROR, what, token.span, help=help_, fix=fix)
 
     def _expected(self, what: str, token: Token | None = None) -> Diagnostic:
@@ -352,7 +348,7 @@ class SentenceErrors:
             return self._error(f"expected {what} here", Span(end, end))
         if token.kind in (UNKNOWN, UNCLOSED_STRING) and token.text[0] in "'\"":
             return unexpected(token)
-        return self._error(f"expected {what}, not `{_shown(token.text)}`", token.span)
+        return self._error(f"expected {what}, not `{shown(token.text)}`", token.span)
 
     def _error(self, message: str, span: Span) -> Diagnostic:
         usage = self._declaration.usage
@@ -376,12 +372,6 @@ def _fits(token: Token, form: Form) -> bool:
     return token.kind in _KINDS.get(form, WORD_KINDS) and token.text not in KEYWORDS
 
 
-def _unquoted(message: str, span: Span, text: str) -> Diagnostic:
-    """Explain a text that is to be in single quotes."""
-    fix = Fix("put it in single quotes", (Edit(span, f"'{text}'"),))
-    return Diagnostic(codes.SYNTAX_ERROR, message, span, help=f"write '{_shown(text)}'", fix=fix)
-
-
 def _broken_text(token: Token, following: Token | None) -> Diagnostic:
     """Explain a string that does not end, or that an escape broke off."""
     if token.kind != UNCLOSED_STRING or following is None or following.text[0] != "\\":
@@ -390,7 +380,7 @@ def _broken_text(token: Token, following: Token | None) -> Diagnostic:
     span = Span(following.start, following.start + len(escape.encode()))
     return Diagnostic(
         codes.UNKNOWN_ESCAPE,
-        f"`{_shown(escape)}` is no escape",
+        f"`{shown(escape)}` is no escape",
         span,
         help=f"the escapes are {escapes.listed()}; a backslash is written \\\\",
         fix=write(f"\\{escape}", span),

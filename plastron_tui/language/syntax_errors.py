@@ -11,9 +11,10 @@ from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes
 from plastron_tui.diagnostics.suggest import nearest
 
 from .broken_lines import Broken
-from .common_mistakes import Place, recognised
+from .common_mistakes import recognised
 from .declaration import Declaration, Slot, SlotKind
 from .keywords import BY_KEYWORD, FIRST_WORDS, KEYWORDS, VERBS
+from .mistake_place import Place
 from .sentence_errors import SentenceErrors, unexpected
 from .sentence_match import intended, match_sentence
 from .tokens import MOST_WORDS, QUOTED_KINDS, UNKNOWN, WORD_KINDS, Token, tokens_of

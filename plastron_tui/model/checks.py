@@ -207,9 +207,11 @@ class Checks:
         kind = MADE_BY[type(statement)]
         editing = kind.editing
         assert editing.already is not None, "it may be said again"
-        if self.endpoint_name(statement, node, kind) in node.by_kind[kind]:
+        earlier = node.by_kind[kind].get(self.endpoint_name(statement, node, kind))
+        if earlier is not None:
             what = f"`{node.variable}` {editing.indicative}"
-            raise self.exists_already(statement, editing.name_slot, node, editing.already, what)
+            slot = editing.name_slot
+            raise self.exists_already(statement, slot, node, editing.already, what, earlier.span)
 
     def unused(self, statement: Statement, node: Node, kind: EndpointKind) -> None:
         """Check that nothing else of a node needs an endpoint that a statement takes away."""
@@ -252,16 +254,16 @@ class Checks:
         return name
 
     def exists_already(
-        self, statement: Any, slot: str, node: Node, code: Code, what: str
+        self, statement: Any, slot: str, node: Node, code: Code, what: str, earlier: Span | None
     ) -> Mistake:
-        """Make the mistake of an endpoint that the node has already."""
+        """Make the mistake of what the node has already, since an earlier statement if known."""
         name = spelled(getattr(statement, slot))
         if self._consequences.explains(node, name):
             return Mistake()
         fix = Fix("take the statement away", (Edit(statement.span, ""),))
-        return Mistake(
-            Diagnostic(code, f"{what} `{name}` already", statement.span_of(slot), fix=fix)
-        )
+        labels = () if earlier is None else (Label(earlier, "said first here"),)
+        message = f"{what} `{name}` already"
+        return Mistake(Diagnostic(code, message, statement.span_of(slot), fix=fix, labels=labels))
 
 
 def _wrong_name(statement: Statement, slot: str, name: str, problem: NameProblem) -> Diagnostic:

@@ -2,8 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from plastron_tui.diagnostics import Diagnostic, codes
-from plastron_tui.language.inputs import Calculation, ParameterValue, Received
+from plastron_tui.language.inputs import (
+    Argument,
+    Calculation,
+    ListValue,
+    NamedArgument,
+    NestedValue,
+    ParameterValue,
+    Received,
+)
 from plastron_tui.ros.interfaces import FieldType
 
 from .value_diagnostics import Misfit, span
@@ -26,6 +36,24 @@ def computed(type_: FieldType, value: ParameterValue | Received | Calculation) -
     is_float = any(sign == "/" or isinstance(number, float) for sign, number in pairs)
     source = OfParameter(first.name) if isinstance(first, ParameterValue) else received(first)
     return Computed(source, pairs, type_, is_float)
+
+
+def written_as(
+    values: Iterable[Argument], value: Computed
+) -> ParameterValue | Received | Calculation | None:
+    """Return where values of a program say a computed value, None where they do not."""
+    for each in values:
+        found = None
+        match each:
+            case NamedArgument(value=inner):
+                found = written_as((inner,), value)
+            case ListValue(items=inner) | NestedValue(arguments=inner):
+                found = written_as(inner, value)
+            case ParameterValue() | Received() | Calculation():
+                found = each if computed(value.type, each) == value else None
+        if found is not None:
+            return found
+    return None
 
 
 def received(given: Received) -> OfReceived:

@@ -38,6 +38,8 @@ class Messages:
         self._version = setting.ros_version(None)
         self._program = Program(())
         self._made: dict[str, st.CreateMessage] = {}
+        # Those of this program, and not of one before it.
+        self._here: set[str] = set()
         # Those that only the other ROS has, with its generation.
         self._foreign: dict[str, int] = {}
         self._variants: dict[tuple[str, int], Message | None] = {}
@@ -45,6 +47,7 @@ class Messages:
     def begin(self, program: Program) -> None:
         """Go on with another program."""
         self._program = program
+        self._here = set()
 
     def create(self, statement: st.CreateMessage) -> None:
         """Make the message that a statement asks for."""
@@ -54,6 +57,7 @@ class Messages:
         if version != self._version:
             self._foreign[variable] = version
         self._made[variable] = statement
+        self._here.add(variable)
 
     def made(self, statement: st.CreateMessage) -> tuple[int, Message]:
         """Return the message that a statement asks for, and the generation of ROS it is of."""
@@ -80,6 +84,10 @@ class Messages:
             if isinstance(statement, st.CreateNode) and statement.library is not None
         }
         return used - {self._version}
+
+    def made_by(self, message: Message) -> st.CreateMessage | None:
+        """Return the statement that made a message, None where another program did."""
+        return self._made.get(message.variable) if message.variable in self._here else None
 
     def for_version(self, message: Message, version: int) -> Message:
         """Return a message as nodes of a generation of ROS send it."""

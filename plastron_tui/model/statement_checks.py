@@ -167,7 +167,8 @@ def _sent(run: Run, statement: st.Publish) -> None:
 def _unsent(run: Run, statement: st.Publish) -> None:
     node, message = run.checks.node(statement), _message(run, statement)
     message = run.messages.for_version(message, run.checks.version_of(node))
-    check_unsent(run, statement, node, message)
+    reaction = reaction_of(run, statement, node)
+    check_unsent(run, statement, node, message, None if reaction is None else reaction[0])
 
 
 def _rate(run: Run, statement: st.Publish | st.Repeats | st.ClientRequests) -> None:

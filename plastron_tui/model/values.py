@@ -89,15 +89,25 @@ def calculated(number: Number, steps: Sequence[tuple[str, Number]]) -> Number:
 
 def computed_in(value: Value) -> Iterator[Computed]:
     """Yield what is computed in a value when it is sent."""
+    return (each for _, each in computed_fields(value))
+
+
+def computed_fields(value: Value, name: str = "") -> Iterator[tuple[str, Computed]]:
+    """Yield what is computed in a value, each with the field that it is for: `linear.x`, `data[0]`.
+
+    Args:
+        value: the value.
+        name: the field that it is for itself, nothing for a whole message.
+    """
     match value:
         case Computed():
-            yield value
+            yield name, value
         case MessageValue(fields=fields):
-            for each in fields.values():
-                yield from computed_in(each)
+            for field, each in fields.items():
+                yield from computed_fields(each, f"{name}.{field}" if name else field)
         case tuple():
-            for each in value:
-                yield from computed_in(each)
+            for index, each in enumerate(value):
+                yield from computed_fields(each, f"{name}[{index}]")
 
 
 def with_source(value: Value, old: OfParameter, new: OfParameter) -> Value:

@@ -153,8 +153,13 @@ class RunSetup(NamedTuple):
                     message = f"`{name}` of `{node.name}`: {wrong}"
                     yield Diagnostic(codes.BAD_PARAMETERS, message, file=file)
             # What a file gives to all nodes is not for each of them.
-            given = dict.fromkeys(each.name for each in self._settings(node.name, node.variable))
-            yield from (found for name in given if (found := _undeclared(node, name)) is not None)
+            own = [each for each in self.params if "*" not in each.pattern]
+            given = dict.fromkeys(self._from_file(node.name, own), file)
+            set_here = self._settings(node.name, node.variable)
+            given |= dict.fromkeys((each.name for each in set_here), None)
+            for name, place in given.items():
+                if (found := _undeclared(node, name)) is not None:
+                    yield found._replace(file=place)
         yield from self.unmet(nodes)
 
     def unmet(self, nodes: Sequence[RunNode]) -> Iterator[Diagnostic]:
@@ -200,9 +205,12 @@ class RunSetup(NamedTuple):
     def _settings(self, *node: str) -> Iterator[Assignment]:
         return (each for each in self.settings if each.node in node)
 
-    def _from_file(self, name: str) -> dict[str, Setting]:
+    def _from_file(
+        self, name: str, params: Iterable[NodeParameters] | None = None
+    ) -> dict[str, Setting]:
         # The file is the program's, which knows no namespace.
-        return values_of(self.params, f"/{name}", self.names.full_node(name))
+        found = self.params if params is None else params
+        return values_of(found, f"/{name}", self.names.full_node(name))
 
 
 def find_params(

@@ -32,8 +32,9 @@ ALREADY_SUBSCRIBED = Code(
 
 ALREADY_PUBLISHING = Code(
     "already-publishing",
-    "A node publishes the same message to the same topic twice. To send it more often, give "
-    "the rate: `at 20 hz`.",
+    "A node publishes the same message to the same topic twice for the same reason: at a rate, "
+    "once, or for each message of a topic under one condition. To send it more often, give the "
+    "rate: `at 20 hz`.",
     bad=f"{TALKING}talker publish greeting to 'chatter' of message_type String\n",
     good=f"{TALKER}talker publish greeting to 'chatter' of message_type String at 20 hz\n",
 )

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Label, Span, codes, listed
+from plastron_tui.diagnostics import Diagnostic, Label, Span, codes, listed, write
 from plastron_tui.diagnostics.suggest import nearest
+from plastron_tui.language.inputs import Calculation
+from plastron_tui.language.statements import CreateMessage
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Field, FieldType, InterfaceKind
 from plastron_tui.ros.parameters import INTEGERS, ParameterType
 from plastron_tui.ros.primitives import LARGEST_FLOAT, check_scalar, primitive
 
+from ..computed_values import written_as
 from ..mistake import Mistake
-from ..values import Computed, OfParameter, OfReceived, Value, calculated, computed_in
+from ..value_diagnostics import span
+from ..values import Computed, OfParameter, OfReceived, Value, calculated, computed_fields
 from .parameter import Parameter, find_parameter
 
 if TYPE_CHECKING:
@@ -51,6 +56,24 @@ _PARAMETERS = {
 }
 
 
+class _Use(NamedTuple):
+    """A value that is computed, and where it is.
+
+    Attributes:
+        field: the field that it is for.
+        value: the value.
+        whole: where it is written.
+        source: where what it is computed of is written.
+        sent: where it is sent, which is where it is written unless another statement made it.
+    """
+
+    field: str
+    value: Computed
+    whole: Span
+    source: Span
+    sent: Span
+
+
 def check_computed(
     run: Run,
     statement: Any,
@@ -59,7 +82,7 @@ def check_computed(
     value: Value,
     *,
     heard: Sequence[Field] | None = None,
-    made: Span | None = None,
+    made: CreateMessage | None = None,
 ) -> None:
     """Check that a node has what is needed to compute a value when it is sent.
 
@@ -70,32 +93,57 @@ def check_computed(
         node: the node.
         value: the value.
         heard: the fields of what is received then, None where nothing is.
-        made: where the value was made, where that is another statement.
+        made: the statement that made the value, where that is another one.
     """
-    labels = () if made is None else (Label(made, "made here"),)
-    try:
-        for each in computed_in(value):
-            _check(run, statement, slot, node, each, heard)
-    except Mistake as mistake:
-        raise Mistake(*(found._replace(labels=labels) for found in mistake.diagnostics)) from None
-
-
-def _check(
-    run: Run,
-    statement: Any,
-    slot: str,
-    node: Node,
-    value: Computed,
-    heard: Sequence[Field] | None,
-) -> None:
-    """Check that a value has a source, and that all that it may be fits its field."""
     where = statement.span_of(slot)
+    for field, each in computed_fields(value):
+        use = _Use(field, each, where, where, where)
+        if _mistakes(run, node, use, heard) is None:
+            continue
+        # Where it is written is looked for among all values, and needed for a mistake only.
+        owner, values = (
+            (statement, getattr(statement, slot)) if made is None else (made, made.input)
+        )
+        written = written_as(values, each) if isinstance(values, tuple) else None
+        if written is not None:
+            first = written.first if isinstance(written, Calculation) else written
+            whole, source = (span(part.syntax).moved(owner.shift) for part in (written, first))
+            use = _Use(field, each, whole, source, whole if made is None else where)
+        mistakes = _mistakes(run, node, use, heard) or ()
+        raise Mistake(*(_placed(found, use, is_sure=written is not None) for found in mistakes))
+
+
+def _placed(found: Diagnostic, use: _Use, *, is_sure: bool) -> Diagnostic:
+    """Return what is wrong with a value, with its other place; of an unsure one is no remedy."""
+    if not is_sure:
+        return found._replace(fix=None)
+    if use.sent == use.whole:
+        return found
+    is_sent = found.span == use.sent
+    other = Label(use.whole, "made here") if is_sent else Label(use.sent, "sent here")
+    return found._replace(labels=(other,))
+
+
+def _mistakes(
+    run: Run, node: Node, use: _Use, heard: Sequence[Field] | None
+) -> tuple[Diagnostic, ...] | None:
+    """Return what is wrong with a value, None where nothing is."""
+    try:
+        _check(run, node, use, heard)
+    except Mistake as mistake:
+        return mistake.diagnostics
+    return None
+
+
+def _check(run: Run, node: Node, use: _Use, heard: Sequence[Field] | None) -> None:
+    """Check that a value has a source, and that all that it may be fits its field."""
+    value = use.value
     catalog = run.types.catalog(run.checks.version_of(node))
     version = catalog.ros_version
     parameter, given = None, None
     match value.source:
         case OfParameter(name=name):
-            parameter = find_parameter(run, statement, slot, node, name)
+            parameter = find_parameter(run, use.source, node, name)
             found = _what_of_parameter(parameter)
         case OfReceived() as source:
             if heard is None:
@@ -103,21 +151,37 @@ def _check(
                     Diagnostic(
                         codes.NOTHING_RECEIVED,
                         f"nothing is received that `{source}` could be of",
-                        where,
+                        use.sent,
                         help="send it `for_each` message of a topic, or in an answer",
                     )
                 )
-            given = type_received(source, heard, catalog, where)
+            given = type_received(source, heard, catalog, use.source)
             found = what_of(given, version)
     if any(map(is_too_large, (number for _, number in value.steps))):
-        raise Mistake(Diagnostic(codes.VALUE_OUT_OF_RANGE, "the number is too large", where))
-    problem = _misfit(value, found, version) or _too_long(value, given)
+        raise Mistake(Diagnostic(codes.VALUE_OUT_OF_RANGE, "the number is too large", use.whole))
+    problem = _misfit(use, found, version) or _too_long(use, given)
     if problem is not None:
-        raise Mistake(Diagnostic(codes.COMPUTED_TYPE_MISMATCH, problem, where))
+        raise Mistake(
+            Diagnostic(
+                codes.COMPUTED_TYPE_MISMATCH,
+                problem,
+                use.whole,
+                help=_element(value, found, version),
+            )
+        )
     if parameter is not None:
         problem = _unfit_default(value, parameter, version)
         if problem is not None:
-            raise Mistake(Diagnostic(codes.VALUE_OUT_OF_RANGE, problem, where))
+            raise Mistake(Diagnostic(codes.VALUE_OUT_OF_RANGE, problem, use.whole))
+
+
+def _element(value: Computed, found: What, version: int) -> str | None:
+    """Return what to write for a list whose elements fit, None where that is no remedy."""
+    source, wanted = value.source, what_of(value.type, version)
+    fits = found.kind == wanted.kind or (found.kind is int and wanted.kind is float)
+    if not isinstance(source, OfReceived) or not found.is_list or wanted.is_list or not fits:
+        return None
+    return f"write `{source}[0]` for its first element"
 
 
 def is_too_large(number: object) -> bool:
@@ -136,15 +200,21 @@ def fits(type_: FieldType, source: Parameter | FieldType, ros_version: int) -> b
         ros_version: the generation of ROS.
     """
     if isinstance(source, FieldType):
-        value = Computed(OfReceived(()), (), type_)
+        use = _unwritten(Computed(OfReceived(()), (), type_))
         found = what_of(source, ros_version)
-        return not (_misfit(value, found, ros_version) or _too_long(value, source))
+        return not (_misfit(use, found, ros_version) or _too_long(use, source))
     if source.holds is None:
         return False
     value = Computed(OfParameter(source.name), (), type_)
-    if _misfit(value, _what_of_parameter(source), ros_version) or _too_long(value, None):
+    use = _unwritten(value)
+    if _misfit(use, _what_of_parameter(source), ros_version) or _too_long(use, None):
         return False
     return source.default is None or not _unfit_default(value, source, ros_version)
+
+
+def _unwritten(value: Computed) -> _Use:
+    nowhere = Span(0, 0)
+    return _Use("", value, nowhere, nowhere, nowhere)
 
 
 def _what_of_parameter(parameter: Parameter) -> What:
@@ -189,12 +259,16 @@ def what_of(type_: FieldType, ros_version: int) -> What:
 def _no_field(source: OfReceived, name: str, fields: Sequence[Field], where: Span) -> Diagnostic:
     names = [each.name for each in fields]
     guess = nearest(name, names)
+    right = replace(
+        source, path=tuple(guess or each if each == name else each for each in source.path)
+    )
     text = f"did you mean `{guess}`?" if guess else f"its fields are: {listed(names)}"
     return Diagnostic(
         codes.UNKNOWN_FIELD,
         f"what is received has no field `{'.'.join(source.path)}`",
         where,
         help=text if names else "that field has no parts",
+        fix=None if guess is None else write(str(right), where),
     )
 
 
@@ -205,8 +279,9 @@ def _kind_of(type_: FieldType, ros_version: int) -> object:
     return type_.name if known is None or known.parts else known.kind
 
 
-def _misfit(value: Computed, found: What, version: int) -> str | None:
+def _misfit(use: _Use, found: What, version: int) -> str | None:
     """Return why a value does not fit its field, None where it does."""
+    value = use.value
     wanted = what_of(value.type, version)
     shown = f"`{value.source}`"
     if value.steps:
@@ -217,26 +292,27 @@ def _misfit(value: Computed, found: What, version: int) -> str | None:
         shown = "what is calculated"
     if found == wanted or (found.kind is int and wanted == What(float, found.is_list)):
         return None
-    return f"{shown} is {found}, and the field takes {wanted}"
+    return f"{shown} is {found}, and `{use.field}` takes {wanted}"
 
 
-def _too_long(value: Computed, given: FieldType | None) -> str | None:
+def _too_long(use: _Use, given: FieldType | None) -> str | None:
     """Return why a value may have more or fewer parts than its field takes, None where it cannot.
 
     Args:
-        value: the value.
+        use: the value.
         given: the type of what is received, None for a parameter, which has any length.
     """
+    value, field = use.value, f"`{use.field}`"
     wanted = value.type
     least, most = (0, None) if given is None else _lengths(given)
     fewest, limit = _lengths(wanted)
     if least < fewest or (limit is not None and (most is None or most > limit)):
         takes = f"{limit}" if fewest else f"at most {limit}"
-        return f"`{value.source}` has another length, and the field takes {takes} elements"
+        return f"`{value.source}` has another length, and {field} takes {takes} elements"
     bound = wanted.string_bound
     own = None if given is None else given.string_bound
     if bound is not None and (own is None or own > bound):
-        return f"`{value.source}` may be longer than the {bound} characters that the field takes"
+        return f"`{value.source}` may be longer than the {bound} characters that {field} takes"
     return None
 
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Span, codes, guess
+from plastron_tui.diagnostics import Diagnostic, Span, codes, guess, write
+from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.language.inputs import ListValue, Literal
 from plastron_tui.language.statements import HasParameter
 from plastron_tui.ros.names import check_parameter_name, parameter_name
@@ -113,19 +114,19 @@ def default_of(statement: HasParameter, type_: ParameterType) -> Setting:
 
 def _no_default(statement: HasParameter, type_: ParameterType, what: str) -> Mistake:
     where = statement.span_of("default")
-    remedy = f"write {_EXAMPLES[type_]}, say"
+    remedy = f"write {_EXAMPLES[type_]}"
     return Mistake(Diagnostic(codes.PARAMETER_TYPE_MISMATCH, what, where, help=remedy))
 
 
 _EXAMPLES = {
     ParameterType.BOOL: "`True` or `False`",
-    ParameterType.INT: "a whole number",
-    ParameterType.FLOAT: "a number",
-    ParameterType.STRING: 'a text, `"front"`',
-    ParameterType.BOOL_LIST: "`[True, False]`",
-    ParameterType.INT_LIST: "`[1, 2]`",
-    ParameterType.FLOAT_LIST: "`[0.5, 1.0]`",
-    ParameterType.STRING_LIST: '`["left", "right"]`',
+    ParameterType.INT: "a whole number, such as `1`",
+    ParameterType.FLOAT: "a number, such as `0.5`",
+    ParameterType.STRING: 'a text, such as `"front"`',
+    ParameterType.BOOL_LIST: "a list, such as `[True, False]`",
+    ParameterType.INT_LIST: "a list, such as `[1, 2]`",
+    ParameterType.FLOAT_LIST: "a list, such as `[0.5, 1.0]`",
+    ParameterType.STRING_LIST: 'a list, such as `["left", "right"]`',
 }
 
 
@@ -145,20 +146,23 @@ def range_of(
     assert isinstance(low, (int, float)) and isinstance(high, (int, float))
     assert isinstance(default, (int, float))
     if low > high:
-        raise _wrong_range(statement, f"{minimum:g} is greater than {maximum:g}")
+        turned = f"{maximum} and {minimum}"
+        raise _wrong_range(statement, f"{minimum:g} is greater than {maximum:g}", turned)
     if not low <= default <= high:
         what = f"the default is not between {minimum:g} and {maximum:g}"
         raise Mistake(Diagnostic(codes.INVALID_RANGE, what, statement.span_of("default")))
     return low, high
 
 
-def _wrong_range(statement: HasParameter, what: str) -> Mistake:
-    first, last = statement.span_of("minimum"), statement.span_of("maximum")
-    return Mistake(Diagnostic(codes.INVALID_RANGE, what, Span(first.start, last.end)))
+def _wrong_range(statement: HasParameter, what: str, right: str | None = None) -> Mistake:
+    where = Span(statement.span_of("minimum").start, statement.span_of("maximum").end)
+    fix = None if right is None else write(right, where)
+    remedy = None if right is None else f"write `between {right}`"
+    return Mistake(Diagnostic(codes.INVALID_RANGE, what, where, help=remedy, fix=fix))
 
 
-def find_parameter(run: Run, statement: Any, slot: str, node: Node, written: str) -> Parameter:
-    """Return the parameter of a node that a statement uses in a slot."""
+def find_parameter(run: Run, where: Span, node: Node, written: str) -> Parameter:
+    """Return the parameter of a node that a statement uses, where it writes `parameter 'NAME'`."""
     parameters = node.of(Parameter)
     name = parameter_name(written, run.checks.version_of(node))
     found = parameters.get(name)
@@ -168,13 +172,15 @@ def find_parameter(run: Run, statement: Any, slot: str, node: Node, written: str
         raise Mistake
     what = "has no parameter" if found is None else "does not say the default of"
     names = [each.removeprefix("~/") for each in parameters]
-    remedy, _ = guess(written, names, statement.span_of(slot), is_quoted=True)
+    guessed = nearest(written, names)
+    remedy = None if guessed is None else f"did you mean `{guessed}`?"
     made = f"{node.variable} has_parameter '{written}' of parameter_type float with default 1"
     raise Mistake(
         Diagnostic(
             codes.UNKNOWN_PARAMETER,
             f"`{node.variable}` {what} `{written}`",
-            statement.span_of(slot),
-            help=remedy or f"give it one first: `{made}`, say",
+            where,
+            help=remedy or f"give it one first, such as `{made}`",
+            fix=write(f"parameter '{guessed}'", where) if guessed else None,
         )
     )

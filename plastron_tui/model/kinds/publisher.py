@@ -78,13 +78,13 @@ def publish(run: Run, statement: Publish) -> None:
     message = run.messages.for_version(message, checks.version_of(node))
     check_sent(statement, message, type_.name)
     rate = rate_of(run, statement, node)
-    reaction = reaction_of(run, statement, node)
-    heard = None if reaction is None else reaction[1].fields
-    made = message.span
+    reaction, type_heard = reaction_of(run, statement, node) or (None, None)
+    heard = None if type_heard is None else type_heard.fields
+    made = run.messages.made_by(message)
     check_computed(run, statement, "message", node, message.value, heard=heard, made=made)
     publisher = node.of(Publisher).get(topic)
     earlier = () if publisher is None else publisher.publications
-    check_unsent(run, statement, node, message)
+    check_unsent(run, statement, node, message, reaction)
     span = statement.span if publisher is None else publisher.span
     is_open = rate is None and reaction is None and not statement.once
     sent = Publication(
@@ -94,7 +94,7 @@ def publish(run: Run, statement: Publish) -> None:
         is_open,
         None if rate is None else rate.parameter,
         statement.once,
-        None if reaction is None else reaction[0],
+        reaction,
     )
     qos = qos_of(run, statement, checks.version_of(node))
     if publisher is not None:
@@ -102,12 +102,20 @@ def publish(run: Run, statement: Publish) -> None:
     run.add(statement, node, Publisher(topic, type_.name, (*earlier, sent), span, qos))
 
 
-def check_unsent(run: Run, statement: Publish, node: Node, message: Message) -> None:
-    """Check that a node does not send a message to a topic yet."""
+def check_unsent(
+    run: Run, statement: Publish, node: Node, message: Message, reaction: Reaction | None
+) -> None:
+    """Check that a node does not send a message to a topic for the same reason yet.
+
+    Another rate is no other reason: it is more often, or a slip.
+    """
     publisher = node.of(Publisher).get(spelled(statement.topic))
-    if publisher is not None and any(each.message is message for each in publisher.publications):
-        what = f"`{node.variable}` publishes `{message.variable}` to"
-        raise run.checks.exists_already(statement, "topic", node, codes.ALREADY_PUBLISHING, what)
+    for each in () if publisher is None else publisher.publications:
+        is_same = each.is_once == statement.once and each.reaction == reaction
+        if each.message is message and is_same:
+            what = f"`{node.variable}` publishes `{message.variable}` to"
+            code = codes.ALREADY_PUBLISHING
+            raise run.checks.exists_already(statement, "topic", node, code, what, each.span)
 
 
 def check_sent(statement: Publish, message: Message, type_: InterfaceName) -> None:

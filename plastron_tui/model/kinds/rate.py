@@ -43,7 +43,7 @@ def rate_of(run: Run, statement: Any, node: Node) -> Rate | None:
     if isinstance(given, ParameterValue):
         from .parameter import find_parameter  # which imports this file
 
-        found = find_parameter(run, statement, "rate", node, given.name)
+        found = find_parameter(run, statement.span_of("rate"), node, given.name)
         if not isinstance(found.default, (int, float)) or isinstance(found.default, bool):
             raise Mistake(
                 Diagnostic(
@@ -65,6 +65,9 @@ def check_rate(statement: Any, rate: int | float, what: str = "") -> float:
     if LOWEST_RATE <= rate <= HIGHEST_RATE:
         return float(rate)
     where = statement.span_of("rate")
+    if not what and not rate:
+        message = "a rate is greater than 0 hz"
+        raise Mistake(Diagnostic(codes.INVALID_RATE, message, where, help="write `at 1 hz`"))
     is_negative = not what and LOWEST_RATE <= -rate <= HIGHEST_RATE
     limits = f"a rate is at least {LOWEST_RATE:g} and at most {HIGHEST_RATE:g} hz"
     raise Mistake(

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import operator as operators
+from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Label, codes, guess
+from plastron_tui.diagnostics import Diagnostic, Label, codes, guess, write
 from plastron_tui.language.statements import Publish
-from plastron_tui.ros.interfaces import Interface, InterfaceKind
+from plastron_tui.ros.interfaces import FieldType, Interface, InterfaceKind, Scalar
+from plastron_tui.ros.primitives import primitive
 
 from ..computed_values import received
 from ..mistake import Mistake
-from ..value_diagnostics import Misfit
+from ..value_diagnostics import Misfit, span
 from ..values import OfReceived
 from .computed import is_too_large, type_received, what_of
 from .subscription import Subscription
@@ -18,6 +21,14 @@ from .subscription import Subscription
 if TYPE_CHECKING:
     from ..run import Run
     from ..workspace import Node
+
+
+_COMPARE: dict[str, Callable[[float, float], bool]] = {
+    "<": operators.lt,
+    ">": operators.gt,
+    "=": operators.eq,
+}
+_WORDS = {"<": "less than", ">": "greater than", "=": "equal to"}
 
 
 class Condition(NamedTuple):
@@ -93,29 +104,73 @@ def _condition(run: Run, statement: Publish, node: Node, type_: Interface) -> Co
     given = statement.condition
     if given is None:
         return None
-    where = statement.span_of("condition")
     try:
         source = received(given.received)
     except Misfit as misfit:
         raise Mistake(misfit.diagnostic.moved(statement.shift)) from None
     catalog = run.types.catalog(run.checks.version_of(node))
-    found = what_of(type_received(source, type_.fields, catalog, where), catalog.ros_version)
-    problem = None
+    where = span(given.received.syntax).moved(statement.shift)
+    compared = type_received(source, type_.fields, catalog, where)
+    found = what_of(compared, catalog.ros_version)
+    problem, right = None, None
     if found.is_list != (given.quantifier is not None):
         problem = f"`{source}` is {found}: write `any` or `all` before it"
         if given.quantifier is not None:
             problem = f"`{source}` is {found}, of which there is no `{given.quantifier}`"
     elif not _is_comparable(found.kind, given.operator, given.value.value):
         problem = f"`{source}` is {found}, and is not compared like this"
+        right = _literal(found.kind, given.operator, given.value.value)
     if problem is not None:
-        raise Mistake(Diagnostic(codes.COMPUTED_TYPE_MISMATCH, problem, where))
-    value = given.value.value
-    if is_too_large(value):
-        raise Mistake(Diagnostic(codes.VALUE_OUT_OF_RANGE, "the number is too large", where))
-    return Condition(given.quantifier, source, given.operator, value)
+        at = span(given.value.syntax).moved(statement.shift)
+        raise Mistake(
+            Diagnostic(
+                codes.COMPUTED_TYPE_MISMATCH,
+                problem,
+                statement.span_of("condition"),
+                help=None if right is None else f"write `= {right}`",
+                fix=None if right is None else write(right, at),
+            )
+        )
+    problem = _foregone(compared, given.operator, given.value.value, catalog.ros_version)
+    if is_too_large(given.value.value):
+        problem = "the number is too large"
+    if problem is not None:
+        where = statement.span_of("condition")
+        raise Mistake(Diagnostic(codes.VALUE_OUT_OF_RANGE, problem, where))
+    return Condition(given.quantifier, source, given.operator, given.value.value)
 
 
-def _is_comparable(kind: object, operator: str, value: bool | int | float | str) -> bool:
+def _is_comparable(kind: object, operator: str, value: Scalar) -> bool:
     if kind in (bool, str):
         return operator == "=" and isinstance(value, kind)
     return kind in (int, float) and isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def _literal(kind: object, operator: str, value: Scalar) -> str | None:
+    """Return the value that is meant by one of another type, None where nobody can tell."""
+    if operator != "=" or isinstance(value, str) or value not in (0, 1):
+        return None
+    if kind is bool:
+        return str(bool(value))
+    return str(int(value)) if kind in (int, float) else None
+
+
+def _foregone(type_: FieldType, operator: str, value: Scalar, ros_version: int) -> str | None:
+    """Return why a condition holds always or never, whatever is received; None where it does not.
+
+    A float may be infinite, so that it is less, and more, than any number.
+    """
+    known = primitive(type_.name, ros_version)
+    if known is None or not isinstance(value, (int, float)):
+        return None
+    if known.low is None or known.high is None:
+        return None
+    holds = _COMPARE[operator]
+    ends = {holds(known.low, value), holds(known.high, value)}
+    if operator == "=" and known.low <= value <= known.high and value % 1 == 0:
+        return None
+    if len(ends) == 2:
+        return None
+    which, how = ("every", "always") if True in ends else ("no", "never")
+    what = f"{which} `{type_.name}` is {_WORDS[operator]} {value}"
+    return f"{what}: the condition {how} holds"
