@@ -130,6 +130,7 @@ create_node 'driver' as driver using rclpy
 driver has_parameter 'speed' of parameter_type float with default 0.5
 driver has_parameter 'frame' of parameter_type string with default "map"
 subscribe driver to 'joy' of message_type Joy
+subscribe driver to 'fix' of message_type NavSatFix
 """
 SPEED = "parameter 'speed'"
 OFFERED = [
@@ -138,6 +139,7 @@ OFFERED = [
     ("TwistStamped", ("header", "frame_id"), "joy", ["parameter 'frame'",
                                                      "received.header.frame_id"]),
     ("Bool", ("data",), "joy", []),
+    ("Float64", ("data",), "fix", [SPEED, "received.latitude"]),
     ("Float32MultiArray", ("data",), "joy", ["received.axes"]),
     ("Time", ("sec",), "joy", ["received.buttons[0]", "received.header.stamp.sec"]),
 ]  # fmt: skip
