@@ -9,12 +9,12 @@ from tree_sitter import Node
 
 from .analysis import Analysis, Site
 from .creation import Removal
+from .endings import destroying
 from .functions import callback_scope, definition, function_uses, timers_of
 from .generated import body_of, is_stub
 from .log_uses import is_telling
 from .purity import is_pure
 from .references import Use, Variable, function_of, references, statement_of
-from .removal import destroying
 from .scopes import Scope
 from .splices import Splice
 from .syntax import parts_of

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 
 from tree_sitter import Node
@@ -16,45 +15,30 @@ from .calls import Argument
 from .constants import Known
 from .creation import Removal, line_of
 from .emptied_blocks import emptied_blocks
+from .endings import destroying, ends_endpoint
 from .functions import callback_scope, definition, function_uses, timers_of
 from .generated import (
-    is_asking_function,
-    is_calling_function,
     is_own_call,
     is_publishing_function,
-    repeated_task,
-    sent_once,
     serves,
 )
+from .own_removal import remove_calling, remove_ending, remove_once
 from .rates import is_once
 from .references import (
     Reference,
     Use,
     Variable,
-    identifiers,
     references,
     statement_of,
-    variable_of,
 )
 from .scopes import Scope
 from .syntax import parts_of
-from .written_functions import EXECUTING, HELPERS, SENDING, is_one_of
 
-_GOAL = re.compile(r"\.(\w+) = goal_handle\b")
-# What ends an endpoint: its own methods, and those of an rclpy node.
-_ENDING = frozenset({"destroy", "shutdown", "unregister"})
 # What makes an action ready, and is of no use without it.
 _READYING = {
     EndpointKind.ACTION_SERVER: "start",
     EndpointKind.ACTION_CLIENT: "wait_for_server",
 }
-_DESTROYING = frozenset(
-    {"destroy_client", "destroy_publisher", "destroy_service", "destroy_subscription"}
-    | {"destroy_lifecycle_publisher", "destroy_timer"}
-)
-
-# The first value of the attribute that holds a repeated call, and its two places in the function.
-_PLACES_OF_TASK = 3
 
 
 def find_sites(analysis: Analysis, change: Remove | Update | Rename) -> list[Site]:
@@ -110,9 +94,9 @@ def remove_uses(
     rebound: set[int] = set()
     uses = references(variable, analysis)
     if sites[0].endpoint.kind in (EndpointKind.CLIENT, EndpointKind.ACTION_CLIENT):
-        uses = _remove_calling(analysis, uses, removal)
+        uses = remove_calling(analysis, uses, removal)
     elif sites[0].endpoint.kind is EndpointKind.PUBLISHER:
-        uses = _remove_once(analysis, uses, removal)
+        uses = remove_once(analysis, uses, removal)
     for reference in uses:
         start = reference.node.start_byte
         if any(first <= start < last for first, last in gone) or any(
@@ -125,13 +109,15 @@ def remove_uses(
             reference.use is Use.BARE
             or _readies(analysis, reference, sites[0].endpoint.kind)
             or is_own_call(analysis, reference)
-            or _ends_endpoint(analysis, reference)
+            or ends_endpoint(analysis, reference)
         ):
             removal.statements.append(reference.statement)
         elif reference.use is Use.BINDING:
             rebound.add(line_of(reference.node))
         elif _is_guard(analysis, reference):
             guards.append(reference)
+        elif remove_ending(analysis, reference, removal):
+            pass
         elif reference.use is not Use.NOTHING:
             removal.lines.add(line_of(reference.node))
     # What the variable holds besides matters only where something is done with it.
@@ -183,182 +169,13 @@ def _readies(analysis: Analysis, reference: Reference, kind: EndpointKind) -> bo
     return is_statement and name is not None and analysis.syntax.slice(name) == _READYING.get(kind)
 
 
-def _ends_endpoint(analysis: Analysis, reference: Reference) -> bool:
-    """Whether a statement does nothing but end an endpoint, which is no more."""
-    parent = reference.node.parent
-    call = reference.statement.named_children[0] if reference.statement.named_children else None
-    if parent is None or call is None or call.type != "call" or len(parts_of(call.parent)) != 1:
-        return False
-    callee, arguments = (call.child_by_field_name(each) for each in ("function", "arguments"))
-    name = callee.child_by_field_name("attribute") if callee is not None else None
-    if callee is None or arguments is None or name is None:
-        return False
-    ending = analysis.syntax.slice(name)
-    if parent.id == callee.id:
-        return ending in _ENDING and not parts_of(arguments)
-    return ending in _DESTROYING and [part.id for part in parts_of(arguments)] == [
-        reference.node.id
-    ]
-
-
-def _remove_calling(analysis: Analysis, uses: list[Reference], removal: Removal) -> list[Reference]:
-    """Remove the functions that Plastron wrote to ask a server; return the other uses."""
-    functions: dict[int, Scope] = {}
-    for reference in uses:
-        function = analysis.scopes.at(reference.node.start_byte).enclosing("function")
-        if function is None:
-            continue
-        if (
-            is_calling_function(analysis, function)
-            or is_asking_function(analysis, function)
-            or is_one_of(analysis, function, SENDING)
-        ):
-            functions[function.node.id] = function
-    for function in list(functions.values()):
-        if is_asking_function(analysis, function):
-            if not _remove_asking(analysis, function, removal):
-                del functions[function.node.id]
-            continue
-        timers = timers_of(analysis, function)
-        statement = statement_of(timers[0].call) if len(timers) == 1 else None
-        mentions = function_uses(analysis, function)
-        if statement is None or len(mentions) != 1:
-            del functions[function.node.id]
-            continue
-        removal.sites += timers
-        removal.statements += [statement, definition(function)]
-        removal.statements += destroying(analysis, timers[0]) or []
-    gone = [function.node for function in functions.values()]
-    return [
-        reference
-        for reference in uses
-        if not any(node.start_byte <= reference.node.start_byte < node.end_byte for node in gone)
-    ]
-
-
-def _remove_once(analysis: Analysis, uses: list[Reference], removal: Removal) -> list[Reference]:
-    """Remove the functions that Plastron wrote to send something once; return the other uses."""
-    gone: list[Scope] = []
-    for reference in uses:
-        function = analysis.scopes.at(reference.node.start_byte).enclosing("function")
-        if function is None or any(each is function for each in gone):
-            continue
-        found, timers = sent_once(analysis, function), timers_of(analysis, function)
-        if found is None or len(timers) != 1 or len(function_uses(analysis, function)) != 1:
-            continue
-        name = found["heard"].rpartition(".")[2]
-        outside = [
-            statement_of(each)
-            for each in identifiers(name, analysis)
-            if not analysis.scopes.at(each.start_byte).is_within(function)
-        ]
-        if destroying(analysis, timers[0]) is None or len(outside) != 1:
-            continue
-        gone.append(function)
-        removal.sites += timers
-        removal.statements += [statement_of(timers[0].call), definition(function), *outside]
-        removal.statements += destroying(analysis, timers[0]) or []
-    return [
-        each
-        for each in uses
-        if not any(analysis.scopes.at(each.node.start_byte).is_within(scope) for scope in gone)
-    ]
-
-
-def _remove_asking(analysis: Analysis, function: Scope, removal: Removal) -> bool:
-    """Remove a method that asks a server, and what starts it; tell whether that is all of it."""
-    mentions = function_uses(analysis, function)
-    statement = statement_of(mentions[0]) if len(mentions) == 1 else None
-    if statement is None or statement.type != "expression_statement":
-        return False
-    repeating = analysis.scopes.at(statement.start_byte).enclosing("function")
-    if repeating is not None and _remove_repeating(analysis, repeating, removal):
-        removal.statements.append(definition(function))
-        return True
-    if parts_of(statement)[0].type == "assignment":
-        return False
-    removal.statements += [statement, definition(function)]
-    return True
-
-
-def _remove_repeating(analysis: Analysis, function: Scope, removal: Removal) -> bool:
-    """Remove a function that repeats a call, and what holds the two; False for others."""
-    timers = timers_of(analysis, function)
-    task, owner = repeated_task(analysis, function), function.parent
-    if task is None or owner is None or len(timers) != 1:
-        return False
-    ends = destroying(analysis, timers[0])
-    if ends is None or len(function_uses(analysis, function)) != 1:
-        return False
-    removal.sites += timers
-    removal.statements += [statement_of(timers[0].call), definition(function), *ends]
-    if len(list(identifiers(task, analysis))) == _PLACES_OF_TASK:
-        bindings = owner.attributes.get(task, [])
-        first = [each for each in bindings if each.scope is not function]
-        removal.statements += [statement_of(each.node) for each in first]
-    return True
-
-
-def executing(analysis: Analysis, sites: Iterable[Site]) -> list[Node]:
-    """Return the functions that Plastron wrote to work on goals of action servers that go."""
-    found = []
-    for site in sites:
-        function = callback_scope(analysis, site)
-        if site.endpoint.kind is not EndpointKind.ACTION_SERVER or function is None:
-            continue
-        if is_one_of(analysis, function, EXECUTING) and len(function_uses(analysis, function)) == 1:
-            found += [definition(function), *_first_goal(analysis, function)]
-    return found
-
-
-def _first_goal(analysis: Analysis, function: Scope) -> list[Node]:
-    """Return `self.goal = None`, where such a function alone has to do with the attribute."""
-    held = _GOAL.search(analysis.syntax.slice(function.node))
-    node = function.node
-    others = [
-        statement_of(each)
-        for each in (identifiers(held[1], analysis) if held is not None else ())
-        if not node.start_byte <= each.start_byte < node.end_byte
-    ]
-    is_none = len(others) == 1 and analysis.syntax.slice(others[0]).endswith("= None")
-    return others if is_none else []
-
-
-def unused_helpers(analysis: Analysis, removal: Removal) -> list[Node]:
-    """Return the functions that Plastron wrote for those that go, and that nothing else uses."""
-    found: list[Node] = []
-    helpers = [
-        scope
-        for scope in analysis.scopes.all
-        if scope.kind == "function" and is_one_of(analysis, scope, HELPERS)
-    ]
-    for helper in helpers:
-        gone = [(each.start_byte, each.end_byte) for each in removal.statements]
-        uses = [each.start_byte for each in function_uses(analysis, helper)]
-        if uses and all(any(start <= use < end for start, end in gone) for use in uses):
-            found.append(definition(helper))
-    return found
-
-
-def destroying(analysis: Analysis, timer: Site) -> list[Node] | None:
-    """Return the statements that destroy a timer, None where something else is done with it."""
-    parent = timer.call.parent
-    if parent is not None and parent.type == "expression_statement":
-        return []
-    target = parent.child_by_field_name("left") if parent and parent.type == "assignment" else None
-    variable = variable_of(target, analysis) if target is not None else None
-    if variable is None:
-        return None
-    uses = references(variable, analysis)
-    uses = [each for each in uses if each.use not in (Use.BINDING, Use.NOTHING)]
-    ends = [each.statement for each in uses if _ends_endpoint(analysis, each)]
-    function = callback_scope(analysis, timer)
-    inside = [
-        each
-        for each in uses
-        if function is not None and analysis.scopes.at(each.node.start_byte).is_within(function)
-    ]
-    return ends if len(ends) + len(inside) == len(uses) else None
+def _only_call(analysis: Analysis, function: Scope) -> Node | None:
+    """Return the statement that does nothing but call a function, where nothing else names it."""
+    uses = function_uses(analysis, function)
+    statement = statement_of(uses[0]) if len(uses) == 1 else None
+    parts = parts_of(statement) if statement is not None else []
+    callee = parts[0].child_by_field_name("function") if len(parts) == 1 else None
+    return statement if callee is not None and callee.end_byte == uses[0].end_byte else None
 
 
 def _remove_publishing(
@@ -374,6 +191,9 @@ def _remove_publishing(
             removal.statements.append(reference.statement)
     for function in whole.values():
         timers = timers_of(analysis, function)
+        if (call := _only_call(analysis, function)) is not None:
+            removal.statements += [call, definition(function)]
+            continue
         ends = destroying(analysis, timers[0]) if len(timers) == 1 else None
         if ends is not None and len(function_uses(analysis, function)) == 1:
             removal.sites += timers

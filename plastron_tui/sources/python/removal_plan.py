@@ -9,8 +9,9 @@ from .emptied_blocks import bare_conditions, emptied_blocks
 from .function_place import rulers_above
 from .imports import unused_imports
 from .leftovers import placeholders, remove_idle, sending_logs, stub_callbacks
+from .own_removal import executing, unused_helpers
 from .references import Variable
-from .removal import executing, remove_uses, unused_helpers, waits
+from .removal import remove_uses, waits
 from .splices import around, delete_statements
 from .unused_attributes import unused_attributes
 from .unused_locals import unused_locals

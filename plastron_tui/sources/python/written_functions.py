@@ -1,4 +1,4 @@
-"""Functions that an edit writes for actions, and that it knows again: each is declared once.
+"""Functions that Plastron writes, and that an edit knows again: each is declared once.
 
 A line is one statement, a tab in front of it a level of indent. What is in braces differs; what
 begins with `log` logs something. A short function is known by its docstring too: people write such.
@@ -98,8 +98,41 @@ SLEEP = (
 )
 """Waits in rclpy."""
 
+EXECUTE_OWN = (
+    "{log}",
+    "server = {server}",
+    "for _ in range(10):",
+    "\tif server.is_preempt_requested():",
+    "\t\tserver.set_preempted()",
+    "\t\treturn",
+    "\tif not server.is_active():",
+    "\t\treturn",
+    f"\t{STEP}",
+    "\tserver.publish_feedback({feedback})",
+    "\t{pause}(0.5)",
+    "server.set_succeeded({result})",
+)
+"""Works on a goal in a node of rospy that is all Plastron's."""
+
+END_GOALS = (
+    '"""Abort the goals that are worked on when the node ends, and take no more."""',
+    "for server in {servers}:",
+    "\tserver.action_server.started = False",
+    "\tif server.is_active():",
+    '\t\tserver.set_aborted(text="the node ends")',
+)
+"""Ends the goals of all servers in such a node."""
+
+WARN_UNHEARD = (
+    '"""Warn as long as nobody listens to {label}."""',
+    "if {publisher}.get_num_connections():",
+    "\t{timer}.shutdown()",
+    "else: {log}",
+)
+"""Tells in rospy that nobody hears what was sent once."""
+
 SENDING = (SEND_ASYNC, SEND_AND_WAIT)
-EXECUTING = (EXECUTE_ASYNC, EXECUTE)
+EXECUTING = (EXECUTE_ASYNC, EXECUTE, EXECUTE_OWN)
 HELPERS = (AWAIT_RESULT, ACCEPT_CANCEL, SLEEP)
 
 _DIFFERENT = re.compile(r"\{(\w+)\}")
@@ -150,7 +183,7 @@ def _statements(analysis: Analysis, statements: list[Node]) -> Iterator[str]:
         yield from _statements(analysis, parts_of(block))
         rest = analysis.syntax.between(block.end_byte, each.end_byte)
         if rest.strip():
-            yield rest
+            yield _plain(rest)
 
 
 def _plain(text: str) -> str:
