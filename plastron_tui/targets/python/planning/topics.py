@@ -60,7 +60,7 @@ def add_publishers(writing: Writing, plan: NodePlan) -> None:
             plan.timers.append(timer._replace(publisher=attribute, label=label, sends=sends))
         for reaction, found in by_reaction.items():
             heard = _heard(writing, reaction.topic)
-            condition, may_fail = _condition(writing, reaction.condition, heard)
+            condition, compared = _condition(writing, reaction.condition, heard)
             plan.reactions.append(
                 ReactionPlan(
                     publisher=attribute,
@@ -70,7 +70,7 @@ def add_publishers(writing: Writing, plan: NodePlan) -> None:
                     label=label,
                     sends=_sends(writing, publisher, found, heard),
                     condition=condition,
-                    is_condition_sure=not may_fail,
+                    compared=compared,
                 )
             )
         if once:
@@ -99,10 +99,10 @@ def _heard(writing: Writing, topic: str) -> Sequence[Field]:
 
 def _condition(
     writing: Writing, condition: Condition | None, heard: Sequence[Field]
-) -> tuple[str, bool]:
-    """Write what must hold of a message that is called `received`; tell whether that may fail."""
+) -> tuple[str, tuple[str, ...]]:
+    """Write what must hold of a message that is called `received`; name what it may lack."""
     if condition is None:
-        return "", False
+        return "", ()
     type_ = type_received(condition.source, heard, writing.catalog, writing.node.span)
     holder = holder_of(writing, condition.source, "received", heard)
     compared = as_number(writing, holder if condition.quantifier is None else "each", type_.element)
@@ -116,7 +116,8 @@ def _condition(
         text = f"{compared} {operator} {writing.setting(value)}"
     if condition.quantifier is not None:
         text = f"{condition.quantifier}({text} for each in {holder})"
-    return text, lacks(writing, condition.source, heard)
+    is_unsure = lacks(writing, condition.source, heard)
+    return text, (str(condition.source),) if is_unsure else ()
 
 
 def add_subscriptions(writing: Writing, plan: NodePlan) -> None:
