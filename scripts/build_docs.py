@@ -119,12 +119,16 @@ driver publish stop to 'cmd_vel' of message_type Twist for_each 'scan' when any 
 generate_node driver
 ```
 
+Two values are not calculated with each other, and there are no brackets: that is code. A message
+can be sent to a topic for several reasons, a statement each: at a rate, once, and `for_each`
+message of one topic and of another.
+
 A condition compares one field with a number (`<`, `>`, `=`), or with a text or a truth value
-(`=`); of a list, `any` or `all` of its elements, and `all` holds of an empty one. One value is
-calculated with plain numbers, one step after the other. An element that is not there, and a number
-that the field cannot hold, are a warning in the node's log, and nothing is sent; a request that
-cannot be answered fails in ROS 1, and gets an empty answer in ROS 2, which knows no failure. What
-needs more is code: the node's file is yours.
+(`=`); of a list, `any` or `all` of its elements, and `all` holds of an empty one. One that every
+integer of the field's type meets, or none, is an error. An element that is not there, and a number
+that the field cannot hold, are a warning in the node's log that names them, and nothing is sent; a
+request that cannot be answered fails in ROS 1, and gets an empty answer in ROS 2, which knows no
+failure. What needs more is code: the node's file is yours.
 
 ## Parameters
 

@@ -192,3 +192,28 @@ def test_types_that_the_other_ros_names_otherwise_are_told(tmp_path: Path) -> No
         ("port-by-hand", "std_msgs/Duration", "it is `builtin_interfaces/Duration` there"),
     ]
     assert b"from example_interfaces.srv import AddTwoInts" in file.text
+
+
+DOUBTS = """\
+create_node 'robot' as n using {}
+subscribe n to 'joy' of message_type Joy
+create_message m of message_type Twist and input linear=(received.axes[1], received.axes[4], 0)
+n publish m to 'v' of message_type Twist for_each 'joy' when received.buttons[2] = 1
+create_message j of message_type Int8 and input received.buttons[0] + 1
+n publish j to 'w' of message_type Int8 for_each 'joy'
+n provides_service 'add' of service_type AddTwoInts answering sum=received.a * 2
+generate_node n
+"""
+
+
+@pytest.mark.parametrize("library", ["rospy", "rclpy"])
+def test_a_warning_names_what_may_not_be_there(tmp_path: Path, library: str) -> None:
+    plan, diagnostics = session(tmp_path, DOUBTS.format(library)).plan()
+    assert not diagnostics
+    text = next(file.text for file in plan.files if file.path.suffix == ".py").decode()
+    for name, unsure in {
+        "v": "received.buttons[2], received.axes[1], received.axes[4]",
+        "w": "received.buttons[0]",
+        "add": "received.a",
+    }.items():
+        assert f"{name}, of {unsure}: " in text

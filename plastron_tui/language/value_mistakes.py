@@ -193,12 +193,23 @@ def number_first(place: Place, found: Diagnostic) -> Diagnostic | None:
     return mended(found, found.message, place.span(at - 1, over), right)
 
 
+def text_in_condition(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `received.x = 'left'`."""
+    is_compared = place.text(place.at - 1) in _TURNED and _is_in(place, Form.CONDITION)
+    if not is_compared or place.token.kind not in QUOTED_KINDS:
+        return None
+    right = f'"{place.token.text[1:-1]}"'
+    return mended(found, "a text is in double quotes", place.token.span, right)
+
+
 def two_values(place: Place, found: Diagnostic) -> Diagnostic | None:
-    """Recognise `received.a + received.b`, brackets, and `received.a < received.b`."""
+    """Recognise `received.a + received.b`, brackets, `received.a < received.b`, and `and`."""
     before = place.text(place.at - 1)
     is_value = _operand(place, place.at) is not None
     if before in _TURNED and is_value and _is_in(place, Form.CONDITION):
         return found._replace(help="what compares two values is code in the node")
+    if place.token.text in ("and", "or") and _is_in(place, Form.CONDITION):
+        return found._replace(help="what compares more is code in the node")
     if before in _OPERATORS and (is_value or place.token.text == "("):
         return found._replace(help=_IN_CODE)
     return None
@@ -243,6 +254,7 @@ VALUE_SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
     unquoted_parameter,
     number_first,
     sign,
+    text_in_condition,
     two_values,
     called,
     loose_list,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 SENTENCE = "the sentence is: "
 FOR_WHOM = "write first whose messages it is for: `for_each 'TOPIC_NAME'`"
+ONCE = "what compares more is code in the node"
 COMPARED = "what compares two values is code in the node"
 IN_CODE = "one value is calculated with plain numbers; what takes more is code in the node"
 BEGINS = "a calculation begins with `parameter` or `received`"
@@ -23,8 +24,9 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
          "expected a number, a text, `True` or `False`, not `parameter`", COMPARED),
         ("received.x is 5", "is", "expected `<`, `>` or `=`, not `is`", SENTENCE),
         ('received.x < "a', '"', 'the quote is not closed on this line: "', 'close it with "'),
-        ("received.x < 5 and received.y < 5", "and", "a condition compares once", SENTENCE),
-        ("received.x < 5 or received.y < 5", "or", "a condition compares once", SENTENCE),
+        ("received.x < 5 and received.y < 5", "and", "a condition compares once", ONCE),
+        ("received.x < 5 or received.y < 5", "or", "a condition compares once", ONCE),
+        ("received.x = 'left'", "'left'", "a text is in double quotes", 'write `"left"`'),
         ("5 < received.x", "5 < received.x", "what is received stands first",
          "write `received.x > 5`"),
         ("5 < 6", "5", "expected `received` and a field, not `5`", SENTENCE),

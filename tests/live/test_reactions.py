@@ -72,4 +72,4 @@ def test_what_follows_from_a_message_is_sent_and_nothing_else(graph: Graph, tmp_
         {"success": False, "message": "switched"},
     ]
     warned = " ".join(text for level, text in traffic.logs if level.startswith("WARN"))
-    assert all(f"{name}: " in warned for name in ("cmd_vel", "half", "gear", "bytes"))
+    assert all(f"{name}, of received." in warned for name in ("cmd_vel", "half", "gear", "bytes"))

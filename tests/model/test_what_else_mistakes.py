@@ -179,6 +179,9 @@ WORDS: list[tuple[str, str, str | None, dict[str, str]]] = [
     (f"{NEAR} for_each 'scan' when received.header = 1", "is not compared like this", None, {}),
     (f"{ON_BYTES} received.data = True", "and is not compared like this", "1", {}),
     ("n repeats f at 0 hz", "a rate is greater than 0 hz", None, {}),
+    ("n repeats f at -1 hz", "a rate is greater than 0 hz", "1", {}),
+    ("n repeats f at 1e9 hz", "at most 1e+06 hz", None, {}),
+    ("n repeats f at parameter 'idle' hz", "no rate: a rate is greater than 0 hz", None, {}),
     (
         f"{PARAMETER} float with default 1 between 2.5 and 0",
         "2.5 is greater than 0",

@@ -65,17 +65,17 @@ def check_rate(statement: Any, rate: int | float, what: str = "") -> float:
     if LOWEST_RATE <= rate <= HIGHEST_RATE:
         return float(rate)
     where = statement.span_of("rate")
-    if not what and not rate:
-        message = "a rate is greater than 0 hz"
-        raise Mistake(Diagnostic(codes.INVALID_RATE, message, where, help="write `at 1 hz`"))
     is_negative = not what and LOWEST_RATE <= -rate <= HIGHEST_RATE
     limits = f"a rate is at least {LOWEST_RATE:g} and at most {HIGHEST_RATE:g} hz"
+    if rate <= 0:
+        limits = "a rate is greater than 0 hz"
+    help_ = f"write `at {-rate:g} hz`" if is_negative else None
     raise Mistake(
         Diagnostic(
             codes.INVALID_RATE,
             f"{what}: {limits}" if what else limits,
             where,
-            help=f"write `at {-rate:g} hz`" if is_negative else None,
+            help="write how often, such as `at 1 hz`" if not what and rate == 0 else help_,
             fix=write(f"{-rate:g}", where) if is_negative else None,
         )
     )

@@ -112,14 +112,18 @@ def _condition(run: Run, statement: Publish, node: Node, type_: Interface) -> Co
     where = span(given.received.syntax).moved(statement.shift)
     compared = type_received(source, type_.fields, catalog, where)
     found = what_of(compared, catalog.ros_version)
-    problem, right = None, None
+    problem, right, remedy = None, None, None
     if found.is_list != (given.quantifier is not None):
         problem = f"`{source}` is {found}: write `any` or `all` before it"
         if given.quantifier is not None:
             problem = f"`{source}` is {found}, of which there is no `{given.quantifier}`"
+            remedy = f"leave `{given.quantifier}` out"
     elif not _is_comparable(found.kind, given.operator, given.value.value):
         problem = f"`{source}` is {found}, and is not compared like this"
         right = _literal(found.kind, given.operator, given.value.value)
+        remedy = None if right is None else f"write `= {right}`"
+        if found.kind in (bool, str) and given.operator != "=":
+            remedy = f"{found} is compared with `=`"
     if problem is not None:
         at = span(given.value.syntax).moved(statement.shift)
         raise Mistake(
@@ -127,7 +131,7 @@ def _condition(run: Run, statement: Publish, node: Node, type_: Interface) -> Co
                 codes.COMPUTED_TYPE_MISMATCH,
                 problem,
                 statement.span_of("condition"),
-                help=None if right is None else f"write `= {right}`",
+                help=remedy,
                 fix=None if right is None else write(right, at),
             )
         )

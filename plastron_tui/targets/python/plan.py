@@ -6,6 +6,7 @@ The exceptions are the labels, which hold plain characters only.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -24,13 +25,18 @@ class PublisherPlan:
 class SendPlan:
     """A message that is sent.
 
-    `is_stamped` when it has a header without a time; `may_fail` when it is computed of what may
-    not be there.
+    `is_stamped` when it has a header without a time; `unsure` is what it is computed of that may
+    not be there, or fit no field.
     """
 
     message: str
     is_stamped: bool
-    may_fail: bool = False
+    unsure: tuple[str, ...] = ()
+
+
+def _unsure(sends: Iterable[SendPlan], *others: str) -> str:
+    """Name what may not be there, or fit no field, of messages and besides; "" for nothing."""
+    return ", ".join(dict.fromkeys((*others, *(name for each in sends for name in each.unsure))))
 
 
 class TimerPlan(NamedTuple):
@@ -59,9 +65,9 @@ class TimerPlan(NamedTuple):
     is_function: bool = False
 
     @property
-    def may_fail(self) -> bool:
-        """Whether what is computed may fit no field."""
-        return any(each.may_fail for each in self.sends)
+    def unsure(self) -> str:
+        """What is computed that may fit no field, "" for nothing."""
+        return _unsure(self.sends)
 
 
 class OncePlan(NamedTuple):
@@ -76,15 +82,15 @@ class OncePlan(NamedTuple):
     waiting: str = ""
 
     @property
-    def may_fail(self) -> bool:
-        """Whether what is computed may fit no field."""
-        return any(each.may_fail for each in self.sends)
+    def unsure(self) -> str:
+        """What is computed that may fit no field, "" for nothing."""
+        return _unsure(self.sends)
 
 
 class ReactionPlan(NamedTuple):
     """The messages that a publisher sends for those of a topic, called `received`.
 
-    `condition` is "" where they are sent for each.
+    `condition` is "" where they are sent for each, `compared` what of it may not be there.
     """
 
     publisher: str
@@ -94,12 +100,12 @@ class ReactionPlan(NamedTuple):
     label: str
     sends: tuple[SendPlan, ...]
     condition: str
-    is_condition_sure: bool = True
+    compared: tuple[str, ...] = ()
 
     @property
-    def may_fail(self) -> bool:
-        """Whether what is computed or compared may not be there, or fit no field."""
-        return not self.is_condition_sure or any(each.may_fail for each in self.sends)
+    def unsure(self) -> str:
+        """What is computed or compared that may not be there, or fit no field, "" for nothing."""
+        return _unsure(self.sends, *self.compared)
 
 
 class ParameterPlan(NamedTuple):
@@ -159,7 +165,8 @@ class MethodPlan:
         label: the topic or the service, as prose.
         response: what a handler answers.
         answer: what the program says that it answers, "" where it says nothing.
-        may_fail: whether what is computed in the answer may not be there, or fit no field.
+        unsure: what is computed in the answer that may not be there, or fit no field, "" for
+            nothing.
         reactions: the methods that a callback hands its message to.
     """
 
@@ -167,7 +174,7 @@ class MethodPlan:
     label: str
     response: str = ""
     answer: str = ""
-    may_fail: bool = False
+    unsure: str = ""
     reactions: tuple[str, ...] = ()
 
 

@@ -22,17 +22,17 @@ def add_services(writing: Writing, plan: NodePlan) -> None:
         if handler is None:
             handler = writing.attributes.new(f"handle_{naming.words(service.name)}")
         response = writing.dialect.response(type_, writing.imports)
-        answer, may_fail = "", False
+        answer, unsure = "", ""
         if service.answer is not None:
             answer = response = writing.response(type_, service.answer, service.span)
-            may_fail = writing.may_fail(service.answer)
+            unsure = ", ".join(writing.unsure(service.answer))
         class_ = writing.class_of(type_, InterfaceKind.SERVICE)
         attribute = writing.held(f"{naming.words(service.name)}_service")
         plan.services.append(ServicePlan(writing.name(service), class_, handler, attribute))
         known = writing.methods.get(handler)
         if known is None:
             label = naming.label(service.name, handler)
-            method = MethodPlan(handler, label, response, answer, may_fail)
+            method = MethodPlan(handler, label, response, answer, unsure)
             writing.methods[handler] = method
             plan.handlers.append(method)
         elif known.response != response:

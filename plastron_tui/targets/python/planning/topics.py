@@ -58,7 +58,7 @@ def add_publishers(writing: Writing, plan: NodePlan) -> None:
             plan.timers.append(timer._replace(publisher=attribute, label=label, sends=sends))
         for reaction, found in by_reaction.items():
             heard = _heard(writing, reaction.topic)
-            condition, may_fail = _condition(writing, reaction.condition, heard)
+            condition, compared = _condition(writing, reaction.condition, heard)
             plan.reactions.append(
                 ReactionPlan(
                     publisher=attribute,
@@ -68,7 +68,7 @@ def add_publishers(writing: Writing, plan: NodePlan) -> None:
                     label=label,
                     sends=_sends(writing, publisher, found, heard),
                     condition=condition,
-                    is_condition_sure=not may_fail,
+                    compared=compared,
                 )
             )
         if once:
@@ -97,13 +97,14 @@ def _heard(writing: Writing, topic: str) -> Sequence[Field]:
 
 def _condition(
     writing: Writing, condition: Condition | None, heard: Sequence[Field]
-) -> tuple[str, bool]:
-    """Write what must hold of a message that is called `received`; tell whether that may fail."""
+) -> tuple[str, tuple[str, ...]]:
+    """Write what must hold of a message that is called `received`; name what it may lack."""
     if condition is None:
-        return "", False
+        return "", ()
     value = writing.setting(condition.value)
     text = writing.computing.condition(condition, "received", heard, value)
-    return text, writing.computing.lacks(condition.source, heard)
+    is_unsure = writing.computing.lacks(condition.source, heard)
+    return text, (str(condition.source),) if is_unsure else ()
 
 
 def add_subscriptions(writing: Writing, plan: NodePlan) -> None:

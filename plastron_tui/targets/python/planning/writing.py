@@ -127,12 +127,13 @@ class Writing:
         return SendPlan(
             self.message(value, span),
             has_header and not has_time,
-            self.may_fail(value),
+            self.unsure(value),
         )
 
-    def may_fail(self, value: MessageValue) -> bool:
-        """Tell whether what is computed in a message may not be there, or fit no field."""
-        return any(self.computing.may_fail(each, self._heard) for each in computed_in(value))
+    def unsure(self, value: MessageValue) -> tuple[str, ...]:
+        """Name what a message is computed of that may not be there, or fit no field."""
+        found = (each for each in computed_in(value) if self.computing.may_fail(each, self._heard))
+        return tuple(dict.fromkeys(str(each.source) for each in found))
 
     def request(self, type_: InterfaceName, value: MessageValue, span: Span | None) -> str:
         """Write a request of a service's type."""
