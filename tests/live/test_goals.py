@@ -313,7 +313,7 @@ def test_a_goal_has_the_parameters_of_when_it_is_sent(service_graph: Graph, tmp_
     server = serve(service_graph, "succeed")
     chooser.wait_to_print("count: succeeded: ")
     assert [each["goal"] for each in told(server, "goal")] == [{"order": 7}]
-    end(chooser)
+    assert chooser.wait(60) == 0, chooser.output
     server.interrupt()
 
 
