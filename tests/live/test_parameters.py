@@ -82,7 +82,7 @@ def test_what_no_field_can_hold_is_not_sent(graph: Graph, tmp_path: Path) -> Non
     # The master of ROS 1 has integers of 32 bits.
     large: list[Any] = [2**31] if graph.target == "rclpy" else [2**31 - 1, "no number"]
     assert graph.set_parameter("cruiser", "ports", large) is None
-    node.wait_to_print("ports: ")
+    node.wait_to_print("ports, of " if graph.target == "rclpy" else "ports: ")
     assert graph.set_parameter("cruiser", "ports", [7]) is None
     wait_until(lambda: values(graph.listen(TYPES, 0.1))["ports"] == [7], "the new value", 60)
     assert graph.set_parameter("cruiser", "gains", [1e39]) is None

@@ -92,7 +92,7 @@ def test_every_statement_is_built_of_suggestions_alone(
     assert formatted(after) == after
 
 
-USED_IN_FILES = {"rospy": (st.StopAction, st.NoLongerHasParameter), "rclpy": ()}
+USED_IN_FILES = {"rospy": (st.NoLongerHasParameter,), "rclpy": ()}
 """What these take away is used by functions that are in the file, and is left to the user."""
 
 
