@@ -111,3 +111,12 @@ def test_a_condition_that_is_too_long_goes_into_parentheses(line: str, operands:
 def test_parentheses_stand_around_one_whole_value_only(line: str) -> None:
     text = line.format("self." + "long_" * 12 + "name", "self.create_lifecycle_publisher")
     compile(fit(text), "node.py", "exec")
+
+
+@pytest.mark.parametrize("length", range(63, 73))
+def test_a_value_is_in_brackets_only_where_they_stand_in_the_line(length: int) -> None:
+    """As ruff has it: `name = (` stands in the line or helps nobody."""
+    name = "a" * length
+    opened = f"        self.{name}.ns = ("
+    laid = fit(f"        self.{name}.ns = int(1e9 / self.value_of(parameter))\n")
+    assert (laid.splitlines()[0] == opened) == (len(opened) <= 88 < len(opened) + len("int"))
