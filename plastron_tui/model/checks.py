@@ -24,7 +24,7 @@ from .context import Setting
 from .kinds import MADE_BY, EndpointKind, callback_of
 from .kinds.needs import users_of
 from .libraries import default_library
-from .mistake import Mistake
+from .mistake import Mistake, function_conflict
 from .workspace import Node, Workspace
 
 _VERSIONS = {"ros1": 1, "ros2": 2, **DISTRIBUTIONS}
@@ -173,16 +173,9 @@ class Checks:
             # What is sent for each message of a topic is sent by the function that takes them.
             sends = bool(users_of(node, other_kind, name))
             if sends or other_kind is not kind or type_ not in (None, other.type):
-                labels = () if other.span is None else (Label(other.span, "called here"),)
-                raise Mistake(
-                    Diagnostic(
-                        codes.FUNCTION_CONFLICT,
-                        f"`{node.variable}` calls `{function}` for something else already",
-                        statement.span_of("function"),
-                        help="each kind of message and request needs a function of its own",
-                        labels=labels,
-                    )
-                )
+                message = f"`{node.variable}` calls `{function}` for something else already"
+                remedy = "each kind of message and request needs a function of its own"
+                raise function_conflict(message, remedy, statement.span_of("function"), other.span)
 
     def function_name(self, statement: Any, node: Node | None) -> None:
         """Check that a function may have its name in a node, None for one that is not there."""

@@ -6,13 +6,13 @@ import operator as operators
 from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Label, codes, guess, write
+from plastron_tui.diagnostics import Diagnostic, codes, guess, write
 from plastron_tui.language.statements import Publish
 from plastron_tui.ros.interfaces import FieldType, Interface, InterfaceKind, Scalar
 from plastron_tui.ros.primitives import primitive
 
 from ..computed_values import received
-from ..mistake import Mistake
+from ..mistake import Mistake, function_conflict
 from ..value_diagnostics import Misfit, span
 from ..values import OfReceived
 from .computed import is_too_large, type_received, what_of
@@ -88,16 +88,9 @@ def _check_function(statement: Publish, node: Node, subscription: Subscription) 
     function = subscription.callback
     for other in node.of(Subscription).values():
         if function is not None and other is not subscription and other.callback == function:
-            labels = () if other.span is None else (Label(other.span, "called here"),)
-            raise Mistake(
-                Diagnostic(
-                    codes.FUNCTION_CONFLICT,
-                    f"`{function}` is called for each message of `{other.name}` too",
-                    statement.span_of("trigger"),
-                    help=f"let `{node.variable}` call another function for `{other.name}`",
-                    labels=labels,
-                )
-            )
+            message = f"`{function}` is called for each message of `{other.name}` too"
+            remedy = f"let `{node.variable}` call another function for `{other.name}`"
+            raise function_conflict(message, remedy, statement.span_of("trigger"), other.span)
 
 
 def _condition(run: Run, statement: Publish, node: Node, type_: Interface) -> Condition | None:

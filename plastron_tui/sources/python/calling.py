@@ -13,7 +13,8 @@ from .addition import Addition
 from .conventions import method_naming
 from .loggers import own_logger
 from .own_calls import call_in_own_method, keep_running
-from .timer_functions import start_timer, timer_call, timer_variable, write_function
+from .repeating import timer_call
+from .timer_functions import start_timer, timer_variable, write_function
 
 
 def add_calls(added: Addition, client: Client) -> list[str]:

@@ -17,8 +17,9 @@ from .analysis import Site
 from .calling import node_info, waiting_log
 from .conventions import callback_naming, method_naming
 from .messages import CannotAddError
+from .repeating import timer_call
 from .signatures import signatures_of
-from .timer_functions import function_source, timer_call, timer_variable, write_function
+from .timer_functions import function_source, timer_variable, write_function
 from .written_functions import AWAIT_RESULT, SEND_AND_WAIT, SEND_ASYNC, filled
 
 

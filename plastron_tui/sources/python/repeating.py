@@ -74,10 +74,16 @@ def _declares(site: Site, name: str) -> bool:
     return is_declaring and site.endpoint.name == parameter_name(name.removeprefix("~/"), 2)
 
 
-def repeat(added: Addition, timer: Timer, callback: str) -> list[str]:
-    """Return the statement that has a function called at a rate."""
-    assert timer.rate is not None, "statements say the rate"
-    period = period_of(added, timer.rate)
+def timer_call(added: Addition, period: str, callback: str, method: str, end: str = "") -> str:
+    """Return the call that makes a timer, which a reader finds then.
+
+    Args:
+        added: what the timer is for.
+        period: the seconds between two calls.
+        callback: the source of the function that it calls.
+        method: the function's name.
+        end: the arguments behind these.
+    """
     name = period
     if added.is_rclpy:
         group = added.callback_group(EndpointKind.TIMER)
@@ -85,10 +91,22 @@ def repeat(added: Addition, timer: Timer, callback: str) -> list[str]:
         call = f"{added.place.receiver}.create_timer({period}, {callback}{end})"
     else:
         name = f"{added.rospy('Duration')}({period})"
-        call = f"{added.rospy('Timer')}({name}, {callback})"
-    added.writer.endpoints.append((EndpointKind.TIMER, name, "None", timer.name))
-    is_kept = is_transition(added.analysis, added.place)
-    if is_kept or holds_handles(added.analysis, added.place, EndpointKind.TIMER):
+        call = f"{added.rospy('Timer')}({name}, {callback}{end})"
+    added.writer.endpoints.append((EndpointKind.TIMER, name, "None", method))
+    return call
+
+
+def holds_timers(added: Addition) -> bool:
+    """Whether something holds the timers that are made at a place."""
+    is_ended = is_transition(added.analysis, added.place)
+    return is_ended or holds_handles(added.analysis, added.place, EndpointKind.TIMER)
+
+
+def repeat(added: Addition, timer: Timer, callback: str) -> list[str]:
+    """Return the statement that has a function called at a rate."""
+    assert timer.rate is not None, "statements say the rate"
+    call = timer_call(added, period_of(added, timer.rate), callback, timer.name)
+    if holds_timers(added):
         wanted = added.free_name(
             variable_naming(added.analysis, EndpointKind.TIMER).name(timer.name)
         )

@@ -16,10 +16,11 @@ from . import naming
 from .addition import Addition
 from .conventions import leading_space, method_naming
 from .own_loop import is_sleep, own_block, statements_of, woken_loop
+from .repeating import timer_call
 from .sending_once import PERIOD, when_heard
 from .signatures import signatures_of
 from .splices import line_end, line_start
-from .timer_functions import start_timer, timer_call, timer_variable, write_function
+from .timer_functions import start_timer, timer_variable, write_function
 
 
 def add_publishing(added: Addition, publisher: Publisher) -> list[str]:

@@ -11,10 +11,8 @@ from .addition import Addition
 from .conventions import variable_naming
 from .function_place import function_place, method_place
 from .functions import callback_scope
-from .lifecycle import is_transition
-from .repeating import period_of
+from .repeating import holds_timers, period_of, timer_call
 from .signatures import parameter_names, signatures_of
-from .surroundings import holds_handles
 
 
 def timer_variable(added: Addition) -> str:
@@ -25,35 +23,10 @@ def timer_variable(added: Addition) -> str:
     return f"{holder}{dot}{name}"
 
 
-def timer_call(added: Addition, period: str, callback: str, method: str, end: str = "") -> str:
-    """Return the call that makes a timer, which a reader finds then.
-
-    Args:
-        added: what the timer is for.
-        period: the seconds between two calls.
-        callback: the source of the function that it calls.
-        method: the function's name.
-        end: the arguments behind these.
-    """
-    name = period
-    if added.is_rclpy:
-        group = added.callback_group(EndpointKind.TIMER)
-        end = f", callback_group={group}" if group else ""
-        call = f"{added.place.receiver}.create_timer({period}, {callback}{end})"
-    else:
-        name = f"{added.rospy('Duration')}({period})"
-        call = f"{added.rospy('Timer')}({name}, {callback}{end})"
-    added.writer.endpoints.append((EndpointKind.TIMER, name, "None", method))
-    return call
-
-
 def start_timer(added: Addition, rate: Rate, callback: str, method: str) -> list[str]:
     """Return the statement that has a function called at a rate."""
     timer = timer_call(added, period_of(added, rate), callback, method)
-    is_held = holds_handles(added.analysis, added.place, EndpointKind.TIMER)
-    if is_transition(added.analysis, added.place) or is_held:
-        return [f"{timer_variable(added)} = {timer}"]
-    return [timer]
+    return [f"{timer_variable(added)} = {timer}" if holds_timers(added) else timer]
 
 
 def function_source(added: Addition, name: str) -> str:
