@@ -11,7 +11,18 @@ import pytest
 from graph import Graph, is_rate, rate_of
 from machine import wait_until
 from processes import Process, edit, own_tracebacks
-from test_goals import CANCELED, GOAL, REPLACED, outcomes, peer, send, serve, times, told
+from test_goals import (
+    CANCELED,
+    GOAL,
+    REPLACED,
+    check_goal_of_five_seconds,
+    outcomes,
+    peer,
+    send,
+    serve,
+    times,
+    told,
+)
 
 pytestmark = [pytest.mark.live, pytest.mark.long]
 
@@ -123,13 +134,7 @@ def test_a_goal_that_is_rejected_is_an_error(service_graph: Graph, tmp_path: Pat
 
 def test_an_action_is_provided(service_graph: Graph, tmp_path: Path) -> None:
     node = edited(service_graph, "provides_action 'count' of action_type Fibonacci", tmp_path)
-    sender = send(service_graph)
-    assert outcomes(sender) == {0: "succeeded"}, node.output
-    # The first one may be sent before the server knows of who listens.
-    assert len(told(sender, "feedback", goal=0)) in (9, 10)
-    [began], [ended] = times(told(sender, "accepted")), times(told(sender, "result"))
-    meanwhile = [each for each in times(told(sender, "message")) if began < each < ended]
-    assert is_rate(rate_of(meanwhile), 10)
+    check_goal_of_five_seconds(service_graph, node)
     canceled = send(service_graph, cancel_at=3)
     assert outcomes(canceled) == {0: CANCELED[service_graph.target]}, node.output
     replaced = send(service_graph, second_at=3)

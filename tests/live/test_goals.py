@@ -118,10 +118,9 @@ def times(events: Sequence[dict[str, Any]]) -> list[float]:
     return [each["time"] for each in events]
 
 
-@pytest.mark.long
-def test_a_goal_of_five_seconds(service_graph: Graph, tmp_path: Path) -> None:
-    server = node(service_graph, "calculator", tmp_path)
-    sender = send(service_graph)
+def check_goal_of_five_seconds(graph: Graph, server: Process) -> None:
+    """A goal is worked on to its end, and what the node sends at 10 hz goes on meanwhile."""
+    sender = send(graph)
     assert outcomes(sender) == {0: "succeeded"}, server.output
     # The first one may be sent before the server knows of who listens.
     assert len(told(sender, "feedback", goal=0)) in (9, 10)
@@ -129,6 +128,12 @@ def test_a_goal_of_five_seconds(service_graph: Graph, tmp_path: Path) -> None:
     meanwhile = [each for each in times(told(sender, "message")) if began < each < ended]
     assert len(meanwhile) > 10, server.output
     assert is_rate(rate_of(meanwhile), 10)
+
+
+@pytest.mark.long
+def test_a_goal_of_five_seconds(service_graph: Graph, tmp_path: Path) -> None:
+    server = node(service_graph, "calculator", tmp_path)
+    check_goal_of_five_seconds(service_graph, server)
     end(server)
 
 

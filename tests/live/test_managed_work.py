@@ -80,15 +80,20 @@ def ros(ros2_with_services: Graph) -> Graph:
     return ros2_with_services
 
 
+def check_each_activation(node: Managed, text: str) -> None:
+    """It prints a text once each time that it is activated, in two rounds of the transitions."""
+    for turn in (0, 2):
+        node.go("configure", "activate")
+        node.process.wait_to_print(text, count=turn + 1)
+        node.go("deactivate", "activate")
+        node.process.wait_to_print(text, count=turn + 2)
+        node.go("deactivate", "cleanup")
+
+
 def test_a_service_is_called_once_each_time(ros: Graph, tmp_path: Path) -> None:
     server = peer(ros, "answer", 0.0)
     node = Managed(ros, tmp_path, "once")
-    for turn in (0, 2):
-        node.go("configure", "activate")
-        node.process.wait_to_print("enable_motor: ", count=turn + 1)
-        node.go("deactivate", "activate")
-        node.process.wait_to_print("enable_motor: ", count=turn + 2)
-        node.go("deactivate", "cleanup")
+    check_each_activation(node, "enable_motor: ")
     assert len(told(server, "request", service="enable_motor")) == 4
     end(node.process)
     server.interrupt()
@@ -118,12 +123,7 @@ def test_a_service_is_called_again_while_the_node_is_active(ros: Graph, tmp_path
 def test_a_goal_is_sent_each_time(ros: Graph, tmp_path: Path) -> None:
     server = serve(ros, "succeed")
     node = Managed(ros, tmp_path, "goal")
-    for turn in (0, 2):
-        node.go("configure", "activate")
-        node.process.wait_to_print("count: succeeded: ", count=turn + 1)
-        node.go("deactivate", "activate")
-        node.process.wait_to_print("count: succeeded: ", count=turn + 2)
-        node.go("deactivate", "cleanup")
+    check_each_activation(node, "count: succeeded: ")
     assert len(told(server, "goal")) == 4
     assert not told(server, "cancel")
     end(node.process)
