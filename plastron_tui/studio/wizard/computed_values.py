@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from plastron_tui.language import SlotKind
+from plastron_tui.language.corrections import corrected
 from plastron_tui.model.kinds import INTERFACES, Parameter
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Field, FieldType, InterfaceKind
@@ -15,13 +16,9 @@ from ..editor.value_completion import fields_of, fitting
 from .ask import Ask, Choice
 from .values import NUMBER, Entry, is_computed, problem_of
 
-_NUMBER = NUMBER.pattern
 _QUOTES = "['\"`]?"
-_TERM = re.compile(
-    rf"(?P<before>-|(?P<number>{_NUMBER})\s*(?P<sign>[-+*]))?\s*"
-    rf"(parameter\s*{_QUOTES}(?P<parameter>[\w.]+){_QUOTES}"
-    r"|(?P<path>[A-Za-z]\w*(\.\w+)*)([\[(](?P<position>\d+)[\])])?)"
-    rf"(?P<steps>(\s*[-+*/]\s*({_NUMBER}))*)",
+_NAME = re.compile(
+    rf"(?<![\w.])(?:parameter\s*{_QUOTES}(?P<parameter>[\w.]+){_QUOTES}|[A-Za-z]\w*(?:\.\w+)*)",
     re.ASCII,
 )
 _OPERATOR = re.compile("[-+*/]")
@@ -79,33 +76,18 @@ class Sources:
 
     def mended(self, text: str) -> str | None:
         """Return what somebody means who does not write it as a program does, None for nothing."""
-        term = _TERM.fullmatch(text.strip())
-        if term is None:
-            return None
-        source = self._source(term)
-        if source is None:
-            return None
-        steps, number = term["steps"], term["number"]
-        match term["sign"] or term["before"]:
-            case "*":
-                steps = f" * {number}{steps}"
-            case "+":
-                steps = f"{steps} + {number}"
-            case "-":
-                steps = f" * -1{steps}" + (f" + {number}" if number else "")
-        meant = source + steps
-        return meant if is_computed(meant) else None
+        meant = corrected(_NAME.sub(self._known_as, text.strip()))
+        return meant if meant is not None and is_computed(meant) else None
 
-    def _source(self, term: re.Match[str]) -> str | None:
-        """Return the parameter, or the part of what is received, that is meant."""
-        if term["parameter"] is not None:
-            return f"parameter '{term['parameter']}'"
-        path, at = term["path"], term["position"]
-        names = {each.name for each in self.heard}
+    def _known_as(self, name: re.Match[str]) -> str:
+        """Return a parameter, or a part of what is received, as a program names it."""
+        path, names = name[0], {each.name for each in self.heard}
+        if name["parameter"] is not None:
+            return f"parameter '{name['parameter']}'"
         for part in (path, path.partition(".")[2]):
             if part.partition(".")[0] in names:
-                return f"received.{part}" + (f"[{at}]" if at is not None else "")
-        return f"parameter '{path}'" if path in self.parameters and at is None else None
+                return f"received.{part}"
+        return f"parameter '{path}'" if path in self.parameters else path
 
 
 def sources_of(ask: Ask) -> Sources:
@@ -136,6 +118,6 @@ def _heard(ask: Ask) -> Iterable[object]:
 
 def is_about(message: str, text: str) -> bool:
     """Tell whether a message names what a value is computed of."""
-    term = _TERM.fullmatch(text.strip())
-    name = None if term is None else term["parameter"] or term["path"].removeprefix("received.")
+    found = _NAME.match(text.strip())
+    name = None if found is None else found["parameter"] or found[0].removeprefix("received.")
     return name is not None and re.search(rf"[`.']{re.escape(name)}\b", message) is not None
