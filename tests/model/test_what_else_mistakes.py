@@ -75,6 +75,14 @@ def test_what_ros_2_has_not() -> None:
     assert (found.code, marked(text, found)) == ("parameter-type-mismatch", "[]")
 
 
+@pytest.mark.parametrize("name", ["use_sim_time", "qos_overrides.chatter"])
+def test_what_each_node_of_ros_2_declares_itself(name: str) -> None:
+    text = f"{BEFORE}n has_parameter '{name}' of parameter_type bool with default True\n"
+    assert "already-having" not in {each.code for each in run(text, "rospy").diagnostics}
+    (found,) = run(text, "rclpy").diagnostics
+    assert (found.code, marked(text, found)) == ("already-having", f"'{name}'")
+
+
 def test_a_default_is_one_that_ros_1_can_keep() -> None:
     text = f"{BEFORE}{PARAMETER} int with default 3000000000\n"
     assert run(text, "rclpy").diagnostics == ()

@@ -363,4 +363,10 @@ MISTAKES: list[tuple[str, str, str, str | None]] = [
         "parameter 'count' * 18446744073709551616",
         None,
     ),
+    (
+        f'{PARAMETER} string with default "\\ud800"',
+        "parameter-type-mismatch",
+        '"\\ud800"',
+        None,
+    ),
 ]

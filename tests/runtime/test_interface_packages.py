@@ -173,6 +173,28 @@ def test_a_cache_that_cannot_be_written_is_told(
     assert str(tmp_path / "cache") in found.message
 
 
+def test_a_run_that_was_faster_has_kept_it(
+    python: Callable[..., Path],
+    environ: dict[str, str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def make(_: object, package: str, files: list[Path], made: Path, __: object) -> None:
+        (made / "python").mkdir()
+        # Another run keeps the same meanwhile.
+        key = interface_packages._key(environment, definitions)
+        (kept_in / f"{package}-{key}" / "python" / "theirs").mkdir(parents=True)
+
+    monkeypatch.setitem(interface_packages._MAKERS, Origin.EXTRA, make)
+    environment = Environment(Origin.EXTRA, 2, "kilted", python())
+    definitions = Catalog("kilted").table_package("example_interfaces")
+    kept_in = tmp_path / "cache" / "plastron" / "interfaces"
+    kept = interface_packages.kept_package(
+        environment, "example_interfaces", definitions, lambda _: None, environ
+    )
+    assert (kept / "python" / "theirs").is_dir()
+
+
 def test_a_package_is_made_once(
     python: Callable[..., Path],
     environ: dict[str, str],
