@@ -61,7 +61,7 @@ def remove_element(document: XmlDocument, element: Element) -> XmlEdit:
     A parent in which nothing but two line breaks are left closes itself then.
     """
     if element is document.root:
-        return _refused("the outermost element cannot be taken away", element.span)
+        return _refused(document, "the outermost element cannot be taken away", element.span)
     span, text = removal(document, element, style_of(document))
     return _apply(document, span, text, {element: lambda _: None}, span)
 
@@ -111,7 +111,9 @@ def set_text(document: XmlDocument, element: Element, text: str) -> XmlEdit:
     """Give an element without children another text; the blanks around the old one stay."""
     content = document.text[element.content.start : element.content.end]
     if element.children or element.end_tag is None or b"<" in content:
-        return _refused(f"`<{element.name}>` does not hold a plain text", element.start_tag)
+        return _refused(
+            document, f"`<{element.name}>` does not hold a plain text", element.start_tag
+        )
     start = element.content.start + len(content) - len(content.lstrip())
     end = max(start, element.content.end - (len(content) - len(content.rstrip())))
 
@@ -124,7 +126,9 @@ def set_text(document: XmlDocument, element: Element, text: str) -> XmlEdit:
 def _inserted(document: XmlDocument, sibling: Element, new: NewElement, behind: int) -> XmlEdit:
     parent = document.parents.get(sibling)
     if parent is None:
-        return _refused("nothing can stand beside the outermost element", sibling.start_tag)
+        return _refused(
+            document, "nothing can stand beside the outermost element", sibling.start_tag
+        )
     style = style_of(document)
     style = style._replace(close=close_of(document, sibling) or style.close)
     place = after if behind else before
@@ -145,7 +149,7 @@ def _apply(
     text = document.text[: span.start] + new + document.text[span.end :]
     read = read_xml(text, document.file)
     if read.document is None or not is_changed_as_asked(document, read.document, change, gone):
-        return _refused("the change would change more than it is to", span)
+        return _refused(document, "the change would change more than it is to", span)
     return XmlEdit(read.document)
 
 
@@ -154,5 +158,5 @@ def _blank_before_attribute(element: Element, at: int) -> Span:
     return Span(start, element.attributes[at].span.start)
 
 
-def _refused(message: str, span: Span) -> XmlEdit:
-    return XmlEdit(None, (Diagnostic(codes.EDIT_REFUSED, message, span),))
+def _refused(document: XmlDocument, message: str, span: Span) -> XmlEdit:
+    return XmlEdit(None, (Diagnostic(codes.EDIT_REFUSED, message, span, document.file),))
