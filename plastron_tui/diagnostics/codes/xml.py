@@ -23,3 +23,9 @@ BROKEN_PACKAGE = Code(
     "mail address that is none, a tag or an attribute that its format does not have, a dependency "
     "on itself; as a warning, what they take and complain of. Correct it first.",
 )
+
+BROKEN_PLUGINS = Code(
+    "broken-plugins",
+    "A plugin description is none, or has a library without a path, or a class without its type or "
+    "that of its base class: pluginlib cannot load it. As a warning, two classes of one name.",
+)

@@ -13,8 +13,8 @@ from .conditions import holds, mentions
 from .document import Element
 from .edits import XmlEdit, insert_after, insert_before, insert_last, remove_element
 from .new_element import NewElement
+from .package_data import COVERS, DEPENDENCY_TAGS, Dependency, PackageXml, parse_package
 from .package_rules import check
-from .package_xml import COVERS, DEPENDENCY_TAGS, Dependency, PackageXml, parse_package
 
 NEEDS = frozenset({"build", "build_export", "buildtool", "buildtool_export", "exec", "test", "doc"})
 """What a dependency can be there for (REP 149)."""

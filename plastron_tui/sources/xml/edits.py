@@ -8,7 +8,7 @@ from typing import NamedTuple
 from plastron_tui.diagnostics import Diagnostic, Span, codes
 
 from .document import Element, XmlDocument, read_xml
-from .layout import close_of, style_of
+from .layout import close_of, quote_of, style_of
 from .new_element import NewElement, encoded, escaped_text, escaped_value
 from .places import after, before, last, removal
 from .shapes import Shape, is_changed_as_asked, new_shape
@@ -68,12 +68,11 @@ def remove_element(document: XmlDocument, element: Element) -> XmlEdit:
 
 def set_attribute(document: XmlDocument, element: Element, name: str, value: str) -> XmlEdit:
     """Give an attribute a value, and write it behind the others where it is not there yet."""
-    text = document.text
     found = element.attribute(name)
     if found is not None and found.value == value:
         return XmlEdit(document)
     if found is not None:
-        quote = text[found.span.end - 1 : found.span.end].decode()
+        quote = document.slice(Span(found.value_span.end, found.span.end))
         span, new = found.value_span, escaped_value(value, quote)
     else:
         at, separator = element.name_span.end, " "
@@ -82,7 +81,7 @@ def set_attribute(document: XmlDocument, element: Element, name: str, value: str
             separator = document.slice(
                 _blank_before_attribute(element, len(element.attributes) - 1)
             )
-        quote = style_of(document).quote
+        quote = quote_of(document, element) or style_of(document).quote
         new = f"{separator}{name}={quote}{escaped_value(value, quote)}{quote}"
         span = Span(at, at)
 
@@ -130,7 +129,8 @@ def _inserted(document: XmlDocument, sibling: Element, new: NewElement, behind: 
             document, "nothing can stand beside the outermost element", sibling.start_tag
         )
     style = style_of(document)
-    style = style._replace(close=close_of(document, sibling) or style.close)
+    quote = quote_of(document, sibling) or style.quote
+    style = style._replace(close=close_of(document, sibling) or style.close, quote=quote)
     place = after if behind else before
     span, text = place(document, sibling.span, new, style)
     at = parent.children.index(sibling) + behind

@@ -14,7 +14,7 @@ from plastron_tui.diagnostics.severity import Severity
 
 from .conditions import holds
 from .document import Element
-from .package_xml import DEPENDENCY_TAGS, VERSIONS, PackageXml, Person
+from .package_data import DEPENDENCY_TAGS, VERSIONS, PackageXml, Person
 
 _NAME = re.compile(r"[a-zA-Z0-9][a-zA-Z0-9_-]*")
 _USUAL_NAME = re.compile(r"[a-z][a-z0-9_-]*")

@@ -5,7 +5,8 @@ from __future__ import annotations
 from catkin_pkg.package import InvalidPackage, Package, parse_package_string
 
 from plastron_tui.diagnostics.severity import Severity
-from plastron_tui.sources.xml.package_xml import COVERS, PackageXml, read_package
+from plastron_tui.sources.xml.package_data import COVERS, PackageXml
+from plastron_tui.sources.xml.package_xml import read_package
 
 SLOTS = {
     "build": "build_depends",
