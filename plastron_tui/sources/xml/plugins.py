@@ -94,9 +94,9 @@ def add_class(plugins: Plugins, path: str, new: PluginClass) -> PluginsEdit:
     document = plugins.document
     for library in plugins.libraries:
         for old, element in library.classes:
-            if old.name != new.name:
+            if (old.name, old.base) != (new.name, new.base):
                 continue
-            if (library.path, old.type, old.base) == (path, new.type, new.base):
+            if (library.path, old.type) == (path, new.type):
                 return PluginsEdit(plugins)
             message = f"a class called `{new.name}` is described already, as another one"
             return PluginsEdit(None, (_refused(document, message, element.name_span),))
@@ -113,12 +113,18 @@ def add_class(plugins: Plugins, path: str, new: PluginClass) -> PluginsEdit:
     return _applied(insert_last(document, document.root, library_element))
 
 
-def remove_class(plugins: Plugins, name: str) -> PluginsEdit:
-    """Take a class away, and its library where that is one of several and has no other class."""
+def remove_class(plugins: Plugins, name: str, base: str) -> PluginsEdit:
+    """Take a class away, and its library where that is one of several and has no other class.
+
+    Args:
+        plugins: the plugin description.
+        name: what the class is loaded by.
+        base: the type of its base class; pluginlib takes a name for each.
+    """
     document = plugins.document
     for library in plugins.libraries:
         for old, element in library.classes:
-            if old.name == name:
+            if (old.name, old.base) == (name, base):
                 is_empty = len(library.classes) == 1 and len(plugins.libraries) > 1
                 gone = library.element if is_empty else element
                 return _applied(remove_element(document, gone))
@@ -146,7 +152,7 @@ def _class(element: Element) -> PluginClass:
 
 
 def _check(document: XmlDocument) -> Iterator[Diagnostic]:
-    seen: set[str] = set()
+    seen: set[tuple[str, str]] = set()
     for library in _libraries(document):
         if not library.get("path"):
             yield _told(document, "the library has no path", library.name_span)
@@ -154,12 +160,13 @@ def _check(document: XmlDocument) -> Iterator[Diagnostic]:
             for attribute in ("type", "base_class_type"):
                 if not element.get(attribute):
                     yield _told(document, f"the class has no `{attribute}`", element.name_span)
-            name = _class(element).name
-            if name and name in seen:
-                message = f"two classes are called `{name}`"
+            found = _class(element)
+            key = (found.name, found.base)
+            if found.name and key in seen:
+                message = f"two classes for `{found.base}` are called `{found.name}`"
                 told = _told(document, message, element.name_span)
                 yield told._replace(severity=Severity.WARNING)
-            seen.add(name)
+            seen.add(key)
 
 
 def _element(new: PluginClass) -> NewElement:

@@ -85,7 +85,7 @@ def test_a_class_is_written_and_goes_without_a_trace(
     assert added is not None
     assert added.document.text.decode() == expected.decode()
     assert add_class(added, path, new).plugins == added
-    removed = remove_class(added, new.name).plugins
+    removed = remove_class(added, new.name, new.base).plugins
     assert removed is not None
     assert removed.document.text == text
 
@@ -103,6 +103,13 @@ def test_what_contradicts_the_file_is_refused() -> None:
         (b"<library/>", "the library has no path"),
         (b"<library path='a'><class type='A'/></library>", "the class has no `base_class_type`"),
         (ONE.replace(b'type="demo::Low" ', b""), "the class has no `type`"),
+        (
+            ONE.replace(
+                b"</library>",
+                b'<class name="demo/Low" type="x" base_class_type="demo::Filter"/></library>',
+            ),
+            "two classes for `demo::Filter` are called `demo/Low`",
+        ),
     ],
 )
 def test_a_broken_description_is_told(text: bytes, message: str) -> None:
