@@ -8,7 +8,6 @@ from pathlib import Path
 import pytest
 import test_both
 import test_described
-import test_examples
 import test_goals
 import test_managed_work
 import test_parameters
@@ -26,7 +25,6 @@ CHECKS: list[Callable[[Graph, Path], None]] = [
     test_goals.test_a_goal_is_canceled,
     test_goals.test_a_goal_of_five_seconds,
     test_managed_work.test_a_goal_is_sent_each_time,
-    test_parameters.test_a_parameter_is_used_by_the_next_message,
     test_parameters.test_a_timer_follows_the_parameter_that_is_its_rate,
     test_reactions.test_what_follows_from_a_message_is_sent_and_nothing_else,
 ]
@@ -43,12 +41,3 @@ def test_a_managed_node_passes_every_transition(jazzy: Graph, tmp_path: Path) ->
     name = test_transitions.NAME
     keeper = generate(name, tmp_path / "output", jazzy.target)[f"{name}_node.py"]
     test_transitions.test_every_transition_twice_leaves_nothing_behind(jazzy, keeper)
-
-
-@pytest.mark.parametrize("program", test_examples.EXAMPLES, ids=lambda path: path.stem)
-def test_an_example_does_the_same(
-    program: Path, jazzy: Graph, ros2_with_services: Graph, tmp_path: Path
-) -> None:
-    newest = test_examples.traffic(ros2_with_services, program, tmp_path / "newest")
-    assert newest
-    assert test_examples.traffic(jazzy, program, tmp_path / "jazzy") == newest
