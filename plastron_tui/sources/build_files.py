@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import NamedTuple
 
@@ -68,3 +69,26 @@ def check_text(text: bytes, path: Path) -> None:
     if (at := text.find(b"\0")) >= 0:
         message = f"line {line_number(text, at)} of `{path.name}` has a NUL byte"
         raise RefusedError(Diagnostic(codes.UNREADABLE_FILE, message, Span(at, at + 1), path))
+
+
+def take_back(
+    text: bytes,
+    candidates: Iterable[bytes],
+    add: Callable[[bytes], bytes | None],
+    is_right: Callable[[bytes], bool],
+) -> bytes | None:
+    """Return the text that an addition made this one from, or else the first that is right.
+
+    So removing what was added leaves the bytes that were there before, blank lines included.
+
+    Args:
+        text: what is in the file.
+        candidates: texts without what is to be removed.
+        add: what adds it again, None where it cannot.
+        is_right: whether a text reads as it is to, and parses.
+    """
+    right = [each for each in candidates if is_right(each)]
+    for each in right:
+        if add(each) == text:
+            return each
+    return right[0] if right else None
