@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import NamedTuple
 
@@ -92,3 +93,12 @@ def take_back(
         if add(each) == text:
             return each
     return right[0] if right else None
+
+
+def matches(file: str, pattern: str) -> bool:
+    """Tell whether a pattern has a file: a `*` stands for a part of one name."""
+    names, parts = file.split("/"), pattern.removeprefix("./").split("/")
+    return len(names) == len(parts) and all(
+        fnmatchcase(name, part) and not (name.startswith(".") and not part.startswith("."))
+        for name, part in zip(names, parts, strict=True)
+    )

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import configparser
-from fnmatch import fnmatch
 from pathlib import Path
 from typing import NamedTuple
 
 from tree_sitter import Node
 
 from plastron_tui.diagnostics import Diagnostic, Span
-from plastron_tui.sources.build_files import RefusedError
+from plastron_tui.sources.build_files import RefusedError, matches
 
-from .syntax import Setup, descendants, parse_setup
+from .syntax import Setup, parse_setup
 from .values import Glob, Unknown, Value, evaluate, items_of
 
 CONSOLE_SCRIPTS = "console_scripts"
@@ -51,7 +50,7 @@ class DataFiles(NamedTuple):
 
     def covers(self, file: str) -> bool:
         """Tell whether a file is among them for sure."""
-        return file in self.files or any(_matches(file, each) for each in self.patterns)
+        return file in self.files or any(matches(file, each) for each in self.patterns)
 
 
 class SetupFile(NamedTuple):
@@ -251,17 +250,3 @@ def _entry_of(value: tuple[Value, ...], span: Span) -> DataFiles:
         not any(isinstance(each, Unknown | tuple) for each in values),
         span,
     )
-
-
-def _matches(file: str, pattern: str) -> bool:
-    """Whether a pattern of `glob` has a file: a `*` stands for a part of one name."""
-    names, parts = file.split("/"), pattern.removeprefix("./").split("/")
-    return len(names) == len(parts) and all(
-        fnmatch(name, part) and not (name.startswith(".") and not part.startswith("."))
-        for name, part in zip(names, parts, strict=True)
-    )
-
-
-def within(node: Node, kind: str) -> list[Node]:
-    """Return what of one kind is in a node."""
-    return [each for each in descendants(node) if each.type == kind]
