@@ -77,6 +77,7 @@ def take_back(
     candidates: Iterable[bytes],
     add: Callable[[bytes], bytes | None],
     is_right: Callable[[bytes], bool],
+    exact: Iterable[bytes] = (),
 ) -> bytes | None:
     """Return the text that an addition made this one from, or else the first that is right.
 
@@ -87,12 +88,13 @@ def take_back(
         candidates: texts without what is to be removed.
         add: what adds it again, None where it cannot.
         is_right: whether a text reads as it is to, and parses.
+        exact: texts that lack more besides, and count only where the addition writes that too.
     """
-    right = [each for each in candidates if is_right(each)]
-    for each in right:
-        if add(each) == text:
+    for each in exact:
+        if is_right(each) and add(each) == text:
             return each
-    return right[0] if right else None
+    right = [each for each in candidates if is_right(each)]
+    return next((each for each in right if add(each) == text), right[0] if right else None)
 
 
 def matches(file: str, pattern: str) -> bool:

@@ -54,9 +54,17 @@ def insert_argument(
     return [Splice(last.end, last.end, newline_of(text) + indent + new)]
 
 
-def insert_after_word(word: Argument, value: str) -> list[Splice]:
-    """Insert the first argument of a section, behind the word that opens it."""
-    return [Splice(word.end, word.end, b" " + value.encode())]
+def insert_words(argument: Argument, words: str) -> list[Splice]:
+    """Insert words behind an argument, in its line."""
+    return [Splice(argument.end, argument.end, b" " + words.encode())]
+
+
+def insert_first(listing: Listing, command: Command, word: Argument, value: str) -> list[Splice]:
+    """Insert the first argument of a section that is empty, on the line below its word."""
+    text = listing.text
+    is_first = begins_line(text, word.start)
+    indent = indent_of(text, word.start) if is_first else indent_of(text, command.start) + b"  "
+    return [Splice(word.end, word.end, newline_of(text) + indent + value.encode())]
 
 
 def _sorted_before(siblings: Sequence[Argument], value: str) -> Argument | None:

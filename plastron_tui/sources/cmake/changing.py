@@ -83,6 +83,7 @@ def removed(
     less: Facts,
     add: Callable[[bytes], bytes | None],
     alone: bool,
+    is_made: bool = False,
 ) -> bytes:
     """Return the text without what an entry says, as it was before that was added.
 
@@ -92,6 +93,7 @@ def removed(
         less: what the file says no more then.
         add: what adds it again.
         alone: whether the call goes with it, as it names nothing else.
+        is_made: whether the call may go where adding makes one anew.
 
     Raises:
         RefusedError: it is computed.
@@ -100,16 +102,22 @@ def removed(
     item = entry.item
     expected = facts(lists) - less
 
-    def candidates() -> Iterator[bytes]:
-        if alone:
-            ways: Iterable[list[Splice]] = command_removals(listing, entry.call.command)
-        elif item.is_own and reference_of(item.argument) is None:
-            ways = argument_removals(listing, item.command, item.argument)
-        else:
-            ways = ()
-        yield from (apply(listing.text, each) for each in ways)
+    def texts(ways: Iterable[list[Splice]]) -> Iterator[bytes]:
+        return (apply(listing.text, each) for each in ways)
 
-    after = take_back(listing.text, candidates(), add, lambda each: is_right(each, lists, expected))
+    ways: Iterable[list[Splice]] = ()
+    if alone:
+        ways = command_removals(listing, entry.call.command)
+    elif item.is_own and reference_of(item.argument) is None:
+        ways = argument_removals(listing, item.command, item.argument)
+    whole = command_removals(listing, entry.call.command) if is_made else ()
+    after = take_back(
+        listing.text,
+        texts(ways),
+        add,
+        lambda each: is_right(each, lists, expected),
+        exact=texts(whole),
+    )
     if after is None:
         raise refusal(
             listing.text, listing.path, entry.call.command.span, f"computes `{entry.what}`"

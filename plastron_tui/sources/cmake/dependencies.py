@@ -8,7 +8,7 @@ from pathlib import Path
 from plastron_tui.sources.build_files import Edited, refusal
 from plastron_tui.sources.splices import Splice
 
-from .arguments import insert_after_word
+from .arguments import insert_first, insert_words
 from .changing import Facts, applied, build_type_of, change, into_list, removed, word_of
 from .facts import CATKIN, Entry, components, dependencies, exported
 from .places import insert_after, layout_of
@@ -96,9 +96,9 @@ def _new_components(lists: CMakeLists, call: Call, name: str) -> list[Splice]:
     command = call.command
     word = word_of(command, "COMPONENTS")
     if word is not None:
-        return insert_after_word(word, name)
+        return insert_first(lists.listing, command, word, name)
     last = command.arguments[-1]
-    return insert_after_word(last, f"COMPONENTS {name}")
+    return insert_words(last, f"COMPONENTS {name}")
 
 
 def _add_find(lists: CMakeLists, name: str) -> list[Splice]:
@@ -155,9 +155,9 @@ def _add_exported(lists: CMakeLists, name: str) -> bytes:
     if items:
         splices = into_list(lists, call, items, name)
     elif word is not None:
-        splices = insert_after_word(word, name)
+        splices = insert_first(listing, call.command, word, name)
     elif call.command.arguments:
-        splices = insert_after_word(call.command.arguments[-1], f"CATKIN_DEPENDS {name}")
+        splices = insert_words(call.command.arguments[-1], f"CATKIN_DEPENDS {name}")
     else:
         at = call.command.opening
         splices = [Splice(at, at, f"CATKIN_DEPENDS {name}".encode())]

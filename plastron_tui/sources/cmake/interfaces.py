@@ -9,7 +9,7 @@ from plastron_tui.diagnostics import codes
 from plastron_tui.sources.build_files import Edited, refusal
 from plastron_tui.sources.splices import Splice
 
-from .arguments import insert_after_word, insert_argument
+from .arguments import insert_argument, insert_first, insert_words
 from .changing import Facts, applied, build_type_of, change, into_list, removed, word_of
 from .facts import (
     CATKIN,
@@ -74,7 +74,7 @@ def _add_ament(lists: CMakeLists, file: str) -> list[Splice]:
     call_ = calls[-1]
     items = call_.section("", INTERFACE_WORDS)[1:]
     if not items:
-        return insert_after_word(call_.items[0].argument, f'"{file}"')
+        return insert_words(call_.items[0].argument, f'"{file}"')
     splices = into_list(lists, call_, items, file)
     if splices is None:
         raise refusal(listing.text, listing.path, call_.command.span, "computes its types")
@@ -98,7 +98,7 @@ def _add_catkin(lists: CMakeLists, file: str) -> list[Splice]:
         if items:
             splices = into_list(lists, call, items, name)
         elif word is not None:
-            splices = insert_after_word(word, name)
+            splices = insert_first(listing, call.command, word, name)
         if splices is None:
             span = call.command.span
             raise refusal(listing.text, listing.path, span, "computes its types")
@@ -120,7 +120,7 @@ def _before_generating(lists: CMakeLists, call: bytes) -> list[Splice]:
 
 
 def _remove(lists: CMakeLists, file: str) -> bytes:
-    found = [each for each in interfaces(lists) if each.is_plain and each.has(file)]
+    found = [each for each in interfaces(lists) if each.is_plain and each.what == file]
     if not found:
         return lists.listing.text
     entry = found[-1]
@@ -157,7 +157,7 @@ def _add_dependency(lists: CMakeLists, name: str) -> bytes:
         if items:
             splices = into_list(lists, calls[-1], items, name)
         elif word is not None:
-            splices = insert_after_word(word, name)
+            splices = insert_first(listing, command, word, name)
         else:
             splices = _new_section(lists, command, f"DEPENDENCIES {name}")
         if splices is None:
@@ -179,10 +179,9 @@ def _remove_dependency(lists: CMakeLists, name: str) -> bytes:
         return lists.listing.text
     entry = found[-1]
     path = lists.listing.path
-    # A call of `generate_messages` stays, also without a dependency.
     less: Facts = Counter({("interface dependency", name, "", ()): 1})
 
     def add(each: bytes) -> bytes | None:
         return add_interface_dependency(each, path, name).text
 
-    return removed(lists, entry, less, add, False)
+    return removed(lists, entry, less, add, False, is_made=True)

@@ -75,7 +75,7 @@ def _new_call(lists: CMakeLists, script: str, is_catkin: bool) -> list[Splice]:
 
 
 def _remove(lists: CMakeLists, script: str) -> bytes:
-    found = _installed(lists, script)
+    found = [each for each in _installed(lists, script) if each.what == script]
     if not found:
         return lists.listing.text
     entry = found[-1]

@@ -10,7 +10,7 @@ from tree_sitter import Node
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.sources.build_files import Edited, RefusedError, refusal, take_back
-from plastron_tui.sources.splices import Splice, apply, newline_of
+from plastron_tui.sources.splices import Splice, apply, indent_of, line_start, newline_of
 
 from .items import insert, removals, sorted_index
 from .reader import (
@@ -147,6 +147,8 @@ def _into_list(setup: Setup, node: Node, name: str, written: str) -> list[Splice
         values = [value for _, value in placed(setup, resolved)]
         index = sorted_index(values, written)
         item = f"{quote}{written}{quote}".encode()
+        if not values and _is_line(setup, resolved):
+            return _unfolded(setup, resolved, item)
         return insert(setup.text, resolved, lambda _: item, index)
     if resolved.type == "binary_operator":
         parts = [resolved.child_by_field_name(each) for each in ("right", "left")]
@@ -160,6 +162,26 @@ def _into_list(setup: Setup, node: Node, name: str, written: str) -> list[Splice
     if resolved.type == "list_comprehension":
         return _into_comprehension(setup, resolved, name, written)
     raise _computed(setup, resolved, "the console scripts")
+
+
+def _is_line(setup: Setup, node: Node) -> bool:
+    """Whether an empty list stands in one line, which its key begins."""
+    key = node.parent
+    if key is None or key.type != "pair" or node.named_child_count:
+        return False
+    start = line_start(setup.text, key.start_byte)
+    is_first = not setup.text[start : key.start_byte].strip()
+    return is_first and node.start_point.row == node.end_point.row
+
+
+def _unfolded(setup: Setup, node: Node, item: bytes) -> list[Splice]:
+    """Write the first item of a list on a line of its own, without a comma.
+
+    So it differs from what is written where there was no list, or one over two lines.
+    """
+    end, indent = newline_of(setup.text), indent_of(setup.text, node.start_byte)
+    inner = end + indent + _UNIT.encode() + item + end + indent
+    return [Splice(node.start_byte + 1, node.end_byte - 1, inner)]
 
 
 def _source_list(setup: Setup, node: Node) -> tuple[Node, Node, str] | None:
@@ -234,33 +256,45 @@ def _remove(text: bytes, path: Path, name: str) -> bytes:
     def add(each: bytes) -> bytes | None:
         return add_console_script(each, path, name, script.target).text
 
-    candidates = (apply(text, each) for each in _removals(setup, script))
-    after = take_back(text, candidates, add, lambda each: _is_right(each, path, before, expected))
+    found_at = _place(setup, script)
+    if found_at is None:
+        raise refusal(text, path, script.span, f"computes the console script `{name}`")
+    source, item = found_at
+    after = take_back(
+        text,
+        (apply(text, each) for each in removals(text, source, item)),
+        add,
+        lambda each: _is_right(each, path, before, expected),
+        exact=(apply(text, each) for each in _whole_removals(setup, source)),
+    )
     if after is None:
         raise refusal(text, path, script.span, f"computes the console script `{name}`")
     return after
 
 
-def _removals(setup: Setup, script: ConsoleScript) -> Iterator[list[Splice]]:
-    """Return the ways to take a script out: with the key that it is alone in, too."""
+def _place(setup: Setup, script: ConsoleScript) -> tuple[Node, Node] | None:
+    """Return the list that a script comes from, and what says it there."""
+    node = entry_points(setup)
+    for source in _lists(setup, node) if node is not None else ():
+        item = _item_at(setup, source, script)
+        if item is not None:
+            return source, item
+    return None
+
+
+def _whole_removals(setup: Setup, source: Node) -> Iterator[list[Splice]]:
+    """Return the ways to take a script out with the key, or the argument, that it is alone in."""
     node, given = entry_points(setup), keyword(setup, "entry_points")
-    if node is None or given is None:
+    if node is None or given is None or len(items_of(source)) > 1 or source.id != node.id:
         return
-    found = dictionary(setup, given)
-    source = next(
-        (each for each in _lists(setup, node) if _item_at(setup, each, script) is not None), None
-    )
-    if source is None or found is None:
-        return
-    is_alone = len(items_of(source)) == 1 and source.id == node.id
     argument, pair = given.parent, node.parent
-    if is_alone and len(items_of(found)) == 1 and argument is not None and argument.parent:
+    found = dictionary(setup, given)
+    is_alone = found is not None and len(items_of(found)) == 1
+    if is_alone and argument is not None and argument.parent is not None:
         yield from removals(setup.text, argument.parent, argument)
-    item = _item_at(setup, source, script)
-    assert item is not None
-    yield from removals(setup.text, source, item)
-    if is_alone and pair is not None and pair.parent is not None:
+    if pair is not None and pair.parent is not None:
         yield from removals(setup.text, pair.parent, pair)
+    yield [Splice(source.start_byte + 1, source.end_byte - 1)]
 
 
 def _lists(setup: Setup, node: Node) -> Iterator[Node]:
