@@ -9,7 +9,7 @@ from plastron_tui.sources.splices import Splice, indent_of, line_end, line_start
 from .arguments import begins_line
 from .facts import CATKIN, build_type
 from .reader import CMakeLists
-from .syntax import Block, Command, Listing, Statement
+from .syntax import Argument, Block, Command, Listing, Statement
 
 _INSTALLING = frozenset(
     {
@@ -42,8 +42,7 @@ def layout_of(listing: Listing) -> Layout:
         each
         for each in listing.statements
         if isinstance(each, Command)
-        and len(each.arguments) > 1
-        and begins_line(listing.text, each.arguments[-1].start)
+        and _line_arguments(listing, each)
         and not indent_of(listing.text, each.start)
     ]
     installing = [each for each in long if each.name in _INSTALLING]
@@ -52,8 +51,13 @@ def layout_of(listing: Listing) -> Layout:
     if not long:
         return Layout(is_upper=is_upper)
     model = (installing or long)[-1]
-    indent = indent_of(listing.text, model.arguments[-1].start).decode()
+    first = _line_arguments(listing, model)[0]
+    indent = indent_of(listing.text, first.start).decode()
     return Layout(indent or "  ", begins_line(listing.text, model.closing), is_upper)
+
+
+def _line_arguments(listing: Listing, command: Command) -> list[Argument]:
+    return [each for each in command.arguments if begins_line(listing.text, each.start)]
 
 
 def written_call(listing: Listing, name: str, first: str, lines: list[str]) -> bytes:
