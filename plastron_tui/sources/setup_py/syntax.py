@@ -15,6 +15,8 @@ from plastron_tui.diagnostics import codes
 from plastron_tui.sources.build_files import check_text, refusal
 
 _SETUP_CALLS = frozenset({"setup", "setuptools.setup", "distutils.core.setup"})
+# Names that stand for each other in a circle stand for nothing.
+_MOST_NAMES = 20
 # What is deeper was made to keep readers busy.
 _DEEPEST = 400
 _CATKIN_CALL = "generate_distutils_setup"
@@ -67,7 +69,7 @@ class Setup:
 
     def resolve(self, node: Node) -> Node:
         """Return the expression that a name stands for, the node itself where it is no name."""
-        for _ in range(20):
+        for _ in range(_MOST_NAMES):
             if node.type == "parenthesized_expression" and node.named_child_count == 1:
                 node = node.named_children[0]
                 continue
@@ -79,7 +81,9 @@ class Setup:
 
     def changed(self, node: Node) -> Node | None:
         """Return where something changes the value of a name later, None where nothing does."""
-        while node.type == "identifier":
+        for _ in range(_MOST_NAMES):
+            if node.type != "identifier":
+                break
             name = self.source(node)
             if name in self.changes:
                 return self.changes[name]

@@ -1,3 +1,4 @@
+# ruff: noqa: E501 - a case is a line
 """Each edit of a CMakeLists.txt: what it makes of a file, and that its inverse takes it back."""
 
 from __future__ import annotations
@@ -95,9 +96,7 @@ def texts_of(form: str, marked: str) -> tuple[bytes, bytes]:
 @pytest.mark.parametrize(("what", "form", "marked"), CASES)
 def test_an_edit_and_its_inverse(what: str, form: str, marked: str, ending: str) -> None:
     add, remove, value = edits_of(what)
-    before, after = (
-        each.replace(b"\n", ending.encode()) for each in texts_of(form, marked)
-    )
+    before, after = (each.replace(b"\n", ending.encode()) for each in texts_of(form, marked))
     edited = add(before, PATH, value)
     assert edited.diagnostics == ()
     assert (edited.text or b"").decode() == after.decode()

@@ -27,7 +27,17 @@ PAIRS = [
 SPACES = st.sampled_from([" ", "\n  ", "\n\t", "\n    ", " # why\n  ", "\n  # what\n  "])
 ENDS = st.sampled_from(["", "\n", " ", " # end\n"])
 WORDS = st.sampled_from(
-    ["scripts/a.py", '"scripts/b.py"', "zed", "a;b", "${X}", "${Y}", "$<IF:1,a,b>", "[[c]]", "m.msg"]
+    [
+        "scripts/a.py",
+        '"scripts/b.py"',
+        "zed",
+        "a;b",
+        "${X}",
+        "${Y}",
+        "$<IF:1,a,b>",
+        "[[c]]",
+        "m.msg",
+    ]
 )
 OPENINGS = [
     "install(PROGRAMS",
@@ -61,7 +71,9 @@ BLOCKS = st.one_of(
     calls(),
     calls().map(lambda call: f"if(BUILD_TESTING)\n{call}\nendif()"),
     calls().map(lambda call: f"foreach(Y a b)\n{call}\nendforeach()"),
-    st.sampled_from(["# note", "#########\n## Install ##\n#########", "#########", "ament_package()"]),
+    st.sampled_from(
+        ["# note", "#########\n## Install ##\n#########", "#########", "ament_package()"]
+    ),
 )
 
 
@@ -94,7 +106,7 @@ def test_what_is_added_goes_again(text, pair) -> None:  # type: ignore[no-untype
 
 
 @settings(max_examples=100, deadline=None)
-@given(st.binary(max_size=60) | st.text("()[]\"#${}\\\n ifendset", max_size=60).map(str.encode))
+@given(st.binary(max_size=60) | st.text('()[]"#${}\\\n ifendset', max_size=60).map(str.encode))
 def test_any_bytes_are_read_or_refused(text: bytes) -> None:
     for add, remove, value in PAIRS:
         for edit in (add, remove):

@@ -1,3 +1,4 @@
+# ruff: noqa: E501 - a case is a line
 """Each edit of a setup.py: what it makes of a file, and that its inverse takes it back."""
 
 from __future__ import annotations
