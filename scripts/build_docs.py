@@ -287,6 +287,7 @@ _SECTIONS = {
     "meaning": ("Meaning", "What a statement does."),
     "values": ("Values", "What messages and requests hold."),
     "files": ("Files", "What is read and written."),
+    "builds": ("Build files", "What packages that exist are built with."),
     "ros": ("ROS", "What is installed, and what runs."),
 }
 
