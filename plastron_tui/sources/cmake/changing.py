@@ -105,18 +105,15 @@ def removed(
     def texts(ways: Iterable[list[Splice]]) -> Iterator[bytes]:
         return (apply(listing.text, each) for each in ways)
 
-    ways: Iterable[list[Splice]] = ()
-    if alone:
-        ways = command_removals(listing, entry.call.command)
-    elif item.is_own and reference_of(item.argument) is None:
-        ways = argument_removals(listing, item.command, item.argument)
-    whole = command_removals(listing, entry.call.command) if is_made else ()
+    whole = list(command_removals(listing, entry.call.command)) if alone or is_made else []
+    is_written = item.is_own and reference_of(item.argument) is None
+    part = list(argument_removals(listing, item.command, item.argument)) if is_written else []
     after = take_back(
         listing.text,
-        texts(ways),
+        texts(whole if alone else part),
         add,
         lambda each: is_right(each, lists, expected),
-        exact=texts(whole),
+        exact=texts([*whole, *part]),
     )
     if after is None:
         raise refusal(

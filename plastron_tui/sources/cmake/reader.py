@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
-from plastron_tui.sources.build_files import RefusedError
+from plastron_tui.sources.build_files import RefusedError, refusal
 
 from .syntax import Argument, Block, Command, Listing, Statement, parse_cmake
 from .variables import Item, Variable, Variables, appended, reference_of
@@ -133,7 +133,9 @@ class _Run:
         """Follow statements; what they set is in the variables afterwards."""
         for each in statements:
             if len(self.calls) >= _MOST_CALLS:
-                break
+                span = each.span if isinstance(each, Command) else (each.start, each.end)
+                why = f"is reached after {_MOST_CALLS} commands"
+                raise refusal(self.listing.text, self.listing.path, span, why)
             if isinstance(each, Command):
                 self._command(each, variables, conditions, is_repeated)
             elif each.kind == "if":

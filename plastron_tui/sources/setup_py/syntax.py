@@ -15,6 +15,10 @@ from plastron_tui.diagnostics import codes
 from plastron_tui.sources.build_files import check_text, refusal
 
 _SETUP_CALLS = frozenset({"setup", "setuptools.setup", "distutils.core.setup"})
+# Names that stand for each other in a circle stand for nothing.
+_MOST_NAMES = 20
+# What is deeper was made to keep readers busy.
+_DEEPEST = 400
 _CATKIN_CALL = "generate_distutils_setup"
 _CHANGING = frozenset(
     {"append", "clear", "extend", "insert", "pop", "remove", "reverse", "sort", "update"}
@@ -65,7 +69,7 @@ class Setup:
 
     def resolve(self, node: Node) -> Node:
         """Return the expression that a name stands for, the node itself where it is no name."""
-        for _ in range(20):
+        for _ in range(_MOST_NAMES):
             if node.type == "parenthesized_expression" and node.named_child_count == 1:
                 node = node.named_children[0]
                 continue
@@ -77,7 +81,9 @@ class Setup:
 
     def changed(self, node: Node) -> Node | None:
         """Return where something changes the value of a name later, None where nothing does."""
-        while node.type == "identifier":
+        for _ in range(_MOST_NAMES):
+            if node.type != "identifier":
+                break
             name = self.source(node)
             if name in self.changes:
                 return self.changes[name]
@@ -96,7 +102,7 @@ def parse_setup(text: bytes, path: Path) -> Setup:
     check_text(text, path)
     _check_encoding(text, path)
     root = _parser().parse(text).root_node
-    nodes = list(descendants(root))
+    nodes = _nodes(text, path, root)
     if root.has_error:
         wrong = next(each for each in nodes if each.is_error or each.is_missing)
         span = (wrong.start_byte, wrong.end_byte)
@@ -125,6 +131,20 @@ def _check_encoding(text: bytes, path: Path) -> None:
             span = (at + len(comment), at + len(line))
             raise refusal(text, path, span, "is not UTF-8", codes.UNREADABLE_FILE)
         at += len(line) + 1
+
+
+def _nodes(text: bytes, path: Path, root: Node) -> list[Node]:
+    """Return every node of a file; to ask one for its parent takes as long as it is deep."""
+    found: list[Node] = []
+    stack = [(root, 0)]
+    while stack:
+        node, depth = stack.pop()
+        if depth > _DEEPEST:
+            span = (node.start_byte, node.end_byte)
+            raise refusal(text, path, span, "is within too many others", codes.BROKEN_BUILD_FILE)
+        found.append(node)
+        stack.extend((each, depth + 1) for each in reversed(node.children))
+    return found
 
 
 def descendants(root: Node) -> Iterator[Node]:
@@ -162,7 +182,6 @@ def _names(text: bytes, nodes: list[Node]) -> tuple[dict[str, Node], dict[str, N
         return text[node.start_byte : node.end_byte].decode() if node and is_name else ""
 
     for node in nodes:
-        parent = node.parent
         if node.type == "assignment":
             left, value = node.child_by_field_name("left"), node.child_by_field_name("right")
             if name_of(left) and value is not None:
@@ -191,7 +210,7 @@ def _names(text: bytes, nodes: list[Node]) -> tuple[dict[str, Node], dict[str, N
                     changes.setdefault(name_of(function.child_by_field_name("object")), node)
         elif node.type == "delete_statement":
             changes.update((name_of(each), node) for each in descendants(node) if name_of(each))
-        elif node.type == "identifier" and parent is not None:
+        elif node.type == "identifier":
             uses[name_of(node)] += 1
     changes.pop("", None)
     sure = {name: node for name, node in constants.items() if bound[name] == 1}

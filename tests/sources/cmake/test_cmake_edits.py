@@ -1,3 +1,4 @@
+# ruff: noqa: E501 - a case is a line
 """Each edit of a CMakeLists.txt: what it makes of a file, and that its inverse takes it back."""
 
 from __future__ import annotations
@@ -73,6 +74,7 @@ CASES = [
     ("interface msg/B.msg", AMENT, "file(GLOB x RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} msg/*.msg)\nrosidl_generate_interfaces(rover ${x})"),
     ("interface srv/B.srv", CATKIN, "add_message_files(FILES A.msg)\n<\nadd_service_files(FILES\n  B.srv\n)\n>\ncatkin_package()"),
     ("interface msg/B.msg", CATKIN, "add_message_files(\n  FILES\n  A.msg\n<  B.msg\n>)"),
+    ("interface msg/B.msg", CATKIN, "add_message_files(FILES<\n  B.msg> # none\n)"),
     ("interface dependency std_msgs", AMENT, 'rosidl_generate_interfaces(${PROJECT_NAME}\n  "msg/A.msg"\n<  DEPENDENCIES std_msgs\n>)'),
     ("interface dependency std_msgs", CATKIN, "generate_messages(DEPENDENCIES geometry_msgs< std_msgs>)"),
     ("interface dependency std_msgs", CATKIN, "\n<generate_messages(DEPENDENCIES\n  std_msgs\n)\n\n>catkin_package()"),
