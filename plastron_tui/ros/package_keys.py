@@ -18,7 +18,8 @@ _DATA = Path(__file__).parent / "data"
 @cache
 def licenses() -> Mapping[str, str]:
     """Return the full names of the licenses that a package can have, by SPDX identifier."""
-    return _table("licenses.yaml")
+    table: Mapping[str, str] = _table("licenses.yaml")
+    return table
 
 
 def find_license(written: str) -> str | None:

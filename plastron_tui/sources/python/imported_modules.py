@@ -10,7 +10,8 @@ from .syntax import parse
 _OLDER = frozenset(
     {
         "asynchat", "asyncore", "audioop", "cgi", "cgitb", "crypt", "distutils", "formatter", "imp",
-        "nntplib", "parser", "pipes", "smtpd", "sndhdr", "spwd", "symbol", "telnetlib", "uu", "xdrlib",
+        "nntplib", "parser", "pipes", "smtpd", "sndhdr", "spwd", "symbol", "telnetlib", "uu",
+        "xdrlib",
         # Python 2, as nodes of ROS 1 may still try it first.
         "ConfigParser", "Queue", "StringIO", "Tkinter", "__builtin__", "cPickle", "cStringIO",
         "commands", "httplib", "thread", "urllib2", "urlparse",
