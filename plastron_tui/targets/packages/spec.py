@@ -139,7 +139,7 @@ class PackageSpec:
     def summary(self) -> str:
         """What it says of itself: a description has to be there (REP 149)."""
         if self.description:
-            return self.description
+            return self.description.strip()
         if self.nodes:
             return f"The nodes {_listed(each.node.name for each in self.nodes)}"
         if self.definitions and not self.launches:
