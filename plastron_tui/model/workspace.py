@@ -25,6 +25,9 @@ from .kinds import (
 if TYPE_CHECKING:
     from plastron_tui.ros.interfaces import InterfaceName
 
+    from .launches import Launch, LaunchGeneration
+    from .own_types import OwnType
+    from .packages import Package, PackageGeneration
     from .source import SourceUnit
 
 
@@ -37,6 +40,18 @@ class Renamed(NamedTuple):
 
     name: str
     span: Span
+
+
+class Home(NamedTuple):
+    """The package that a node is in.
+
+    Attributes:
+        package: its name.
+        executable: what one starts the node by.
+    """
+
+    package: str
+    executable: str
 
 
 @dataclass(slots=True)
@@ -55,6 +70,7 @@ class Node:
         renamed: what was given another name, by its kind and that name.
         file: the main file that a created node has, "" where none was chosen yet.
         is_managed: whether it is a lifecycle node of ROS 2.
+        home: the package that the program puts it into, None for none.
     """
 
     name: str
@@ -67,6 +83,7 @@ class Node:
     renamed: dict[EndpointKey, Renamed] = field(default_factory=dict)
     file: str = ""
     is_managed: bool = False
+    home: Home | None = None
 
     def of(self, type_: type[EndpointType]) -> Mapping[str, EndpointType]:
         """Return the endpoints of one class by name: `node.of(Publisher)`."""
@@ -147,6 +164,7 @@ class Node:
             self.removed,
             dict(self.renamed),
             is_managed=self.is_managed,
+            home=self.home,
         )
 
 
@@ -160,8 +178,40 @@ class Generation(NamedTuple):
 
 @dataclass(slots=True)
 class Workspace:
-    """All that a program built, by variable, and what it asked to generate."""
+    """All that a program built, by variable, and what it asked to generate.
+
+    Attributes:
+        nodes: its nodes.
+        messages: the messages that they send.
+        types: its own interface types, by the name that statements have for them.
+        packages: its packages.
+        launches: its launch files.
+        generations: the nodes that are written.
+        written_types: the types that are written for their own sake, by the same names.
+        written_packages: the packages that are written.
+        written_launches: the launch files that are written.
+    """
 
     nodes: dict[str, Node] = field(default_factory=dict)
     messages: dict[str, Message] = field(default_factory=dict)
+    types: dict[str, OwnType] = field(default_factory=dict)
+    packages: dict[str, Package] = field(default_factory=dict)
+    launches: dict[str, Launch] = field(default_factory=dict)
     generations: list[Generation] = field(default_factory=list)
+    written_types: dict[str, Span] = field(default_factory=dict)
+    written_packages: list[PackageGeneration] = field(default_factory=list)
+    written_launches: list[LaunchGeneration] = field(default_factory=list)
+
+    def what(self, variable: str) -> tuple[str, Span] | None:
+        """Return what a variable stands for, in a word, and since where; None for a free one."""
+        named: dict[str, Mapping[str, Node | Message | OwnType | Package | Launch]] = {
+            "node": self.nodes,
+            "message": self.messages,
+            "type": self.types,
+            "package": self.packages,
+            "launch file": self.launches,
+        }
+        for word, things in named.items():
+            if variable in things:
+                return word, things[variable].span
+        return None
