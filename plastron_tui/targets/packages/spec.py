@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span
 from plastron_tui.model.workspace import Node
-from plastron_tui.ros.catalog.distributions import newest_distribution
+from plastron_tui.ros.catalog.distributions import usual_distribution
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.packages import DEFAULT_VERSION, MAINTAINER_MISSING, Maintainer
 from plastron_tui.sources.base import Language
@@ -159,7 +159,7 @@ class PackageSpec:
     @property
     def for_distribution(self) -> str:
         """The distribution that it is for."""
-        return self.distribution or newest_distribution(self.ros_version)
+        return self.distribution or usual_distribution(self.ros_version)
 
 
 def interfaces_name(package: str) -> str:
