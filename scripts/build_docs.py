@@ -288,6 +288,7 @@ _SECTIONS = {
     "values": ("Values", "What messages and requests hold."),
     "packages": ("Packages", "What a robot's workspace takes."),
     "files": ("Files", "What is read and written."),
+    "xml": ("XML", "Files in XML that exist, such as a `package.xml`."),
     "ros": ("ROS", "What is installed, and what runs."),
 }
 
