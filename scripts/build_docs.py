@@ -289,6 +289,7 @@ _SECTIONS = {
     "packages": ("Packages", "What a robot's workspace takes."),
     "files": ("Files", "What is read and written."),
     "xml": ("XML", "Files in XML that exist, such as a `package.xml`."),
+    "builds": ("Builds", "What packages that exist are built with."),
     "ros": ("ROS", "What is installed, and what runs."),
 }
 
