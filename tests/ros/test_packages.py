@@ -81,6 +81,8 @@ def test_version_is_one_that_catkin_pkg_takes_without_a_warning(version: str) ->
         ("ada@example.com", 0, 15),
         ("Ada <ada>", 5, 3),
         ("Ada <ada@example>", 9, 7),
+        ("Ada <ada@example.c>", 9, 9),
+        ("Ada <ada@example.c0m>", 9, 11),
         ("Ada <a da@example.com>", 6, 1),
         ("<ada@example.com>", 0, 17),
         ("Ada <a..b@example.com>", 5, 4),

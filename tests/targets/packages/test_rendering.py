@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from machine import examples
-from made_packages import ADA, spec_of, with_types, write
+from made_packages import ADA, ROS_VERSION, nodes_of, spec_of, with_types, write
 from rules import broken_rules
 
 from plastron_tui.diagnostics import Span
@@ -26,6 +26,7 @@ from plastron_tui.targets.packages import (
     render_interfaces,
     render_package,
 )
+from plastron_tui.targets.packages.smoke_tests import expected_of
 
 SPAN = Span(3, 7)
 
@@ -215,3 +216,49 @@ def test_types_of_ros_2_are_in_a_package_of_their_own() -> None:
 
 def test_same_package_is_the_same_files() -> None:
     assert render_package(kept("rospy")) == render_package(kept("rospy"))
+
+
+def test_package_depends_on_what_its_launch_files_start() -> None:
+    launch = kept("rclpy").launches[0]._replace(needs=frozenset({"turtlesim", "demo"}))
+    spec = replace(kept("rclpy"), launches=(launch,))
+    assert keys(spec, "exec_depend") == {
+        "rclpy", "ros2launch", "std_msgs", "std_srvs", "turtlesim",
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("library", "type_", "expected"),
+    [
+        (
+            "rospy",
+            "actionlib_tutorials/Fibonacci",
+            {
+                ("publisher", "/plan/feedback", ""),
+                ("publisher", "/plan/result", ""),
+                ("publisher", "/plan/status", ""),
+                ("subscription", "/plan/cancel", ""),
+                ("subscription", "/plan/goal", ""),
+                ("service", "/planner/reset", ""),
+            },
+        ),
+        (
+            "rclpy",
+            "example_interfaces/Fibonacci",
+            {
+                ("action server", "/plan", "example_interfaces/action/Fibonacci"),
+                ("service", "/planner/reset", "std_srvs/srv/Trigger"),
+            },
+        ),
+    ],
+)
+def test_smoke_test_expects_what_the_graph_shows(
+    library: str, type_: str, expected: set[tuple[str, str, str]], tmp_path: Path
+) -> None:
+    program = (
+        "create_node 'planner' as planner\n"
+        f"planner provides_action 'plan' of action_type {type_}\n"
+        "planner provides_service '~/reset' of service_type Trigger\n"
+        "generate_node planner\n"
+    )
+    node = nodes_of(program, library, tmp_path)[0].node
+    assert set(expected_of(node, ROS_VERSION[library])) == expected
