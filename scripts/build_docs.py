@@ -288,6 +288,10 @@ _SECTIONS = {
     "values": ("Values", "What messages and requests hold."),
     "packages": ("Packages", "What a robot's workspace takes."),
     "files": ("Files", "What is read and written."),
+    "xml": ("XML files", "Packages, launch files and plugin descriptions that exist."),
+    "builds": ("Build files", "What packages that exist are built with."),
+    "xml": ("XML", "Files in XML that exist, such as a `package.xml`."),
+    "builds": ("Builds", "What packages that exist are built with."),
     "ros": ("ROS", "What is installed, and what runs."),
 }
 
