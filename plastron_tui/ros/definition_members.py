@@ -90,9 +90,8 @@ def make_member(
         package: the package of the definition, to which a bare type belongs.
     """
     mistakes: list[MemberMistake] = []
-    read = constant_type(type_text, ros_version) if is_constant else None
-    if read is None:
-        read = field_type(type_text, ros_version, package)
+    wrong_type = constant_type(type_text, ros_version) if is_constant else None
+    read = wrong_type or field_type(type_text, ros_version, package)
     if isinstance(read, MemberMistake):
         mistakes.append(read)
     wrong_name = check_member_name(name, is_constant, ros_version)
@@ -214,8 +213,6 @@ def _named_type(
     if written == "Header" and ros_version == 1:
         return "Header", "std_msgs"
     *packages, name = written.split("/")
-    if len(packages) == 2 and packages[1] == "msg":
-        packages.pop()
     owner = packages[0] if packages else package
     is_message = (
         len(packages) < 2
@@ -234,6 +231,9 @@ def _type_help(written: str, ros_version: int) -> str | None:
         return f"write `builtin_interfaces/{written.capitalize()}`"
     if written == "wstring":
         return "write `string`"
+    package, _, name = written.partition("/msg/")
+    if name:
+        return f"write `{package}/{name}`"
     return did_you_mean(written, PRIMITIVES[ros_version])
 
 

@@ -19,7 +19,7 @@ def format_definition(interface: Interface, ros_version: int) -> str:
 
 
 def _section(section: Section, ros_version: int) -> list[str]:
-    members = (*section.constants, *section.fields)
+    members: tuple[Field | Constant, ...] = (*section.constants, *section.fields)
     return [member_line(member, ros_version) for member in members]
 
 
