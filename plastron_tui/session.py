@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from plastron_tui.generating.generation import Generated
     from plastron_tui.model.context import Setting
     from plastron_tui.model.interpreter import Interpretation
+    from plastron_tui.model.own_types import OwnInterfaces
     from plastron_tui.model.source import FileSet
     from plastron_tui.model.value_check import Fitter
     from plastron_tui.model.workspace import Generation, Workspace
@@ -115,8 +116,10 @@ class Session:
         return self._configuration.output
 
     def catalog(self, ros_version: int) -> Catalog:
-        """Return the interface types of a generation of ROS."""
-        return self._configuration.catalog(ros_version)
+        """Return the interface types of a generation of ROS, the program's own among them."""
+        catalog = self._configuration.catalog(ros_version)
+        own = self._own_types(ros_version)
+        return catalog.with_own(own) if own else catalog
 
     @property
     def type_problems(self) -> tuple[Diagnostic, ...]:
@@ -206,8 +209,17 @@ class Session:
 
     def _new_setting(self, loader: NodeLoader) -> Setting:
         from plastron_tui.model.context import Setting
+        from plastron_tui.project.definition_reader import DefinitionReader
 
-        return Setting(self.library, LIBRARIES, self.catalog, loader, self.ros.is_chosen)
+        return Setting(
+            self.library,
+            LIBRARIES,
+            self._configuration.catalog,
+            loader,
+            self.ros.is_chosen,
+            "" if self.path is None else self.path.stem,
+            DefinitionReader(self.folder, self.boundary),
+        )
 
     @property
     def _name(self) -> str:
@@ -332,4 +344,9 @@ class Session:
         from plastron_tui.output.patch_stack import Author
 
         author = Author(self._name, digest(self.document.text), self.folder)
-        return Planner(self._configuration, author, self._files.manifest, generations)
+        manifest = self._files.manifest
+        return Planner(self._configuration, author, manifest, generations, self._own_types)
+
+    def _own_types(self, ros_version: int) -> OwnInterfaces:
+        known = self._interpretation
+        return {} if known is None else known.own_types(ros_version)

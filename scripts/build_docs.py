@@ -286,6 +286,7 @@ _SECTIONS = {
     "names": ("Names and types", "What a statement names."),
     "meaning": ("Meaning", "What a statement does."),
     "values": ("Values", "What messages and requests hold."),
+    "types": ("Types of one's own", "Messages, services and actions that the program makes."),
     "packages": ("Packages", "What a robot's workspace takes."),
     "files": ("Files", "What is read and written."),
     "xml": ("XML files", "Packages, launch files and plugin descriptions that exist."),

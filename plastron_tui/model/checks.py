@@ -72,6 +72,10 @@ class Checks:
                     fix=write(right, where),
                 )
             )
+        self.new_name(statement, "variable", variable)
+
+    def new_name(self, statement: Statement, slot: str, variable: str) -> None:
+        """Check that a name of the program stands for nothing yet."""
         earlier = self._workspace.what(variable)
         if earlier is None:
             return
@@ -80,7 +84,7 @@ class Checks:
             Diagnostic(
                 codes.VARIABLE_EXISTS,
                 f"a {word} `{variable}` exists already",
-                statement.span_of("variable"),
+                statement.span_of(slot),
                 help="all variables share one namespace; choose another name",
                 labels=(Label(span, "first created here"),),
             )

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import InterfaceKind
 
 from .libraries import Libraries
 
@@ -39,7 +41,29 @@ class Loaded(NamedTuple):
     right: str | None = None
 
 
+class FoundDefinition(NamedTuple):
+    """A definition file: where it is, what it holds, and what its folder and its name say."""
+
+    path: Path
+    text: bytes
+    package: str
+    kind: InterfaceKind
+
+
+class LoadedDefinition(NamedTuple):
+    """What a reader made of the path of a definition; None with the reason."""
+
+    definition: FoundDefinition | None
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
 Reader = Callable[[LoadRequest], Loaded]
+DefinitionReader = Callable[[str], LoadedDefinition]
+
+
+def _no_definition(source: str) -> LoadedDefinition:
+    found = Diagnostic(codes.FILE_NOT_FOUND, f"no file `{source}` beside the program")
+    return LoadedDefinition(None, (found,))
 
 
 class Setting(NamedTuple):
@@ -50,6 +74,8 @@ class Setting(NamedTuple):
         libraries: the client libraries that there are.
         catalog: gives the interface types for a generation of ROS.
         read: reads the files that the program loads.
+        program: the name of the program's file without its ending, "" where it has none.
+        read_definition: reads the definitions that the program loads.
         is_chosen: whether somebody chose `library`; otherwise it is what there is on this machine.
     """
 
@@ -58,6 +84,8 @@ class Setting(NamedTuple):
     catalog: Callable[[int], Catalog]
     read: Reader
     is_chosen: bool = True
+    program: str = ""
+    read_definition: DefinitionReader = _no_definition
 
     def ros_version(self, library: str | None) -> int:
         """Return the generation of ROS of a client library; of the program's for one unknown."""

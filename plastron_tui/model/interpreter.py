@@ -21,11 +21,20 @@ from .kinds import EDITABLE, EndpointKind
 from .meetings import check_meetings
 from .mistake import Mistake
 from .node_statements import create_node, generate_node, load
+from .own_types import OwnInterfaces
 from .package_statements import contains, create_package, generate_package, no_longer_contains
 from .rename import rename
 from .run import Run
 from .stale_statements import late_changes
 from .statement_checks import all_wrong
+from .type_statements import (
+    create_type,
+    drop_type,
+    generate_type,
+    has_field,
+    load_type,
+    no_longer_has_field,
+)
 from .value_check import Fitter
 from .workspace import Node, Workspace
 
@@ -33,13 +42,18 @@ from .workspace import Node, Workspace
 class Interpretation(NamedTuple):
     """What a program means, and what is wrong with it.
 
-    `fitters` know the values of its statements, by generation of ROS: they are a help with the
-    same program after an edit.
+    Attributes:
+        workspace: what it builds.
+        diagnostics: what is wrong with it.
+        fitters: what knows the values of its statements, by generation of ROS: a help with the
+            same program after an edit.
+        own_types: gives its own interface types in a generation of ROS.
     """
 
     workspace: Workspace
     diagnostics: tuple[Diagnostic, ...]
     fitters: Mapping[int, Fitter]
+    own_types: Callable[[int], OwnInterfaces] = lambda _: {}
 
 
 _STRETCH = 256
@@ -68,7 +82,8 @@ def interpret(
         diagnostics += tuple(late_changes(program, workspace))
         diagnostics += tuple(check_meetings(program, workspace, version_of))
         diagnostics += tuple(check_circles(workspace, version_of))
-    return Interpretation(interpreter.workspace, diagnostics, interpreter.fitters)
+    workspace, own_types = interpreter.workspace, interpreter.own_types
+    return Interpretation(workspace, diagnostics, interpreter.fitters, own_types)
 
 
 def _end(kind: EndpointKind, run: Run, statement: Statement) -> None:
@@ -81,6 +96,14 @@ HANDLERS: dict[type[Statement], Callable[[Run, Any], None]] = {
     st.CreateMessage: lambda run, statement: run.messages.create(statement),
     st.GenerateNode: generate_node,
     st.Rename: rename,
+    st.CreateMessageType: create_type,
+    st.CreateServiceType: create_type,
+    st.CreateActionType: create_type,
+    st.LoadType: load_type,
+    st.HasField: has_field,
+    st.NoLongerHasField: no_longer_has_field,
+    st.DropType: drop_type,
+    st.GenerateType: generate_type,
     st.CreatePackage: create_package,
     st.Contains: contains,
     st.NoLongerContains: no_longer_contains,
@@ -90,10 +113,9 @@ HANDLERS: dict[type[Statement], Callable[[Run, Any], None]] = {
 }
 """What each statement does."""
 
-# To come: the statements of types, of launch files, and of packages that exist.
+# To come: the statements of launch files, and of packages that exist.
 for _type in (
-    *(st.CreateMessageType, st.CreateServiceType, st.CreateActionType, st.LoadType, st.HasField),
-    *(st.NoLongerHasField, st.DropType, st.GenerateType, st.LoadPackage, st.CreateLaunch),
+    *(st.LoadPackage, st.CreateLaunch),
     *(st.LoadLaunch, st.HasArgument, st.NoLongerHasArgument, st.Starts, st.NoLongerStarts),
     *(st.Includes, st.NoLongerIncludes, st.GenerateLaunch),
 ):
@@ -115,6 +137,10 @@ class Interpreter:
     def version_of(self, node: Node) -> int:
         """Return the generation of ROS that a node is for."""
         return self._run.checks.version_of(node)
+
+    def own_types(self, version: int) -> OwnInterfaces:
+        """Return the program's own interface types in a generation of ROS."""
+        return self._run.types.own_interfaces(version)
 
     @property
     def fitters(self) -> dict[int, Fitter]:

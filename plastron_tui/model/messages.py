@@ -65,7 +65,7 @@ class Messages:
             return self._version, self._message_in(statement, self._version)
         except Mistake:
             # The message may be meant for nodes of the other ROS.
-            for version in self._other_versions():
+            for version in self.other_versions():
                 with suppress(Mistake):
                     return version, self._message_in(statement, version)
             raise
@@ -76,7 +76,7 @@ class Messages:
         value = self._types.fit(statement, type_, version)
         return Message(statement.variable, value, statement.span)
 
-    def _other_versions(self) -> set[int]:
+    def other_versions(self) -> set[int]:
         """Return the other generations of ROS that nodes of the program are for."""
         used = {
             self._setting.ros_version(statement.library)

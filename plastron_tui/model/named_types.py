@@ -2,21 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Fix, write
+from plastron_tui.diagnostics import Diagnostic, Fix, Label, Span, write
 from plastron_tui.language.declaration import Statement
+from plastron_tui.language.lowering import Program
+from plastron_tui.language.statements import CreatePackage
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface, InterfaceKind
+from plastron_tui.ros.packages import check_package_name, mended_package_name
 
 from .context import Setting
 from .libraries import default_library
 from .mistake import Mistake
+from .own_types import InterfaceKey, OwnType, interfaces_of
 from .types import TypeProblem, TypeResolver
 from .value_check import Fitter
 from .values import MessageValue
 from .workspace import Workspace
+
+
+class _Use(NamedTuple):
+    """Values of a statement that were fitted to a type."""
+
+    statement: Any
+    type: Interface
+    version: int
+    slot: str
 
 
 class NamedTypes:
@@ -36,6 +49,8 @@ class NamedTypes:
         self._workspace = workspace
         self._version = setting.ros_version(None)
         self._resolvers: dict[int, TypeResolver] = {}
+        self._package: str | None = None
+        self._uses: list[_Use] = []
         self.fitters: dict[int, Fitter] = {}
         self._earlier_fitters = fitters
 
@@ -43,19 +58,26 @@ class NamedTypes:
         self, statement: Statement, text: str, kind: InterfaceKind, version: int
     ) -> Interface:
         """Return the type that a statement names, in a generation of ROS."""
-        found = self._resolver(version).resolve(text, kind)
+        found = self.resolver(version).resolve(text, kind)
         if not isinstance(found, TypeProblem):
             return found
         used = self._used_by_file(statement, text, kind)
         if used is not None:
             return used
         where = statement.span_of("type")
+        own = self._own(text, kind)
+        if own is not None and version in own.wrong:
+            raise Mistake(_not_in(own, version, where))
         remedy: str | None = self._elsewhere(text, kind, version)
         fix: Fix | None = None
         if remedy is None:
             remedy = found.help
             fix = None if found.right is None else write(found.right, where)
         raise Mistake(Diagnostic(found.code, found.message, where, help=remedy, fix=fix))
+
+    def _own(self, text: str, kind: InterfaceKind) -> OwnType | None:
+        own = self._workspace.types.get(text.rpartition("/")[2])
+        return own if own is not None and own.kind is kind else None
 
     def _used_by_file(
         self, statement: Statement, text: str, kind: InterfaceKind
@@ -84,24 +106,73 @@ class NamedTypes:
             return None
         other = 3 - version
         library = default_library(self._setting.libraries, other)
-        if isinstance(self._resolver(other).resolve(text, kind), TypeProblem):
+        if isinstance(self.resolver(other).resolve(text, kind), TypeProblem):
             return None
         return (
             f"ROS {other} has it, and ROS {version} is only the default: use `--target {library}`, "
             f"or write `target: {library}` in plastron.yaml"
         )
 
-    def _resolver(self, version: int) -> TypeResolver:
+    def begin(self, program: Program) -> None:
+        """Go on with another program, whose first package its types belong to."""
+        created = (each for each in program.statements if isinstance(each, CreatePackage))
+        first = next(created, None)
+        self._package = self._package if first is None else first.name
+        self._uses = []
+
+    def own_package(self, version: int) -> str:
+        """Return the package of the program's types that name none.
+
+        In ROS 2 types have a package of their own, beside that of the nodes.
+        """
+        packages = self._workspace.packages.values()
+        name = next((each.name for each in packages), self._package)
+        if name is None:
+            program = self._setting.program
+            is_fit = check_package_name(program) is None
+            name = program if is_fit else mended_package_name(program)
+            return f"{name or 'plastron'}_interfaces"
+        return name if version == 1 else f"{name}_interfaces"
+
+    def own_interfaces(self, version: int) -> dict[InterfaceKey, Interface]:
+        """Return what the program's types are in a generation of ROS."""
+        return interfaces_of(self._workspace.types.values(), version, self.own_package(version))
+
+    def is_of_ros(self, package: str, version: int) -> bool:
+        """Tell whether the distribution itself has a package of types."""
+        return self._setting.catalog(version).has_package(package)
+
+    def changed(self) -> None:
+        """Look types up anew: those of the program are others now."""
+        self._resolvers.clear()
+
+    def broken_uses(self) -> Iterator[Span]:
+        """Yield the statements whose values fit their type no longer."""
+        return (use.statement.span for use in self._uses if not self._still_fits(use))
+
+    def _still_fits(self, use: _Use) -> bool:
+        type_ = self.resolver(use.version).catalog.find(use.type.name, use.type.kind)
+        try:
+            if type_ is not None:
+                self._fit(use.statement, type_, use.version, use.slot)
+        except Mistake:
+            return False
+        return True
+
+    def resolver(self, version: int) -> TypeResolver:
+        """Return what looks types up in a generation of ROS."""
         resolver = self._resolvers.get(version)
         if resolver is None:
             catalog = self._setting.catalog(version)
+            if self._workspace.types:
+                catalog = catalog.with_own(self.own_interfaces(version))
             resolver = self._resolvers[version] = TypeResolver(catalog)
             self.fitters[version] = Fitter(catalog, self._earlier_fitters.get(version))
         return resolver
 
     def catalog(self, version: int) -> Catalog:
         """Return the interface types of a generation of ROS."""
-        return self._resolver(version).catalog
+        return self.resolver(version).catalog
 
     def fit(
         self, statement: Any, type_: Interface, version: int, slot: str = "input"
@@ -111,8 +182,27 @@ class NamedTypes:
         An answer's are those of the response, or of the result; others those of the message, the
         request or the goal.
         """
+        value = self._fit(statement, type_, version, slot)
+        if self._workspace.types:
+            self._uses.append(_Use(statement, type_, version, slot))
+        return value
+
+    def _fit(self, statement: Any, type_: Interface, version: int, slot: str) -> MessageValue:
         fields = type_.response.fields if slot == "answer" else type_.fields
+        self.resolver(version)
         value = self.fitters[version].fit(type_, fields, statement, slot)
         if isinstance(value, tuple):
             raise Mistake(*value)
         return value
+
+
+def _not_in(own: OwnType, version: int, where: Span) -> Diagnostic:
+    """Say why a generation of ROS cannot have a type of the program."""
+    found = own.wrong[version]
+    return Diagnostic(
+        found.code,
+        f"`{own.name}` is no type of ROS {version}: {found.message}",
+        where,
+        help=found.help,
+        labels=(Label(found.span or own.span, "made here"),),
+    )

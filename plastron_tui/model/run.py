@@ -61,6 +61,7 @@ class Run:
         """Go on with another program in the same workspace."""
         self.consequences.begin(program.broken)
         self.messages.begin(program)
+        self.types.begin(program)
         self.found = []
 
     def report(self, statement: Statement, diagnostic: Diagnostic) -> None:

@@ -14,8 +14,10 @@ from plastron_tui.targets import LIBRARIES, has_target
 
 if TYPE_CHECKING:
     # To check a program takes no more of this than what nothing can write.
+    from plastron_tui.generating.apply_changes import Library
     from plastron_tui.generating.file_names import FileNames
     from plastron_tui.generating.generation import Generated
+    from plastron_tui.model.own_types import OwnInterfaces
     from plastron_tui.model.source import FileSet
     from plastron_tui.model.workspace import Generation
     from plastron_tui.output.manifest import Manifest, Reading
@@ -32,6 +34,7 @@ class Planner:
         author: Author,
         manifest: Callable[[Path], Reading],
         generations: Sequence[Generation] = (),
+        own_types: Callable[[int], OwnInterfaces] = lambda _: {},
     ) -> None:
         """Set what the files follow from.
 
@@ -40,7 +43,10 @@ class Planner:
             author: the program.
             manifest: reads a folder's manifest.
             generations: all that the program generates.
+            own_types: gives the program's own interface types in a generation of ROS.
         """
+        self._own_types = own_types
+        self._libraries: dict[str, Library | None] = {}
         self._configuration = configuration
         self._author = author
         self._manifest = manifest
@@ -81,11 +87,21 @@ class Planner:
         path = made.path(self._configuration.output)
         if made.files is None or path is None:
             return None
-        library = self._configuration.library(generation.library)
+        library = self._library(generation.library)
         node, new = generation.node, path.stem
         if node.source is None and library is not None:
             new = PurePath(self._names(lambda _: Manifest()).of(node, library.target)).stem
         return path, made.files.files, new
+
+    def _library(self, name: str) -> Library | None:
+        """Return what writes nodes for a client library, which knows the program's own types."""
+        if name not in self._libraries:
+            library = self._configuration.library(name)
+            own = {} if library is None else self._own_types(library.target.ros_version)
+            if library is not None and own:
+                library = library._replace(catalog=library.catalog.with_own(own))
+            self._libraries[name] = library
+        return self._libraries[name]
 
     def _generate(
         self,
@@ -97,11 +113,11 @@ class Planner:
         from plastron_tui.generating.generation import Generated, generate, nodes_of_file
 
         configuration, options = self._configuration, self._configuration.options
-        library = configuration.library(generation.library)
+        library = self._library(generation.library)
         if library is None:
             return Generated(generation, None, (_unsupported(generation),))
         source = generation.node.source
-        own = None if source is None else configuration.library(source.library)
+        own = None if source is None else self._library(source.library)
         writing = Writing(
             configuration.output,
             manifests,
@@ -140,7 +156,7 @@ class Planner:
         common = ProgramFiles()
         if not is_preview:
             names = self._names(lambda _: manifest)
-            common = program_files(self._generations, configuration.library, names, manifest)
+            common = program_files(self._generations, self._library, names, manifest)
         # Of two nodes of one file both say what is to be said of it.
         told = dict.fromkeys(found for generated in made for found in generated.diagnostics)
         found = [*told, *common.diagnostics]

@@ -58,8 +58,10 @@ def source(
     return SourceUnit(Path("driver.py"), one(b""), library, nodes)
 
 
-def run(text: str, library: str = "rospy", reader: FakeReader | None = None) -> Interpretation:
-    setting = Setting(library, LIBRARIES, catalog, reader or FakeReader())
+def run(
+    text: str, library: str = "rospy", reader: FakeReader | None = None, program: str = ""
+) -> Interpretation:
+    setting = Setting(library, LIBRARIES, catalog, reader or FakeReader(), program=program)
     return interpret(lower(Document(text.encode())), setting)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from plastron_tui.diagnostics.code import Code
 
-from . import builds, files, meaning, names, packages, ros, sentences, values, xml
+from . import builds, files, meaning, names, packages, ros, sentences, types, values, xml
 from .builds import *  # noqa: F403
 from .files import *  # noqa: F403
 from .meaning import *  # noqa: F403
@@ -12,6 +12,7 @@ from .names import *  # noqa: F403
 from .packages import *  # noqa: F403
 from .ros import *  # noqa: F403
 from .sentences import *  # noqa: F403
+from .types import *  # noqa: F403
 from .values import *  # noqa: F403
 from .xml import *  # noqa: F403
 
@@ -19,7 +20,7 @@ GROUPS: dict[str, tuple[Code, ...]] = {
     module.__name__.rpartition(".")[2]: tuple(
         code for code in vars(module).values() if isinstance(code, Code)
     )
-    for module in (sentences, names, meaning, values, packages, files, xml, builds, ros)
+    for module in (sentences, names, meaning, values, types, packages, files, xml, builds, ros)
 }
 """The codes, by the module that declares them; each has the docstring that says what they share."""
 

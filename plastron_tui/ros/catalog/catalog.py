@@ -169,6 +169,13 @@ class Catalog:
             return None
         return data.definitions(self.distribution, name)
 
+    def has_package(self, name: str) -> bool:
+        """Tell whether the distribution has a package of types, whole or in part."""
+        index = data.index(self.distribution)
+        return name in index.partial or any(
+            (name, kind) in index.packages for kind in InterfaceKind
+        )
+
     def packages(self, kind: InterfaceKind) -> Sequence[str]:
         """Return the packages that have interfaces of a kind, sorted."""
         return sorted({name.package for name in self.names(kind)})

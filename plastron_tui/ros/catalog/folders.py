@@ -43,6 +43,12 @@ def _entries(environ: Mapping[str, str], variable: str) -> list[str]:
     return [entry for entry in entries if entry and "\0" not in entry]
 
 
+def package_of(definition: Path) -> str:
+    """Return the package of a definition file: that of the folder around `msg`, or its own."""
+    folder = definition.absolute().parent
+    return _package_name(folder.parent if folder.name in _KINDS else folder)
+
+
 class TypeFolders:
     """The definition files in some folders, listed when first asked for."""
 

@@ -1,0 +1,151 @@
+"""From the fields of a statement to the members of a definition, in one generation of ROS."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic, Span, codes
+from plastron_tui.diagnostics.suggest import nearest
+from plastron_tui.language.definitions import FieldText
+from plastron_tui.language.inputs import InputValue, ListValue, Literal
+from plastron_tui.ros.definition_members import MemberPart, Value, make_member
+from plastron_tui.ros.interfaces import (
+    Constant,
+    Field,
+    InterfaceKind,
+    InterfaceName,
+    Scalar,
+    Section,
+)
+from plastron_tui.ros.primitives import PRIMITIVES, primitive
+
+from .mistake import Mistake
+from .types import TypeProblem
+
+if TYPE_CHECKING:
+    from plastron_tui.language.declaration import Statement
+
+    from .types import TypeResolver
+
+_FIELDS = {MemberPart.NAME: "name", MemberPart.VALUE: "value"}
+"""The grammar's field of a part of a member; the others are parts of its type."""
+
+
+class Naming(NamedTuple):
+    """What the names of types in a definition mean.
+
+    Attributes:
+        version: the generation of ROS.
+        package: the package of the definition.
+        resolver: looks types up.
+        own: the type itself, of which it can have no field.
+    """
+
+    version: int
+    package: str
+    resolver: TypeResolver
+    own: str = ""
+
+    def full(self, type_text: str) -> str | TypeProblem:
+        """Return a type as a definition of the package has it: with its package, if another's."""
+        base, bracket, array = type_text.partition("[")
+        name, bound, length = base.partition("<=")
+        if primitive(name, self.version) is not None or (name, self.version) == ("Header", 1):
+            return type_text
+        if name in (self.own, f"{self.package}/{self.own}"):
+            return TypeProblem(codes.CIRCULAR_TYPE, f"`{self.own}` contains itself", None)
+        found = self.resolver.resolve(name, InterfaceKind.MESSAGE)
+        if isinstance(found, TypeProblem):
+            right = nearest(name, PRIMITIVES[self.version]) if name.islower() else None
+            is_slip = right is not None and found.code == codes.UNKNOWN_TYPE
+            return found._replace(help=f"did you mean `{right}`?") if is_slip else found
+        own = found.name.package == self.package
+        shown = found.name.name if own else str(found.name)
+        return f"{shown}{bound}{length}{bracket}{array}"
+
+
+def section_of(
+    statement: Statement, fields: Sequence[FieldText], naming: Naming
+) -> Section | list[Diagnostic]:
+    """Return what some fields of a statement make of a definition, or all that is wrong."""
+    members: list[Field | Constant] = []
+    wrong: list[Diagnostic] = []
+    names: set[str] = set()
+    for each in fields:
+        found = _member(statement, each, naming)
+        if isinstance(found, list):
+            wrong += found
+        elif found.name in names:
+            message = f"`{found.name}` is there twice"
+            wrong.append(Diagnostic(codes.BAD_FIELD, message, _span(statement, each, "name")))
+        else:
+            members.append(found)
+            names.add(found.name)
+    if wrong:
+        return wrong
+    return Section(
+        tuple(each for each in members if isinstance(each, Field)),
+        tuple(each for each in members if isinstance(each, Constant)),
+    )
+
+
+def _member(
+    statement: Statement, each: FieldText, naming: Naming
+) -> Field | Constant | list[Diagnostic]:
+    try:
+        value = None if each.value is None else _plain(each.value)
+    except Mistake:
+        message = "a definition holds numbers, texts and lists of them"
+        return [Diagnostic(codes.BAD_FIELD, message, _span(statement, each, "value"))]
+    type_text = naming.full(each.type)
+    if isinstance(type_text, TypeProblem):
+        where = _span(statement, each, "type")
+        return [Diagnostic(type_text.code, type_text.message, where, help=type_text.help)]
+    made = make_member(
+        type_text, each.name, value, each.operator == "=", naming.version, naming.package
+    )
+    if not isinstance(made, list):
+        return made
+    return [
+        Diagnostic(
+            codes.BAD_FIELD,
+            found.message,
+            _span(statement, each, _FIELDS.get(found.part, "type")),
+            help=found.help,
+        )
+        for found in made
+    ]
+
+
+def _plain(value: InputValue) -> Value:
+    """Return a value as a definition can hold it.
+
+    Raises:
+        Mistake: it is computed, or a list in a list.
+    """
+    if isinstance(value, ListValue):
+        return tuple(_scalar(item) for item in value.items)
+    return _scalar(value)
+
+
+def _scalar(value: InputValue) -> Scalar:
+    if not isinstance(value, Literal):
+        raise Mistake
+    return value.value
+
+
+def _span(statement: Statement, each: FieldText, part: str) -> Span:
+    node = each.syntax.child_by_field_name(part) or each.syntax
+    return Span(node.start_byte, node.end_byte).moved(statement.shift)
+
+
+def members_of(section: Section) -> dict[str, Field | Constant]:
+    """Return the fields and constants of a section by name, without what is said of them."""
+    fields: list[Field | Constant] = [each._replace(comment="") for each in section.fields]
+    return {each.name: each for each in (*fields, *section.constants)}
+
+
+def nested_names(section: Section) -> set[InterfaceName]:
+    """Return the messages that a section has for fields."""
+    return {each.type.message for each in section.fields if each.type.message is not None}

@@ -1,0 +1,156 @@
+"""Interface types of the program's own: what they become, and what is wrong with them."""
+
+from __future__ import annotations
+
+import pytest
+from workspaces import marked, run
+
+from plastron_tui.model.interpreter import Interpretation
+
+A = "create_message_type A with int32 x\n"
+B = f"{A}create_message_type B with A a\n"
+S = "create_service_type S with int32 x returning none\n"
+USED = f"{A}create_message m of message_type A and input x=5\n"
+ROSPY = "create_node 'n' as n using rospy\n"
+RCLPY = "create_node 'n' as n using rclpy\n"
+
+MADE = {
+    "create_message_type A with none\n": "",
+    A: "int32 x\n",
+    B: "A a\n",
+    "create_message_type A with float64 x, uint8 OK = 1\n": "uint8 OK=1\nfloat64 x\n",
+    "create_message_type A with Point[] path, string label\n": (
+        "geometry_msgs/Point[] path\nstring label\n"
+    ),
+    'create_message_type A with string NAME = "a b"\n': 'string NAME="a b"\n',
+    "create_message_type A with int32[3] x default [1, 2, 3]\n": "int32[3] x [1, 2, 3]\n",
+    "create_message_type A with string<=5[<=3] names\n": "string<=5[<=3] names\n",
+    S: "int32 x\n---\n",
+    "create_action_type A with none returning bool ok reporting float32 left\n": (
+        "---\nbool ok\n---\nfloat32 left\n"
+    ),
+    f'{A}A has_field "float64 y"\n': "int32 x\nfloat64 y\n",
+    f'{A}A has_field "float64 x"\n': "float64 x\n",
+    f'{A}A has_field "Point p"\n': "int32 x\ngeometry_msgs/Point p\n",
+    f"{A}A no_longer_has_field 'x'\n": "",
+    f'{S}S has_field "bool ok" in response\n': "int32 x\n---\nbool ok\n",
+    f"{S}S no_longer_has_field 'x' in request\n": "---\n",
+}
+
+WRONG: list[tuple[str, str, str, str, str | None]] = [
+    ("", "create_message_type wheel_speed with none", "bad-type-name", "wheel_speed",
+     "write `WheelSpeed`"),
+    ("", "create_message_type p/msg/A with none", "bad-type-name", "p/msg/A", "write `p/A`"),
+    ("", "create_message_type Bad/A with none", "bad-type-name", "Bad/A", None),
+    ("", "create_message_type std_msgs/A with none", "type-exists", "std_msgs/A", "leave"),
+    (A, "create_message_type A with none", "type-exists", "A", "`A has_field"),
+    (RCLPY, "create_message_type n with none", "variable-exists", "n", None),
+    (A, "create_node 'n' as A", "variable-exists", "A", None),
+    ("", "create_message_type A with float64 leftWheel", "bad-field", "leftWheel", "lower-case"),
+    ("", "create_message_type A with int32 x, bool x", "bad-field", "x", None),
+    ("", "create_message_type A with int32 class", "bad-field", "class", None),
+    ("", "create_message_type A with flot64 x", "unknown-type", "flot64", "`float64`"),
+    ("", "create_message_type A with Nowhere x", "unknown-type", "Nowhere", None),
+    ("", "create_message_type A with A x", "circular-type", "A", None),
+    ("", "create_message_type A with A[] x", "circular-type", "A[]", None),
+    ("", "create_message_type A with uint8 X = 300", "bad-field", "300", None),
+    ("", "create_message_type A with uint8 X = parameter 'a'", "bad-field", "parameter 'a'", None),
+    ("", 'create_message_type A with string<=3 x default "abcd"', "bad-field", '"abcd"', None),
+    ("", "create_message_type A with int32<=3 x", "bad-field", "int32<=3", None),
+    (A, 'A has_field "int32 x"', "field-exists", '"int32 x"', None),
+    (A, 'A has_field "int32"', "bad-field", '"int32"', "float64 x"),
+    (A, 'A has_field "foo y"', "unknown-type", "foo", None),
+    (A, 'A has_field "A a"', "circular-type", "A", None),
+    (A, 'A has_field "int32 y" in response', "no-such-field", "response", "leave it out"),
+    (S, 'S has_field "int32 y" in respons', "no-such-field", "respons", "`response`"),
+    (S, "S no_longer_has_field 'x' in response", "no-such-field", "'x'", None),
+    (A, "A no_longer_has_field 'y'", "no-such-field", "'y'", None),
+    (A, "AA no_longer_has_field 'x'", "unknown-own-type", "AA", "`A`"),
+    (RCLPY, "n no_longer_has_field 'x'", "unknown-own-type", "n", "`n` is a node"),
+    ("", 'String has_field "int32 x"', "unknown-own-type", "String", None),
+    (B, 'A has_field "B b"', "circular-type", '"B b"', None),
+    (B, "drop_type A", "type-in-use", "drop_type A", None),
+    (USED, "drop_type A", "type-in-use", "drop_type A", None),
+    (USED, "A no_longer_has_field 'x'", "type-in-use", "A no_longer_has_field 'x'", None),
+    (USED, 'A has_field "string x"', "type-in-use", 'A has_field "string x"', None),
+    ("", "generate_type A", "unknown-own-type", "A", None),
+    ("", "load_type 'a.msg' as A", "file-not-found", "'a.msg'", None),
+]  # fmt: skip
+
+
+def text_of(found: Interpretation, version: int = 2) -> str:
+    [*_, own] = found.workspace.types.values()
+    return own.definitions[version].text.decode()
+
+
+@pytest.mark.parametrize(("text", "definition"), MADE.items(), ids=list(MADE))
+def test_a_type_becomes_its_definition(text: str, definition: str) -> None:
+    found = run(text, "rclpy")
+    assert list(found.diagnostics) == []
+    assert text_of(found) == definition
+
+
+@pytest.mark.parametrize(
+    ("before", "line", "code", "where", "remedy"), WRONG, ids=[each[1] for each in WRONG]
+)
+def test_what_is_wrong(before: str, line: str, code: str, where: str, remedy: str | None) -> None:
+    text = f"{before}{line}\n"
+    [found] = run(text, "rclpy").diagnostics
+    assert (found.code, marked(text, found)) == (code, where)
+    assert remedy is None or remedy in (found.help or "")
+
+
+@pytest.mark.parametrize("line", [each[:2] for each in WRONG if each[0]])
+def test_a_mistake_changes_no_type(line: tuple[str, str]) -> None:
+    before = run(line[0], "rclpy").workspace.types
+    after = run(f"{line[0]}{line[1]}\n", "rclpy").workspace.types
+    assert {name: each.definitions for name, each in after.items()} == {
+        name: each.definitions for name, each in before.items()
+    }
+
+
+def test_who_uses_a_type_is_told() -> None:
+    text = f"{USED}A no_longer_has_field 'x'\n"
+    [found] = run(text, "rclpy").diagnostics
+    [label] = found.labels
+    start, end = label.span
+    assert text[start:end].startswith("create_message m")
+
+
+PACKAGES = {
+    (A, 1): "program_interfaces",
+    (A, 2): "program_interfaces",
+    (f"{A}create_package 'rover' as rover\n", 1): "rover",
+    (f"{A}create_package 'rover' as rover\n", 2): "rover_interfaces",
+    ("create_message_type own_msgs/A with int32 x\n", 2): "own_msgs",
+}
+
+
+@pytest.mark.parametrize(("text", "version"), PACKAGES, ids=str)
+def test_a_type_belongs_to_the_package(text: str, version: int) -> None:
+    found = run(text, "rclpy", program="program")
+    [(_, name)] = found.own_types(version)
+    assert str(name) == f"{PACKAGES[text, version]}/A"
+
+
+def test_a_type_is_used_from_the_next_line_on() -> None:
+    use = "create_message m of message_type A and input x=5\n"
+    assert list(run(A + use, "rclpy").diagnostics) == []
+    [found] = run(use + A, "rclpy").diagnostics
+    assert found.code == "unknown-type"
+
+
+def test_what_one_ros_cannot_have_is_told_where_it_is_used() -> None:
+    text = "create_message_type A with string<=5 x\n"
+    assert list(run(text, "rclpy").diagnostics) == []
+    [found] = run(text, "rospy").diagnostics
+    assert (found.code, marked(text, found)) == ("bad-field", "string<=5")
+    use = f"{text}{ROSPY}subscribe n to 'a' of message_type A\n"
+    [found] = run(use, "rclpy").diagnostics
+    assert found.message == "`A` is no type of ROS 1: ROS 1 has no bounded types"
+
+
+def test_a_type_that_the_program_is_not_for_may_be_for_its_nodes() -> None:
+    text = f"{ROSPY}create_message_type A with int32 someField\n"
+    use = f"{text}subscribe n to 'a' of message_type A\n"
+    assert list(run(use, "rclpy").diagnostics) == []
