@@ -13,9 +13,9 @@ _USED = (
 
 BAD_TYPE_NAME = Code(
     "bad-type-name",
-    "A type has a name that ROS does not take for one: it has letters and digits, a capital letter "
-    "first.",
-    bad="create_message_type wheel_speed with float64 left\n",
+    "A type has a name that ROS does not take for one: it has letters and digits, in ROS 2 a "
+    "capital letter first, and is no type that definitions know.",
+    bad="create_message_type string with float64 left\n",
     good="create_message_type WheelSpeed with float64 left\n",
 )
 
@@ -30,8 +30,8 @@ BAD_FIELD = Code(
     "bad-field",
     "A field or a constant is not as definitions have it: its name, its type, its bound or its "
     "value.",
-    bad="create_message_type WheelSpeed with float64 leftWheel\n",
-    good="create_message_type WheelSpeed with float64 left_wheel\n",
+    bad="create_message_type WheelSpeed with float64 class\n",
+    good="create_message_type WheelSpeed with float64 kind\n",
 )
 
 UNKNOWN_OWN_TYPE = Code(
