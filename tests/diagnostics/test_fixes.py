@@ -19,7 +19,7 @@ WITHOUT = {
     "value-out-of-range", "wrong-array-length", "invalid-text", "invalid-rate",
     "unsupported-target", "service-type-conflict", "action-type-conflict", "qos-incompatible",
     "endless-messages", "package-exists", "unknown-item", "already-contained", "not-contained",
-    "type-exists", "circular-type", "type-in-use", "bad-type-name", "bad-field",
+    "type-exists", "circular-type", "type-in-use", "bad-field",
     "invalid-qos", "not-in-ros-1", "still-needed", "unknown-parameter", "parameter-type-mismatch",
     "invalid-range", "nothing-received", "computed-type-mismatch",
 }  # fmt: skip
