@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from plastron_tui.diagnostics.code import Code
 
-from . import files, meaning, names, packages, ros, sentences, values, xml
+from . import files, launches, meaning, names, packages, ros, sentences, values, xml
 from .files import *  # noqa: F403
+from .launches import *  # noqa: F403
 from .meaning import *  # noqa: F403
 from .names import *  # noqa: F403
 from .packages import *  # noqa: F403
@@ -18,7 +19,7 @@ GROUPS: dict[str, tuple[Code, ...]] = {
     module.__name__.rpartition(".")[2]: tuple(
         code for code in vars(module).values() if isinstance(code, Code)
     )
-    for module in (sentences, names, meaning, values, packages, files, xml, ros)
+    for module in (sentences, names, meaning, values, packages, launches, files, xml, ros)
 }
 """The codes, by the module that declares them; each has the docstring that says what they share."""
 
