@@ -6,11 +6,12 @@ for ROS 2 Launch Files", and the design article "ROS 2 Launch System".
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from enum import Enum
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
-from .launch_text import Text
+from .launch_text import Kind, Substitution, Text
 from .parameters import Setting
 
 
@@ -50,6 +51,11 @@ class Item:
     condition: Condition | None = None
     place: Place | None = field(default=None, compare=False, repr=False)
 
+    @property
+    def called(self) -> str | None:
+        """What a program calls it by, None where it has no name, or one that is computed."""
+        return None
+
 
 @dataclass(frozen=True, slots=True)
 class Argument(Item):
@@ -64,6 +70,11 @@ class Argument(Item):
     name: str
     default: Text | None = None
     description: str = ""
+
+    @property
+    def called(self) -> str | None:
+        """Its name."""
+        return self.name
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,6 +136,11 @@ class StartedNode(Item):
     remaps: tuple[Remapping, ...] = ()
     parameters: tuple[Parameter, ...] = ()
     others: tuple[tuple[str, Text], ...] = ()
+
+    @property
+    def called(self) -> str | None:
+        """The name that it gets, else its executable."""
+        return (self.executable if self.name is None else self.name).literal
 
 
 @dataclass(frozen=True, slots=True)
@@ -193,6 +209,16 @@ class Include(Item):
     namespace: Text | None = None
     others: tuple[tuple[str, Text], ...] = ()
 
+    @property
+    def called(self) -> str | None:
+        """Its package, and the name of the file."""
+        match self.file.parts:
+            case (Substitution(kind=Kind.PACKAGE, argument=package), str(path)) if package.literal:
+                path = path.removeprefix("/")
+                return f"{package.literal}/{path.removeprefix('launch/')}"
+            case _:
+                return self.file.literal
+
 
 @dataclass(frozen=True, slots=True)
 class Unread(Item):
@@ -208,14 +234,15 @@ class LaunchFile:
     items: tuple[Item, ...] = ()
 
 
-def started_nodes(items: tuple[Item, ...]) -> list[StartedNode]:
-    """Return the nodes that a file itself starts, those in groups and containers too."""
-    found: list[StartedNode] = []
+_Kind = TypeVar("_Kind", bound=Item)
+
+
+def items_of(items: tuple[Item, ...], kind: type[_Kind]) -> Iterator[_Kind]:
+    """Yield all of a kind that a file itself has, in groups and containers too."""
     for item in items:
-        if isinstance(item, StartedNode):
-            found.append(item)
-        elif isinstance(item, Group):
-            found += started_nodes(item.items)
+        if isinstance(item, kind):
+            yield item
+        if isinstance(item, Group):
+            yield from items_of(item.items, kind)
         elif isinstance(item, Container):
-            found += [*([item.node] if item.node is not None else []), *item.components]
-    return found
+            yield from items_of((*filter(None, (item.node,)), *item.components), kind)

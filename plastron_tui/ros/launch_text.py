@@ -50,9 +50,7 @@ class Text:
         return self.parts[0] if len(self.parts) == 1 and isinstance(self.parts[0], str) else None
 
     def __str__(self) -> str:
-        return "".join(
-            part if isinstance(part, str) else _shown(part) for part in self.parts
-        )
+        return "".join(part if isinstance(part, str) else _shown(part) for part in self.parts)
 
 
 def _shown(part: Substitution) -> str:

@@ -5,12 +5,10 @@ from __future__ import annotations
 import pytest
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as some
+from launch_files import launch_files
 
-from plastron_tui.ros.launch import LaunchFile
 from plastron_tui.sources.launch.xml_reader import read_launch_xml
 from plastron_tui.targets.launch.xml import write_xml
-
-from launch_files import launch_files
 
 
 @pytest.mark.parametrize("ros_version", [1, 2])

@@ -67,7 +67,9 @@ class _Writer:
                 tag = "remap" if self._version == 1 else "set_remap"
                 return self._tag(item, tag, (("from", old), ("to", new)))
             case SetParameter(parameter=parameter):
-                found = self._parameter(parameter, "param" if self._version == 1 else "set_parameter")
+                found = self._parameter(
+                    parameter, "param" if self._version == 1 else "set_parameter"
+                )
                 return found._replace(attributes=(*found.attributes, *self._condition(item)))
             case _:
                 raise CannotWriteError(f"`{type(item).__name__}`")
@@ -106,7 +108,9 @@ class _Writer:
         attributes = (*found.attributes[:own], *plain, *found.attributes[own:])
         return found._replace(attributes=attributes)
 
-    def _node(self, item: StartedNode, tag: str = "node", extra: tuple[NewElement, ...] = ()) -> NewElement:
+    def _node(
+        self, item: StartedNode, tag: str = "node", extra: tuple[NewElement, ...] = ()
+    ) -> NewElement:
         is_one = self._version == 1
         executable = "plugin" if tag == "composable_node" else "type" if is_one else "exec"
         name = item.name

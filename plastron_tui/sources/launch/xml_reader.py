@@ -8,7 +8,6 @@ from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.ros.launch import (
-    Condition,
     Format,
     Group,
     Item,
@@ -54,7 +53,9 @@ def read_launch_xml(
     version = ros_version or ros_version_of(document)
     format_ = Format.ROS1_XML if version == 1 else Format.XML
     if root.name != "launch":
-        message = f"the outermost element of a launch file is `<launch>`, and this is `<{root.name}>`"
+        message = (
+            f"the outermost element of a launch file is `<launch>`, and this is `<{root.name}>`"
+        )
         found = Diagnostic(codes.BROKEN_LAUNCH, message, root.name_span, file)
         return LaunchRead(None, format_, document, (found,))
     reader = ros1_elements.item_of if version == 1 else ros2_elements.item_of
@@ -100,6 +101,3 @@ def read_items(
 def place_of(element: Element) -> Place:
     """Return where an element stands."""
     return Place(element.span.start, element.span.end, element.line)
-
-
-__all__ = ["Condition", "LaunchRead", "read_items", "read_launch_xml", "ros_version_of"]
