@@ -288,6 +288,8 @@ _SECTIONS = {
     "values": ("Values", "What messages and requests hold."),
     "packages": ("Packages", "What a robot's workspace takes."),
     "files": ("Files", "What is read and written."),
+    "xml": ("XML files", "Packages, launch files and plugin descriptions that exist."),
+    "builds": ("Build files", "What packages that exist are built with."),
     "ros": ("ROS", "What is installed, and what runs."),
 }
 

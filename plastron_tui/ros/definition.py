@@ -14,20 +14,18 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Span, codes, did_you_mean
+from plastron_tui.diagnostics import Diagnostic, Span, codes
 
-from .definition_literals import parse_array, parse_literal, split_comment
-from .interfaces import (
-    Constant,
-    Field,
-    FieldType,
-    Interface,
-    InterfaceKind,
-    InterfaceName,
-    Scalar,
-    Section,
+from .definition_literals import is_separator, parse_array, parse_literal, split_comment
+from .definition_members import (
+    TYPE_PATTERN,
+    MemberMistake,
+    MemberPart,
+    Value,
+    field_type,
+    make_member,
 )
-from .primitives import PRIMITIVES, primitive
+from .interfaces import Constant, Field, Interface, InterfaceKind, InterfaceName, Section
 
 MAX_DEFINITION_BYTES = 1_000_000
 """A longer file is no definition, whatever its name ends in."""
@@ -39,25 +37,9 @@ SECTION_COUNT = {InterfaceKind.MESSAGE: 1, InterfaceKind.SERVICE: 2, InterfaceKi
 """How many sections each kind of interface has."""
 
 _LINE = re.compile(
-    r"(?P<type>[A-Za-z][A-Za-z0-9_/]*)(?:<=(?P<chars>[0-9]{1,9}))?"
-    r"(?P<array>\[(?P<bounded><=)?(?P<size>[0-9]{0,9})\])?"
-    r"[ \t]+(?P<name>[A-Za-z0-9_]+)[ \t]*(?P<rest>.*)",
+    TYPE_PATTERN + r"(?P<space>[ \t]+)(?P<name>[A-Za-z0-9_]+)[ \t]*(?P<rest>.*)",
     re.ASCII | re.DOTALL,
 )
-_FIELD_NAME = {
-    1: re.compile(r"[A-Za-z][A-Za-z0-9_]*"),
-    2: re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)*"),
-}
-_CONSTANT_NAME = {1: _FIELD_NAME[1], 2: re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*")}
-_NAME_RULE = {
-    1: "letters, digits and `_`, a letter first",
-    2: "lower-case letters, digits and single `_`, a letter first",
-}
-_MESSAGE_NAME = {
-    1: re.compile(r"[A-Za-z][A-Za-z0-9_]*"),
-    2: re.compile(r"[A-Z][A-Za-z0-9]*"),
-}
-_PACKAGE_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _LONGEST_COMMENT = 160
 _SENTENCE_END = re.compile(r"(?<!e\.g)(?<!i\.e)\.(?=\s)")
 
@@ -175,7 +157,7 @@ class _Reader:
             self._block = []
             return
         self._end_leading_block()
-        if stripped.startswith("---"):
+        if is_separator(line, self.ros_version):
             self.sections.append(_Part())
         else:
             self._read_member(line, len(line) - len(stripped))
@@ -190,122 +172,71 @@ class _Reader:
                 len(split_comment(line, self.ros_version)[0].rstrip()) or len(line),
                 "write `type name`, such as `float64 x`",
             )
+        self._check_layout(match, indent)
         is_constant = match["rest"].startswith("=")
-        self._check_member_name(match, is_constant)
         part = self.sections[-1]
-        if is_constant:
-            part.constants.append(self._constant(match))
-        else:
-            part.fields.append(self._field(match))
+        if match["name"] in part.names:
+            raise _Mistake(f"`{match['name']}` is there twice", *match.span("name"))
         part.names.add(match["name"])
+        made, comment = self._make_member(match, is_constant)
+        if isinstance(made, Constant):
+            part.constants.append(made)
+        else:
+            comment = first_sentence([comment] if comment else self._block)
+            part.fields.append(made._replace(comment=comment))
 
-    def _check_member_name(self, match: re.Match[str], is_constant: bool) -> None:
-        name = match["name"]
-        rules = _CONSTANT_NAME if is_constant else _FIELD_NAME
-        what = "constant" if is_constant else "field"
-        if rules[self.ros_version].fullmatch(name) is None:
-            rule = _NAME_RULE[self.ros_version]
-            if is_constant and self.ros_version == 2:
-                rule = rule.replace("lower", "upper")
-            raise _Mistake(f"`{name}` cannot name a {what}", *match.span("name"), f"use {rule}")
-        if name in self.sections[-1].names:
-            raise _Mistake(f"`{name}` is there twice", *match.span("name"))
+    def _check_layout(self, match: re.Match[str], indent: int) -> None:
+        """Refuse the white space that the builders do not take for what it looks like."""
+        if self.ros_version == 2 and indent:
+            message = "a field or constant of ROS 2 starts in the first column"
+            raise _Mistake(message, 0, indent, "remove the space before it")
+        if self.ros_version == 1 and " " not in match["space"]:
+            message = "ROS 1 wants a space between type and name, not a tab"
+            raise _Mistake(message, *match.span("space"), "write a space")
 
-    def _constant(self, match: re.Match[str]) -> Constant:
-        type_name = match["type"]
-        known = primitive(type_name, self.ros_version)
-        if known is None or known.parts or match["array"] or match["chars"]:
-            end = match.end("name") - len(match["name"])
-            raise _Mistake("a constant is of a primitive type", match.start("type"), end)
-        text, _ = split_comment(match["rest"], self.ros_version, type_name)
-        value = parse_literal(type_name, text[1:].strip(), self.ros_version)
-        if isinstance(value, Exception):
-            raise _Mistake(str(value), match.start("rest") + 1, match.start("rest") + len(text))
-        return Constant(match["name"], type_name, value)
-
-    def _field(self, match: re.Match[str]) -> Field:
-        field_type = self._type(match)
-        text, comment = split_comment(match["rest"], self.ros_version)
-        default: Scalar | tuple[Scalar, ...] | None = None
-        if text.strip():
-            default = self._default(match, field_type, text.strip())
-        comment = first_sentence([comment] if comment else self._block)
-        return Field(match["name"], field_type, default, comment)
-
-    def _default(
-        self, match: re.Match[str], field_type: FieldType, text: str
-    ) -> Scalar | tuple[Scalar, ...]:
-        start = match.start("rest")
-        end = start + len(text)
-        if self.ros_version == 1:
-            raise _Mistake("a field of ROS 1 has no default value", start, end)
-        if field_type.package is not None:
-            raise _Mistake("only a field of a primitive type has a default value", start, end)
-        parse = parse_array if field_type.is_array else parse_literal
-        value = parse(field_type.name, text, 2)
-        if isinstance(value, Exception):
-            raise _Mistake(str(value), start, end)
-        if isinstance(value, tuple):
-            most = field_type.bound if field_type.length is None else field_type.length
-            is_short = field_type.length is not None and len(value) < field_type.length
-            if is_short or (most is not None and len(value) > most):
-                message = f"{len(value)} elements do not fit `{field_type}`"
-                raise _Mistake(message, start, end)
-        return value
-
-    def _type(self, match: re.Match[str]) -> FieldType:
-        size = int(match["size"]) if match["size"] else None
-        if match["bounded"] and size is None:
-            raise _Mistake("the bound of this sequence is missing", *match.span("array"))
-        chars = int(match["chars"]) if match["chars"] else None
-        if self.ros_version == 1 and (match["bounded"] or chars is not None):
-            end = match.end("array") if match["array"] else match.end("chars")
-            raise _Mistake("ROS 1 has no bounded types", match.start("type"), end)
-        name, package = self._base(match)
-        if chars is not None and name not in ("string", "wstring"):
-            span = (match.start("type"), match.end("chars"))
-            raise _Mistake("only a string has a bound of characters", *span)
-        return FieldType(
-            name,
-            package,
-            is_array=match["array"] is not None,
-            length=None if match["bounded"] else size,
-            bound=size if match["bounded"] else None,
-            string_bound=chars,
+    def _make_member(self, match: re.Match[str], is_constant: bool) -> tuple[Field | Constant, str]:
+        """Return the member of a line, and the comment behind it."""
+        type_text = match.string[match.start("type") : match.start("space")]
+        type_name = match["type"] if is_constant else ""
+        text, comment = split_comment(match["rest"], self.ros_version, type_name)
+        start, end = match.start("rest"), match.start("rest") + len(text)
+        if is_constant:
+            text, start = text[1:], start + 1
+        text = text.strip()
+        wrong: ValueError | None = None
+        value: Value | None = None
+        if text or is_constant:
+            parsed = self._value(type_text, text, is_constant)
+            wrong, value = (parsed, None) if isinstance(parsed, ValueError) else (None, parsed)
+        checked = value if wrong is None else 0  # what it is instead is told below
+        made = make_member(
+            type_text, match["name"], checked, is_constant, self.ros_version, self.name.package
         )
+        if isinstance(made, list):
+            spans = {
+                MemberPart.TYPE: match.span("type"),
+                MemberPart.BOUND: match.span("bound"),
+                MemberPart.ARRAY: match.span("array"),
+                MemberPart.NAME: match.span("name"),
+                MemberPart.VALUE: (start, end),
+            }
+            first = made[0]
+            if wrong is None or first.part is not MemberPart.VALUE:
+                raise _Mistake(first.message, *spans[first.part], first.help)
+        if wrong is not None:
+            raise _Mistake(str(wrong), start, end)
+        assert not isinstance(made, list)
+        return made, comment
 
-    def _base(self, match: re.Match[str]) -> tuple[str, str | None]:
-        """Return the name and package of the type, without what makes it an array."""
-        written = match["type"]
-        if primitive(written, self.ros_version) is not None:
-            return written, None
-        if written == "Header" and self.ros_version == 1:
-            return "Header", "std_msgs"
-        *packages, name = written.split("/")
-        if len(packages) == 2 and packages[1] == "msg":
-            packages.pop()
-        package = packages[0] if packages else self.name.package
-        is_message = (
-            len(packages) < 2
-            and _MESSAGE_NAME[self.ros_version].fullmatch(name)
-            and _PACKAGE_NAME.fullmatch(package)
-            and name not in ("time", "duration", "wstring")
-        )
-        if not is_message:
-            raise _Mistake(
-                f"`{written}` is no type of ROS {self.ros_version}",
-                *match.span("type"),
-                _type_help(written, self.ros_version),
-            )
-        return name, package
-
-
-def _type_help(written: str, ros_version: int) -> str | None:
-    if ros_version == 2 and written in ("time", "duration"):
-        return f"write `builtin_interfaces/{written.capitalize()}`"
-    if written == "wstring":
-        return "write `string`"
-    return did_you_mean(written, PRIMITIVES[ros_version])
+    def _value(self, type_text: str, text: str, is_constant: bool) -> Value | ValueError:
+        """Return the value of a literal; what is no value for want of a type is 0."""
+        read = field_type(type_text, self.ros_version, self.name.package)
+        if isinstance(read, MemberMistake) or read.package is not None:
+            return 0
+        if self.ros_version == 1 and not is_constant:
+            return 0
+        parse = parse_array if read.is_array else parse_literal
+        return parse(read.name, text, self.ros_version)
 
 
 def first_sentence(lines: list[str]) -> str:

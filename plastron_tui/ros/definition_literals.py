@@ -26,6 +26,11 @@ def split_comment(text: str, ros_version: int, type_name: str = "") -> tuple[str
     return text[:at].rstrip(), text[at:].lstrip("#").strip()
 
 
+def is_separator(line: str, ros_version: int) -> bool:
+    """Tell whether a line ends a section: `---`, which more may follow in ROS 1."""
+    return line.startswith("---") if ros_version == 1 else line == "---"
+
+
 def _comment_start(text: str) -> int:
     """Return where the first `#` outside quotes is, -1 when there is none."""
     bare, is_closed = _outside_quotes(text, may_open_after=_OPENERS)
@@ -68,6 +73,11 @@ def parse_literal(type_name: str, text: str, ros_version: int) -> Scalar | Value
     """Return the value that a literal has in a definition, or why it has none."""
     kind = PRIMITIVES[ros_version][type_name].kind
     value: Scalar
+    if kind is bool and ros_version == 1:
+        # `genmsg` evaluates it as a literal of Python.
+        if text not in ("True", "False", "0", "1"):
+            return ValueError(f"`{_cut(text)}` is not a `bool`, which is `True` or `False`")
+        return text in ("True", "1")
     if kind is bool:
         if text.lower() not in _BOOLS:
             return ValueError(f"`{_cut(text)}` is not a `bool`")
@@ -76,7 +86,7 @@ def parse_literal(type_name: str, text: str, ros_version: int) -> Scalar | Value
         value = _unquoted(text) if ros_version == 2 else text
     else:
         try:
-            value = _integer(text) if kind is int else float(text)
+            value = _integer(text, ros_version) if kind is int else float(text)
         except ValueError:
             return ValueError(f"`{_cut(text)}` is not a value of `{type_name}`")
     problem = check_scalar(type_name, value, ros_version)
@@ -105,11 +115,13 @@ def _split_elements(text: str) -> list[str]:
     return [text[start:end] for start, end in zip(starts, ends, strict=True)]
 
 
-def _integer(text: str) -> int:
+def _integer(text: str, ros_version: int) -> int:
     # A leading zero is decimal, as Python's own int() reads it; `0x` needs to be asked for.
     try:
         return int(text)
     except ValueError:
+        if ros_version == 1:  # `genmsg` takes decimal digits only
+            raise
         return int(text, 0)
 
 

@@ -19,28 +19,28 @@ def format_definition(interface: Interface, ros_version: int) -> str:
 
 
 def _section(section: Section, ros_version: int) -> list[str]:
-    lines = [_constant(constant, ros_version) for constant in section.constants]
-    return lines + [_field(field) for field in section.fields]
+    members = (*section.constants, *section.fields)
+    return [member_line(member, ros_version) for member in members]
 
 
-def _constant(constant: Constant, ros_version: int) -> str:
-    value = constant.value
-    text = value if ros_version == 1 and isinstance(value, str) else _literal(value)
-    return f"{constant.type} {constant.name}={text}"
+def member_line(member: Field | Constant, ros_version: int) -> str:
+    """Return the line of a field or constant, without its end."""
+    if isinstance(member, Constant):
+        value = member.value
+        is_bare = ros_version == 1 and isinstance(value, str)
+        text = str(value) if is_bare else _literal(value, ros_version)
+        return f"{member.type} {member.name}={text}"
+    line = f"{member.type} {member.name}"
+    if isinstance(member.default, tuple):
+        line += f" [{', '.join(_literal(each, ros_version) for each in member.default)}]"
+    elif member.default is not None:
+        line += f" {_literal(member.default, ros_version)}"
+    return f"{line}  # {member.comment}" if member.comment else line
 
 
-def _field(field: Field) -> str:
-    line = f"{field.type} {field.name}"
-    if isinstance(field.default, tuple):
-        line += f" [{', '.join(map(_literal, field.default))}]"
-    elif field.default is not None:
-        line += f" {_literal(field.default)}"
-    return f"{line}  # {field.comment}" if field.comment else line
-
-
-def _literal(value: Scalar) -> str:
+def _literal(value: Scalar, ros_version: int) -> str:
     if isinstance(value, bool):
-        return "true" if value else "false"
+        return str(value) if ros_version == 1 else str(value).lower()
     if not isinstance(value, str):
         return repr(value)
     escaped = value.replace("\\", "\\\\").replace('"', '\\"')

@@ -138,3 +138,13 @@ class Language:
     def mentions(self, text: bytes, name: str) -> bool:
         """Tell whether the code of a text has a name; by default any mention counts."""
         return name.encode() in text
+
+    @if_it_fails(frozenset())
+    def imports(self, text: bytes) -> frozenset[str]:
+        """Return the modules that a text needs of others, none that the language brings itself.
+
+        A module is named as the language names it; what it is part of follows from the name
+        (`ros/package_keys.py`).
+        """
+        del text
+        return frozenset()

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from plastron_tui.diagnostics.code import Code
 
-from . import files, launches, meaning, names, packages, ros, sentences, values, xml
+from . import builds, files, launches, meaning, names, packages, ros, sentences, values, xml
+from .builds import *  # noqa: F403
 from .files import *  # noqa: F403
 from .launches import *  # noqa: F403
 from .meaning import *  # noqa: F403
@@ -19,7 +20,10 @@ GROUPS: dict[str, tuple[Code, ...]] = {
     module.__name__.rpartition(".")[2]: tuple(
         code for code in vars(module).values() if isinstance(code, Code)
     )
-    for module in (sentences, names, meaning, values, packages, launches, files, xml, ros)
+    for module in (
+        *(sentences, names, meaning, values, packages, launches),
+        *(files, xml, builds, ros),
+    )
 }
 """The codes, by the module that declares them; each has the docstring that says what they share."""
 

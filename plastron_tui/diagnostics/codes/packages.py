@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from plastron_tui.diagnostics.code import Code
+from plastron_tui.diagnostics.severity import Severity
 
 from .programs import TALKING
 
@@ -43,4 +44,61 @@ NOT_CONTAINED = Code(
     "A package does not contain what is to be taken out of it.",
     bad=f"{_ROVER}rover no_longer_contains talker\n",
     good=f"{_FULL}rover no_longer_contains talker\n",
+)
+
+BAD_PACKAGE_NAME = Code(
+    "bad-package-name",
+    "The name of a package has lower case letters, digits and single underscores, and starts with "
+    "a letter (REP 144). The help line has a name that is allowed.",
+)
+
+TAKEN_PACKAGE_NAME = Code(
+    "taken-package-name",
+    "The name of a package is another's: of a package of ROS, of a module of Python, or of what a "
+    "build makes. It can be built, but one of the two hides the other. Choose another name.",
+    severity=Severity.WARNING,
+)
+
+BAD_MAINTAINER = Code(
+    "bad-maintainer",
+    "A maintainer is a name and an address that the build tools take: `Ada <ada@example.com>`.",
+)
+
+MAINTAINER_MISSING = Code(
+    "maintainer-missing",
+    "Every package has a maintainer with an address (REP 149), and the program names none; the "
+    "package gets one at `example.com`, which is nobody's. Add `maintained_by`.",
+    severity=Severity.WARNING,
+)
+
+UNKNOWN_LICENSE = Code(
+    "unknown-license",
+    "A license is named by its identifier in the SPDX License List, such as `Apache-2.0`, `MIT` or "
+    "`BSD-3-Clause`. The help line has the nearest one.",
+)
+
+LICENSE_MISSING = Code(
+    "license-missing",
+    "Every package says its license (REP 149), and the program names none; the package then says "
+    "`Proprietary`: nobody else may use it. Add `licensed_under`.",
+    severity=Severity.WARNING,
+)
+
+BAD_PACKAGE_TEXT = Code(
+    "bad-package-text",
+    "The description or the version of a package cannot be in its files: a description is one line "
+    "of text, a version is three numbers.",
+)
+
+BAD_PACKAGE_FILE = Code(
+    "bad-package-file",
+    "A file or an executable of a package has a name that it cannot have there, or that another "
+    "one has already. Give it another name with `as`.",
+)
+
+UNKNOWN_IMPORT = Code(
+    "unknown-import",
+    "A node imports a module, and no package is known to bring it: `package.xml` says nothing of "
+    "it. Add the dependency there by hand.",
+    severity=Severity.WARNING,
 )

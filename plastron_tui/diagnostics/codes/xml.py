@@ -16,3 +16,16 @@ UNSUPPORTED_XML = Code(
     "declarations of its own, an encoding other than UTF-8, or more elements within each other "
     "than a person writes. Write it without.",
 )
+
+BROKEN_PACKAGE = Code(
+    "broken-package",
+    "A package.xml says what the build tools refuse (REP 127, 140 and 149): a name, version or "
+    "mail address that is none, a tag or an attribute that its format does not have, a dependency "
+    "on itself; as a warning, what they take and complain of. Correct it first.",
+)
+
+BROKEN_PLUGINS = Code(
+    "broken-plugins",
+    "A plugin description is none, or has a library without a path, or a class without its type or "
+    "that of its base class: pluginlib cannot load it. As a warning, two classes of one name.",
+)

@@ -90,6 +90,7 @@ class Catalog:
         self._refusal = refusal
         self._open: list[_Key] = []
         self._found: dict[_Key, Interface | None] = {}
+        self._overlay: Mapping[_Key, Interface] = {}
         self._wrong: dict[_Key, list[Diagnostic]] = {}
         self._candidates: dict[tuple[InterfaceKind, str], tuple[InterfaceName, ...]] = {}
 
@@ -100,6 +101,8 @@ class Catalog:
         are not to be found, adds to `problems` and is not found.
         """
         key = (kind, name)
+        if key in self._overlay:
+            return self._overlay[key]
         if key in self._found:
             self._note(*self._wrong.get(key, ()))
             return self._found[key]
@@ -122,6 +125,18 @@ class Catalog:
         other._found = {**self._found, **unknown}
         return other
 
+    def with_own(self, interfaces: Mapping[_Key, Interface]) -> Catalog:
+        """Return a catalog in which a program's own types come before all others.
+
+        What was found so far is kept only where there is no own type that it may contain.
+        """
+        other = copy(self)
+        other._overlay = dict(interfaces)
+        other.problems, other._open, other._candidates = [], [], {}
+        if interfaces or self._overlay:
+            other._found, other._wrong = {}, {}
+        return other
+
     def candidates(self, bare: str, kind: InterfaceKind) -> tuple[InterfaceName, ...]:
         """Return every interface that a bare name may mean, sorted.
 
@@ -139,7 +154,8 @@ class Catalog:
     def names(self, kind: InterfaceKind) -> Sequence[InterfaceName]:
         """Return the names of all interfaces of a kind, sorted."""
         own = data.index(self.distribution).names[kind]
-        return sorted({*own, *self._own.names(kind), *self._installed.names(kind)})
+        mine = (name for each, name in self._overlay if each is kind)
+        return sorted({*mine, *own, *self._own.names(kind), *self._installed.names(kind)})
 
     def table_package(self, name: str) -> data.Definitions | None:
         """Return the definitions of a package that is here for the language's table alone.
@@ -158,6 +174,10 @@ class Catalog:
         return sorted({name.package for name in self.names(kind)})
 
     def _meanings(self, bare: str, kind: InterfaceKind) -> Iterator[InterfaceName]:
+        mine = sorted(name for each, name in self._overlay if each is kind and name.name == bare)
+        if mine:
+            yield from mine
+            return
         package = _WELL_KNOWN[kind].get(bare)
         if (kind, bare) in _BY_VERSION:
             package = _BY_VERSION[kind, bare][self.ros_version]

@@ -34,7 +34,7 @@ class Index(NamedTuple):
 @cache
 def index(distribution: str) -> Index:
     """Return the index of a distribution."""
-    data = _load(_DATA / distribution / "index.yaml")
+    data = load(_DATA / distribution / "index.yaml")
     names: dict[InterfaceKind, frozenset[InterfaceName]] = {}
     by_bare: dict[InterfaceKind, dict[str, tuple[InterfaceName, ...]]] = {}
     for kind in InterfaceKind:
@@ -51,7 +51,7 @@ def index(distribution: str) -> Index:
 @cache
 def definitions(distribution: str, package: str) -> Definitions:
     """Return the definitions of a package that the distribution's index lists."""
-    data: Definitions = _load(_DATA / distribution / f"{package}.yaml")
+    data: Definitions = load(_DATA / distribution / f"{package}.yaml")
     return data
 
 
@@ -61,11 +61,12 @@ def purposes() -> Mapping[str, Mapping[str, str]]:
 
     The types that people want most often come first.
     """
-    data: Mapping[str, Mapping[str, str]] = _load(_DATA / "purposes.yaml")
+    data: Mapping[str, Mapping[str, str]] = load(_DATA / "purposes.yaml")
     return data
 
 
-def _load(file: Path) -> Any:
+def load(file: Path) -> Any:
+    """Read a YAML file of Plastron's own."""
     import yaml  # a program whose types are all known needs none of it
 
     # libyaml reads ten times as fast, and not every PyYAML was built with it.

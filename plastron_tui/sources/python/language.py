@@ -102,3 +102,9 @@ class Python(Language):
         from .words import mentions
 
         return mentions(text, name)
+
+    def imports(self, text: bytes) -> frozenset[str]:
+        """Return the modules that a Python text imports, but for those of the standard library."""
+        from .imported_modules import imported_modules
+
+        return imported_modules(text)

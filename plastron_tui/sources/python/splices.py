@@ -1,12 +1,13 @@
-"""Splices: what an edit replaces; every byte that no splice covers stays."""
+"""Splices of Python: statements with their comments, and items between commas."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Container, Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Container, Sequence
 
 from tree_sitter import Node
+
+from plastron_tui.sources.splices import Splice, apply, line_end, line_start
 
 from .syntax import parts_of
 
@@ -34,37 +35,17 @@ _CODE = re.compile(rb"%s|^(from|import|if|for|while|return|del|pass)\b" % _CALL_
 _SURE_CODE = re.compile(_CALL_OR_VALUE)
 
 
-@dataclass(frozen=True, slots=True, order=True)
-class Splice:
-    """Replace the bytes from `start` to `end` by `text`."""
-
-    start: int
-    end: int
-    text: bytes = b""
-
-
-def apply(text: bytes, splices: Iterable[Splice]) -> bytes:
-    """Apply splices; deletions may overlap, and what is inserted at one place keeps its order."""
-    parts: list[bytes] = []
-    at = 0
-    for splice in sorted(splices, key=lambda splice: (splice.start, splice.end)):
-        start = max(splice.start, at)
-        parts += (text[at:start], splice.text)
-        at = max(splice.end, start)
-    parts.append(text[at:])
-    return b"".join(parts)
-
-
-def line_start(text: bytes, offset: int) -> int:
-    """Return where the line of an offset begins; a byte order mark is before the first line."""
-    start = text.rfind(b"\n", 0, offset) + 1
-    return 3 if start == 0 and text.startswith(b"\xef\xbb\xbf") else start
-
-
-def line_end(text: bytes, offset: int) -> int:
-    """Return where the line of an offset ends, its line ending included."""
-    end = text.find(b"\n", offset)
-    return len(text) if end < 0 else end + 1
+__all__ = [
+    "Splice",
+    "apply",
+    "around",
+    "before_comments",
+    "delete_item",
+    "delete_statements",
+    "is_commented_code",
+    "line_end",
+    "line_start",
+]
 
 
 def before_comments(text: bytes, at: int) -> int:

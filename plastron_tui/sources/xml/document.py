@@ -40,7 +40,8 @@ class Element:
         name: as it is written, with its prefix.
         attributes: in the order of the text.
         children: the elements directly in it.
-        text: the characters directly in it, decoded; a child's place is a line break.
+        pieces: the characters before its first child, between its children, and behind the last
+            one, decoded; always one more than it has children.
         span: from the `<` of its start to the `>` of its end.
         name_span: its name in the start tag.
         start_tag: the start tag, or all of it where it closes itself.
@@ -51,7 +52,7 @@ class Element:
     name: str
     attributes: tuple[Attribute, ...]
     children: tuple[Element, ...] = field(repr=False)
-    text: str
+    pieces: tuple[str, ...]
     span: Span
     name_span: Span
     start_tag: Span
@@ -65,10 +66,30 @@ class Element:
         return id(self)
 
     @property
+    def text(self) -> str:
+        """The characters directly in it; a child's place is a line break."""
+        return "\n".join(self.pieces)
+
+    @property
+    def value(self) -> str:
+        """The text without the blanks around it."""
+        return self.text.strip(" \t\r\n")
+
+    @property
     def content(self) -> Span:
         """What is between start and end tag; empty at its end where it closes itself."""
         end = self.end_tag.start if self.end_tag is not None else self.start_tag.end
         return Span(self.start_tag.end, end)
+
+    def value_span(self, text: bytes) -> Span:
+        """Return where its value stands in the file; its name where it has none."""
+        start, end = self.content
+        content = text[start:end]
+        stripped = content.strip()
+        if not stripped:
+            return self.name_span
+        start += len(content) - len(content.lstrip())
+        return Span(start, start + len(stripped))
 
     def attribute(self, name: str) -> Attribute | None:
         """Return the attribute of a name."""
@@ -221,7 +242,7 @@ def _element(
         outlined.name,
         attributes,
         children,
-        "".join(outlined.pieces),
+        tuple(map("".join, outlined.pieces)),
         Span(start.start_byte, (end or start).end_byte),
         _span(name),
         _span(start),

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from plastron_tui.diagnostics import Diagnostic, Span, codes
 
 from .document import Element, XmlDocument, read_xml
-from .layout import close_of, style_of
+from .layout import close_of, quote_of, style_of
 from .new_element import NewElement, encoded, escaped_text, escaped_value
 from .places import after, before, last, removal
 from .shapes import Shape, is_changed_as_asked, new_shape
@@ -61,19 +61,18 @@ def remove_element(document: XmlDocument, element: Element) -> XmlEdit:
     A parent in which nothing but two line breaks are left closes itself then.
     """
     if element is document.root:
-        return _refused("the outermost element cannot be taken away", element.span)
+        return _refused(document, "the outermost element cannot be taken away", element.span)
     span, text = removal(document, element, style_of(document))
     return _apply(document, span, text, {element: lambda _: None}, span)
 
 
 def set_attribute(document: XmlDocument, element: Element, name: str, value: str) -> XmlEdit:
     """Give an attribute a value, and write it behind the others where it is not there yet."""
-    text = document.text
     found = element.attribute(name)
     if found is not None and found.value == value:
         return XmlEdit(document)
     if found is not None:
-        quote = text[found.span.end - 1 : found.span.end].decode()
+        quote = document.slice(Span(found.value_span.end, found.span.end))
         span, new = found.value_span, escaped_value(value, quote)
     else:
         at, separator = element.name_span.end, " "
@@ -82,7 +81,7 @@ def set_attribute(document: XmlDocument, element: Element, name: str, value: str
             separator = document.slice(
                 _blank_before_attribute(element, len(element.attributes) - 1)
             )
-        quote = style_of(document).quote
+        quote = quote_of(document, element) or style_of(document).quote
         new = f"{separator}{name}={quote}{escaped_value(value, quote)}{quote}"
         span = Span(at, at)
 
@@ -111,7 +110,9 @@ def set_text(document: XmlDocument, element: Element, text: str) -> XmlEdit:
     """Give an element without children another text; the blanks around the old one stay."""
     content = document.text[element.content.start : element.content.end]
     if element.children or element.end_tag is None or b"<" in content:
-        return _refused(f"`<{element.name}>` does not hold a plain text", element.start_tag)
+        return _refused(
+            document, f"`<{element.name}>` does not hold a plain text", element.start_tag
+        )
     start = element.content.start + len(content) - len(content.lstrip())
     end = max(start, element.content.end - (len(content) - len(content.rstrip())))
 
@@ -124,9 +125,12 @@ def set_text(document: XmlDocument, element: Element, text: str) -> XmlEdit:
 def _inserted(document: XmlDocument, sibling: Element, new: NewElement, behind: int) -> XmlEdit:
     parent = document.parents.get(sibling)
     if parent is None:
-        return _refused("nothing can stand beside the outermost element", sibling.start_tag)
+        return _refused(
+            document, "nothing can stand beside the outermost element", sibling.start_tag
+        )
     style = style_of(document)
-    style = style._replace(close=close_of(document, sibling) or style.close)
+    quote = quote_of(document, sibling) or style.quote
+    style = style._replace(close=close_of(document, sibling) or style.close, quote=quote)
     place = after if behind else before
     span, text = place(document, sibling.span, new, style)
     at = parent.children.index(sibling) + behind
@@ -145,7 +149,7 @@ def _apply(
     text = document.text[: span.start] + new + document.text[span.end :]
     read = read_xml(text, document.file)
     if read.document is None or not is_changed_as_asked(document, read.document, change, gone):
-        return _refused("the change would change more than it is to", span)
+        return _refused(document, "the change would change more than it is to", span)
     return XmlEdit(read.document)
 
 
@@ -154,5 +158,5 @@ def _blank_before_attribute(element: Element, at: int) -> Span:
     return Span(start, element.attributes[at].span.start)
 
 
-def _refused(message: str, span: Span) -> XmlEdit:
-    return XmlEdit(None, (Diagnostic(codes.EDIT_REFUSED, message, span),))
+def _refused(document: XmlDocument, message: str, span: Span) -> XmlEdit:
+    return XmlEdit(None, (Diagnostic(codes.EDIT_REFUSED, message, span, document.file),))

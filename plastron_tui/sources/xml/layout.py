@@ -62,6 +62,14 @@ def close_of(document: XmlDocument, element: Element) -> str | None:
     return " />" if document.text[end - 1 : end] == b" " else "/>"
 
 
+def quote_of(document: XmlDocument, element: Element) -> str | None:
+    """Return what is around the last value of an element, None where it has no attribute."""
+    if not element.attributes:
+        return None
+    end = element.attributes[-1].span.end
+    return document.slice(Span(end - 1, end))
+
+
 def line_start(text: bytes, offset: int) -> int:
     """Return where the line of an offset starts."""
     return text.rfind(b"\n", 0, offset) + 1

@@ -26,14 +26,14 @@ class Outlined:
     Attributes:
         start: where its `<` is.
         parent: its place in the list of all elements, None for the root.
-        text: the characters directly in it, decoded; a place of a child is a line break.
+        pieces: the characters before its first child, between its children, and so on.
     """
 
     name: str
     start: int
     parent: int | None
     attributes: tuple[tuple[str, str], ...]
-    pieces: list[str] = field(default_factory=list)
+    pieces: list[list[str]] = field(default_factory=lambda: [[]])
 
 
 class Outline(NamedTuple):
@@ -143,7 +143,7 @@ class _Builder:
             raise _UnsupportedError(_unsupported(message, Span(start, start + 1), self.file))
         parent = self._open[-1] if self._open else None
         if parent is not None:
-            self.elements[parent].pieces.append("\n")
+            self.elements[parent].pieces.append([])
         self._open.append(len(self.elements))
         pairs = tuple(zip(attributes[::2], attributes[1::2], strict=True))
         self.elements.append(Outlined(name, start, parent, pairs))
@@ -153,7 +153,7 @@ class _Builder:
         self._open.pop()
 
     def _characters(self, text: str) -> None:
-        self.elements[self._open[-1]].pieces.append(text)
+        self.elements[self._open[-1]].pieces[-1].append(text)
 
     def _between(self, found: list[Span], end: bytes) -> Callable[..., None]:
         """Return the handler of what goes on until `end`."""

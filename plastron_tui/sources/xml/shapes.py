@@ -31,7 +31,7 @@ def shape_of(element: Element, change: dict[Element, Callable[[Shape], Shape | N
     return Shape(
         element.name,
         frozenset((one.name, one.value) for one in element.attributes),
-        tuple(element.text.split()),
+        tuple("".join(element.pieces).split()),
         tuple(
             shape
             for child, old in children

@@ -111,6 +111,7 @@ CASES = [
     (insert_before, "b", "<a>\n\t<b/>\n</a>", "<a>\n\t<new/>\n\t<b/>\n</a>"),
     (insert_after, "b", "<a>\r\n  <b />\r\n</a>", "<a>\r\n  <b />\r\n  <new />\r\n</a>"),
     (insert_after, "b", "<a>\n <b/> <!-- b -->\n</a>", "<a>\n <b/> <!-- b -->\n <new/>\n</a>"),
+    (insert_after, "b", "<a>\n  <b/> \n</a>", "<a>\n  <b/> \n  <new/>\n</a>"),
     (insert_after, "b", "<a><b/> <c/></a>", "<a><b/><new/> <c/></a>"),
     (insert_after, "c", "<a><b/> <c/></a>", "<a><b/> <c/> <new/></a>"),
     (insert_after, "b", "<a>\n  <b/></a>", "<a>\n  <b/>\n  <new/></a>"),

@@ -1,0 +1,89 @@
+"""Installing a script where `rosrun` and `ros2 run` look for it: `lib/PACKAGE`."""
+
+from __future__ import annotations
+
+from collections import Counter
+from pathlib import Path
+
+from plastron_tui.sources.build_files import Edited
+from plastron_tui.sources.splices import Splice
+
+from .changing import Facts, applied, build_type_of, change, into_list, removed
+from .facts import CATKIN, INSTALL_WORDS, Entry, destination_of, programs
+from .places import insert_installation, written_call
+from .reader import CMakeLists
+
+
+def add_program(text: bytes, path: Path, script: str) -> Edited:
+    """Install a script; nothing changes where it is installed already.
+
+    Args:
+        text: what is in the CMakeLists.txt.
+        path: the CMakeLists.txt.
+        script: the script, by its path from the package's folder.
+    """
+    return change(text, path, lambda lists: _add(lists, script))
+
+
+def remove_program(text: bytes, path: Path, script: str) -> Edited:
+    """Install a script no more; one that was added before leaves the bytes that were there."""
+    return change(text, path, lambda lists: _remove(lists, script))
+
+
+def _installed(lists: CMakeLists, script: str) -> list[Entry]:
+    where = f"lib/{lists.name}"
+    found = [each for each in programs(lists) if each.destination == where]
+    return [each for each in found if each.is_plain and each.has(script)]
+
+
+def _fact(lists: CMakeLists, script: str) -> Facts:
+    return Counter({("program", script, f"lib/{lists.name}", ()): 1})
+
+
+def _add(lists: CMakeLists, script: str) -> bytes:
+    is_catkin = build_type_of(lists) == CATKIN
+    if _installed(lists, script):
+        return lists.listing.text
+    more = _fact(lists, script)
+    splices = _into_call(lists, script)
+    if splices is None:
+        splices = _new_call(lists, script, is_catkin)
+    return applied(lists, splices, more, f"installing `{script}`")
+
+
+def _into_call(lists: CMakeLists, script: str) -> list[Splice] | None:
+    """Insert a script into the last call that installs scripts there."""
+    calls = lists.named("catkin_install_python") or lists.named("install")
+    for call in reversed(calls):
+        items = call.section("PROGRAMS", INSTALL_WORDS)
+        is_there = call.is_plain and destination_of(lists, call) == f"lib/{lists.name}"
+        if not items or not is_there or any(each.value == "RENAME" for each in call.items):
+            continue
+        last = items[-1].value
+        folder = last[: len(last) - len(last.split("}/")[-1])] if last.startswith("${") else ""
+        splices = into_list(lists, call, items, folder + script)
+        if splices is not None:
+            return splices
+    return None
+
+
+def _new_call(lists: CMakeLists, script: str, is_catkin: bool) -> list[Splice]:
+    name = "catkin_install_python" if is_catkin and script.endswith(".py") else "install"
+    where = "${CATKIN_PACKAGE_BIN_DESTINATION}" if is_catkin else "lib/${PROJECT_NAME}"
+    lines = [script, f"DESTINATION {where}"]
+    return insert_installation(lists, written_call(lists.listing, name, "PROGRAMS", lines))
+
+
+def _remove(lists: CMakeLists, script: str) -> bytes:
+    found = [each for each in _installed(lists, script) if each.what == script]
+    if not found:
+        return lists.listing.text
+    entry = found[-1]
+    path = lists.listing.path
+    alone = len(entry.call.section("PROGRAMS", INSTALL_WORDS)) == 1
+    alone = alone and entry.item.command is entry.call.command
+
+    def add(each: bytes) -> bytes | None:
+        return add_program(each, path, script).text
+
+    return removed(lists, entry, _fact(lists, script), add, alone)

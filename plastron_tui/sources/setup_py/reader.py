@@ -1,0 +1,252 @@
+"""What a setup.py says: names, console scripts, data files."""
+
+from __future__ import annotations
+
+import configparser
+from pathlib import Path
+from typing import NamedTuple
+
+from tree_sitter import Node
+
+from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.sources.build_files import RefusedError, matches
+
+from .syntax import Setup, parse_setup
+from .values import Glob, Unknown, Value, evaluate, items_of
+
+CONSOLE_SCRIPTS = "console_scripts"
+
+
+class ConsoleScript(NamedTuple):
+    """An executable that `ros2 run` starts: `talker = demo.talker:main`.
+
+    Attributes:
+        name: what it is called.
+        target: `MODULE:FUNCTION`.
+        span: where the file says so.
+    """
+
+    name: str
+    target: str
+    span: Span
+
+
+class DataFiles(NamedTuple):
+    """Files that are installed beside the code.
+
+    Attributes:
+        destination: the folder under the install prefix, None where it is computed.
+        files: what goes there, by paths from the package's folder.
+        patterns: what goes there as far as it matches.
+        is_whole: whether that is all that goes there.
+        span: where the file says so.
+    """
+
+    destination: str | None
+    files: tuple[str, ...]
+    patterns: tuple[str, ...]
+    is_whole: bool
+    span: Span
+
+    def covers(self, file: str) -> bool:
+        """Tell whether a file is among them for sure."""
+        return file in self.files or any(matches(file, each) for each in self.patterns)
+
+
+class SetupFile(NamedTuple):
+    """What is known of a setup.py.
+
+    Attributes:
+        name: what the package is called, None where that is computed.
+        is_catkin: whether catkin's `generate_distutils_setup` is called.
+        packages: the Python packages, None where they are computed.
+        console_scripts: the executables that are known.
+        data_files: what is installed besides.
+        scripts: the files that are installed as they are.
+        computed: what is computed in a way that is not followed, by keyword.
+    """
+
+    name: str | None
+    is_catkin: bool
+    packages: tuple[str, ...] | None
+    console_scripts: tuple[ConsoleScript, ...]
+    data_files: tuple[DataFiles, ...]
+    scripts: tuple[str, ...]
+    computed: tuple[tuple[str, Span], ...] = ()
+
+
+class ReadSetup(NamedTuple):
+    """What was read of a setup.py, or why nothing was."""
+
+    setup: SetupFile | None
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+def read_setup(text: bytes, path: Path) -> ReadSetup:
+    """Read a setup.py; nothing of it is run."""
+    try:
+        return ReadSetup(describe(parse_setup(text, path)))
+    except RefusedError as refused:
+        return ReadSetup(None, (refused.diagnostic,))
+
+
+def describe(setup: Setup) -> SetupFile:
+    """Return what a parsed setup.py says."""
+    name = keyword(setup, "name")
+    packages = keyword(setup, "packages")
+    scripts = keyword(setup, "scripts")
+    found_packages = _texts(setup, packages)
+    console_scripts, unknown_scripts = _console_scripts(setup)
+    data_files, unknown_data = _data_files(setup)
+    known = evaluate(setup, name) if name is not None else None
+    return SetupFile(
+        known if isinstance(known, str) else None,
+        setup.is_catkin,
+        found_packages,
+        tuple(console_scripts),
+        tuple(data_files),
+        _texts(setup, scripts) or (),
+        (
+            *(("entry_points", each) for each in unknown_scripts),
+            *(("data_files", each) for each in unknown_data),
+        ),
+    )
+
+
+def keyword(setup: Setup, name: str) -> Node | None:
+    """Return the value of a keyword of the call, or of a dictionary given as `**`."""
+    arguments = setup.call.child_by_field_name("arguments")
+    assert arguments is not None
+    return _entry(setup, arguments, name)
+
+
+def _entry(setup: Setup, node: Node, name: str) -> Node | None:
+    """Return what a key of a call or a dictionary has as its value."""
+    for each in items_of(node):
+        if each.type == "keyword_argument":
+            key = each.child_by_field_name("name")
+            if key is not None and setup.source(key) == name:
+                return each.child_by_field_name("value")
+        elif each.type == "pair":
+            key = each.child_by_field_name("key")
+            if key is not None and evaluate(setup, key) == name:
+                return each.child_by_field_name("value")
+        elif each.type == "dictionary_splat" and each.named_child_count:
+            given = dictionary(setup, each.named_children[0])
+            found = _entry(setup, given, name) if given is not None and given != node else None
+            if found is not None:
+                return found
+    return None
+
+
+def dictionary(setup: Setup, node: Node) -> Node | None:
+    """Return the literal dictionary, or the arguments of `dict(…)`, that an expression is."""
+    node = setup.resolve(node)
+    if node.type == "dictionary":
+        return node
+    function = node.child_by_field_name("function") if node.type == "call" else None
+    if function is not None and setup.source(function) == "dict":
+        return node.child_by_field_name("arguments")
+    return None
+
+
+def entry_points(setup: Setup) -> Node | None:
+    """Return what the console scripts are, None where there are none."""
+    given = keyword(setup, "entry_points")
+    found = dictionary(setup, given) if given is not None else None
+    return None if found is None else _entry(setup, found, CONSOLE_SCRIPTS)
+
+
+def _span(node: Node) -> Span:
+    return Span(node.start_byte, node.end_byte)
+
+
+def _console_scripts(setup: Setup) -> tuple[list[ConsoleScript], list[Span]]:
+    given = keyword(setup, "entry_points")
+    if given is None:
+        return [], []
+    if dictionary(setup, given) is None:
+        value = evaluate(setup, given)
+        if isinstance(value, str):
+            return _from_sections(value, _span(given)), []
+        return [], [_span(given)]
+    value_node = entry_points(setup)
+    if value_node is None:
+        changed = setup.changed(given)
+        return [], [] if changed is None else [_span(changed)]
+    scripts: list[ConsoleScript] = []
+    unknown: list[Span] = []
+    for place, value in placed(setup, value_node):
+        if isinstance(value, str) and "=" in value:
+            name, _, target = value.partition("=")
+            scripts.append(ConsoleScript(name.strip(), target.strip(), _span(place)))
+        else:
+            unknown.append(_span(place))
+    changes = map(setup.changed, (given, value_node))
+    unknown.extend(_span(each) for each in changes if each is not None)
+    return scripts, unknown
+
+
+def placed(setup: Setup, node: Node) -> list[tuple[Node, Value]]:
+    """Return the values of a list, each with the expression that says it."""
+    resolved = setup.resolve(node)
+    if resolved.type in ("list", "tuple"):
+        return [(each, evaluate(setup, each)) for each in items_of(resolved)]
+    if resolved.type == "binary_operator":
+        left, right = (resolved.child_by_field_name(each) for each in ("left", "right"))
+        operator = resolved.child_by_field_name("operator")
+        if left is not None and right is not None and operator and operator.type == "+":
+            return [*placed(setup, left), *placed(setup, right)]
+    value = evaluate(setup, resolved)
+    if isinstance(value, tuple):
+        return [(resolved, each) for each in value]
+    return [(resolved, value)]
+
+
+def _from_sections(text: str, span: Span) -> list[ConsoleScript]:
+    """Read entry points that are written as the sections of an ini file."""
+    parser = configparser.ConfigParser(delimiters=("=",), interpolation=None, strict=False)
+    parser.optionxform = str  # type: ignore[assignment,method-assign]
+    try:
+        parser.read_string(text)
+    except configparser.Error:
+        return []
+    if not parser.has_section(CONSOLE_SCRIPTS):
+        return []
+    return [ConsoleScript(name, value, span) for name, value in parser.items(CONSOLE_SCRIPTS)]
+
+
+def _texts(setup: Setup, node: Node | None) -> tuple[str, ...] | None:
+    value = evaluate(setup, node) if node is not None else None
+    if not isinstance(value, tuple):
+        return None
+    texts = [each for each in value if isinstance(each, str)]
+    return tuple(texts) if len(texts) == len(value) else None
+
+
+def _data_files(setup: Setup) -> tuple[list[DataFiles], list[Span]]:
+    node = keyword(setup, "data_files")
+    if node is None:
+        return [], []
+    found: list[DataFiles] = []
+    unknown: list[Span] = []
+    for place, value in placed(setup, node):
+        if isinstance(value, tuple) and len(value) == 2:
+            found.append(_entry_of(value, _span(place)))
+        else:
+            unknown.append(_span(place))
+    if (changed := setup.changed(node)) is not None:
+        unknown.append(_span(changed))
+    return found, unknown
+
+
+def _entry_of(value: tuple[Value, ...], span: Span) -> DataFiles:
+    destination, given = value
+    values = given if isinstance(given, tuple) else (given,)
+    return DataFiles(
+        destination.rstrip("/") if isinstance(destination, str) else None,
+        tuple(each for each in values if isinstance(each, str)),
+        tuple(each.pattern for each in values if isinstance(each, Glob)),
+        not any(isinstance(each, Unknown | tuple) for each in values),
+        span,
+    )

@@ -1,0 +1,190 @@
+"""What a package holds, before it is files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from enum import Enum
+from typing import NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.model.workspace import Node
+from plastron_tui.ros.catalog.distributions import usual_distribution
+from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.packages import DEFAULT_VERSION, MAINTAINER_MISSING, Maintainer
+from plastron_tui.sources.base import Language
+
+PROPRIETARY = "Proprietary"
+"""The license of a package of which the program does not say one: nobody else may use it."""
+
+
+class BuildType(str, Enum):
+    """How a package is built, by what its `package.xml` or its author calls it."""
+
+    CATKIN = "catkin"
+    AMENT_PYTHON = "ament_python"
+    AMENT_CMAKE = "ament_cmake"
+    AMENT_CMAKE_PYTHON = "ament_cmake_python"
+
+    @property
+    def has_cmake(self) -> bool:
+        """Whether a `CMakeLists.txt` says what is built."""
+        return self is not BuildType.AMENT_PYTHON
+
+
+class PackagedNode(NamedTuple):
+    """A node in a package.
+
+    Attributes:
+        executable: what `ros2 run PACKAGE EXECUTABLE` starts; in ROS 1 the file is started.
+        module: the stem of its file.
+        text: what the file holds.
+        node: its name and endpoints.
+        language: what it is written in.
+        library: its client library.
+        span: the statement that puts it there.
+    """
+
+    executable: str
+    module: str
+    text: bytes
+    node: Node
+    language: Language
+    library: str
+    span: Span | None = None
+
+    @property
+    def file(self) -> str:
+        """The name of its file."""
+        return f"{self.module}{self.language.suffix}"
+
+
+class PackagedLaunch(NamedTuple):
+    """A launch file in a package; `needs` are the packages whose nodes or files it starts."""
+
+    name: str
+    text: bytes
+    needs: frozenset[str] = frozenset()
+    span: Span | None = None
+
+
+class PackagedFile(NamedTuple):
+    """A file that a package installs as it is, such as one of parameters."""
+
+    name: str
+    text: bytes
+    span: Span | None = None
+
+
+class PackagedDefinition(NamedTuple):
+    """An interface type of a package's own: `needs` are the packages of its fields' types."""
+
+    kind: InterfaceKind
+    name: str
+    text: bytes
+    needs: frozenset[str] = frozenset()
+
+    @property
+    def path(self) -> str:
+        """Where the definition stands in its package, such as `msg/WheelSpeed.msg`."""
+        return f"{self.kind.value}/{self.name}.{self.kind.value}"
+
+
+@dataclass(frozen=True, slots=True)
+class PackageSpec:
+    """A package that is written new.
+
+    Attributes:
+        name: its name, which `check_package_name` takes.
+        ros_version: the generation of ROS, 1 or 2.
+        description: one line of text; "" where none was given.
+        maintainer: who looks after it, None where the program does not say it.
+        license: an SPDX identifier, None where the program does not say one.
+        version: three numbers.
+        distribution: the distribution of ROS that it is for.
+        nodes: the nodes that it installs.
+        launches: the launch files that it installs.
+        configs: the files in its folder `config`.
+        definitions: its types. In ROS 2 they are in a package of their own, see `interfaces_of`.
+        packages: the packages with interface types that are known, to tell imports by.
+        build_type: how it is built; None for the one that its contents ask for.
+        span: the statement that creates it.
+    """
+
+    name: str
+    ros_version: int
+    description: str = ""
+    maintainer: Maintainer | None = None
+    license: str | None = None
+    version: str = DEFAULT_VERSION
+    distribution: str = ""
+    nodes: tuple[PackagedNode, ...] = ()
+    launches: tuple[PackagedLaunch, ...] = ()
+    configs: tuple[PackagedFile, ...] = ()
+    definitions: tuple[PackagedDefinition, ...] = ()
+    packages: frozenset[str] = frozenset()
+    build_type: BuildType | None = None
+    span: Span | None = None
+
+    @property
+    def builds(self) -> BuildType:
+        """How it is built."""
+        if self.build_type is not None:
+            return self.build_type
+        if self.ros_version == 1:
+            return BuildType.CATKIN
+        return BuildType.AMENT_PYTHON if self.nodes else BuildType.AMENT_CMAKE
+
+    @property
+    def summary(self) -> str:
+        """What it says of itself: a description has to be there (REP 149)."""
+        if self.description:
+            return self.description.strip()
+        if self.nodes:
+            return f"The nodes {_listed(each.node.name for each in self.nodes)}"
+        if self.definitions and not self.launches:
+            return f"The interface types {_listed(each.name for each in self.definitions)}"
+        return f"The launch files of {self.name}"
+
+    @property
+    def person(self) -> Maintainer:
+        """Who its files name as its maintainer."""
+        return self.maintainer or Maintainer(*MAINTAINER_MISSING)
+
+    @property
+    def licensed(self) -> str:
+        """What its files name as its license."""
+        return self.license or PROPRIETARY
+
+    @property
+    def for_distribution(self) -> str:
+        """The distribution that it is for."""
+        return self.distribution or usual_distribution(self.ros_version)
+
+
+def interfaces_name(package: str) -> str:
+    """Return the name of the package that has the types of a ROS 2 package.
+
+    Source: the ROS 2 developer guide, "Package naming": interfaces are in a package of their own,
+    of which the name ends in `_interfaces`, or in `_msgs` for messages alone.
+    """
+    return f"{package}_interfaces"
+
+
+class PackageFile(NamedTuple):
+    """What a file of a package holds, and whether it can be started."""
+
+    text: bytes
+    is_executable: bool = False
+
+
+class RenderedPackage(NamedTuple):
+    """The files of a package by path, or why there are none (`files` is then None)."""
+
+    files: Mapping[str, PackageFile] | None
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+def _listed(names: Iterable[str]) -> str:
+    *most, last = names
+    return f"{', '.join(most)} and {last}" if most else last
