@@ -55,7 +55,7 @@ def _own(node: Node) -> Executable:
 
 
 def test_a_program_makes_a_launch_file() -> None:
-    session = Session(FULL)
+    session = Session(FULL.encode())
     assert session.diagnostics == ()
     (made,) = session.workspace.written_launches
     assert write_xml(request_of(made.launch, 2, _own).added, 2) == WRITTEN
@@ -77,7 +77,7 @@ def test_a_program_makes_a_launch_file() -> None:
     ],
 )
 def test_mistakes_are_told(statements: str, code: str) -> None:
-    assert [each.code for each in Session(HEAD + statements).diagnostics] == [code]
+    assert [each.code for each in Session((HEAD + statements).encode()).diagnostics] == [code]
 
 
 @pytest.mark.parametrize(
@@ -89,6 +89,6 @@ def test_mistakes_are_told(statements: str, code: str) -> None:
     ],
 )
 def test_what_is_taken_back_leaves_nothing(statements: str) -> None:
-    session = Session(HEAD + statements)
+    session = Session((HEAD + statements).encode())
     assert session.diagnostics == ()
     assert request_of(session.workspace.launches["bringup"], 2, _own).added.items == ()
