@@ -287,6 +287,7 @@ _SECTIONS = {
     "meaning": ("Meaning", "What a statement does."),
     "values": ("Values", "What messages and requests hold."),
     "packages": ("Packages", "What a robot's workspace takes."),
+    "launches": ("Launch files", "What starts nodes together."),
     "files": ("Files", "What is read and written."),
     "xml": ("XML files", "Packages, launch files and plugin descriptions that exist."),
     "builds": ("Build files", "What packages that exist are built with."),

@@ -32,6 +32,9 @@ def typed(text: str, ros_version: int) -> Setting | None:
 
 def typed_as(text: str, type_: str | None, ros_version: int) -> Setting | None:
     """Return the value of a text of a type, None where it is not one of that type."""
+    if ros_version == 1:
+        # `roslaunch.xmlloader` does so before it looks at the type.
+        text = text.strip()
     if type_ is None or (ros_version == 1 and type_ == "auto"):
         return typed(text, ros_version)
     if type_ in ("str", "string"):
@@ -80,6 +83,8 @@ def written(value: Setting, ros_version: int) -> tuple[str, str | None]:
         if ros_version == 1:
             return yaml_text(value), "yaml"
         return yaml_text(value), "list_of_str" if is_texts else None
+    if ros_version == 1 and isinstance(value, str) and value != value.strip():
+        return yaml_text(value), "yaml"
     text = _scalar_text(value, ros_version)
     found = typed(text, ros_version)
     if type(found) is type(value) and (found == value or found != found):

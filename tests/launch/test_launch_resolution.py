@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from plastron_tui.ros.launch_resolution import Opened, Resolved, resolve
 from plastron_tui.ros.launch_text import Scope
+from plastron_tui.sources.launch.unresolved import warnings_of
 from plastron_tui.sources.launch.xml_reader import read_launch_xml
 
 SOURCE = b"""<launch>
@@ -54,6 +55,10 @@ def test_what_is_not_known_is_told_and_left_out() -> None:
         "what hangs on a condition is left out: `$(var wanted)` is not known here",
         "an included file is left out: `$(find-pkg-share demo)` is not known here",
     ]
+    warning = warnings_of(found)[0]
+    assert warning.span is not None
+    where = SOURCE[warning.span.start : warning.span.end]
+    assert where == b'<node pkg="demo" exec="eye" name="eye" if="$(var wanted)"/>'
 
 
 def test_files_that_include_each_other_come_to_an_end() -> None:

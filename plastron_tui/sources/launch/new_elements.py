@@ -157,7 +157,7 @@ class _Writer:
         if self._version == 2 and isinstance(value, tuple):
             value = tuple(self._escaped(x) if isinstance(x, str) else x for x in value)
         found, type_ = written(value, self._version)
-        if isinstance(value, str):
+        if isinstance(value, str) and type_ != "yaml":
             found = self._escaped(value)
             # The text is read as YAML before and after its escapes are.
             if self._version == 2 and typed(found, 2) != found:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from plastron_tui.ros.launch import (
     Argument,
@@ -14,6 +14,7 @@ from plastron_tui.ros.launch import (
     Namespace,
     Parameter,
     ParameterFile,
+    ParameterValue,
     Remap,
     StartedNode,
     Variable,
@@ -157,25 +158,29 @@ class _Writer:
             found.append(("parameters", self._list(self._parameters(item.parameters), indent)))
         return found
 
-    def _parameters(self, parameters: tuple[Parameter, ...]) -> Iterable[str]:
-        """Yield files and dictionaries; values that follow each other share one."""
-        together: list[str] = []
+    def _parameters(self, parameters: tuple[Parameter, ...]) -> Iterator[str]:
+        """Yield files and dictionaries; values that follow each other share one.
+
+        A dictionary keeps one value of a name, so that a second one starts another.
+        """
+        together: dict[str, str] = {}
         for each in parameters:
+            name = None if isinstance(each, ParameterFile) else self._text(each.name)
+            if together and (name is None or name in together):
+                yield _dictionary(together)
+                together = {}
             if isinstance(each, ParameterFile):
-                if together:
-                    yield "{" + ", ".join(together) + "}"
-                together = []
                 yield self._text(each.file)
-                continue
-            value = each.value
-            if isinstance(value, Text):
-                shown = self._text(value)
-                shown = self._as_text(shown) if each.is_text else shown
-            else:
-                shown = self._value(value)
-            together.append(f"{self._text(each.name)}: {shown}")
+            elif name is not None:
+                together[name] = self._parameter(each)
         if together:
-            yield "{" + ", ".join(together) + "}"
+            yield _dictionary(together)
+
+    def _parameter(self, parameter: ParameterValue) -> str:
+        if not isinstance(parameter.value, Text):
+            return self._value(parameter.value)
+        shown = self._text(parameter.value)
+        return self._as_text(shown) if parameter.is_text else shown
 
     def _value(self, value: Setting) -> str:
         if isinstance(value, tuple):
@@ -233,6 +238,10 @@ class _Writer:
         if part.default is not None:
             found.append(("default_value", self._text(part.default)))
         return self._call(name, found, "")
+
+
+def _dictionary(items: dict[str, str]) -> str:
+    return "{" + ", ".join(f"{key}: {value}" for key, value in items.items()) + "}"
 
 
 def _scalar(value: Scalar) -> str:
