@@ -249,8 +249,13 @@ def _include(positional: list[Any], named: _Named, place: Place) -> Include | No
     source = positional[0] if positional else named.get("launch_description_source")
     if source is None:
         return None
+    given = named.get("launch_arguments") or []
+    if isinstance(given, dict):
+        given = list(given.items())
+    if not isinstance(given, list):
+        return None
     arguments = []
-    for pair in named.get("launch_arguments") or ():
+    for pair in given:
         if not isinstance(pair, (tuple, list)) or len(pair) != 2:
             return None
         name = as_text(pair[0])

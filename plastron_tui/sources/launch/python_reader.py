@@ -12,7 +12,7 @@ import tree_sitter_python
 from tree_sitter import Language, Node, Parser
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
-from plastron_tui.ros.launch import Format, Item, LaunchFile, Unread
+from plastron_tui.ros.launch import Format, Group, Item, LaunchFile, Unread
 from plastron_tui.ros.launch_text import Text, text
 
 from .python_actions import ACTIONS, Computed, as_text, placed
@@ -20,6 +20,9 @@ from .xml_reader import LaunchRead
 
 _DEEPEST = 60
 _LONGEST_LITERAL = 20_000
+_HEAVIEST = 50_000
+"""How many values and characters a value has at most: one that is doubled again and again is none
+that a person wrote."""
 
 
 def read_launch_python(source: bytes, file: Path | None = None) -> LaunchRead:
@@ -144,7 +147,8 @@ class _Reader:
             if self._depth > _DEEPEST:
                 return Computed("what is nested too deep")
             reader = _VALUES.get(node.type)
-            return Computed(_short(node)) if reader is None else reader(self, node)
+            found = Computed(_short(node)) if reader is None else reader(self, node)
+            return Computed("a huge value") if _is_heavy(found) else found
         finally:
             self._depth -= 1
 
@@ -257,6 +261,25 @@ _VALUES: dict[str, Callable[[_Reader, Node], Any]] = {
     "call": _Reader._call,
     "attribute": lambda reader, node: Computed(_short(node)),
 }
+
+
+def _is_heavy(value: Any) -> bool:
+    weight = 0
+    stack = [value]
+    while stack and weight <= _HEAVIEST:
+        each = stack.pop()
+        weight += 1
+        if isinstance(each, str):
+            weight += len(each)
+        elif isinstance(each, Text):
+            weight += sum(len(part) if isinstance(part, str) else 1 for part in each.parts)
+        elif isinstance(each, (list, tuple)) and not isinstance(each, Computed):
+            stack.extend(each[:_HEAVIEST])
+        elif isinstance(each, dict):
+            stack.extend(each.values())
+        elif isinstance(each, Group):
+            stack.extend(each.items)
+    return weight > _HEAVIEST
 
 
 def _callee(node: Node) -> str:

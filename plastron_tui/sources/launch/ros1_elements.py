@@ -6,6 +6,7 @@ Sources: the ROS wiki pages "roslaunch/XML/…", and `roslaunch.xmlloader`.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import islice
 from typing import Any
 
 from plastron_tui.ros.launch import (
@@ -30,6 +31,7 @@ from .elements import Words, remaps_of, value_of
 from .substitutions import parse_text
 
 _DEEPEST = 20
+_MOST = 5_000
 
 
 def item_of(element: Element) -> Item | None:
@@ -114,11 +116,12 @@ def _inline(element: Element, name: str | None) -> list[Parameter] | None:
     if name is None or "$(" in source or len(source) > 100_000:
         return None
     try:
-        found = list(_flat(yaml.safe_load(source), name, 0))
+        # An alias of an alias may stand for more than there is room for.
+        found = list(islice(_flat(yaml.safe_load(source), name, 0), _MOST + 1))
     except (ValueError, OverflowError, RecursionError, yaml.YAMLError):
         return None
     known = [each for each in found if each is not None]
-    return list(known) if len(known) == len(found) else None
+    return list(known) if len(known) == len(found) <= _MOST else None
 
 
 def _flat(value: Any, name: str, depth: int) -> Iterator[ParameterValue | None]:
