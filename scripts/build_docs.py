@@ -288,6 +288,7 @@ _SECTIONS = {
     "values": ("Values", "What messages and requests hold."),
     "types": ("Types of one's own", "Messages, services and actions that the program makes."),
     "packages": ("Packages", "What a robot's workspace takes."),
+    "launches": ("Launch files", "What starts nodes together."),
     "files": ("Files", "What is read and written."),
     "xml": ("XML files", "Packages, launch files and plugin descriptions that exist."),
     "builds": ("Build files", "What packages that exist are built with."),
