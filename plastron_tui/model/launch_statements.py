@@ -22,6 +22,13 @@ from .run import Run
 def create_launch(run: Run, statement: st.CreateLaunch) -> None:
     """Make a launch file."""
     run.checks.new_variable(statement, statement.variable)
+    check_launch_named(run, statement)
+    name = statement.name
+    run.workspace.launches[statement.variable] = Launch(name, statement.variable, statement.span)
+
+
+def check_launch_named(run: Run, statement: st.CreateLaunch) -> None:
+    """Check that a launch file may have its name, and that no other has it."""
     name = statement.name
     if not name.isascii() or not name.replace("-", "_").replace(".", "_").isidentifier():
         message = f"`{name}` cannot be the name of a launch file"
@@ -35,7 +42,6 @@ def create_launch(run: Run, statement: st.CreateLaunch) -> None:
                 statement.span_of("name"),
                 other.span,
             )
-    run.workspace.launches[statement.variable] = Launch(name, statement.variable, statement.span)
 
 
 def has_argument(run: Run, statement: st.HasArgument) -> None:
