@@ -29,6 +29,7 @@ class Preview:
         lines: its text, coloured.
         diff: what would change in it, None where there is nothing to compare with.
         problems: why there is no text.
+        size: how large it will be, in bytes.
     """
 
     name: str
@@ -37,6 +38,7 @@ class Preview:
     lines: Lines
     diff: Lines | None
     problems: tuple[Diagnostic, ...]
+    size: int = 0
 
 
 def previews_of(analysis: Analysis, variable: str) -> tuple[Preview, ...]:
@@ -82,4 +84,5 @@ def _previews(analysis: Analysis, generation: Generation, is_asked: bool) -> Ite
             diff = difference(loaded[name], file.text)
         state = file.state if is_asked else None
         lines = coloured(file.text.decode("utf-8", "replace"), file.path)
-        yield Preview(file.name, file.path, state, lines, diff, made.diagnostics)
+        size = len(file.text)
+        yield Preview(file.name, file.path, state, lines, diff, made.diagnostics, size)
