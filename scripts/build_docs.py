@@ -286,6 +286,7 @@ _SECTIONS = {
     "names": ("Names and types", "What a statement names."),
     "meaning": ("Meaning", "What a statement does."),
     "values": ("Values", "What messages and requests hold."),
+    "packages": ("Packages", "What a robot's workspace takes."),
     "files": ("Files", "What is read and written."),
     "ros": ("ROS", "What is installed, and what runs."),
 }

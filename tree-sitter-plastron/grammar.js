@@ -25,6 +25,12 @@ const KEYWORDS = [
   'stop_service', 'generate_node',
   'has_parameter', 'no_longer_has_parameter', 'stop_repeating', 'provides_action', 'stop_action',
   'sends_goal', 'stop_goal', 'parameter_type', 'action_type', 'for_each', 'described_as',
+  'create_message_type', 'create_service_type', 'create_action_type', 'load_type', 'has_field',
+  'no_longer_has_field', 'drop_type', 'generate_type',
+  'create_package', 'load_package', 'no_longer_contains', 'generate_package', 'maintained_by',
+  'licensed_under',
+  'create_launch', 'load_launch', 'has_argument', 'no_longer_has_argument', 'no_longer_starts',
+  'no_longer_includes', 'generate_launch',
   'as', 'using', 'of', 'message_type', 'service_type', 'and', 'with', 'input', 'none',
   'to', 'from', 'calling', 'at', 'hz', 'True', 'False',
 ];
@@ -80,11 +86,15 @@ function statement($, parts, ...clauses) {
 }
 
 /**
- * A statement that begins with a node. Of the node alone nobody can say which statement it begins.
+ * A statement that begins with what it is about. Of that alone nobody can say which statement it
+ * begins.
  * @param {GrammarSymbols<string>} $
+ * @param {string} owner
  */
-const nodeStatement = ($, [keyword, ...rest], ...clauses) =>
-  statement($, [seq(variable($, 'node'), keyword), ...rest], ...clauses);
+const ownerStatement = ($, owner, [keyword, ...rest], ...clauses) =>
+  statement($, [seq(variable($, owner), keyword), ...rest], ...clauses);
+
+const nodeStatement = ($, parts, ...clauses) => ownerStatement($, 'node', parts, ...clauses);
 
 const variable = ($, name) => field(name, alias($.identifier, $.variable));
 const quoted = ($, name) => field(name, $.ros_name);
@@ -98,6 +108,14 @@ const open = ($, name, rule, ...others) => part(
 );
 // input = "none" | argument { "," argument }
 const input = $ => open($, 'input', 'arguments', $.none);
+// fields = "none" | definition { "," definition }
+const fields = ($, name) => open($, name, 'definitions', $.none);
+const text = ($, name) => part(
+  field(name, $.string),
+  field(name, alias($._unfinished_string, $.string)),
+);
+/** Something of the program by its variable, or something else by its name. */
+const named = ($, name) => field(name, choice(alias($.identifier, $.variable), $.ros_name));
 
 // Parts that several statements have. Each is a rule, so that a word too many after one is the
 // mistake, and not the word that the part ends with.
@@ -121,10 +139,17 @@ const PHRASES = {
   )],
   answering: $ => ['answering', open($, 'answer', 'arguments', $.none)],
   between: $ => ['between', field('minimum', $.number), 'and', field('maximum', $.number)],
-  described_as: $ => ['described_as', part(
-    field('description', $.string),
-    field('description', alias($._unfinished_string, $.string)),
-  )],
+  described_as: $ => ['described_as', text($, 'description')],
+  maintained_by: $ => ['maintained_by', text($, 'maintainer')],
+  licensed_under: $ => ['licensed_under', text($, 'license')],
+  as_executable: $ => ['as', quoted($, 'executable')],
+  as_name: $ => ['as', quoted($, 'name')],
+  in_section: $ => ['in', word($, 'section', $.section)],
+  in_namespace: $ => ['in', quoted($, 'namespace')],
+  inside: $ => ['inside', quoted($, 'container')],
+  remapping: $ => ['remapping', open($, 'remaps', 'remaps')],
+  setting: $ => ['setting', open($, 'settings', 'settings')],
+  with_parameters: $ => ['with', 'parameters', quoted($, 'parameters')],
 };
 
 /** The rules of the phrases: `_NAME`, and `_broken_NAME` for one that ends early. */
@@ -221,6 +246,28 @@ module.exports = grammar({
       $.stop_goal_statement,
       $.rename_statement,
       $.generate_node_statement,
+      $.create_message_type_statement,
+      $.create_service_type_statement,
+      $.create_action_type_statement,
+      $.load_type_statement,
+      $.has_field_statement,
+      $.no_longer_has_field_statement,
+      $.drop_type_statement,
+      $.generate_type_statement,
+      $.create_package_statement,
+      $.load_package_statement,
+      $.contains_statement,
+      $.no_longer_contains_statement,
+      $.generate_package_statement,
+      $.create_launch_statement,
+      $.load_launch_statement,
+      $.has_argument_statement,
+      $.no_longer_has_argument_statement,
+      $.starts_statement,
+      $.no_longer_starts_statement,
+      $.includes_statement,
+      $.no_longer_includes_statement,
+      $.generate_launch_statement,
     ),
 
     // "create_node" name "as" variable [ "managed" ] [ "using" client_library ]
@@ -345,13 +392,135 @@ module.exports = grammar({
       phrase($, 'using'),
     ),
 
+    // "create_message_type" type "with" fields
+    create_message_type_statement: $ => statement($, [
+      'create_message_type', open($, 'type', 'type'), 'with', fields($, 'fields'),
+    ]),
+
+    // "create_service_type" type "with" fields "returning" fields
+    create_service_type_statement: $ => statement($, [
+      'create_service_type', open($, 'type', 'type'), 'with', fields($, 'request'),
+      'returning', fields($, 'response'),
+    ]),
+
+    // "create_action_type" type "with" fields "returning" fields "reporting" fields
+    create_action_type_statement: $ => statement($, [
+      'create_action_type', open($, 'type', 'type'), 'with', fields($, 'goal'),
+      'returning', fields($, 'result'), 'reporting', fields($, 'feedback'),
+    ]),
+
+    // "load_type" name "as" variable
+    load_type_statement: $ => statement($, [
+      'load_type', quoted($, 'source'), phrase($, 'as_variable'),
+    ]),
+
+    // variable "has_field" string [ "in" section ]
+    has_field_statement: $ => ownerStatement(
+      $,
+      'type',
+      ['has_field', text($, 'definition')],
+      phrase($, 'in_section'),
+    ),
+
+    // variable "no_longer_has_field" name [ "in" section ]
+    no_longer_has_field_statement: $ => ownerStatement(
+      $,
+      'type',
+      ['no_longer_has_field', quoted($, 'field')],
+      phrase($, 'in_section'),
+    ),
+
+    // "drop_type" variable
+    drop_type_statement: $ => statement($, ['drop_type', variable($, 'type')]),
+
+    // "generate_type" variable
+    generate_type_statement: $ => statement($, ['generate_type', variable($, 'type')]),
+
+    // "create_package" name "as" variable
+    //   [ "described_as" string ] [ "maintained_by" string ] [ "licensed_under" string ]
+    create_package_statement: $ => statement(
+      $,
+      ['create_package', quoted($, 'name'), phrase($, 'as_variable')],
+      phrase($, 'described_as'), phrase($, 'maintained_by'), phrase($, 'licensed_under'),
+    ),
+
+    // "load_package" name "as" variable
+    load_package_statement: $ => statement($, [
+      'load_package', quoted($, 'source'), phrase($, 'as_variable'),
+    ]),
+
+    // variable "contains" variable [ "as" name ]
+    contains_statement: $ => ownerStatement(
+      $,
+      'package',
+      ['contains', variable($, 'item')],
+      phrase($, 'as_executable'),
+    ),
+
+    // variable "no_longer_contains" ( variable | name )
+    no_longer_contains_statement: $ => ownerStatement($, 'package', [
+      'no_longer_contains', named($, 'item'),
+    ]),
+
+    // "generate_package" variable
+    generate_package_statement: $ => statement($, ['generate_package', variable($, 'package')]),
+
+    // "create_launch" name "as" variable
+    create_launch_statement: $ => statement($, [
+      'create_launch', quoted($, 'name'), phrase($, 'as_variable'),
+    ]),
+
+    // "load_launch" name "as" variable
+    load_launch_statement: $ => statement($, [
+      'load_launch', quoted($, 'source'), phrase($, 'as_variable'),
+    ]),
+
+    // variable "has_argument" name [ "with" "default" value ]
+    has_argument_statement: $ => ownerStatement(
+      $,
+      'launch',
+      ['has_argument', quoted($, 'argument')],
+      phrase($, 'with_default'),
+    ),
+
+    // variable "no_longer_has_argument" name
+    no_longer_has_argument_statement: $ => ownerStatement($, 'launch', [
+      'no_longer_has_argument', quoted($, 'argument'),
+    ]),
+
+    // variable "starts" ( variable | name ) [ "as" name ] [ "in" name ] [ "inside" name ]
+    //   [ "remapping" remaps ] [ "setting" settings ] [ "with" "parameters" name ]
+    starts_statement: $ => ownerStatement(
+      $,
+      'launch',
+      ['starts', named($, 'started')],
+      phrase($, 'as_name'), phrase($, 'in_namespace'), phrase($, 'inside'),
+      phrase($, 'remapping'), phrase($, 'setting'), phrase($, 'with_parameters'),
+    ),
+
+    // variable "no_longer_starts" name
+    no_longer_starts_statement: $ => ownerStatement($, 'launch', [
+      'no_longer_starts', quoted($, 'name'),
+    ]),
+
+    // variable "includes" name
+    includes_statement: $ => ownerStatement($, 'launch', ['includes', quoted($, 'file')]),
+
+    // variable "no_longer_includes" name
+    no_longer_includes_statement: $ => ownerStatement($, 'launch', [
+      'no_longer_includes', quoted($, 'file'),
+    ]),
+
+    // "generate_launch" variable
+    generate_launch_statement: $ => statement($, ['generate_launch', variable($, 'launch')]),
+
     ...phraseRules(),
 
     _stop: $ => choice($.incomplete, seq($._cut, optional($.skipped))),
 
     skipped: $ => repeat1(choice(
       $.identifier, $.number, $.ros_name, ...KEYWORDS,
-      ',', '.', '=', '(', ')', '[', ']', token.immediate('/'),
+      ',', '.', '=', '<=', '(', ')', '[', ']', token.immediate('/'),
       $.quoted, $.unclosed_quote, $.unexpected, $.unclosed_comment,
     )),
 
@@ -366,6 +535,62 @@ module.exports = grammar({
     qos: $ => commaSep1($.qos_policy),
     _unfinished_qos: $ => seq($.qos_policy, repeat(seq(',', $.qos_policy)), ','),
     qos_policy: $ => seq(field('policy', $.identifier), optional(field('value', $.number))),
+
+    definitions: $ => commaSep1($.definition),
+    _unfinished_definitions: $ => unfinishedCommaSep1(
+      $.definition,
+      alias($._unfinished_definition, $.definition),
+    ),
+    // definition = definition_type name [ ( "=" | "default" ) value ]
+    definition: $ => seq(
+      field('type', $.definition_type),
+      field('name', alias($._defined_name, $.field_name)),
+      optional(seq(field('operator', choice('=', 'default')), field('value', $._value))),
+    ),
+    _unfinished_definition: $ => choice(
+      field('type', choice(
+        $.definition_type,
+        alias($._unfinished_definition_type, $.definition_type),
+      )),
+      seq(
+        field('type', $.definition_type),
+        field('name', alias($._defined_name, $.field_name)),
+        field('operator', choice('=', 'default')),
+        optional(field('value', $._broken_value)),
+      ),
+    ),
+    _defined_name: $ => reserved('field_name', $.identifier),
+    // definition_type = type [ "<=" number ] [ "[" [ [ "<=" ] number ] "]" ]
+    definition_type: $ => seq($.type, optional($._string_bound), optional($._array)),
+    _unfinished_definition_type: $ => choice(
+      alias($._unfinished_type, $.type),
+      seq($.type, '<='),
+      seq($.type, optional($._string_bound), $._unfinished_array),
+    ),
+    _string_bound: $ => seq('<=', field('bound', $.number)),
+    _array: $ => seq('[', optional(seq(optional('<='), field('length', $.number))), ']'),
+    _unfinished_array: $ => seq('[', optional(choice(
+      '<=',
+      seq(optional('<='), field('length', $.number)),
+    ))),
+
+    // remaps = name "to" name { "," name "to" name }
+    remaps: $ => commaSep1($.remap),
+    _unfinished_remaps: $ => unfinishedCommaSep1($.remap, alias($._unfinished_remap, $.remap)),
+    remap: $ => seq(quoted($, 'old'), 'to', quoted($, 'new')),
+    _unfinished_remap: $ => seq(quoted($, 'old'), optional('to')),
+
+    // settings = name "=" value { "," name "=" value }
+    settings: $ => commaSep1($.setting),
+    _unfinished_settings: $ => unfinishedCommaSep1(
+      $.setting,
+      alias($._unfinished_setting, $.setting),
+    ),
+    setting: $ => seq(quoted($, 'parameter'), '=', field('value', $._value)),
+    _unfinished_setting: $ => seq(
+      quoted($, 'parameter'),
+      optional(seq('=', optional(field('value', $._broken_value)))),
+    ),
 
     // condition = [ "any" | "all" ] received ( "<" | ">" | "=" ) value
     condition: $ => seq(

@@ -11,13 +11,15 @@ import dataclasses
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from enum import Enum, auto
 from itertools import count, groupby
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from tree_sitter import Node
 
 from plastron_tui.diagnostics import Span
+
+from .slot_kinds import Form as Form
+from .slot_kinds import SlotKind
 
 if TYPE_CHECKING:
     from typing_extensions import dataclass_transform
@@ -26,93 +28,6 @@ else:
     def dataclass_transform(**_: object) -> Callable[[Any], Any]:
         """Only type checkers need the real one."""
         return lambda decorated: decorated
-
-
-class Form(Enum):
-    """How what fills a slot is written: what is matched, lowered and explained alike."""
-
-    VARIABLE = auto()
-    WORD = auto()
-    QUOTED = auto()
-    TYPE = auto()
-    FILE = auto()
-    NUMBER = auto()
-    RATE = auto()
-    TEXT = auto()
-    FLAG = auto()
-    VALUE = auto()
-    VALUES = auto()
-    QOS = auto()
-    CONDITION = auto()
-
-    @property
-    def is_open(self) -> bool:
-        """Whether it goes on until another clause begins, or the line ends."""
-        return self in (Form.VALUE, Form.VALUES, Form.QOS, Form.CONDITION)
-
-
-class SlotKind(Enum):
-    """What fills a slot; a new kind is an entry here, with the form that it is written in.
-
-    Attributes:
-        placeholder: how it is written in a usage line.
-        words: what it is called in a message.
-        form: how it is written in a program.
-    """
-
-    NODE_NAME = "'NODE_NAME'", "a node name in single quotes", Form.QUOTED
-    NODE_OF_FILE = "'NODE_NAME'", "the name of a node of the file, in single quotes", Form.QUOTED
-    NEW_NODE = "VARIABLE", "a variable for the node", Form.VARIABLE, "NODE"
-    NEW_MESSAGE = "MESSAGE", "a variable for the message", Form.VARIABLE, "MESSAGE"
-    NODE = "VARIABLE", "the variable of a node", Form.VARIABLE
-    MESSAGE = "MESSAGE", "the variable of a message", Form.VARIABLE
-    TOPIC = "'TOPIC_NAME'", "a topic name in single quotes", Form.QUOTED
-    SERVICE = "'SERVICE_NAME'", "a service name in single quotes", Form.QUOTED
-    ACTION = "'ACTION_NAME'", "an action name in single quotes", Form.QUOTED
-    PARAMETER = "'PARAMETER_NAME'", "a parameter name in single quotes", Form.QUOTED
-    MESSAGE_TYPE = "MESSAGE_TYPE", "a message type", Form.TYPE
-    SERVICE_TYPE = "SERVICE_TYPE", "a service type", Form.TYPE
-    ACTION_TYPE = "ACTION_TYPE", "an action type", Form.TYPE
-    PARAMETER_TYPE = "PARAMETER_TYPE", "a parameter type, such as `float`", Form.WORD
-    NAMED = "topic | service | action | parameter", "what is renamed, such as `topic`", Form.WORD
-    OLD_NAME = "'OLD_NAME'", "a name in single quotes", Form.QUOTED
-    NEW_NAME = "'NEW_NAME'", "a name in single quotes", Form.QUOTED
-    INPUT = "VALUES | none", "values, or `none`", Form.VALUES
-    ANSWER = "VALUES | none", "values of the answer, or `none`", Form.VALUES
-    DEFAULT = "VALUE", "a value", Form.VALUE
-    BOUND = "NUMBER", "a number", Form.NUMBER
-    RATE = "RATE", "a number, or `parameter` and a name", Form.RATE
-    ONCE = "once", "`once`", Form.FLAG
-    MANAGED = "managed", "`managed`", Form.FLAG
-    TRIGGER = "'TOPIC_NAME'", "the name of a topic in single quotes", Form.QUOTED
-    CONDITION = "CONDITION", "a condition, such as `received.data > 5`", Form.CONDITION
-    QOS = "QOS", "words of quality of service, such as `sensor_data`", Form.QOS
-    TEXT = '"TEXT"', "a text in double quotes", Form.TEXT
-    FUNCTION = "FUNCTION", "the name of a function", Form.WORD
-    TIMER = "FUNCTION", "the name of a function that is repeated", Form.WORD
-    LIBRARY = "CLIENT_LIBRARY", "a client library", Form.WORD
-    FILE = "FILE_NAME | 'RELATIVE/PATH.py'", "a file name, or a path in single quotes", Form.FILE
-
-    def __init__(self, placeholder: str, words: str, form: Form, makes: str = "") -> None:
-        self.placeholder = placeholder
-        self.words = words
-        self.form = form
-        self._makes = makes
-
-    @property
-    def makes(self) -> SlotKind | None:
-        """The kind of slot that may name, further down, what this one gives a name to."""
-        return SlotKind[self._makes] if self._makes else None
-
-    @property
-    def is_variable(self) -> bool:
-        """Whether a variable fills the slot."""
-        return self.form is Form.VARIABLE
-
-    @property
-    def is_quoted(self) -> bool:
-        """Whether single quotes are around what fills the slot."""
-        return self.form is Form.QUOTED
 
 
 @dataclass(frozen=True, slots=True)

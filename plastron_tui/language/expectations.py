@@ -16,6 +16,7 @@ from plastron_tui.diagnostics import Span
 from .declaration import Declaration, Element, Form, Slot
 from .document import Document
 from .keywords import BY_KEYWORD, FIRST_WORDS, VERBS
+from .list_errors import first_unfit
 from .open_values import OpenValues
 from .sentence_match import SentenceMatch, intended, match_sentence
 from .tokens import COMMENT_KINDS, UNCLOSED_STRING, UNKNOWN, Token, tokens_of
@@ -166,7 +167,7 @@ def _expected(
     """Return what may stand at a place after tokens of its line, None after a mistake."""
     match = _NO_MATCH if declaration is None else match_sentence(declaration, before)
     slot = match.wanted if isinstance(match.wanted, Slot) else None
-    keywords = tuple(clause.keyword for clause in match.optional)
+    keywords = match.following
     written = tuple([token.text for token in before[match.end :]])
     values = None
     if not before:
@@ -177,8 +178,10 @@ def _expected(
         values, is_over = _place_in_values(before[match.end :], word)
         is_first = len(before) == match.end and slot.kind.form is Form.VALUES
         keywords = keywords if is_over else ("none",) if is_first and not values.is_text else ()
+    elif slot is not None and slot.kind.form is Form.FIELDS and not written:
+        keywords = ("none",)
     elif slot is not None and slot.kind.form.is_open and written:
-        keywords = keywords if _is_over(slot.kind.form, written) else ()
+        keywords = keywords if _is_over(slot.kind.form, before[match.end :]) else ()
     elif written:
         return None
     elif _wants_parameter(match, before):
@@ -212,10 +215,14 @@ def _wants_parameter(match: SentenceMatch, before: Sequence[Token]) -> bool:
     return end == match.end and [token.text for token in before[first:]] == ["parameter"]
 
 
-def _is_over(form: Form, written: Sequence[str]) -> bool:
-    """Tell whether a condition, or words of quality of service, may end behind some words."""
+def _is_over(form: Form, tokens: Sequence[Token]) -> bool:
+    """Tell whether a condition, or a list of something, may end behind some words."""
+    written = [token.text for token in tokens]
     if form is Form.CONDITION:
         return written[-1] not in _COMPARING and not _COMPARING.isdisjoint(written)
+    if form in (Form.FIELDS, Form.REMAPS, Form.SETTINGS):
+        unfit = first_unfit(form, tokens)
+        return unfit is None or unfit.values is not None
     return written[-1] != ","
 
 

@@ -14,6 +14,7 @@ from plastron_tui.diagnostics import Diagnostic, Span, codes
 from . import statements as _statements  # noqa: F401 - declares the statements
 from .broken_lines import Broken
 from .declaration import DECLARATIONS, Clause, Declaration, Form, Statement
+from .definitions import lower_fields, lower_remaps, lower_settings
 from .document import Document
 from .grammar import field_id, kind_id
 from .inputs import (
@@ -67,6 +68,9 @@ _BY_FORM: dict[Form, _Lower] = {
     Form.FLAG: lambda node, source: True,
     Form.QOS: lower_qos,
     Form.CONDITION: lower_condition,
+    Form.FIELDS: lower_fields,
+    Form.REMAPS: lower_remaps,
+    Form.SETTINGS: lower_settings,
 }
 """How what is in a slot becomes its value; of the other forms it is the text."""
 
@@ -186,7 +190,7 @@ def _too_deep(syntax: Node) -> Diagnostic:
 
 def _variables(node: Node, source: bytes) -> Iterator[str]:
     """Yield what a statement that has no effect names: variables, and names without quotes."""
-    for field in ("variable", "node", "service"):
+    for field in ("variable", "node", "service", "type", "package", "launch", "item"):
         child = node.child_by_field_name(field)
         if child is not None:
             yield source[child.start_byte : child.end_byte].decode().strip("'")

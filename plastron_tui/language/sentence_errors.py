@@ -10,6 +10,7 @@ from plastron_tui.diagnostics.suggest import nearest
 
 from .declaration import Declaration, Form, Slot, SlotKind
 from .keywords import KEYWORDS
+from .list_errors import first_unfit
 from .mistake_place import shown, unquoted
 from .open_values import NAME_MARKS, OpenValues, end_of_received, is_received
 from .sentence_match import SentenceMatch, SlotMatch
@@ -30,11 +31,6 @@ _MOST_TYPE_PARTS = 3
 _OPERATORS = frozenset({"+", "-", "*", "/"})
 _GOING_ON = frozenset({",", "=", ".", "(", "["})
 _TRUTHS = frozenset({"True", "False"})
-_AFTER_IN_QOS = {
-    "word": frozenset({"number", ","}),
-    "number": frozenset({","}),
-    ",": frozenset({"word"}),
-}
 _BOOLEANS = {
     **dict.fromkeys(("true", "on", "yes"), "True"),
     **dict.fromkeys(("false", "off", "no"), "False"),
@@ -83,6 +79,8 @@ class SentenceErrors:
                 mistake = self._in_open(kind, self._tokens[match.end :])
                 if mistake is not None:
                     return self._in_clause(match, mistake) or mistake
+                if match.ending:
+                    return self._expected(f"`{match.ending}`")
                 token = None
             case str() as word:
                 return self._not_the_word(word, token)
@@ -94,7 +92,7 @@ class SentenceErrors:
             )
         if token.kind in (UNKNOWN, UNCLOSED_STRING):
             return unexpected(token)
-        clause = nearest(token.text, [clause.keyword for clause in match.optional])
+        clause = nearest(token.text, match.following)
         if clause is not None and token.kind in WORD_KINDS:
             return self._not_the_word(clause, token)
         if token.text in match.passed:
@@ -108,7 +106,7 @@ class SentenceErrors:
                 continue
             if token.text in match.passed:
                 return self._no_more(token)
-            clause = nearest(token.text, [clause.keyword for clause in match.optional])
+            clause = nearest(token.text, match.following)
             if token.kind in WORD_KINDS and clause is not None:
                 return self._not_the_word(clause, token)
         return None
@@ -173,10 +171,10 @@ class SentenceErrors:
     def _in_open(self, kind: SlotKind, tokens: Sequence[Token]) -> Diagnostic | None:
         """Look at what goes on to another clause, or to the end of the line."""
         match kind.form:
-            case Form.QOS:
-                return self._in_qos(tokens)
             case Form.CONDITION:
                 return self._in_condition(tokens)
+            case Form.QOS | Form.FIELDS | Form.REMAPS | Form.SETTINGS as form:
+                return self._in_list(form, tokens)
         mistake = self._in_values(tokens)
         if mistake is None and kind.form is Form.VALUE:
             mark = next((token for token in _outermost(tokens) if token.text in ",="), None)
@@ -186,17 +184,14 @@ class SentenceErrors:
             return None
         return mistake
 
-    def _in_qos(self, tokens: Sequence[Token]) -> Diagnostic | None:
-        """Look at words of quality of service: each may have a number, commas part them."""
-        wanted = frozenset({"word"})
-        for token in tokens:
-            is_word = token.kind in WORD_KINDS
-            found = "word" if is_word else "number" if token.kind == "number" else token.text
-            if found not in wanted:
-                what = SlotKind.QOS.words if "word" in wanted else "a comma"
-                return self._expected(what, token)
-            wanted = _AFTER_IN_QOS[found]
-        return self._expected(SlotKind.QOS.words) if "word" in wanted else None
+    def _in_list(self, form: Form, tokens: Sequence[Token]) -> Diagnostic | None:
+        """Look at what commas part: fields, say, or words of quality of service."""
+        unfit = first_unfit(form, tokens)
+        if unfit is None:
+            return None
+        if unfit.values is not None:
+            return self._in_values(unfit.values)
+        return self._expected(unfit.wanted, unfit.token)
 
     def _in_condition(self, tokens: Sequence[Token]) -> Diagnostic | None:
         """Look at a condition: `[any | all] received.FIELD < VALUE`."""

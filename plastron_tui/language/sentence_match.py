@@ -15,8 +15,9 @@ from .open_values import NAME_MARKS
 from .tokens import QUOTED_KINDS, WORD_KINDS, Token, is_glued, text_at
 
 # Looking a member up in its class costs as much as to match a word.
-_VARIABLE, _TYPE, _FILE, _VALUES = Form.VARIABLE, Form.TYPE, Form.FILE, Form.VALUES
+_VARIABLE, _TYPE, _FILE = Form.VARIABLE, Form.TYPE, Form.FILE
 _RATE = Form.RATE
+_MAY_BE_NONE = frozenset({Form.VALUES, Form.FIELDS})
 _OPENING, _CLOSING = ("(", "["), (")", "]")
 
 
@@ -41,6 +42,7 @@ class SentenceMatch(NamedTuple):
             form is open, all tokens from `end` on are in its place.
         optional: the clauses that may come before it, or after what is open.
         passed: the words of clauses that cannot come any more.
+        ending: the word that has to come after what is open, "" where nothing has to.
     """
 
     slots: tuple[SlotMatch, ...]
@@ -48,6 +50,13 @@ class SentenceMatch(NamedTuple):
     wanted: str | Slot | None
     optional: tuple[Clause, ...]
     passed: frozenset[str] = frozenset()
+    ending: str = ""
+
+    @property
+    def following(self) -> tuple[str, ...]:
+        """The words that may come next, or after what is open."""
+        keywords = tuple(clause.keyword for clause in self.optional)
+        return (*keywords, self.ending) if self.ending else keywords
 
 
 def intended(tokens: Sequence[Token]) -> Declaration | None:
@@ -76,11 +85,13 @@ class _Matcher:
         self._wanted: str | Slot | None = None
         self._optional: dict[str, Clause] = {}
         self._passed: set[str] = set()
+        self._ending = ""
 
     def result(self) -> SentenceMatch:
         optional = tuple(self._optional.values())
         passed = frozenset(self._passed.difference(self._optional))
-        return SentenceMatch(tuple(self._slots), self._at, self._wanted, optional, passed)
+        slots = tuple(self._slots)
+        return SentenceMatch(slots, self._at, self._wanted, optional, passed, self._ending)
 
     def sequence(self, elements: Sequence[Element], outer: Sequence[Clause]) -> bool:
         """Match elements, which clauses may follow; tell whether to go on behind them."""
@@ -122,13 +133,15 @@ class _Matcher:
         if isinstance(part, str):
             end = self._at + 1 if text == part else None
         elif text and part.kind.form.is_open:
-            end = self._end_of_open(part, {each.keyword for each in left})
+            words = {each.keyword for each in left}
+            end = self._end_of_open(part, {*words, after} if isinstance(after, str) else words)
         elif text:
             end = self._end_of_slot(part, after)
         if end is None:
             self._wanted = part
             if isinstance(part, Slot) and part.kind.form.is_open and text:
                 self._optional.update((each.keyword, each) for each in left)
+                self._ending = after if isinstance(after, str) else ""
             return False
         if isinstance(part, Slot):
             self._slots.append(SlotMatch(part, self._at, end))
@@ -140,7 +153,7 @@ class _Matcher:
     def _end_of_open(self, slot: Slot, words: set[str]) -> int | None:
         """Return where one of the words that may follow stands, None where none does."""
         tokens, first = self._tokens, self._at
-        if slot.kind.form is _VALUES and _is_none(tokens, first):
+        if slot.kind.form in _MAY_BE_NONE and _is_none(tokens, first):
             return first + 1
         depth = 0
         for at in range(first, len(tokens)):

@@ -92,7 +92,9 @@ def _may_declare(declaration: Declaration | None) -> bool:
 def _has_variable(declaration: Declaration, tokens: Sequence[Token]) -> bool:
     """Tell whether a broken declaration has a word that can be its variable."""
     first = next(
-        index for index, slot in enumerate(declaration.slots, start=1) if slot.name == "variable"
+        index
+        for index, slot in enumerate(declaration.slots, start=1)
+        if slot.kind.makes is not None
     )
     words = (token for token in tokens[first:] if token.kind in WORD_KINDS)
     return any(token.text not in KEYWORDS for token in words)

@@ -24,7 +24,7 @@ MOST_WORDS = 10_000
 
 WORD_KINDS = frozenset(
     {"identifier", "variable", "module", "function", "client_library", "name_kind", "field_name"}
-    | {"boolean", "none", "parameter_type", "flag"}
+    | {"boolean", "none", "parameter_type", "flag", "section"}
     | WORDS
 )
 QUOTED_KINDS = frozenset({"ros_name", "path"})

@@ -72,18 +72,17 @@ class Checks:
                     fix=write(right, where),
                 )
             )
-        workspace = self._workspace
-        node = workspace.nodes.get(variable)
-        earlier = node or workspace.messages.get(variable)
+        earlier = self._workspace.what(variable)
         if earlier is None:
             return
+        word, span = earlier
         raise Mistake(
             Diagnostic(
                 codes.VARIABLE_EXISTS,
-                f"a {'message' if node is None else 'node'} `{variable}` exists already",
+                f"a {word} `{variable}` exists already",
                 statement.span_of("variable"),
-                help="nodes and messages share one namespace; choose another name",
-                labels=(Label(earlier.span, "first created here"),),
+                help="all variables share one namespace; choose another name",
+                labels=(Label(span, "first created here"),),
             )
         )
 
@@ -97,8 +96,9 @@ class Checks:
             raise Mistake
         where = statement.span_of("node")
         remedy, fix = guess(variable, self._workspace.nodes, where)
-        if variable in self._workspace.messages:
-            remedy, fix = f"`{variable}` is a message", None
+        other = self._workspace.what(variable)
+        if other is not None:
+            remedy, fix = f"`{variable}` is a {other[0]}", None
         if remedy is None:
             remedy = f"make it first: `create_node '{variable}' as {variable}`"
         if fix is not None:

@@ -21,6 +21,7 @@ from .kinds import EDITABLE, EndpointKind
 from .meetings import check_meetings
 from .mistake import Mistake
 from .node_statements import create_node, generate_node, load
+from .package_statements import contains, create_package, generate_package, no_longer_contains
 from .rename import rename
 from .run import Run
 from .stale_statements import late_changes
@@ -80,10 +81,23 @@ HANDLERS: dict[type[Statement], Callable[[Run, Any], None]] = {
     st.CreateMessage: lambda run, statement: run.messages.create(statement),
     st.GenerateNode: generate_node,
     st.Rename: rename,
+    st.CreatePackage: create_package,
+    st.Contains: contains,
+    st.NoLongerContains: no_longer_contains,
+    st.GeneratePackage: generate_package,
     **{kind.editing.made_by: kind.editing.make for kind in EDITABLE},
     **{kind.editing.ended_by: partial(_end, kind) for kind in EDITABLE},
 }
 """What each statement does."""
+
+# To come: the statements of types, of launch files, and of packages that exist.
+for _type in (
+    *(st.CreateMessageType, st.CreateServiceType, st.CreateActionType, st.LoadType, st.HasField),
+    *(st.NoLongerHasField, st.DropType, st.GenerateType, st.LoadPackage, st.CreateLaunch),
+    *(st.LoadLaunch, st.HasArgument, st.NoLongerHasArgument, st.Starts, st.NoLongerStarts),
+    *(st.Includes, st.NoLongerIncludes, st.GenerateLaunch),
+):
+    HANDLERS[_type] = lambda run, statement: None
 
 
 class Interpreter:

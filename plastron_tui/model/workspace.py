@@ -25,6 +25,9 @@ from .kinds import (
 if TYPE_CHECKING:
     from plastron_tui.ros.interfaces import InterfaceName
 
+    from .launches import Launch, LaunchGeneration
+    from .own_types import OwnType
+    from .packages import Package, PackageGeneration
     from .source import SourceUnit
 
 
@@ -160,8 +163,40 @@ class Generation(NamedTuple):
 
 @dataclass(slots=True)
 class Workspace:
-    """All that a program built, by variable, and what it asked to generate."""
+    """All that a program built, by variable, and what it asked to generate.
+
+    Attributes:
+        nodes: its nodes.
+        messages: the messages that they send.
+        types: its own interface types, by the name that statements have for them.
+        packages: its packages.
+        launches: its launch files.
+        generations: the nodes that are written.
+        written_types: the types that are written for their own sake, by the same names.
+        written_packages: the packages that are written.
+        written_launches: the launch files that are written.
+    """
 
     nodes: dict[str, Node] = field(default_factory=dict)
     messages: dict[str, Message] = field(default_factory=dict)
+    types: dict[str, OwnType] = field(default_factory=dict)
+    packages: dict[str, Package] = field(default_factory=dict)
+    launches: dict[str, Launch] = field(default_factory=dict)
     generations: list[Generation] = field(default_factory=list)
+    written_types: dict[str, Span] = field(default_factory=dict)
+    written_packages: list[PackageGeneration] = field(default_factory=list)
+    written_launches: list[LaunchGeneration] = field(default_factory=list)
+
+    def what(self, variable: str) -> tuple[str, Span] | None:
+        """Return what a variable stands for, in a word, and since where; None for a free one."""
+        named: dict[str, Mapping[str, Node | Message | OwnType | Package | Launch]] = {
+            "node": self.nodes,
+            "message": self.messages,
+            "type": self.types,
+            "package": self.packages,
+            "launch file": self.launches,
+        }
+        for word, things in named.items():
+            if variable in things:
+                return word, things[variable].span
+        return None

@@ -18,7 +18,7 @@ WITHOUT = {
     "wrong-number-of-values", "unknown-field", "duplicate-field", "value-after-named",
     "value-out-of-range", "wrong-array-length", "invalid-text", "invalid-rate",
     "unsupported-target", "service-type-conflict", "action-type-conflict", "qos-incompatible",
-    "endless-messages",
+    "endless-messages", "package-exists", "unknown-item", "already-contained", "not-contained",
     "invalid-qos", "not-in-ros-1", "still-needed", "unknown-parameter", "parameter-type-mismatch",
     "invalid-range", "nothing-received", "computed-type-mismatch",
 }  # fmt: skip

@@ -117,6 +117,89 @@ _MARKED: dict[str, list[str]] = {
         "generate_node n1",
         "generate_node n1 · using rclpy",
     ],
+    "create_message_type_statement": [
+        "create_message_type A with none",
+        'create_message_type p/A with float64 x · , string<= 10 y · default "a"',
+        "create_message_type A with p/B [ <= 3 ] x · , int32 [ 2 ] y · , uint8 OK · = 1",
+    ],
+    "create_service_type_statement": [
+        "create_service_type A with none returning none",
+        "create_service_type A with bool x , bool with returning bool returning · default True",
+    ],
+    "create_action_type_statement": [
+        "create_action_type A with none returning none reporting none",
+        "create_action_type A with int32 a returning int32 b reporting int32 c · , int32 d · = 5",
+    ],
+    "load_type_statement": [
+        "load_type 'msg/A.msg' as A",
+    ],
+    "has_field_statement": [
+        'A has_field "float64 x"',
+        'A has_field "float64 x" · in response',
+    ],
+    "no_longer_has_field_statement": [
+        "A no_longer_has_field 'x'",
+        "A no_longer_has_field 'x' · in goal",
+    ],
+    "drop_type_statement": [
+        "drop_type A",
+    ],
+    "generate_type_statement": [
+        "generate_type A",
+    ],
+    "create_package_statement": [
+        "create_package 'demo' as p1",
+        'create_package \'demo\' as p1 · described_as "a b" · maintained_by "A <a@b.org>" ·'
+        ' licensed_under "MIT"',
+        'create_package \'demo\' as p1 · licensed_under "MIT" · described_as "a b"',
+    ],
+    "load_package_statement": [
+        "load_package 'src/demo' as p1",
+    ],
+    "contains_statement": [
+        "p1 contains n1",
+        "contains contains contains · as 'talk'",
+    ],
+    "no_longer_contains_statement": [
+        "p1 no_longer_contains n1",
+        "p1 no_longer_contains 'talk'",
+    ],
+    "generate_package_statement": [
+        "generate_package p1",
+    ],
+    "create_launch_statement": [
+        "create_launch 'bringup' as l1",
+    ],
+    "load_launch_statement": [
+        "load_launch 'launch/a.launch.xml' as l1",
+    ],
+    "has_argument_statement": [
+        "l1 has_argument 'rate'",
+        "l1 has_argument 'rate' · with default 5",
+    ],
+    "no_longer_has_argument_statement": [
+        "l1 no_longer_has_argument 'rate'",
+    ],
+    "starts_statement": [
+        "l1 starts n1",
+        "starts starts starts · as 'a' · in 'b' · inside 'c' · with parameters 'd.yaml'",
+        "l1 starts 'p/n' · remapping 'a' to 'b' · , 'c' to 'd' · setting 'e' = 5 · , 'f' = [ 1 ]",
+        "l1 starts n1 · with parameters 'd.yaml' · setting 'e' = True · as 'a' · remapping 'a' to"
+        " 'b'",
+    ],
+    "no_longer_starts_statement": [
+        "l1 no_longer_starts 'n1'",
+    ],
+    "includes_statement": [
+        "l1 includes 'p/a.launch.xml'",
+        "includes includes 'p/a.launch.xml'",
+    ],
+    "no_longer_includes_statement": [
+        "l1 no_longer_includes 'p/a.launch.xml'",
+    ],
+    "generate_launch_statement": [
+        "generate_launch l1",
+    ],
 }
 
 STATEMENTS = {kind: [text.replace(" ·", "") for text in texts] for kind, texts in _MARKED.items()}

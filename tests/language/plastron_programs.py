@@ -5,6 +5,7 @@ from __future__ import annotations
 from hypothesis import strategies as st
 
 from plastron_tui.language import DECLARATIONS, Document, Program, lower
+from plastron_tui.language.definitions import FieldText, RemapText, SettingText
 from plastron_tui.language.inputs import (
     Argument,
     Calculation,
@@ -65,6 +66,28 @@ qos = st.lists(
 ).map(lambda words: f" with qos {', '.join(words)}")
 
 values = st.recursive(literals | computed, _values, max_leaves=6)
+field_types = st.builds(
+    "{}{}{}".format,
+    types,
+    st.sampled_from(["", "<= 10"]),
+    st.sampled_from(["", "[]", "[3]", "[<= 3]"]),
+)
+definitions = st.just("none") | st.lists(
+    st.builds(
+        "{} {}{}".format,
+        field_types,
+        variables,
+        st.just("") | st.builds(" {} {}".format, st.sampled_from(["=", "default"]), values),
+    ),
+    min_size=1,
+    max_size=3,
+).map(", ".join)
+remaps = st.lists(st.builds("{} to {}".format, names, names), min_size=1, max_size=3).map(
+    lambda parts: f" remapping {', '.join(parts)}"
+)
+parameter_settings = st.lists(
+    st.builds("{} = {}".format, names, values), min_size=1, max_size=3
+).map(lambda parts: f" setting {', '.join(parts)}")
 inputs = st.just("none") | st.lists(
     values | st.tuples(fields, values).map("=".join), min_size=1, max_size=4
 ).map(", ".join)
@@ -85,6 +108,13 @@ def statements(draw: st.DrawFn) -> str:
     limits = draw(st.sampled_from(["", f" between {draw(numbers)} and {draw(numbers)}"]))
     described = draw(st.just("") | texts.map(" described_as {}".format))
     answering = draw(st.just("") | inputs.map(" answering {}".format))
+    mail = draw(st.just("") | texts.map(" maintained_by {}".format))
+    license_ = draw(st.just("") | texts.map(" licensed_under {}".format))
+    section = draw(st.sampled_from(["", f" in {other}"]))
+    executable = draw(st.sampled_from(["", f" as {name}"]))
+    places = [f" in {name}", f" inside {name}", f" with parameters {name}"]
+    place = draw(st.lists(st.sampled_from(places), unique=True).map("".join))
+    given = draw(st.just("") | remaps), draw(st.just("") | parameter_settings)
 
     def any_order(*clauses: str) -> str:
         return "".join(draw(st.permutations(clauses)))
@@ -119,6 +149,31 @@ def statements(draw: st.DrawFn) -> str:
                 f"{node} stop_repeating {other}",
                 f"{node} renames {other} {name} to {name}",
                 f"generate_node {node}{using}",
+                f"create_message_type {type_} with {draw(definitions)}",
+                f"create_service_type {type_} with {draw(definitions)}"
+                f" returning {draw(definitions)}",
+                f"create_action_type {type_} with {draw(definitions)}"
+                f" returning {draw(definitions)} reporting {draw(definitions)}",
+                f"load_type {name} as {node}",
+                f"{node} has_field {draw(texts)}{section}",
+                f"{node} no_longer_has_field {name}{section}",
+                f"drop_type {node}",
+                f"generate_type {node}",
+                f"create_package {name} as {node}{any_order(described, mail, license_)}",
+                f"load_package {name} as {node}",
+                f"{node} contains {other}{executable}",
+                f"{node} no_longer_contains {draw(st.sampled_from([other, name]))}",
+                f"generate_package {node}",
+                f"create_launch {name} as {node}",
+                f"load_launch {name} as {node}",
+                f"{node} has_argument {name}{draw(values.map(' with default {}'.format))}",
+                f"{node} no_longer_has_argument {name}",
+                f"{node} starts {draw(st.sampled_from([other, name]))}"
+                f"{any_order(executable, place, *given)}",
+                f"{node} no_longer_starts {name}",
+                f"{node} includes {name}",
+                f"{node} no_longer_includes {name}",
+                f"generate_launch {node}",
             ]
         )
     )
@@ -180,9 +235,15 @@ def _shape_of(value: object) -> object:
             return value
 
 
-def argument(value: Argument) -> object:
+def argument(value: Argument | FieldText | RemapText | SettingText) -> object:
     """Return what a value says, without where it says it."""
     match value:
+        case FieldText(type_, name, operator, inner):
+            return type_, name, operator, None if inner is None else argument(inner)
+        case RemapText(old, new):
+            return old, new
+        case SettingText(name, inner):
+            return name, argument(inner)
         case NamedArgument(path, inner):
             return ".".join(path), "=", argument(inner)
         case Literal(known):

@@ -155,6 +155,66 @@ CASES = {
     "n renames topic 's' to 'a/s'": ("Rename", "n", "topic", "s", "a/s"),
     "generate_node n": ("GenerateNode", "n", None),
     "generate_node n using rospy": ("GenerateNode", "n", "rospy"),
+    "create_message_type A with none": ("CreateMessageType", "A", ()),
+    'create_message_type p/A with string <= 10 x default "a", p/B[<=3] y, uint8 OK = 1': (
+        *("CreateMessageType", "p/A"),
+        (
+            ("string<=10", "x", "default", "'a'"),
+            ("p/B[<=3]", "y", "", None),
+            ("uint8", "OK", "=", "1"),
+        ),
+    ),
+    "create_service_type A with bool with returning int32[2] returning": (
+        *("CreateServiceType", "A", (("bool", "with", "", None),)),
+        (("int32[2]", "returning", "", None),),
+    ),
+    "create_action_type A with none returning bool a reporting none": (
+        *("CreateActionType", "A", (), (("bool", "a", "", None),), ()),
+    ),
+    "load_type 'msg/A.msg' as A": ("LoadType", "msg/A.msg", "A"),
+    'A has_field "x"': ("HasField", "A", "x", None),
+    'A has_field "x" in response': ("HasField", "A", "x", "response"),
+    "A no_longer_has_field 'x'": ("NoLongerHasField", "A", "x", None),
+    "A no_longer_has_field 'x' in goal": ("NoLongerHasField", "A", "x", "goal"),
+    "drop_type A": ("DropType", "A"),
+    "generate_type A": ("GenerateType", "A"),
+    "create_package 'p' as p": ("CreatePackage", "p", "p", None, None, None),
+    "create_package 'p' as p described_as \"d\"": ("CreatePackage", "p", "p", "d", None, None),
+    'create_package \'p\' as p licensed_under "MIT" maintained_by "<a@b.c>"': (
+        *("CreatePackage", "p", "p", None, "<a@b.c>", "MIT"),
+    ),
+    'create_package \'p\' as p licensed_under "MIT" described_as "d"': (
+        *("CreatePackage", "p", "p", "d", None, "MIT"),
+    ),
+    "load_package 'src/p' as p": ("LoadPackage", "src/p", "p"),
+    "p contains n": ("Contains", "p", "n", None),
+    "contains contains contains as 'n'": ("Contains", "contains", "contains", "n"),
+    "p no_longer_contains n": ("NoLongerContains", "p", "n"),
+    "p no_longer_contains 'n'": ("NoLongerContains", "p", "'n'"),
+    "generate_package p": ("GeneratePackage", "p"),
+    "create_launch 'l' as l": ("CreateLaunch", "l", "l"),
+    "load_launch 'a/l.launch' as l": ("LoadLaunch", "a/l.launch", "l"),
+    "l has_argument 'a'": ("HasArgument", "l", "a", None),
+    "l has_argument 'a' with default [1]": ("HasArgument", "l", "a", ["list", "1"]),
+    "l no_longer_has_argument 'a'": ("NoLongerHasArgument", "l", "a"),
+    "l starts n": ("Starts", "l", "n", *(None,) * 6),
+    "l starts 'p/n' as 'm'": ("Starts", "l", "'p/n'", "m", *(None,) * 5),
+    "l starts starts in 's' inside 'c'": (
+        *("Starts", "l", "starts", None, "s", "c", None, None, None),
+    ),
+    "l starts n inside 'c'": ("Starts", "l", "n", None, None, "c", None, None, None),
+    "l starts n with parameters 'f.yaml' remapping 'a' to 'b', 'c' to 'd'": (
+        *("Starts", "l", "n", None, None, None, (("a", "b"), ("c", "d")), None, "f.yaml"),
+    ),
+    "l starts n setting 'a' = 5, 'b' = [True] as 'm'": (
+        *("Starts", "l", "n", "m", None, None, None),
+        *((("a", "5"), ("b", ["list", "True"])), None),
+    ),
+    "l starts n with parameters 'f.yaml'": ("Starts", "l", "n", *(None,) * 5, "f.yaml"),
+    "l no_longer_starts 'n'": ("NoLongerStarts", "l", "n"),
+    "l includes 'p/a.launch'": ("Includes", "l", "p/a.launch"),
+    "l no_longer_includes 'p/a.launch'": ("NoLongerIncludes", "l", "p/a.launch"),
+    "generate_launch l": ("GenerateLaunch", "l"),
 }
 
 

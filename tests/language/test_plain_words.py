@@ -55,6 +55,8 @@ def test_the_words_are_those_that_came_later() -> None:
     assert set(PLAIN) == {
         *("all", "answering", "any", "between", "default", "managed", "node", "once", "parameter"),
         *("qos", "received", "renames", "repeats", "when"),
+        *("contains", "in", "includes", "inside", "parameters", "remapping", "reporting"),
+        *("returning", "setting", "starts"),
     }
 
 

@@ -6,12 +6,19 @@
   "stop_service" "provides_action" "stop_action" "sends_goal" "stop_goal"
   "has_parameter" "no_longer_has_parameter" "repeats" "stop_repeating"
   "renames" "generate_node"
+  "create_message_type" "create_service_type" "create_action_type" "load_type" "has_field"
+  "no_longer_has_field" "drop_type" "generate_type"
+  "create_package" "load_package" "contains" "no_longer_contains" "generate_package"
+  "create_launch" "load_launch" "has_argument" "no_longer_has_argument" "starts"
+  "no_longer_starts" "includes" "no_longer_includes" "generate_launch"
 ] @keyword.function
 
 [
   "as" "using" "of" "message_type" "service_type" "action_type" "parameter_type"
   "and" "with" "input" "to" "from" "calling" "at" "hz" "node" "qos" "for_each"
   "when" "any" "all" "answering" "default" "between" "described_as" "parameter"
+  "returning" "reporting" "maintained_by" "licensed_under" "in" "inside" "remapping" "setting"
+  "parameters"
 ] @keyword
 (flag) @keyword
 ; `received`, and after it the fields on the way.
@@ -38,11 +45,13 @@
 (module) @module
 (client_library) @module
 (name_kind) @type.builtin
+(section) @type.builtin
+(definition name: (field_name) @property)
 (type package: (identifier) @module)
 (type kind: (identifier) @module)
 (type name: (identifier) @type)
 
-["=" (operator) (comparison)] @operator
+["=" "<=" (operator) (comparison)] @operator
 ["," "." "/"] @punctuation.delimiter
 ["(" ")" "[" "]"] @punctuation.bracket
 

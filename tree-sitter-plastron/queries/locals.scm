@@ -1,10 +1,15 @@
-; One scope and one namespace for nodes and messages. A `load` or a `create_` defines, all else refers.
+; One scope and one namespace for all variables. A `load` or a `create_` defines, all else refers.
 
 (program) @local.scope
 
 (create_node_statement variable: (variable) @local.definition)
 (load_statement variable: (variable) @local.definition)
 (create_message_statement variable: (variable) @local.definition)
+(load_type_statement variable: (variable) @local.definition)
+(create_package_statement variable: (variable) @local.definition)
+(load_package_statement variable: (variable) @local.definition)
+(create_launch_statement variable: (variable) @local.definition)
+(load_launch_statement variable: (variable) @local.definition)
 
 (subscribe_statement node: (variable) @local.reference)
 (unsubscribe_statement node: (variable) @local.reference)
@@ -25,3 +30,20 @@
 (stop_goal_statement node: (variable) @local.reference)
 (rename_statement node: (variable) @local.reference)
 (generate_node_statement node: (variable) @local.reference)
+(has_field_statement type: (variable) @local.reference)
+(no_longer_has_field_statement type: (variable) @local.reference)
+(drop_type_statement type: (variable) @local.reference)
+(generate_type_statement type: (variable) @local.reference)
+(contains_statement package: (variable) @local.reference)
+(contains_statement item: (variable) @local.reference)
+(no_longer_contains_statement package: (variable) @local.reference)
+(no_longer_contains_statement item: (variable) @local.reference)
+(generate_package_statement package: (variable) @local.reference)
+(has_argument_statement launch: (variable) @local.reference)
+(no_longer_has_argument_statement launch: (variable) @local.reference)
+(starts_statement launch: (variable) @local.reference)
+(starts_statement started: (variable) @local.reference)
+(no_longer_starts_statement launch: (variable) @local.reference)
+(includes_statement launch: (variable) @local.reference)
+(no_longer_includes_statement launch: (variable) @local.reference)
+(generate_launch_statement launch: (variable) @local.reference)

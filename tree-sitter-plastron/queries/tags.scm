@@ -3,6 +3,14 @@
 (create_node_statement variable: (variable) @name) @definition.class
 (load_statement variable: (variable) @name) @definition.class
 (create_message_statement variable: (variable) @name) @definition.constant
+(load_type_statement variable: (variable) @name) @definition.type
+(create_message_type_statement type: (type name: (identifier) @name)) @definition.type
+(create_service_type_statement type: (type name: (identifier) @name)) @definition.type
+(create_action_type_statement type: (type name: (identifier) @name)) @definition.type
+(create_package_statement variable: (variable) @name) @definition.module
+(load_package_statement variable: (variable) @name) @definition.module
+(create_launch_statement variable: (variable) @name) @definition.module
+(load_launch_statement variable: (variable) @name) @definition.module
 
 (subscribe_statement function: (function) @name) @reference.call
 (provides_service_statement function: (function) @name) @reference.call
@@ -30,3 +38,20 @@
 (generate_node_statement node: (variable) @name) @reference.class
 (publish_statement message: (variable) @name) @reference.constant
 (type name: (identifier) @name) @reference.type
+(has_field_statement type: (variable) @name) @reference.type
+(no_longer_has_field_statement type: (variable) @name) @reference.type
+(drop_type_statement type: (variable) @name) @reference.type
+(generate_type_statement type: (variable) @name) @reference.type
+(contains_statement package: (variable) @name) @reference.module
+(contains_statement item: (variable) @name) @reference.class
+(no_longer_contains_statement package: (variable) @name) @reference.module
+(no_longer_contains_statement item: (variable) @name) @reference.class
+(generate_package_statement package: (variable) @name) @reference.module
+(has_argument_statement launch: (variable) @name) @reference.module
+(no_longer_has_argument_statement launch: (variable) @name) @reference.module
+(starts_statement launch: (variable) @name) @reference.module
+(starts_statement started: (variable) @name) @reference.class
+(no_longer_starts_statement launch: (variable) @name) @reference.module
+(includes_statement launch: (variable) @name) @reference.module
+(no_longer_includes_statement launch: (variable) @name) @reference.module
+(generate_launch_statement launch: (variable) @name) @reference.module

@@ -73,7 +73,7 @@ static bool is_word(int32_t c) {
 static bool is_known(int32_t c) {
     switch (c) {
         case '\n': case '"': case '\'': case '/': case '+': case '-':
-        case ',': case '.': case '=': case '(': case ')': case '[': case ']':
+        case ',': case '.': case '=': case '(': case ')': case '[': case ']': case '<':
             return true;
         default:
             return is_space(c) || is_word(c);
@@ -202,6 +202,14 @@ static bool scan_unexpected(TSLexer *lexer) {
             lexer->advance(lexer, false);
             if (is_digit(lexer->lookahead)) return false;
         }
+        lexer->result_symbol = UNEXPECTED;
+        return true;
+    }
+    if (lexer->lookahead == '<') {
+        // The bound of a field?
+        lexer->advance(lexer, false);
+        lexer->mark_end(lexer);
+        if (lexer->lookahead == '=') return false;
         lexer->result_symbol = UNEXPECTED;
         return true;
     }

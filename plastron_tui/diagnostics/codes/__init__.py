@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from plastron_tui.diagnostics.code import Code
 
-from . import files, meaning, names, ros, sentences, values
+from . import files, meaning, names, packages, ros, sentences, values
 from .files import *  # noqa: F403
 from .meaning import *  # noqa: F403
 from .names import *  # noqa: F403
+from .packages import *  # noqa: F403
 from .ros import *  # noqa: F403
 from .sentences import *  # noqa: F403
 from .values import *  # noqa: F403
@@ -16,7 +17,7 @@ GROUPS: dict[str, tuple[Code, ...]] = {
     module.__name__.rpartition(".")[2]: tuple(
         code for code in vars(module).values() if isinstance(code, Code)
     )
-    for module in (sentences, names, meaning, values, files, ros)
+    for module in (sentences, names, meaning, values, packages, files, ros)
 }
 """The codes, by the module that declares them; each has the docstring that says what they share."""
 

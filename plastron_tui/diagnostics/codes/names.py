@@ -16,8 +16,8 @@ INVALID_VARIABLE = Code(
 
 VARIABLE_EXISTS = Code(
     "variable-exists",
-    "A variable is in use already. Nodes and messages share one namespace, so a message "
-    "cannot have the variable of a node either.",
+    "A variable is in use already. Nodes, messages, packages and launch files share one "
+    "namespace, so a message cannot have the variable of a node either.",
     bad=f'{TALKER}create_message talker of message_type String and input "bye"\n',
     good=f'{TALKER}create_message farewell of message_type String and input "bye"\n',
 )

@@ -10,22 +10,49 @@ from .parameters import HasParameter, NoLongerHasParameter
 from .timers import Repeats, StopRepeating
 from .names import Rename
 from .files import GenerateNode
+from .types import CreateMessageType, CreateServiceType, CreateActionType, LoadType
+from .types import HasField, NoLongerHasField, DropType, GenerateType
+from .packages import CreatePackage, LoadPackage, Contains, NoLongerContains, GeneratePackage
+from .launches import CreateLaunch, LoadLaunch, HasArgument, NoLongerHasArgument, Starts
+from .launches import NoLongerStarts, Includes, NoLongerIncludes, GenerateLaunch
 # isort: on
 
 __all__ = [
     "ClientRequests",
+    "Contains",
+    "CreateActionType",
+    "CreateLaunch",
     "CreateMessage",
+    "CreateMessageType",
     "CreateNode",
+    "CreatePackage",
+    "CreateServiceType",
+    "DropType",
+    "GenerateLaunch",
     "GenerateNode",
+    "GeneratePackage",
+    "GenerateType",
+    "HasArgument",
+    "HasField",
     "HasParameter",
+    "Includes",
     "Load",
+    "LoadLaunch",
+    "LoadPackage",
+    "LoadType",
+    "NoLongerContains",
+    "NoLongerHasArgument",
+    "NoLongerHasField",
     "NoLongerHasParameter",
+    "NoLongerIncludes",
+    "NoLongerStarts",
     "ProvidesAction",
     "ProvidesService",
     "Publish",
     "Rename",
     "Repeats",
     "SendsGoal",
+    "Starts",
     "StopAction",
     "StopGoal",
     "StopPublishing",

@@ -1,0 +1,162 @@
+"""The statements that make packages, fill them, and write them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from plastron_tui.diagnostics import Diagnostic, Label, codes, guess
+from plastron_tui.language import statements as st
+
+from .mistake import Mistake
+from .packages import Contained, Package, PackageGeneration
+from .run import Run
+
+
+def create_package(run: Run, statement: st.CreatePackage) -> None:
+    """Make a package."""
+    run.checks.new_variable(statement, statement.variable)
+    _check_name(run, statement)
+    run.workspace.packages[statement.variable] = Package(
+        statement.name,
+        statement.variable,
+        statement.span,
+        statement.description or "",
+        statement.maintainer or "",
+        statement.license or "",
+    )
+
+
+def _check_name(run: Run, statement: st.CreatePackage) -> None:
+    """Check that no other package has the name."""
+    for other in run.workspace.packages.values():
+        if other.name == statement.name:
+            raise Mistake(
+                Diagnostic(
+                    codes.PACKAGE_EXISTS,
+                    f"a package `{statement.name}` exists already",
+                    statement.span_of("name"),
+                    help="a workspace takes one package of a name; choose another",
+                    labels=(Label(other.span, "first here"),),
+                )
+            )
+
+
+def contains(run: Run, statement: st.Contains) -> None:
+    """Put a node or a launch file into a package."""
+    package = _package(run, statement)
+    workspace = run.workspace
+    item = workspace.nodes.get(statement.item) or workspace.launches.get(statement.item)
+    if item is None:
+        raise _unknown_item(run, statement)
+    _check_place(run, statement, package)
+    contained = Contained(item, statement.executable, statement.span)
+    for other in package.contents.values():
+        is_alike = type(other.item) is type(item) and other.name == contained.name
+        if is_alike:
+            slot = "item" if statement.executable is None else "executable"
+            raise Mistake(
+                Diagnostic(
+                    codes.ALREADY_CONTAINED,
+                    f"`{package.variable}` contains a `{contained.name}` already",
+                    statement.span_of(slot),
+                    help="name it otherwise: `contains … as 'other_name'`",
+                    labels=(Label(other.span, "first here"),),
+                )
+            )
+    package.contents[statement.item] = contained
+
+
+def _check_place(run: Run, statement: st.Contains, package: Package) -> None:
+    """Check that what is put into a package is in none yet: it is one file, in one folder."""
+    for other in run.workspace.packages.values():
+        earlier = other.contents.get(statement.item)
+        if earlier is not None:
+            where = "already" if other is package else f"in `{other.variable}` already"
+            raise Mistake(
+                Diagnostic(
+                    codes.ALREADY_CONTAINED,
+                    f"`{statement.item}` is {where}"
+                    if other is not package
+                    else f"`{package.variable}` contains `{statement.item}` already",
+                    statement.span_of("item"),
+                    help=f"take it out first: `{other.variable} no_longer_contains "
+                    f"{statement.item}`",
+                    labels=(Label(earlier.span, "put there here"),),
+                )
+            )
+
+
+def _unknown_item(run: Run, statement: st.Contains) -> Mistake:
+    variable = statement.item
+    if run.consequences.declares(variable):
+        return Mistake()
+    where = statement.span_of("item")
+    known = run.workspace.what(variable)
+    if known is not None:
+        message, remedy, fix = f"a package contains no {known[0]}", None, None
+        if known[0] == "type":
+            remedy = "a type is written with the nodes that use it"
+    else:
+        message = f"no node or launch file `{variable}`"
+        workspace = run.workspace
+        remedy, fix = guess(variable, [*workspace.nodes, *workspace.launches], where)
+        remedy = remedy or f"make it first: `create_node '{variable}' as {variable}`"
+    return Mistake(Diagnostic(codes.UNKNOWN_ITEM, message, where, help=remedy, fix=fix))
+
+
+def no_longer_contains(run: Run, statement: st.NoLongerContains) -> None:
+    """Take something out of a package."""
+    package = _package(run, statement)
+    item = statement.item
+    if not item.startswith("'"):
+        if package.contents.pop(item, None) is None:
+            raise _not_contained(run, statement, package, list(package.contents))
+        return
+    name = item[1:-1]
+    held = [key for key, each in package.contents.items() if each.name == name]
+    for key in held:
+        del package.contents[key]
+    is_there = package.source is not None and name in package.source.executables
+    if is_there:
+        package.removed[name] = statement.span
+    elif not held:
+        names = [each.name for each in package.contents.values()]
+        if package.source is not None:
+            names += package.source.executables
+        raise _not_contained(run, statement, package, names)
+
+
+def _not_contained(
+    run: Run, statement: st.NoLongerContains, package: Package, names: list[str]
+) -> Mistake:
+    name = statement.item.strip("'")
+    if run.consequences.declares(name) or run.consequences.mentions(name):
+        return Mistake()
+    where = statement.span_of("item")
+    remedy, fix = guess(name, names, where, is_quoted=statement.item.startswith("'"))
+    message = f"`{package.variable}` does not contain `{name}`"
+    return Mistake(Diagnostic(codes.NOT_CONTAINED, message, where, help=remedy, fix=fix))
+
+
+def generate_package(run: Run, statement: st.GeneratePackage) -> None:
+    """Note that a package is to be written as it is now."""
+    package = _package(run, statement)
+    run.workspace.written_packages.append(PackageGeneration(package.snapshot(), statement.span))
+
+
+def _package(run: Run, statement: Any) -> Package:
+    """Return the package that a statement is about."""
+    variable: str = statement.package
+    package = run.workspace.packages.get(variable)
+    if package is not None:
+        return package
+    if run.consequences.declares(variable):
+        raise Mistake
+    where = statement.span_of("package")
+    other = run.workspace.what(variable)
+    remedy, fix = guess(variable, run.workspace.packages, where)
+    if other is not None:
+        remedy, fix = f"`{variable}` is a {other[0]}", None
+    remedy = remedy or f"make it first: `create_package '{variable}' as {variable}`"
+    message = f"no package `{variable}`"
+    raise Mistake(Diagnostic(codes.UNKNOWN_PACKAGE, message, where, help=remedy, fix=fix))
