@@ -142,7 +142,7 @@ class FileTree(EntryList):
         Binding("enter", "choose", "Take it", show=False, id="panel.choose"),
     ]
 
-    _numbers: Mapping[str, int] = {}  # noqa: RUF012 - another one is put in its place
+    _numbers: Mapping[str, int] = {}
 
     def show_files(self, files: Sequence[TreeFile]) -> None:
         """Show files; the cursor stays where it is, at first on the file that comes first."""
