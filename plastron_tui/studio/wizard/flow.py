@@ -15,7 +15,7 @@ from .ask import Choice
 from .context import Scene, Surroundings
 from .filling import Filled, Filler, filled_of
 from .form import Form
-from .goals import MORE_ABOUT, MORE_TITLE, Aim, aim_of, answering, declarations_of
+from .goals import GROUPS, Aim, aim_of, answering, declarations_of
 from .helps import helps_of
 from .menu import RECIPES, Offer
 from .program_trial import Finding, Outcome, Placed, check, node_of
@@ -93,7 +93,7 @@ class Course:
         self.generates = True
         self.head: Declaration | None = None
         self.purpose: Declaration | None = None
-        self._is_more = False
+        self.group: Aim | None = None
         self._is_recipes = False
         self._forms: dict[tuple[Declaration | None, Declaration], Form] = {}
         self._filler = Filler()
@@ -105,28 +105,44 @@ class Course:
 
     # What is chosen.
 
-    def choose(self, declaration: Declaration | None) -> None:
+    def take(self, offer: Offer) -> None:
         """Take an entry of the menu that is shown, and go on."""
+        if offer.group is not None:
+            self.choose_group(offer.group)
+        elif offer.declaration is not None:
+            self.choose(offer.declaration)
+        else:
+            self.choose_recipes()
+
+    def choose(self, declaration: Declaration) -> None:
+        """Go on with a statement."""
         if self.page.kind is PageKind.START:
             self._is_recipes = False
-            self._is_more = declaration is None
+            self.group = None
             if declaration != self.head:
                 self.purpose = None
             self.head = declaration
         else:
-            assert declaration is not None
             self.purpose = declaration
+        self.at += 1
+
+    def choose_group(self, group: Aim) -> None:
+        """Go on to a menu of its own."""
+        if group is not self.group:
+            self.purpose = None
+        self._is_recipes, self.group = False, group
+        self.head = None
         self.at += 1
 
     def choose_recipes(self) -> None:
         """Go on to the programs that work."""
-        self._is_recipes, self._is_more = True, False
+        self._is_recipes, self.group = True, None
         self.head = self.purpose = None
         self.at = 1
 
     def answer(self, heard: Heard) -> None:
         """Go on to what a node sends for each message of a topic."""
-        self.choose(None)
+        self.choose_group(Aim.MORE)
         self.choose(answering())
         form = self.main_form
         assert form is not None
@@ -149,8 +165,8 @@ class Course:
             return offer.declaration is self.purpose
         if offer is RECIPES:
             return self._is_recipes
-        if offer.declaration is None:
-            return self._is_more
+        if offer.group is not None:
+            return offer.group is self.group
         return offer.declaration is self.head
 
     def back(self) -> bool:
@@ -164,7 +180,7 @@ class Course:
     def _has_purpose(self) -> bool:
         """Whether it is asked what a node shall do."""
         if self.head is None:
-            return self._is_more
+            return self.group is not None
         return any(slot.kind is SlotKind.NEW_NODE for slot in self.head.slots)
 
     def _form(self, around: Declaration | None, declaration: Declaration) -> Form:
@@ -193,7 +209,7 @@ class Course:
         head, main = self.head_form, self.main_form
         if self._is_recipes:
             return [*pages, Page(PageKind.RECIPES)]
-        if head is None and not self._is_more:
+        if head is None and self.group is None:
             return pages
         if head is not None:
             pages += self._form_pages(head, look)
@@ -311,7 +327,7 @@ class Course:
         """Return what can be taken for a slot, or for a field of the values."""
         found = next(each for each in filled.form.declaration.slots if each.name == slot)
         if path is not None:
-            choices = self._filler.value_choices(filled, found, path)
+            choices = self._filler.value_choices(filled, found, path, query)
         elif filled.cells[slot].reason:
             return []
         else:
@@ -332,13 +348,14 @@ class Course:
         """Return the entries of the first menu."""
         offers = []
         for aim in Aim:
-            if aim is Aim.MORE:
-                about = MORE_ABOUT
-                has_nodes = bool(self.session.workspace.nodes)
-                closed = "" if has_nodes else "there is no node yet: make one first"
-                offers.append(Offer(None, MORE_TITLE, "", about, closed))
+            group = GROUPS.get(aim)
+            if group is None:
+                offers += [self._offer(each, None) for each in declarations_of(aim)]
                 continue
-            offers += [self._offer(each, None) for each in declarations_of(aim)]
+            needs_nodes = aim in (Aim.MORE, Aim.PACKAGE) and not self.session.workspace.nodes
+            closed = "there is no node yet: make one first" if needs_nodes else ""
+            title, term, about, _ = group
+            offers.append(Offer(None, title, term, about, closed, group=aim))
         return [*offers, RECIPES]
 
     def purpose_offers(self) -> list[Offer]:
@@ -350,7 +367,7 @@ class Course:
             scene = self._filler.extended(scene, filled[0])
         return [
             self._offer(each, scene, filled)
-            for each in declarations_of(Aim.MORE)
+            for each in declarations_of(self.group or Aim.MORE)
             if not (each.undoes is not None and self._makes_node)
         ]
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from plastron_tui.language import Declaration
 
 from ..recipes import recipes
+from .goals import Aim
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,6 +23,7 @@ class Offer:
         closed: why it cannot be had now, "" where it can.
         is_advised: whether it is what most would do next.
         recipe: the program that it starts from.
+        group: the menu of its own that it leads to.
     """
 
     declaration: Declaration | None
@@ -31,6 +33,7 @@ class Offer:
     closed: str = ""
     is_advised: bool = False
     recipe: Path | None = None
+    group: Aim | None = None
 
 
 RECIPES = Offer(

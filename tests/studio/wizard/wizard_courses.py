@@ -21,6 +21,9 @@ ANSWER = "answer questions"
 HAVE = "have a value that can be set from outside"
 REPEAT = "do something, again and again"
 DO = "do a task that takes its time"
+OWN = "make a message of your own"
+PACKAGE = "make it a package"
+TOGETHER = "start several nodes together"
 CHANGE = "change a node file that exists"
 
 TWO_NODES = """\
@@ -63,7 +66,7 @@ def choose(it: Course, *titles: str) -> Look:
         offers = it.start_offers() if is_start else it.purpose_offers()
         offer = next(each for each in offers if each.title == title)
         assert not offer.closed, offer
-        it.choose(offer.declaration)
+        it.take(offer)
         look = it.look()
     return look
 
