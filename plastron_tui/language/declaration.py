@@ -19,7 +19,7 @@ from tree_sitter import Node
 from plastron_tui.diagnostics import Span
 
 from .slot_kinds import Form as Form
-from .slot_kinds import SlotKind
+from .slot_kinds import SlotKind as SlotKind
 
 if TYPE_CHECKING:
     from typing_extensions import dataclass_transform
