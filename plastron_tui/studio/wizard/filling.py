@@ -219,9 +219,7 @@ class Filler:
         shown = Filled(filled.form, filled.base, filled.scene, before, filled.around)
         return KINDS[slot.kind].choices(self.ask(shown, slot), query)
 
-    def value_choices(
-        self, filled: Filled, slot: Slot, path: Path, query: str
-    ) -> list[Choice]:
+    def value_choices(self, filled: Filled, slot: Slot, path: Path, query: str) -> list[Choice]:
         """Return what can be taken for a field of the values, or of a definition."""
         if slot.kind.form is Written.FIELDS:
             return field_choices(self.ask(filled, slot), query)
