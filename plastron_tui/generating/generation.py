@@ -234,7 +234,7 @@ class _Creation:
         """Write a node where it was before, or where nothing is."""
         path = self.writing.output / files.name
         present = files_on_disk(path)
-        layers = layers_at(path, self.manifest, present)
+        layers = layers_at(path, self.manifest, present, files.name)
         # What programs that loaded the file made of it lies over what is to be renewed.
         before = layers[0].original if layers else present
         is_foreign = before != files.files and files.name not in self.manifest
@@ -244,7 +244,7 @@ class _Creation:
         is_clean = are_recorded(self.manifest, files.name, before)
         is_own = before in (None, files.files) or is_clean or any(x.is_clean for x in layers[:1])
         if not (self.writing.force or is_own or before is None or files.name not in self.manifest):
-            merged = self._merged(path, files.files, before)
+            merged = self._merged(files.name, path, files.files, before)
             if merged.files is None:
                 problem = unmergeable(path, merged.reason)
                 return Generated(self.generation, replace(files, problem=problem), notes)
@@ -264,7 +264,7 @@ class _Creation:
             notes = (*notes, *covered.notes)
         return Generated(self.generation, files, notes)
 
-    def _merged(self, path: Path, mine: FileSet, present: FileSet) -> Merged:
+    def _merged(self, name: str, path: Path, mine: FileSet, present: FileSet) -> Merged:
         """Merge what the program changed in a node into a file that was changed by hand."""
         from plastron_tui.targets import read_source
 
@@ -278,7 +278,7 @@ class _Creation:
         read = target.read(path, present)
         if read.source is None or not read.source.nodes:
             return Merged(None, "it holds no node that can be read")
-        known = self.manifest.bases.get(path.name)
+        known = self.manifest.bases.get(name)
         base, node = None if known is None else recall(known), self.generation.node
         made = None if base is None else target.render(base, catalog).files
         if base is None or made is None:

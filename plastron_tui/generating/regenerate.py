@@ -59,6 +59,9 @@ class Derivation:
         writing, target, is_ported = self.writing, self.work.library.target, self.work.is_ported
         path = self.work.source.path
         name = f"{path.stem}{target.language.suffix}" if is_ported else path.name
+        home = self.work.nodes[0].home
+        if home is not None and not writing.in_place:
+            name = target.packaged(home, name)
         is_elsewhere = writing.in_place and not is_ported and path.parent != writing.output
         shown = path if is_elsewhere else writing.output / name
         place = find_place(shown, writing.author, writing.manifests)

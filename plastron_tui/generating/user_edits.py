@@ -32,14 +32,23 @@ def files_on_disk(path: Path) -> FileSet | None:
     return None if text is None else files_of(path, text, on_disk)
 
 
-def layers_at(path: Path, manifest: Manifest, files: FileSet | None) -> Layers:
-    """Return what is remembered of programs that changed files, as far as they show it."""
+def layers_at(
+    path: Path, manifest: Manifest, files: FileSet | None, name: str | None = None
+) -> Layers:
+    """Return what is remembered of programs that changed files, as far as they show it.
+
+    Args:
+        path: the main file.
+        manifest: what is remembered.
+        files: what the files hold.
+        name: what the main file is called there, None for its own name.
+    """
 
     def shows(layer: Layer, files: FileSet) -> bool:
         before, after, now = (shown(path, each) for each in (layer.original, layer.written, files))
         return any((key in now) == (key in after) for key in before.keys() ^ after.keys())
 
-    return live_layers(manifest.layers.get(path.name, ()), files, shows)
+    return live_layers(manifest.layers.get(name or path.name, ()), files, shows)
 
 
 def shown(path: Path, files: FileSet) -> Shown:

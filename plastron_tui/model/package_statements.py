@@ -10,6 +10,7 @@ from plastron_tui.language import statements as st
 from .mistake import Mistake
 from .packages import Contained, Package, PackageGeneration
 from .run import Run
+from .workspace import Generation, Home, Node
 
 
 def create_package(run: Run, statement: st.CreatePackage) -> None:
@@ -64,6 +65,8 @@ def contains(run: Run, statement: st.Contains) -> None:
                 )
             )
     package.contents[statement.item] = contained
+    if isinstance(item, Node):
+        item.home = Home(package.name, contained.name)
 
 
 def _check_place(run: Run, statement: st.Contains, package: Package) -> None:
@@ -109,13 +112,14 @@ def no_longer_contains(run: Run, statement: st.NoLongerContains) -> None:
     package = _package(run, statement)
     item = statement.item
     if not item.startswith("'"):
-        if package.contents.pop(item, None) is None:
+        if item not in package.contents:
             raise _not_contained(run, statement, package, list(package.contents))
+        _take_out(package, item)
         return
     name = item[1:-1]
     held = [key for key, each in package.contents.items() if each.name == name]
     for key in held:
-        del package.contents[key]
+        _take_out(package, key)
     is_there = package.source is not None and name in package.source.executables
     if is_there:
         package.removed[name] = statement.span
@@ -124,6 +128,12 @@ def no_longer_contains(run: Run, statement: st.NoLongerContains) -> None:
         if package.source is not None:
             names += package.source.executables
         raise _not_contained(run, statement, package, names)
+
+
+def _take_out(package: Package, variable: str) -> None:
+    item = package.contents.pop(variable).item
+    if isinstance(item, Node):
+        item.home = None
 
 
 def _not_contained(
@@ -141,7 +151,13 @@ def _not_contained(
 def generate_package(run: Run, statement: st.GeneratePackage) -> None:
     """Note that a package is to be written as it is now."""
     package = _package(run, statement)
-    run.workspace.written_packages.append(PackageGeneration(package.snapshot(), statement.span))
+    workspace = run.workspace
+    for each in package.contents.values():
+        if isinstance(each.item, Node):
+            library = each.item.library or run.setting.library
+            generation = Generation(each.item.snapshot(), library, statement.span)
+            workspace.generations.append(generation)
+    workspace.written_packages.append(PackageGeneration(package.snapshot(), statement.span))
 
 
 def _package(run: Run, statement: Any) -> Package:

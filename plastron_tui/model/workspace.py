@@ -42,6 +42,18 @@ class Renamed(NamedTuple):
     span: Span
 
 
+class Home(NamedTuple):
+    """The package that a node is in.
+
+    Attributes:
+        package: its name.
+        executable: what one starts the node by.
+    """
+
+    package: str
+    executable: str
+
+
 @dataclass(slots=True)
 class Node:
     """A node, as the program has it so far.
@@ -58,6 +70,7 @@ class Node:
         renamed: what was given another name, by its kind and that name.
         file: the main file that a created node has, "" where none was chosen yet.
         is_managed: whether it is a lifecycle node of ROS 2.
+        home: the package that the program puts it into, None for none.
     """
 
     name: str
@@ -70,6 +83,7 @@ class Node:
     renamed: dict[EndpointKey, Renamed] = field(default_factory=dict)
     file: str = ""
     is_managed: bool = False
+    home: Home | None = None
 
     def of(self, type_: type[EndpointType]) -> Mapping[str, EndpointType]:
         """Return the endpoints of one class by name: `node.of(Publisher)`."""
@@ -150,6 +164,7 @@ class Node:
             self.removed,
             dict(self.renamed),
             is_managed=self.is_managed,
+            home=self.home,
         )
 
 

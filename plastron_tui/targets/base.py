@@ -14,7 +14,7 @@ from typing import ClassVar
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.kinds import Client, EndpointKind, Publisher, Service, Subscription
 from plastron_tui.model.source import Change, FileSet, SourceUnit
-from plastron_tui.model.workspace import Node
+from plastron_tui.model.workspace import Home, Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources.base import Language, ReadResult, Rendered
 
@@ -35,6 +35,7 @@ class Target:
         language: the language that its nodes are written in.
         writes: the kinds of endpoints that its nodes can have.
         writes_managed: whether its nodes can be lifecycle nodes.
+        package_folder: the folder of a package that its nodes are in; `{}` is the package's name.
     """
 
     api_version: ClassVar[int] = 1
@@ -50,6 +51,11 @@ class Target:
         }
     )
     writes_managed: ClassVar[bool] = False
+    package_folder: ClassVar[str] = "src"
+
+    def packaged(self, home: Home, name: str) -> str:
+        """Return where a node's file is in a folder of packages, by the file's name."""
+        return f"{home.package}/{self.package_folder.format(home.package)}/{name}"
 
     def unwritable(self, node: Node) -> Diagnostic | None:
         """Return what of a node the client library has no means for, None where it has all."""

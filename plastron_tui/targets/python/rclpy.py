@@ -144,5 +144,6 @@ class RclpyTarget(PythonTarget):
 
     name: ClassVar[str] = "rclpy"
     ros_version: ClassVar[int] = 2
+    package_folder: ClassVar[str] = "{}"
     writes_managed: ClassVar[bool] = True
     dialect: ClassVar[Dialect] = DIALECT

@@ -78,4 +78,5 @@ class RospyTarget(PythonTarget):
 
     name: ClassVar[str] = "rospy"
     ros_version: ClassVar[int] = 1
+    package_folder: ClassVar[str] = "scripts"
     dialect: ClassVar[Dialect] = DIALECT
