@@ -51,7 +51,7 @@ class PreviewPanel(Vertical):
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
         super().__init__(id=id)
         self.previews: tuple[Preview, ...] = ()
-        self._node: str | None = None
+        self._subject: str | None = None
         self._at = 0
         self._shows_diff = True
         self._head = Static("", id="preview-head", markup=True)
@@ -94,13 +94,15 @@ class PreviewPanel(Vertical):
         self.set_class(event.size.width >= _WIDE, "-wide")
 
     def request(self, analysis: Analysis | None, offset: int) -> str | None:
-        """Ask for the files of the node at the cursor, or else of the last one, or the first."""
+        """Ask for the files of what is at the cursor, or else of the last one, or the first."""
         if analysis is None:
             return None
-        nodes = analysis.workspace.nodes
-        last = self._node if self._node in nodes else next(iter(nodes), None)
-        self._node = analysis.node_at(offset) or last
-        return self._node
+        known = analysis.workspace
+        kinds = (known.nodes, known.packages, known.launches, known.types)
+        is_there = any(self._subject in each for each in kinds)
+        last = self._subject if is_there else next((name for each in kinds for name in each), None)
+        self._subject = analysis.written_at(offset) or last
+        return self._subject
 
     def show(self, previews: tuple[Preview, ...] | None) -> None:
         """Show the files of a node; None for no node."""
@@ -166,7 +168,9 @@ class PreviewPanel(Vertical):
         current = self.current
         if current is None:
             self._head.update(
-                Content.styled("put the cursor on a node's statement", "$foreground 60%")
+                Content.styled(
+                    "put the cursor on the statement of a node or a package", "$foreground 60%"
+                )
             )
             self._view.show((), numbers=False)
             return
@@ -201,10 +205,11 @@ PREVIEW = Panel(
     title="Preview",
     dock="result",
     keys="alt+5",
-    summary="The file that the node at the cursor becomes.",
+    summary="The files that the node, or the package, at the cursor becomes.",
     about=(
-        "The file that the node at the cursor becomes. For a file that is there already: what "
-        "changes in it; D shows the whole file."
+        "The files that the node, the package, the launch file or the type at the cursor becomes. "
+        "For a file that is there already: what changes in it; D shows the whole file. Many files "
+        "are a tree: Enter goes to the text of one, T back to the tree."
     ),
     widget=PreviewPanel,
     make=_previews,
