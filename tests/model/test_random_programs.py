@@ -61,7 +61,64 @@ WHATS = st.sampled_from(["topic", "service", "action", "parameter", "thing"])
 CALLING = st.just("") | FUNCTIONS.map(" calling {}".format)
 USING = st.sampled_from(["", " using rospy", " using rclpy", " managed"])
 MAYBE_QOS = st.just("") | QOS
+OWN = st.sampled_from(["A", "B", "Twist", "p/A", "n"])
+TYPE_VARIABLES = st.sampled_from(["A", "B", "n"])
+PACKAGES = st.sampled_from(["p", "q", "n"])
+LAUNCHES = st.sampled_from(["l", "r", "n"])
+ITEMS = st.sampled_from(["n", "o", "l", "m", "p", "A", "x"])
+FIELD_TYPES = st.sampled_from(
+    ["float64", "string<=10", "int32[]", "A", "B[<=3]", "geometry_msgs/Point", "flot", "uint8[2]"]
+)
+MEMBERS = st.just("none") | st.lists(
+    st.builds(
+        "{} {}{}".format,
+        FIELD_TYPES,
+        st.sampled_from(["a", "b", "A", "class", "x_"]),
+        st.just("") | st.builds(" {} {}".format, st.sampled_from(["=", "default"]), VALUES),
+    ),
+    min_size=1,
+    max_size=3,
+).map(", ".join)
+SECTIONS = st.sampled_from(["", "", " in request", " in result", " in n"])
+EXECUTABLES = st.just("") | NAMES.map(" as {}".format)
+STARTED = st.sampled_from(["n", "o", "m", "'p/n'", "'x'", "''"])
+PLACES = st.sampled_from(["", " in 'a'", " in 'a b'", " inside 'c'"])
+REMAPS = st.just("") | st.builds(" remapping {} to {}".format, NAMES, NAMES)
+SETTINGS = st.just("") | st.builds(" setting {} = {}".format, NAMES, VALUES)
+FILES = st.sampled_from(["'a.msg'", "'a.launch'", "'p/a.launch.xml'", "'..'", "''"])
 LINES = st.one_of(
+    st.builds("create_message_type {} with {}".format, OWN, MEMBERS),
+    st.builds("create_service_type {} with {} returning {}".format, OWN, MEMBERS, MEMBERS),
+    st.builds(
+        "create_action_type {} with {} returning {} reporting {}".format,
+        *(OWN, MEMBERS, MEMBERS, MEMBERS),
+    ),
+    st.builds("load_type {} as {}".format, FILES, st.sampled_from(["A", "n"])),
+    st.builds('{} has_field "{} a"{}'.format, TYPE_VARIABLES, FIELD_TYPES, SECTIONS),
+    st.builds("{} no_longer_has_field {}{}".format, TYPE_VARIABLES, NAMES, SECTIONS),
+    st.builds("drop_type {}".format, TYPE_VARIABLES),
+    st.builds("generate_type {}".format, TYPE_VARIABLES),
+    st.builds(
+        "create_package {} as {}{}{}".format,
+        *(NAMES, PACKAGES, st.sampled_from(["", ' licensed_under "MIT"'])),
+        st.sampled_from(["", ' maintained_by "A <a@b.org>"', ' maintained_by "a"']),
+    ),
+    st.builds("load_package {} as {}".format, FILES, PACKAGES),
+    st.builds("{} contains {}{}".format, PACKAGES, ITEMS, EXECUTABLES),
+    st.builds("{} no_longer_contains {}".format, PACKAGES, ITEMS | NAMES),
+    st.builds("generate_package {}".format, PACKAGES),
+    st.builds("create_launch {} as {}".format, NAMES, LAUNCHES),
+    st.builds("load_launch {} as {}".format, FILES, LAUNCHES),
+    st.builds("{} has_argument {} with default {}".format, LAUNCHES, NAMES, VALUES),
+    st.builds("{} no_longer_has_argument {}".format, LAUNCHES, NAMES),
+    st.builds(
+        "{} starts {}{}{}{}{}".format,
+        *(LAUNCHES, STARTED, EXECUTABLES, PLACES, REMAPS, SETTINGS),
+    ),
+    st.builds("{} no_longer_starts {}".format, LAUNCHES, NAMES),
+    st.builds("{} includes {}".format, LAUNCHES, FILES),
+    st.builds("{} no_longer_includes {}".format, LAUNCHES, FILES),
+    st.builds("generate_launch {}".format, LAUNCHES),
     st.builds("create_node {} as {}{}".format, NAMES, NODES, USING),
     st.builds("load driver as {}".format, NODES),
     st.builds("create_message {} of message_type {} and input {}".format, MESSAGES, TYPES, INPUTS),
