@@ -127,8 +127,7 @@ class Frame(Paged, Dialog[str]):
         if page.kind is PageKind.FORM and page.form is not None:
             return FormPage(page.form, self._places.get(page.form))
         if page.kind is PageKind.REVIEW:
-            offer = f"write {view.look.node} to its file, too" if view.look.can_generate else ""
-            return ReviewPage(strings.review(view.look), offer, course.generates)
+            return ReviewPage(strings.review(view.look), course.options(view.look))
         self._offers = view.offers
         self._items = [Item(o.title, o.term, o.about, o.closed, o.is_advised) for o in view.offers]
         here = next((n for n, o in enumerate(view.offers) if course.is_chosen(o)), None)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from plastron_tui.language import Declaration
 
@@ -34,6 +35,14 @@ class Offer:
     is_advised: bool = False
     recipe: Path | None = None
     group: Aim | None = None
+
+
+class Option(NamedTuple):
+    """What may be written along with statements: its key, its words, whether it is wanted."""
+
+    key: str
+    words: str
+    is_wanted: bool
 
 
 RECIPES = Offer(

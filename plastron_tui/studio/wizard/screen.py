@@ -25,7 +25,7 @@ from .form_page import Key, Looked, Put
 from .frame import MENUS, Frame, View
 from .goals import generating
 from .menu import Offer, recipe_offers
-from .menu_page import Generates, Picked
+from .menu_page import Picked, Wanted
 from .program_trial import Finding
 from .result_view import ResultView
 from .rows import Confirmed
@@ -192,14 +192,10 @@ class Wizard(Frame):
             self._places[page.form] = page.key_here
         self.changed()
 
-    @on(Generates)
-    def generates(self, message: Generates) -> None:
-        """Generate the node, or not."""
-
-        def do() -> None:
-            self.course.generates = message.value
-
-        self.changed(do)
+    @on(Wanted)
+    def wanted(self, message: Wanted) -> None:
+        """Write something along with the statements, or not."""
+        self.changed(lambda: self.course.want(message.key, message.value))
 
     @on(Picked)
     def picked(self, message: Picked) -> None:
