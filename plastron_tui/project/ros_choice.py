@@ -1,6 +1,6 @@
 """Which ROS a program is for where its nodes name none: the client library, and the distribution.
 
-What is said goes first, then what is sourced, then what is installed, then the newest ROS 2.
+What is said goes first, then what is sourced, then what is installed, then the ROS 2 of the extra.
 Everybody who has to know asks here, so that all say the same.
 """
 
@@ -12,7 +12,7 @@ from enum import Enum
 from typing import NamedTuple
 
 from plastron_tui.model.libraries import Libraries, default_library
-from plastron_tui.ros.catalog.distributions import DISTRIBUTIONS, newest_distribution, stand_in
+from plastron_tui.ros.catalog.distributions import DISTRIBUTIONS, stand_in, usual_distribution
 from plastron_tui.ros.installations import Origin, present
 
 
@@ -23,7 +23,7 @@ class Why(Enum):
     PROJECT = "plastron.yaml says so"
     SOURCED = "it is sourced"
     INSTALLED = "it is installed"
-    NEWEST = "no ROS is found here"
+    ABSENT = "no ROS is found here"
 
 
 class Said(NamedTuple):
@@ -91,7 +91,7 @@ def choose_distribution(
     for found in present(environ):
         if found.ros_version == ros_version and found.distribution:
             return stand_in(found.distribution, ros_version)
-    return newest_distribution(ros_version)
+    return usual_distribution(ros_version)
 
 
 def _choose_library(
@@ -105,4 +105,4 @@ def _choose_library(
     for found in present(environ):
         why = Why.SOURCED if found.origin is Origin.SOURCED else Why.INSTALLED
         return default_library(libraries, found.ros_version), why
-    return default_library(libraries, 2), Why.NEWEST
+    return default_library(libraries, 2), Why.ABSENT

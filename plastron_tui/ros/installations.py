@@ -18,8 +18,8 @@ from typing import NamedTuple
 
 from .catalog.distributions import DISTRIBUTIONS, stand_in, version_of_distribution
 
-# The first number of rclpy's version tells the distribution (index.ros.org).
-_DISTRIBUTION_OF_RCLPY = {"3": "humble", "4": "iron", "7": "jazzy", "9": "kilted"}
+# The first number of rclpy's version tells the distribution (the release files of rosdistro).
+_DISTRIBUTION_OF_RCLPY = {"3": "humble", "4": "iron", "7": "jazzy", "9": "kilted", "10": "lyrical"}
 
 _DEBIAN_PACKAGES = "usr/lib/python3/dist-packages"
 
@@ -111,6 +111,12 @@ def installed_in(root: Path, packages: Sequence[str], prefix: Path) -> Iterator[
 def distribution_of_rclpy(version: str) -> str:
     """Return the distribution that a version of rclpy belongs to, "" where none is known."""
     return _DISTRIBUTION_OF_RCLPY.get(version.partition(".")[0], "")
+
+
+def rclpy_of_distribution(distribution: str) -> str:
+    """Return the first number of a distribution's version of rclpy, "" where none is known."""
+    numbers = (each for each, name in _DISTRIBUTION_OF_RCLPY.items() if name == distribution)
+    return next(numbers, "")
 
 
 def setup_file(distribution: str, root: Path = Path("/")) -> Path:

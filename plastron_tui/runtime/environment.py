@@ -15,6 +15,7 @@ from typing import Any
 from urllib.parse import urlsplit
 
 from plastron_tui.diagnostics import Diagnostic, Severity, codes
+from plastron_tui.ros.catalog.distributions import usual_distribution
 from plastron_tui.ros.installations import (
     Installation,
     Origin,
@@ -26,7 +27,6 @@ from plastron_tui.ros.installations import (
 
 from . import installing
 
-EXTRA_COMMAND = "pip install 'plastron-tui[ros2]'"
 DEBIAN_COMMAND = "sudo apt install python3-rospy python3-rosmaster python3-std-msgs"
 DEBIAN_PYTHON = Path("/usr/bin/python3")
 LOOPBACK = "127.0.0.1"
@@ -113,8 +113,10 @@ class Found:
         there = ", ".join(environment.words for environment in self.environments)
         which = "ROS" if ros_version is None else f"ROS {ros_version}"
         message = f"no {which} is on this machine" + (f", only {there}" if there else "")
-        command = DEBIAN_COMMAND if ros_version == 1 else EXTRA_COMMAND
-        return None, [Diagnostic(codes.NO_ROS, message, help=f"install it with `{command}`")]
+        command = DEBIAN_COMMAND if ros_version == 1 else installing.extra()
+        brought = f"ROS {ros_version or 2} {usual_distribution(ros_version or 2)}"
+        help_ = f"install {brought} with `{command}`"
+        return None, [Diagnostic(codes.NO_ROS, message, help=help_)]
 
 
 def find_environments(
@@ -303,7 +305,7 @@ def _remedy(environment: Environment, package: str) -> str:
     """Return the help line that says how a package gets into an environment."""
     match environment.origin:
         case Origin.EXTRA:
-            command = installing.wheel(package)
+            command = installing.wheel(package, environment.distribution)
         case Origin.DEBIAN:
             command = installing.debian(package)
         case _:

@@ -2,6 +2,12 @@
 
 from __future__ import annotations
 
+from plastron_tui.ros.catalog.distributions import EXTRA_DISTRIBUTION
+from plastron_tui.ros.installations import rclpy_of_distribution
+
+_EXTRAS = {EXTRA_DISTRIBUTION: "ros2", "jazzy": "ros2-jazzy"}
+"""The extra of this package that brings a distribution of ROS 2."""
+
 # The interface packages that have a wheel, and those that Debian packages for Python: others
 # have to be built from their definitions, or come with a whole ROS.
 _WHEELS = frozenset(
@@ -52,9 +58,26 @@ _DEBIAN = frozenset(
 )
 
 
-def wheel(package: str) -> str | None:
-    """Return the command that adds a ROS 2 package to the Python packages, None for none."""
-    return f"pip install ros-{_dashed(package)}" if package in _WHEELS else None
+def extra(distribution: str = EXTRA_DISTRIBUTION) -> str:
+    """Return the command that installs a ROS 2 as Python packages.
+
+    It is that of another distribution where there are no wheels of this one.
+    """
+    return f"pip install 'plastron-tui[{_EXTRAS.get(distribution, 'ros2')}]'"
+
+
+def wheel(package: str, distribution: str = EXTRA_DISTRIBUTION) -> str | None:
+    """Return the command that adds a ROS 2 package to the Python packages, None for none.
+
+    The newest wheel is not that of an older distribution: the version of rclpy chooses it.
+    """
+    if package not in _WHEELS:
+        return None
+    command = f"pip install ros-{_dashed(package)}"
+    rclpy = rclpy_of_distribution(distribution)
+    if not rclpy or distribution == EXTRA_DISTRIBUTION:
+        return command
+    return f"{command} 'ros-rclpy=={rclpy}.*'"
 
 
 def debian(package: str) -> str | None:

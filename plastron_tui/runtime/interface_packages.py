@@ -20,9 +20,9 @@ from plastron_tui.ros.installations import Origin
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.user_folders import cache_folder
 
+from . import installing
 from .action_messages import NEEDED, action_messages, needed_messages
 from .environment import (
-    EXTRA_COMMAND,
     Environment,
     missing_package,
     missing_packages,
@@ -245,7 +245,7 @@ def _make_with_cmake(
     if missing_packages(environment, _BUILD_PACKAGES, environ):
         raise BuildError(
             f"`{package}` has to be built, and what builds it is not among the Python packages",
-            f"install it with `{EXTRA_COMMAND}`",
+            f"install it with `{installing.extra(environment.distribution)}`",
         )
     own = node_environ(environment, environ)
     answer = _run([str(environment.python), "-c", _ASK_PYTHON], own)

@@ -166,7 +166,7 @@ def test_no_ros_at_all(here: Path, target: str | None, command: str) -> None:
     assert "error[no-ros]: no ROS" in done.stderr
     # Without a target the program is for rospy, as without a sourced ROS.
     if target is not None:
-        assert f"install it with `{command}`" in done.stderr
+        assert f" with `{command}`" in done.stderr
     assert not (here / "output").exists()
 
 

@@ -12,6 +12,7 @@ from xmlrpc.client import ServerProxy
 
 import pytest
 from graph import Graph
+from jazzy import jazzy_python
 from machine import domain_id, free_port, skip_or_fail, wait_until
 from processes import Process, processes
 
@@ -175,6 +176,16 @@ def _ros2(python: Path, folder: Path, environ: Mapping[str, str]) -> Iterator[Gr
     probe = Path(__file__).with_name("probe_ros2.py")
     with processes() as started:
         yield Graph("rclpy", python, probe, env, logs, started)
+
+
+@pytest.fixture
+def jazzy(
+    shared_cache: Path, tmp_path_factory: pytest.TempPathFactory, tmp_path: Path
+) -> Iterator[Graph]:
+    """A graph of its own of the older ROS 2, with the services of the language's table."""
+    python = jazzy_python(tmp_path_factory)
+    environ = made_packages(Environment(Origin.EXTRA, 2, "jazzy", python), shared_cache)
+    yield from _ros2(python, tmp_path, environ)
 
 
 # ROS 2 has no package of these that pip installs: they are built, which takes minutes.

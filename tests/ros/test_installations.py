@@ -36,7 +36,7 @@ def found(root: Path) -> list[Installation]:
 
 def test_what_is_installed_is_found(tmp_path: Path) -> None:
     assert found(tmp_path) == []
-    add_opt(tmp_path, "melodic", "kilted", "noetic", "humble", "one")
+    add_opt(tmp_path, "melodic", "kilted", "noetic", "lyrical", "humble", "one")
     (tmp_path / "opt" / "ros" / "jazzy").mkdir()  # what an uninstallation left
     add_debian(tmp_path)
     add_rclpy(tmp_path / "site")
@@ -47,13 +47,20 @@ def test_what_is_installed_is_found(tmp_path: Path) -> None:
         Installation(Origin.DEBIAN, 1, "noetic"),
     ]
     assert {each.origin for each in there[2:]} == {Origin.UNSOURCED}
-    assert [each.distribution for each in there[2:4]] == ["kilted", "humble"]
-    assert {each.distribution for each in there[4:]} == {"noetic", "melodic", "one"}
-    assert {each.ros_version for each in there[4:]} == {1}
+    assert [each.distribution for each in there[2:5]] == ["lyrical", "kilted", "humble"]
+    assert {each.distribution for each in there[5:]} == {"noetic", "melodic", "one"}
+    assert {each.ros_version for each in there[5:]} == {1}
 
 
 @pytest.mark.parametrize(
-    ("version", "distribution"), [("3.3.1", "humble"), ("9.0.0", "kilted"), ("99.1", "")]
+    ("version", "distribution"),
+    [
+        ("3.3.1", "humble"),
+        ("7.1.6", "jazzy"),
+        ("9.0.0", "kilted"),
+        ("10.0.10", "lyrical"),
+        ("99.1", ""),
+    ],
 )
 def test_the_version_of_rclpy_tells_the_distribution(
     tmp_path: Path, version: str, distribution: str

@@ -117,16 +117,18 @@ def problem(found: Found, ros_version: int | None = None) -> tuple[str, str, str
 
 
 @pytest.mark.parametrize(
-    ("ros_version", "command"),
+    ("ros_version", "brought", "command"),
     [
-        (None, "pip install 'plastron-tui[ros2]'"),
-        (2, "pip install 'plastron-tui[ros2]'"),
-        (1, "sudo apt install python3-rospy python3-rosmaster python3-std-msgs"),
+        (None, "ROS 2 kilted", "pip install 'plastron-tui[ros2]'"),
+        (2, "ROS 2 kilted", "pip install 'plastron-tui[ros2]'"),
+        (1, "ROS 1 noetic", "sudo apt install python3-rospy python3-rosmaster python3-std-msgs"),
     ],
 )
-def test_no_ros_at_all(make_python: MakePython, ros_version: int | None, command: str) -> None:
+def test_no_ros_at_all(
+    make_python: MakePython, ros_version: int | None, brought: str, command: str
+) -> None:
     code, _, remedy = problem(find({}, make_python()), ros_version)
-    assert (code, remedy) == ("no-ros", f"install it with `{command}`")
+    assert (code, remedy) == ("no-ros", f"install {brought} with `{command}`")
 
 
 def test_only_the_other_ros(make_python: MakePython) -> None:

@@ -13,8 +13,8 @@ from plastron_tui.diagnostics import codes
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.installations import Origin
 from plastron_tui.ros.interfaces import InterfaceName
-from plastron_tui.runtime import interface_packages
-from plastron_tui.runtime.environment import EXTRA_COMMAND, Environment
+from plastron_tui.runtime import installing, interface_packages
+from plastron_tui.runtime.environment import Environment
 from plastron_tui.runtime.interface_packages import complete
 
 ADD = InterfaceName("example_interfaces", "AddTwoInts")
@@ -122,7 +122,7 @@ def test_what_is_there_is_not_made(python: Callable[..., Path], environ: dict[st
         ("c++", "install them with `sudo apt install g++`"),
         ("cmake", "install them with `sudo apt install cmake`"),
         ("Python.h", "install them with `sudo apt install python3-dev`"),
-        ("ament_package", f"install it with `{EXTRA_COMMAND}`"),
+        ("ament_package", f"install it with `{installing.extra()}`"),
     ],
 )
 def test_a_tool_that_is_missing_is_named(

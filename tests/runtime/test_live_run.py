@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+from jazzy import jazzy_python
 from machine import TALKING, find_ros, graph_environ, mostly_long, wait_until
 from supervised import all_gone
 
@@ -229,6 +230,17 @@ def test_a_node_that_crashes_at_its_start(ros: Ros) -> None:
     )
     assert "plastron | crasher died with exit status 1" in said
     assert ": ModuleNotFoundError: No module named 'no_such_module'" in said
+
+
+@pytest.mark.long(minutes=1)
+def test_an_older_ros_2_is_found_and_run_and_watched(
+    tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    environment = find_ros(2, jazzy_python(tmp_path_factory))
+    assert environment.words == "ROS 2 jazzy (from the Python packages)"
+    ros = Ros(environment, graph_environ(tmp_path), tmp_path)
+    test_nodes_talk_and_stop(ros)
+    test_the_watch_shows_topics_and_calls(ros)
 
 
 @pytest.mark.long

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from plastron_tui.diagnostics.code import Code
 
-from . import files, meaning, names, packages, ros, sentences, values
+from . import files, meaning, names, packages, ros, sentences, values, xml
 from .files import *  # noqa: F403
 from .meaning import *  # noqa: F403
 from .names import *  # noqa: F403
@@ -12,12 +12,13 @@ from .packages import *  # noqa: F403
 from .ros import *  # noqa: F403
 from .sentences import *  # noqa: F403
 from .values import *  # noqa: F403
+from .xml import *  # noqa: F403
 
 GROUPS: dict[str, tuple[Code, ...]] = {
     module.__name__.rpartition(".")[2]: tuple(
         code for code in vars(module).values() if isinstance(code, Code)
     )
-    for module in (sentences, names, meaning, values, packages, files, ros)
+    for module in (sentences, names, meaning, values, packages, files, xml, ros)
 }
 """The codes, by the module that declares them; each has the docstring that says what they share."""
 

@@ -7,14 +7,14 @@ distributions there are.
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from .distributions import DISTRIBUTIONS, newest_distribution
+from .distributions import DISTRIBUTIONS, usual_distribution
 
 if TYPE_CHECKING:
     from .catalog import Catalog
     from .folders import installed_folders
     from .moved import moved
 
-__all__ = ["DISTRIBUTIONS", "Catalog", "installed_folders", "moved", "newest_distribution"]
+__all__ = ["DISTRIBUTIONS", "Catalog", "installed_folders", "moved", "usual_distribution"]
 
 _MODULES = {"Catalog": "catalog", "installed_folders": "folders", "moved": "moved"}
 

@@ -2,8 +2,20 @@
 
 from __future__ import annotations
 
-DISTRIBUTIONS: dict[str, int] = {"noetic": 1, "humble": 2, "jazzy": 2, "kilted": 2}
+DISTRIBUTIONS: dict[str, int] = {"noetic": 1, "humble": 2, "jazzy": 2, "kilted": 2, "lyrical": 2}
 """The ROS version of each distribution, the oldest first."""
+
+END_OF_LIFE: dict[str, str] = {
+    "noetic": "2025-05",
+    "humble": "2027-05",
+    "jazzy": "2029-05",
+    "kilted": "2026-12",
+    "lyrical": "2031-05",
+}
+"""The last month in which each is supported (REP 2000; for ROS 1 the wiki's "Distributions")."""
+
+EXTRA_DISTRIBUTION = "kilted"
+"""What the extra `ros2` brings: of Lyrical, the long-term release since, there are no wheels."""
 
 # What is neither in the catalog nor among these, such as `rolling`, is newer, and of ROS 2.
 _OTHER_ROS1 = frozenset({"hydro", "indigo", "jade", "kinetic", "lunar", "melodic", "one"})
@@ -15,9 +27,12 @@ def version_of_distribution(name: str) -> int:
     return DISTRIBUTIONS.get(name) or (1 if name in _OTHER_ROS1 else 2)
 
 
-def newest_distribution(ros_version: int) -> str:
-    """Return the newest distribution of a generation of ROS in the catalog."""
-    return next(name for name in reversed(DISTRIBUTIONS) if DISTRIBUTIONS[name] == ros_version)
+def usual_distribution(ros_version: int) -> str:
+    """Return the distribution that counts for a generation of ROS where nothing tells another.
+
+    It is the one that can be had by one command: Debian's, and that of the extra `ros2`.
+    """
+    return "noetic" if ros_version == 1 else EXTRA_DISTRIBUTION
 
 
 def stand_in(name: str, ros_version: int) -> str:

@@ -1,7 +1,8 @@
 """What became of the interface types that changed between ROS 1 and ROS 2.
 
-Sources: the ROS 2 migration guide, the packages of both generations in this catalog, and the
-definitions in `gazebo_ros_pkgs` and `vision_msgs` (noetic; 4.1 of humble).
+Sources: the ROS 2 migration guide, the changelog of `geometry_msgs` (5.8.0), the packages of both
+generations in this catalog, and the definitions in `gazebo_ros_pkgs` and `vision_msgs` (noetic; 4.1
+of humble).
 """
 
 from __future__ import annotations
@@ -52,6 +53,7 @@ _NOTES: Mapping[int, Mapping[InterfaceName, str]] = {
         _name("std_msgs/Byte"): "in ROS 2 a `byte` is 0 to 255, not -128 to 127",
         _name("std_msgs/ByteMultiArray"): "in ROS 2 a `byte` is 0 to 255, not -128 to 127",
         _name("sensor_msgs/CameraInfo"): "in ROS 2 the matrices are `d`, `k`, `r` and `p`",
+        _name("geometry_msgs/Pose2D"): "it is gone since Lyrical: use `geometry_msgs/Pose`",
         _name("rosgraph_msgs/TopicStatistics"): "ROS 2 has statistics in `statistics_msgs`",
         _name("gazebo_msgs/SpawnModel"): "ROS 2 has `SpawnEntity`, with `name` and `xml`",
         _name("gazebo_msgs/DeleteModel"): "ROS 2 has `DeleteEntity`, with `name`",

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from plastron_tui.model.source import EndpointKind
-from plastron_tui.ros.catalog import newest_distribution
+from plastron_tui.ros.catalog import usual_distribution
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.qos import DEFAULT, Qos
 
@@ -102,7 +102,7 @@ class ClientLibrary:
 ROSPY = ClientLibrary(
     module="rospy",
     ros_version=1,
-    distribution=newest_distribution(1),
+    distribution=usual_distribution(1),
     shapes=(
         CallShape(
             EndpointKind.PUBLISHER,
@@ -210,7 +210,7 @@ ROSPY = ClientLibrary(
 RCLPY = ClientLibrary(
     module="rclpy",
     ros_version=2,
-    distribution=newest_distribution(2),
+    distribution=usual_distribution(2),
     shapes=(
         CallShape(
             EndpointKind.PUBLISHER,

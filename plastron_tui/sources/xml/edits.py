@@ -1,0 +1,162 @@
+"""Changes of an XML file: each is one splice, and the file is read again after it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic, Span, codes
+
+from .document import Element, XmlDocument, read_xml
+from .layout import close_of, quote_of, style_of
+from .new_element import NewElement, encoded, escaped_text, escaped_value
+from .places import after, before, last, removal
+from .shapes import Shape, is_changed_as_asked, new_shape
+
+_Change = dict[Element, Callable[[Shape], "Shape | None"]]
+
+
+class XmlEdit(NamedTuple):
+    """A file after an edit, or why the edit is not made."""
+
+    document: XmlDocument | None
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+def insert_after(document: XmlDocument, sibling: Element, new: NewElement) -> XmlEdit:
+    """Write an element behind another one, and behind the comment that ends its line."""
+    return _inserted(document, sibling, new, 1)
+
+
+def insert_before(document: XmlDocument, sibling: Element, new: NewElement) -> XmlEdit:
+    """Write an element before another one."""
+    return _inserted(document, sibling, new, 0)
+
+
+def insert_first(document: XmlDocument, parent: Element, new: NewElement) -> XmlEdit:
+    """Write an element as the first child of another one."""
+    if parent.children:
+        return insert_before(document, parent.children[0], new)
+    return insert_last(document, parent, new)
+
+
+def insert_last(document: XmlDocument, parent: Element, new: NewElement) -> XmlEdit:
+    """Write an element as the last child of another one, behind the comments in it."""
+    style = style_of(document)
+    own = close_of(document, parent)
+    if parent.children:
+        own = close_of(document, parent.children[-1])
+    span, text = last(document, parent, new, style._replace(close=own or style.close))
+    added = new_shape(new)
+
+    def change(old: Shape) -> Shape:
+        return old._replace(children=(*old.children, added))
+
+    return _apply(document, span, text, {parent: change})
+
+
+def remove_element(document: XmlDocument, element: Element) -> XmlEdit:
+    """Take an element away, with its line where it stands alone, and the comment that ends it.
+
+    A parent in which nothing but two line breaks are left closes itself then.
+    """
+    if element is document.root:
+        return _refused(document, "the outermost element cannot be taken away", element.span)
+    span, text = removal(document, element, style_of(document))
+    return _apply(document, span, text, {element: lambda _: None}, span)
+
+
+def set_attribute(document: XmlDocument, element: Element, name: str, value: str) -> XmlEdit:
+    """Give an attribute a value, and write it behind the others where it is not there yet."""
+    found = element.attribute(name)
+    if found is not None and found.value == value:
+        return XmlEdit(document)
+    if found is not None:
+        quote = document.slice(Span(found.value_span.end, found.span.end))
+        span, new = found.value_span, escaped_value(value, quote)
+    else:
+        at, separator = element.name_span.end, " "
+        if element.attributes:
+            at = element.attributes[-1].span.end
+            separator = document.slice(
+                _blank_before_attribute(element, len(element.attributes) - 1)
+            )
+        quote = quote_of(document, element) or style_of(document).quote
+        new = f"{separator}{name}={quote}{escaped_value(value, quote)}{quote}"
+        span = Span(at, at)
+
+    def change(old: Shape) -> Shape:
+        others = {pair for pair in old.attributes if pair[0] != name}
+        return old._replace(attributes=frozenset(others | {(name, value)}))
+
+    return _apply(document, span, encoded(new), {element: change})
+
+
+def remove_attribute(document: XmlDocument, element: Element, name: str) -> XmlEdit:
+    """Take an attribute away, with the blanks before it; it need not be there."""
+    found = element.attribute(name)
+    if found is None:
+        return XmlEdit(document)
+    start = _blank_before_attribute(element, element.attributes.index(found)).start
+
+    def change(old: Shape) -> Shape:
+        others = (pair for pair in old.attributes if pair[0] != name)
+        return old._replace(attributes=frozenset(others))
+
+    return _apply(document, Span(start, found.span.end), b"", {element: change})
+
+
+def set_text(document: XmlDocument, element: Element, text: str) -> XmlEdit:
+    """Give an element without children another text; the blanks around the old one stay."""
+    content = document.text[element.content.start : element.content.end]
+    if element.children or element.end_tag is None or b"<" in content:
+        return _refused(
+            document, f"`<{element.name}>` does not hold a plain text", element.start_tag
+        )
+    start = element.content.start + len(content) - len(content.lstrip())
+    end = max(start, element.content.end - (len(content) - len(content.rstrip())))
+
+    def change(old: Shape) -> Shape:
+        return old._replace(words=tuple(text.split()))
+
+    return _apply(document, Span(start, end), encoded(escaped_text(text)), {element: change})
+
+
+def _inserted(document: XmlDocument, sibling: Element, new: NewElement, behind: int) -> XmlEdit:
+    parent = document.parents.get(sibling)
+    if parent is None:
+        return _refused(
+            document, "nothing can stand beside the outermost element", sibling.start_tag
+        )
+    style = style_of(document)
+    quote = quote_of(document, sibling) or style.quote
+    style = style._replace(close=close_of(document, sibling) or style.close, quote=quote)
+    place = after if behind else before
+    span, text = place(document, sibling.span, new, style)
+    at = parent.children.index(sibling) + behind
+    added = new_shape(new)
+
+    def change(old: Shape) -> Shape:
+        return old._replace(children=(*old.children[:at], added, *old.children[at:]))
+
+    return _apply(document, span, text, {parent: change})
+
+
+def _apply(
+    document: XmlDocument, span: Span, new: bytes, change: _Change, gone: Span | None = None
+) -> XmlEdit:
+    """Replace a range, and make sure that the file says what was asked for and nothing else."""
+    text = document.text[: span.start] + new + document.text[span.end :]
+    read = read_xml(text, document.file)
+    if read.document is None or not is_changed_as_asked(document, read.document, change, gone):
+        return _refused(document, "the change would change more than it is to", span)
+    return XmlEdit(read.document)
+
+
+def _blank_before_attribute(element: Element, at: int) -> Span:
+    start = element.attributes[at - 1].span.end if at else element.name_span.end
+    return Span(start, element.attributes[at].span.start)
+
+
+def _refused(document: XmlDocument, message: str, span: Span) -> XmlEdit:
+    return XmlEdit(None, (Diagnostic(codes.EDIT_REFUSED, message, span, document.file),))
