@@ -369,7 +369,8 @@ class Session:
 
         author = Author(self._name, digest(self.document.text), self.folder)
         manifest = self._files.manifest
-        return Planner(self._configuration, author, manifest, generations, self._own_types)
+        known = None if self._interpretation is None else self._interpretation.workspace
+        return Planner(self._configuration, author, manifest, generations, self._own_types, known)
 
     def _own_types(self, ros_version: int) -> OwnInterfaces:
         known = self._interpretation
