@@ -18,6 +18,7 @@ from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.ros.installations import Origin
 
 from . import installing
+from .action_messages import NEEDED, action_messages, needed_messages
 from .environment import Environment, missing_packages, node_environ
 
 # The tools of a build, by the Debian package that has each; what is asked for of the extra.
@@ -128,7 +129,7 @@ Builder = Callable[[Workspace], Iterator[Step]]
 
 def find_builder(
     environment: Environment,
-    packages: Sequence[Mapping[str, bytes]],
+    packages: Mapping[str, Mapping[str, bytes]],
     environ: Mapping[str, str],
 ) -> Builder:
     """Return what makes the steps of a build of packages, given as their files by path.
@@ -139,7 +140,15 @@ def find_builder(
     own = _with_overlays(environment, node_environ(environment, environ))
     if environment.ros_version == 2:
         return _colcon(environment, own)
-    return _catkin(environment, own) or _genpy(environment, packages, own)
+    if environment.origin is Origin.SOURCED:
+        return _catkin(environment, own)
+    # Debian's rospy depends on genpy, but not on catkin. catkin finds no package that genpy alone
+    # has made, and builds none without a CMakeLists.txt.
+    own["PATH"] = _SYSTEM_PATH
+    is_for_catkin = all("CMakeLists.txt" in files for files in packages.values())
+    if is_for_catkin and not environment.overlays and _has_catkin():
+        return _catkin(environment, own)
+    return _genpy(environment, packages, own)
 
 
 def _with_overlays(environment: Environment, own: dict[str, str]) -> dict[str, str]:
@@ -230,48 +239,94 @@ def _check_tools(
         raise BuildError(message, "install it with `pip install colcon-common-extensions`")
 
 
-def _catkin(environment: Environment, own: dict[str, str]) -> Builder | None:
-    """Return what builds with catkin; None where Debian's is not installed."""
-    if environment.origin is Origin.DEBIAN:
-        own["PATH"] = _SYSTEM_PATH
+def _has_catkin() -> bool:
+    tools = all(shutil.which(tool, path=_SYSTEM_PATH) for tool in ("catkin_make", *_TOOLS))
+    return tools and (_DEBIAN_SHARE / "message_generation" / "cmake").is_dir()
+
+
+def _catkin(environment: Environment, own: Mapping[str, str]) -> Builder:
     path = own.get("PATH", os.defpath)
-    has_all = all(shutil.which(tool, path=path) for tool in ("catkin_make", *_TOOLS))
-    if environment.origin is Origin.DEBIAN:
-        if not has_all or not (_DEBIAN_SHARE / "message_generation" / "cmake").is_dir():
-            return None
-    elif not has_all:
+    if not all(shutil.which(tool, path=path) for tool in ("catkin_make", *_TOOLS)):
         message = "packages have to be built, and the tools for it are not installed"
         name = f"ros-{environment.distribution or 'noetic'}-catkin"
         raise BuildError(message, f"install them with `sudo apt install {name} cmake make g++`")
 
     def steps(workspace: Workspace) -> Iterator[Step]:
-        yield Step(
-            "configure",
-            (
-                *("catkin_make", f"-j{os.cpu_count() or 1}", "install"),
-                f"-DCMAKE_INSTALL_PREFIX={workspace.install}",
-                f"-DPYTHON_EXECUTABLE={environment.python}",
-                "-DCATKIN_ENABLE_TESTING=OFF",
-            ),
-            own,
+        words = (
+            *("catkin_make", f"-j{os.cpu_count() or 1}", "install"),
+            f"-DCMAKE_INSTALL_PREFIX={workspace.install}",
+            f"-DPYTHON_EXECUTABLE={environment.python}",
+            "-DCATKIN_ENABLE_TESTING=OFF",
         )
+        # It asks this variable where it is.
+        yield Step("configure", words, {**own, "PWD": str(workspace.root)})
 
     return steps
 
 
 def _genpy(
-    environment: Environment, packages: Sequence[Mapping[str, bytes]], own: Mapping[str, str]
+    environment: Environment,
+    packages: Mapping[str, Mapping[str, bytes]],
+    own: Mapping[str, str],
 ) -> Builder:
-    """Return what generates the Python modules of definitions without catkin.
-
-    It does for nodes in Python what catkin does for those in all languages.
-    """
-    own = {**own}
+    """Return what generates the Python modules of definitions, which is all that rospy needs."""
 
     def steps(workspace: Workspace) -> Iterator[Step]:
-        yield Step("", (), own)
+        shutil.rmtree(workspace.install, ignore_errors=True)
+        search = _write_definitions(environment, packages, workspace.install / "share")
+        for package in packages:
+            module = workspace.install / "python" / package
+            module.mkdir(parents=True)
+            (module / "__init__.py").touch()
+            for kind in ("msg", "srv"):
+                folder = workspace.install / "share" / package / kind
+                files = sorted(map(str, folder.glob(f"*.{kind}")))
+                if files:
+                    output = ("-p", package, "-o", str(module / kind))
+                    command = (str(environment.python), str(_GENPY / f"gen{kind}_py.py"))
+                    (module / kind).mkdir()
+                    yield Step("generate", (*command, *output, *search, *files), own)
+                    yield Step("generate", (*command, "--initpy", *output), own)
 
     return steps
+
+
+def _write_definitions(
+    environment: Environment, packages: Mapping[str, Mapping[str, bytes]], share: Path
+) -> list[str]:
+    """Write what genpy reads, and return the options by which it finds it.
+
+    An action is the messages that it is sent by; these hold messages of actionlib.
+    """
+    texts = {
+        f"{package}/{path}": text
+        for package, files in packages.items()
+        for path, text in files.items()
+        if path.startswith(("msg/", "srv/"))
+    }
+    needed: set[str] = set()
+    for package, files in packages.items():
+        for path, text in files.items():
+            if path.startswith("action/"):
+                name = Path(path).stem
+                for message, made in action_messages(name, text.decode("utf-8", "replace")):
+                    texts[f"{package}/msg/{message}.msg"] = made.encode()
+                needed.update(NEEDED)
+    for path, text in texts.items():
+        (share / path).parent.mkdir(parents=True, exist_ok=True)
+        (share / path).write_bytes(text)
+    if needed:
+        for name, made in needed_messages(environment.distribution):
+            file = share.parent / "needed" / name.package / "msg" / f"{name.name}.msg"
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(made, encoding="utf-8")
+    shares = [share, *(each / "share" for each in environment.overlays), share.parent / "needed"]
+    return [
+        word
+        for each in (*shares, _DEBIAN_SHARE)
+        for folder in sorted(each.glob("*/msg"))
+        for word in ("-I", f"{folder.parent.name}:{folder}")
+    ]
 
 
 def _write(file: Path, text: str) -> None:

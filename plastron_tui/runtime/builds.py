@@ -96,7 +96,7 @@ def _built(
     kept = folder / "overlays" / f"{name}-{_content_key(tools, packages)}"
     if _use(kept):
         return kept
-    builder = find_builder(environment, [each.files for each in packages], environ)
+    builder = find_builder(environment, {each.name: each.files for each in packages}, environ)
     for each in (folder, folder / "overlays", folder / "workspaces"):
         each.mkdir(mode=0o700, parents=True, exist_ok=True)
     workspace = Workspace(folder / "workspaces" / f"{name}-{_digest(tools)}")
@@ -169,8 +169,9 @@ def _write_sources(folder: Path, packages: Sequence[BuiltPackage]) -> None:
         for each in packages
         for path, text in each.files.items()
     }
+    # What stands beside them belongs to catkin_make.
     folder.mkdir(exist_ok=True)
-    for path in sorted(folder.rglob("*"), reverse=True):
+    for path in sorted(folder.glob("*/**/*"), reverse=True):
         if path.is_dir() and not path.is_symlink():
             with suppress(OSError):  # it is not empty
                 path.rmdir()
