@@ -210,6 +210,7 @@ class Session:
     def _new_setting(self, loader: NodeLoader) -> Setting:
         from plastron_tui.model.context import Setting
         from plastron_tui.project.definition_reader import DefinitionReader
+        from plastron_tui.project.package_reader import PackageReader
 
         return Setting(
             self.library,
@@ -219,6 +220,7 @@ class Session:
             self.ros.is_chosen,
             "" if self.path is None else self.path.stem,
             DefinitionReader(self.folder, self.boundary),
+            PackageReader(self.folder, self.boundary),
         )
 
     @property
@@ -345,7 +347,11 @@ class Session:
 
         author = Author(self._name, digest(self.document.text), self.folder)
         manifest = self._files.manifest
-        return Planner(self._configuration, author, manifest, generations, self._own_types)
+        known = self._interpretation
+        packages = () if known is None else known.workspace.written_packages
+        return Planner(
+            self._configuration, author, manifest, generations, self._own_types, packages
+        )
 
     def _own_types(self, ros_version: int) -> OwnInterfaces:
         known = self._interpretation

@@ -19,6 +19,7 @@ from .circles import check_circles
 from .context import Setting
 from .kinds import EDITABLE, EndpointKind
 from .meetings import check_meetings
+from .load_package import load_package
 from .mistake import Mistake
 from .node_statements import create_node, generate_node, load
 from .own_types import OwnInterfaces
@@ -105,6 +106,7 @@ HANDLERS: dict[type[Statement], Callable[[Run, Any], None]] = {
     st.DropType: drop_type,
     st.GenerateType: generate_type,
     st.CreatePackage: create_package,
+    st.LoadPackage: load_package,
     st.Contains: contains,
     st.NoLongerContains: no_longer_contains,
     st.GeneratePackage: generate_package,
@@ -113,9 +115,9 @@ HANDLERS: dict[type[Statement], Callable[[Run, Any], None]] = {
 }
 """What each statement does."""
 
-# To come: the statements of launch files, and of packages that exist.
+# To come: the statements of launch files.
 for _type in (
-    *(st.LoadPackage, st.CreateLaunch),
+    st.CreateLaunch,
     *(st.LoadLaunch, st.HasArgument, st.NoLongerHasArgument, st.Starts, st.NoLongerStarts),
     *(st.Includes, st.NoLongerIncludes, st.GenerateLaunch),
 ):

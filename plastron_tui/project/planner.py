@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from plastron_tui.generating.file_names import FileNames
     from plastron_tui.generating.generation import Generated
     from plastron_tui.model.own_types import OwnInterfaces
+    from plastron_tui.model.packages import PackageGeneration
     from plastron_tui.model.source import FileSet
     from plastron_tui.model.workspace import Generation
     from plastron_tui.output.manifest import Manifest, Reading
@@ -35,6 +36,7 @@ class Planner:
         manifest: Callable[[Path], Reading],
         generations: Sequence[Generation] = (),
         own_types: Callable[[int], OwnInterfaces] = lambda _: {},
+        packages: Sequence[PackageGeneration] = (),
     ) -> None:
         """Set what the files follow from.
 
@@ -44,8 +46,10 @@ class Planner:
             manifest: reads a folder's manifest.
             generations: all that the program generates.
             own_types: gives the program's own interface types in a generation of ROS.
+            packages: the packages that the program generates.
         """
         self._own_types = own_types
+        self._packages = packages
         self._libraries: dict[str, Library | None] = {}
         self._configuration = configuration
         self._author = author
@@ -169,8 +173,33 @@ class Planner:
         files = [file for each in (*sets, *common.files) for file in each.output_files()]
         if params is not None:
             files.append(params)
+        files, refused = self._with_loaded(files, made)
+        found += refused
         plan, problems = make_plan(output, files, manifest, within=configuration.writes_within)
         return plan, (*found, *problems)
+
+    def _with_loaded(
+        self, files: list[OutputFile], made: Sequence[Generated]
+    ) -> tuple[list[OutputFile], tuple[Diagnostic, ...]]:
+        """Add the files of the packages that the program loads, as it changes them."""
+        loaded = {
+            each.package.variable: each.package
+            for each in self._packages
+            if each.package.source is not None
+        }
+        if not loaded:
+            return files, ()
+        from plastron_tui.generating.loaded_package import loaded_package_files
+
+        libraries = {name: found for name in LIBRARIES if (found := self._library(name))}
+        told: tuple[Diagnostic, ...] = ()
+        for package in loaded.values():
+            output, in_place = self._configuration.output, self._configuration.options.in_place
+            changed = loaded_package_files(package, made, libraries, output, in_place=in_place)
+            files = [each for each in files if each.name not in changed.nodes]
+            files += changed.files
+            told += changed.diagnostics
+        return files, told
 
     def _params(self, manifest: Manifest) -> OutputFile | None:
         """Make the parameter file of all that is generated, where the project reaches so far."""
