@@ -18,8 +18,8 @@ from plastron_tui.language.lowering import Program
 from .circles import check_circles
 from .context import Setting
 from .kinds import EDITABLE, EndpointKind
-from .meetings import check_meetings
 from .load_package import load_package
+from .meetings import check_meetings
 from .mistake import Mistake
 from .node_statements import create_node, generate_node, load
 from .own_types import OwnInterfaces

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .changing import Changed, Change, add_launch, add_node, remove_executable
+from .changing import Change, Changed, add_launch, add_node, remove_executable
 from .reading import PackageFiles, read_package_files
 
 __all__ = [
