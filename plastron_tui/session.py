@@ -33,13 +33,14 @@ if TYPE_CHECKING:
     from plastron_tui.model.own_types import OwnInterfaces
     from plastron_tui.model.source import FileSet
     from plastron_tui.model.value_check import Fitter
-    from plastron_tui.model.workspace import Generation, Workspace
+    from plastron_tui.model.workspace import Generation, Node, Workspace
     from plastron_tui.output.plan import FilePlan
     from plastron_tui.project.loader import FilesRead, NodeLoader
     from plastron_tui.ros import parameters
     from plastron_tui.ros.catalog import Catalog
     from plastron_tui.ros.parameter_values import NodeParameters
     from plastron_tui.runtime.parameters import SetResult
+    from plastron_tui.targets.packages.spec import RenderedPackage
 
 __all__ = ["Options", "Session"]
 
@@ -263,6 +264,29 @@ class Session:
         to be written.
         """
         return self.plan_of(self.generated())
+
+    def own_packages(self, nodes: Sequence[Node], ros_version: int) -> dict[str, RenderedPackage]:
+        """Return the packages of the program's own types that nodes use, those needed first.
+
+        Args:
+            nodes: the nodes.
+            ros_version: the generation of ROS that they are for.
+        """
+        types = self.workspace.types.values()
+        if not types:
+            return {}
+        from plastron_tui.generating.own_definitions import (
+            own_definitions,
+            rendered_definitions,
+            used_packages,
+        )
+
+        own = own_definitions(types, ros_version)
+        distribution = self.catalog(ros_version).distribution
+        return {
+            package: rendered_definitions(package, own, ros_version, distribution)
+            for package in used_packages(nodes, own)
+        }
 
     def params(self) -> tuple[tuple[NodeParameters, ...], tuple[Diagnostic, ...]]:
         """Return what the program's parameter file has for the nodes that run, and its mistakes."""

@@ -47,8 +47,8 @@ gets one response.
 | statement | one line | ends where the line ends; a statement \
 cannot go on in the next line |
 | comment | `// to the end of the line` or `/* from here to there */` | anywhere between words |
-| variable | `talker`, `joint_1` | a letter, then letters, digits and `_`; no keyword; nodes and \
-messages share one namespace |
+| variable | `talker`, `joint_1` | a letter, then letters, digits and `_`; no keyword; all \
+variables share one namespace |
 | ROS name | `'chatter'`, `'/arm/joint_1'`, `'~/private'` | in single quotes, and a name that ROS \
 takes; a node's name has no `/` |
 | text | `"hello"` | in double quotes; {escapes.listed("`")} within |
@@ -201,7 +201,7 @@ rover/                      the program's folder
 ```
 
 `types` in `plastron.yaml` names other folders to look in instead. To run a node, ROS needs the package
-built and sourced: Plastron only reads the definitions. These bare names always mean the same, whatever
+built and sourced; what the program itself makes `plastron run` builds. These bare names always mean the same, whatever
 else is installed, and all of them run ([how](commands.md#plastron-run)):
 
 | name | ROS 1 | ROS 2 |
@@ -213,6 +213,63 @@ else is installed, and all of them run ([how](commands.md#plastron-run)):
 | `Fibonacci` (action) | `actionlib_tutorials` | `example_interfaces` |
 | `WaypointClear`, `WaypointPull` | `mavros_msgs` | `mavros_msgs` |
 | `WordCount` | `basics` | `basics` |
+
+## Types of your own
+
+Where no type has the fields that a message needs, a program makes one, and uses it from the next line
+on. Fields are written as in a definition file, with commas between them; behind `default` stands the
+value that a field has where none is given, behind `=` that of a constant:
+
+```plastron
+create_message_type WheelSpeed with float64 left, float64 right, string<=10 label default "none"
+create_service_type Reset with bool hard returning bool done, string reason
+create_action_type Dock with int32 bay returning bool docked reporting float32 distance
+create_node 'odometer' as odometer
+create_message still of message_type WheelSpeed and input left=0, right=0
+odometer publish still to 'wheels' of message_type WheelSpeed at 10 hz
+generate_node odometer
+```
+
+A bare name of a message, `Point[] path`, means what it means elsewhere in the program. Names, bounds and
+values are checked by the rules of both generations of ROS; what one of them cannot have, as bounds and
+defaults in ROS 1, is an error where a node of it uses the type.
+
+A type without a package belongs to the program's: in ROS 2 to `ROVER_interfaces` beside the package
+`rover`, in ROS 1 to `rover` itself, and in a program without a package to `PROGRAM_interfaces`, after
+the program's file. `create_message_type rover_msgs/WheelSpeed with …` names another one.
+
+`load_type 'msg/WheelSpeed.msg' as WheelSpeed` reads a definition that exists. `has_field` gives a type a
+field more, or one of its fields another type, and `no_longer_has_field` takes one away: every other byte
+of the file stays. A change that something of the program does not bear is an error that names it.
+
+## Packages and launch files
+
+A package is a folder that a robot's workspace takes: `generate_package` writes it with its nodes,
+`package.xml`, what builds it, a license, and tests.
+
+```plastron
+create_node 'talker' as talker
+create_message greeting of message_type String and input "hello"
+talker publish greeting to 'chatter' of message_type String at 2 hz
+create_package 'rover' as rover described_as "It says hello" maintained_by "Ada <ada@example.com>" licensed_under "MIT"
+rover contains talker
+create_launch 'bringup' as bringup
+bringup starts talker in 'front' remapping 'chatter' to 'words'
+rover contains bringup
+generate_package rover
+```
+
+The package is for the ROS of its nodes: one for catkin in ROS 1, for `ament_python` or `ament_cmake` in
+ROS 2. What the nodes import is in its `package.xml`. A node is started by its name, or by the one behind
+`as`. What people write into these files stays, as with nodes.
+
+`load_package 'src/rover' as rover` reads a package that exists. What `contains` asks for is then written
+into its `package.xml`, `setup.py` or `CMakeLists.txt`, where each has its like; what a file computes, and
+Plastron is not sure of, is refused with the line.
+
+A launch file starts nodes, each with its name, namespace, other names for its topics, and parameters, and
+includes other launch files. It is XML in both generations of ROS; with `launch: python` in
+`plastron.yaml` Python in ROS 2. `load_launch` reads one in XML, to change it.
 
 ## Client libraries
 
@@ -288,6 +345,7 @@ _SECTIONS = {
     "values": ("Values", "What messages and requests hold."),
     "types": ("Types of one's own", "Messages, services and actions that the program makes."),
     "packages": ("Packages", "What a robot's workspace takes."),
+    "launches": ("Launch files", "What starts nodes together."),
     "files": ("Files", "What is read and written."),
     "xml": ("XML files", "Packages, launch files and plugin descriptions that exist."),
     "builds": ("Build files", "What packages that exist are built with."),

@@ -15,6 +15,7 @@ from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.lowering import Program
 
+from . import launch_statements
 from .circles import check_circles
 from .context import Setting
 from .kinds import EDITABLE, EndpointKind
@@ -110,17 +111,14 @@ HANDLERS: dict[type[Statement], Callable[[Run, Any], None]] = {
     st.Contains: contains,
     st.NoLongerContains: no_longer_contains,
     st.GeneratePackage: generate_package,
+    **launch_statements.HANDLERS,
     **{kind.editing.made_by: kind.editing.make for kind in EDITABLE},
     **{kind.editing.ended_by: partial(_end, kind) for kind in EDITABLE},
 }
 """What each statement does."""
 
-# To come: the statements of launch files.
-for _type in (
-    st.CreateLaunch,
-    *(st.LoadLaunch, st.HasArgument, st.NoLongerHasArgument, st.Starts, st.NoLongerStarts),
-    *(st.Includes, st.NoLongerIncludes, st.GenerateLaunch),
-):
+# To come: launch files that exist.
+for _type in (st.LoadLaunch,):
     HANDLERS[_type] = lambda run, statement: None
 
 

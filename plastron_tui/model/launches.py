@@ -2,20 +2,123 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import NamedTuple
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Span
+from plastron_tui.ros.parameters import Setting
+
+if TYPE_CHECKING:
+    from plastron_tui.ros.launch import Format, LaunchFile
+
+    from .workspace import Node
+
+
+class LaunchSource(NamedTuple):
+    """A launch file that exists.
+
+    Attributes:
+        path: where it is.
+        text: what it holds.
+        format: what it is written in.
+        launch: what it says.
+    """
+
+    path: Path
+    text: bytes
+    format: Format
+    launch: LaunchFile
+
+
+class Start(NamedTuple):
+    """A `starts` of a program.
+
+    Attributes:
+        node: the program's node, None for one of another package.
+        package: the package of another node, "" for a node of the program's.
+        executable: what starts it, "" for a node of the program's: its package says.
+        name: the name that it runs under, None for its own.
+        namespace: its namespace, None where nothing is said.
+        container: the container that it runs in, None for a process of its own.
+        remaps: names of its own, and those that they get.
+        settings: values of its parameters.
+        parameters: a file with values of its parameters, None for none.
+        span: the statement.
+    """
+
+    node: Node | None
+    package: str
+    executable: str
+    name: str | None
+    namespace: str | None
+    container: str | None
+    remaps: tuple[tuple[str, str], ...]
+    settings: tuple[tuple[str, Setting], ...]
+    parameters: str | None
+    span: Span
+
+    @property
+    def run_name(self) -> str:
+        """What a program calls it by: its name at run time."""
+        return self.name or (self.executable if self.node is None else self.node.name)
+
+
+class LaunchArgument(NamedTuple):
+    """A `has_argument` of a program; without a default it has to be given."""
+
+    name: str
+    default: Setting | None
+    span: Span
+
+
+class Included(NamedTuple):
+    """An `includes` of a program: a package, and the file in it."""
+
+    package: str
+    file: str
+    span: Span
 
 
 @dataclass(slots=True)
 class Launch:
-    """A launch file, as the program has it so far."""
+    """A launch file, as the program has it so far.
+
+    Attributes:
+        name: what it is called, without its ending.
+        variable: the program's variable for it.
+        span: the statement that created or loaded it.
+        source: what a loaded one came from, None for one that was created.
+        arguments: those that the program gave it, by name.
+        starts: what the program lets it start, by their names at run time.
+        includes: what the program lets it include, by `PACKAGE/FILE`.
+        removed_arguments: what the program took out of its source, by the same names.
+        removed_starts: likewise.
+        removed_includes: likewise.
+    """
 
     name: str
     variable: str
     span: Span
-    starts: dict[str, object] = field(default_factory=dict)
+    source: LaunchSource | None = None
+    arguments: dict[str, LaunchArgument] = field(default_factory=dict)
+    starts: dict[str, Start] = field(default_factory=dict)
+    includes: dict[str, Included] = field(default_factory=dict)
+    removed_arguments: dict[str, Span] = field(default_factory=dict)
+    removed_starts: dict[str, Span] = field(default_factory=dict)
+    removed_includes: dict[str, Span] = field(default_factory=dict)
+
+    def snapshot(self) -> Launch:
+        """Return the launch file as it is now, untouched by what later statements do to it."""
+        return replace(
+            self,
+            arguments=dict(self.arguments),
+            starts=dict(self.starts),
+            includes=dict(self.includes),
+            removed_arguments=dict(self.removed_arguments),
+            removed_starts=dict(self.removed_starts),
+            removed_includes=dict(self.removed_includes),
+        )
 
 
 class LaunchGeneration(NamedTuple):

@@ -7,6 +7,7 @@ from typing import Any
 from plastron_tui.diagnostics import Diagnostic, Label, codes, guess
 from plastron_tui.language import statements as st
 
+from .launches import Launch
 from .load_package import home_in
 from .mistake import Mistake
 from .packages import Contained, Package, PackageGeneration
@@ -17,7 +18,7 @@ from .workspace import Generation, Node
 def create_package(run: Run, statement: st.CreatePackage) -> None:
     """Make a package."""
     run.checks.new_variable(statement, statement.variable)
-    _check_name(run, statement)
+    check_package_named(run, statement)
     run.workspace.packages[statement.variable] = Package(
         statement.name,
         statement.variable,
@@ -28,7 +29,7 @@ def create_package(run: Run, statement: st.CreatePackage) -> None:
     )
 
 
-def _check_name(run: Run, statement: st.CreatePackage) -> None:
+def check_package_named(run: Run, statement: st.CreatePackage) -> None:
     """Check that no other package has the name."""
     for other in run.workspace.packages.values():
         if other.name == statement.name:
@@ -45,11 +46,8 @@ def _check_name(run: Run, statement: st.CreatePackage) -> None:
 
 def contains(run: Run, statement: st.Contains) -> None:
     """Put a node or a launch file into a package."""
-    package = _package(run, statement)
-    workspace = run.workspace
-    item = workspace.nodes.get(statement.item) or workspace.launches.get(statement.item)
-    if item is None:
-        raise _unknown_item(run, statement)
+    package = check_package_there(run, statement)
+    item = check_item(run, statement)
     _check_place(run, statement, package)
     contained = Contained(item, statement.executable, statement.span)
     for other in package.contents.values():
@@ -71,6 +69,15 @@ def contains(run: Run, statement: st.Contains) -> None:
     package.contents[statement.item] = contained
     if isinstance(item, Node):
         item.home = home
+
+
+def check_item(run: Run, statement: st.Contains) -> Node | Launch:
+    """Return the node or the launch file that a statement puts into a package."""
+    workspace = run.workspace
+    item = workspace.nodes.get(statement.item) or workspace.launches.get(statement.item)
+    if item is None:
+        raise _unknown_item(run, statement)
+    return item
 
 
 def _check_place(run: Run, statement: st.Contains, package: Package) -> None:
@@ -113,7 +120,7 @@ def _unknown_item(run: Run, statement: st.Contains) -> Mistake:
 
 def no_longer_contains(run: Run, statement: st.NoLongerContains) -> None:
     """Take something out of a package."""
-    package = _package(run, statement)
+    package = check_package_there(run, statement)
     item = statement.item
     if not item.startswith("'"):
         if item not in package.contents:
@@ -154,7 +161,7 @@ def _not_contained(
 
 def generate_package(run: Run, statement: st.GeneratePackage) -> None:
     """Note that a package is to be written as it is now."""
-    package = _package(run, statement)
+    package = check_package_there(run, statement)
     workspace = run.workspace
     for each in package.contents.values():
         if isinstance(each.item, Node):
@@ -164,7 +171,7 @@ def generate_package(run: Run, statement: st.GeneratePackage) -> None:
     workspace.written_packages.append(PackageGeneration(package.snapshot(), statement.span))
 
 
-def _package(run: Run, statement: Any) -> Package:
+def check_package_there(run: Run, statement: Any) -> Package:
     """Return the package that a statement is about."""
     variable: str = statement.package
     package = run.workspace.packages.get(variable)

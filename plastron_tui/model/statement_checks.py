@@ -23,10 +23,13 @@ from .kinds.publisher import check_sent, check_unsent
 from .kinds.quality import qos_of
 from .kinds.rate import check_rate, rate_of
 from .kinds.reaction import reaction_of
+from .launch_statements import check_launch_named
 from .mistake import Mistake
 from .node_statements import check_managed, check_node_name, check_work
+from .package_statements import check_item, check_package_named, check_package_there
 from .rename import RENAMED, kinds_having, kinds_of
 from .run import Run
+from .type_statements import check_fields, check_type_named
 
 _Check = Callable[[Run, Any], object]
 
@@ -77,7 +80,7 @@ def _any_version(run: Run) -> tuple[int, int]:
     return default, 3 - default
 
 
-def _variable(run: Run, statement: st.CreateNode | st.CreateMessage | st.Load) -> None:
+def _variable(run: Run, statement: Any) -> None:
     run.checks.new_variable(statement, statement.variable)
 
 
@@ -262,6 +265,16 @@ _CHECKS: dict[type[Statement], tuple[_Check, ...]] = {
     st.HasParameter: (_node, _parameter_name, _absent, _parameter_type, _default),
     st.Rename: (_node, _renamed, _old, _new),
     st.GenerateNode: (_node, _work, _library),
+    **dict.fromkeys(
+        (st.CreateMessageType, st.CreateServiceType, st.CreateActionType),
+        (check_type_named, check_fields),
+    ),
+    st.LoadType: (_variable,),
+    st.CreatePackage: (_variable, check_package_named),
+    st.LoadPackage: (_variable,),
+    st.Contains: (check_package_there, check_item),
+    st.CreateLaunch: (_variable, check_launch_named),
+    st.LoadLaunch: (_variable,),
 }
 """What is looked at in each statement that may have several mistakes.
 

@@ -9,7 +9,13 @@ from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.language.definitions import FieldText
 from plastron_tui.language.inputs import InputValue, ListValue, Literal
-from plastron_tui.ros.definition_members import MemberPart, Value, make_member
+from plastron_tui.ros.definition_members import (
+    MemberMistake,
+    MemberPart,
+    Value,
+    check_member_name,
+    make_member,
+)
 from plastron_tui.ros.interfaces import (
     Constant,
     Field,
@@ -101,21 +107,20 @@ def _member(
     type_text = naming.full(each.type)
     if isinstance(type_text, TypeProblem):
         where = _span(statement, each, "type")
-        return [Diagnostic(type_text.code, type_text.message, where, help=type_text.help)]
+        wrong = Diagnostic(type_text.code, type_text.message, where, help=type_text.help)
+        name = check_member_name(each.name, each.operator == "=", naming.version)
+        return [wrong] if name is None else [wrong, _told(statement, each, name)]
     made = make_member(
         type_text, each.name, value, each.operator == "=", naming.version, naming.package
     )
     if not isinstance(made, list):
         return made
-    return [
-        Diagnostic(
-            codes.BAD_FIELD,
-            found.message,
-            _span(statement, each, _FIELDS.get(found.part, "type")),
-            help=found.help,
-        )
-        for found in made
-    ]
+    return [_told(statement, each, found) for found in made]
+
+
+def _told(statement: Statement, each: FieldText, found: MemberMistake) -> Diagnostic:
+    where = _span(statement, each, _FIELDS.get(found.part, "type"))
+    return Diagnostic(codes.BAD_FIELD, found.message, where, help=found.help)
 
 
 def _plain(value: InputValue) -> Value:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from plastron_tui.diagnostics import (
@@ -20,16 +20,16 @@ from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.definitions import FieldText
 from plastron_tui.ros.definition import parse_definition
-from plastron_tui.ros.definition_changes import find_circle
 from plastron_tui.ros.definition_edits import add_member, remove_member, replace_member
 from plastron_tui.ros.definition_members import check_type_name, check_type_package
 from plastron_tui.ros.definition_text import format_definition
 from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName, Section
 
 from .mistake import Mistake
-from .own_types import SECTIONS, Definition, DefinitionSource, OwnType, interfaces_of
+from .own_type_changes import Make, in_use, settle, users_of
+from .own_types import SECTIONS, Definition, DefinitionSource, OwnType
 from .run import Run
-from .type_members import Naming, members_of, nested_names, section_of
+from .type_members import Naming, members_of, section_of
 
 _PARTS: dict[type[Statement], tuple[InterfaceKind, tuple[str, ...]]] = {
     st.CreateMessageType: (InterfaceKind.MESSAGE, ("fields",)),
@@ -38,23 +38,37 @@ _PARTS: dict[type[Statement], tuple[InterfaceKind, tuple[str, ...]]] = {
 }
 """The kind of interface that a statement makes, and the slots that have its fields."""
 
-_Make = Callable[[int], "Definition | list[Diagnostic]"]
-"""Makes what a type is in a generation of ROS, or says what is wrong there."""
-
 
 def create_type(run: Run, statement: Any) -> None:
     """Make a type of messages, services or actions."""
+    package, name = check_type_named(run, statement)
+    own = OwnType(name, package, _PARTS[type(statement)][0], statement.span)
+    settle(run, statement, own, _maker(run, statement))
+
+
+def _maker(run: Run, statement: Any) -> Make:
     kind, slots = _PARTS[type(statement)]
     package, name = _split(statement)
-    _check_name(run, statement, package, name)
     sections = [(slot, getattr(statement, slot)) for slot in slots]
 
     def make(version: int) -> Definition | list[Diagnostic]:
         owner = package or run.types.own_package(version)
         return _made(run, statement, InterfaceName(owner, name), kind, sections, version)
 
-    own = OwnType(name, package, kind, statement.span)
-    _settle(run, statement, own, make)
+    return make
+
+
+def check_fields(run: Run, statement: Any) -> None:
+    """Check the fields that a statement gives a type, in a generation of ROS that may have it."""
+    found = [_maker(run, statement)(version) for version in _versions(run)]
+    if all(isinstance(each, list) for each in found) and isinstance(found[0], list):
+        raise Mistake(*found[0])
+
+
+def _versions(run: Run) -> tuple[int, ...]:
+    """Return the generations of ROS that types may be for, that of the program first."""
+    first = run.checks.version(None)
+    return (first, *run.messages.other_versions())
 
 
 def _split(statement: Any) -> tuple[str, str]:
@@ -75,8 +89,9 @@ def _split(statement: Any) -> tuple[str, str]:
     return "".join(packages), name
 
 
-def _check_name(run: Run, statement: Any, package: str, name: str) -> None:
-    """Check that a type may have its name, and that there is none such."""
+def check_type_named(run: Run, statement: Any) -> tuple[str, str]:
+    """Return package and name of a type that may have them, and that is not there yet."""
+    package, name = _split(statement)
     where = statement.span_of("type")
     version = run.checks.version(None)
     earlier = run.workspace.types.get(name)
@@ -109,6 +124,7 @@ def _check_name(run: Run, statement: Any, package: str, name: str) -> None:
     if run.types.is_of_ros(owner, version):
         message = f"`{owner}` is a package of ROS, which gets no types of yours"
         raise Mistake(Diagnostic(codes.TYPE_EXISTS, message, where, help="leave the package out"))
+    return package, name
 
 
 def _made(
@@ -158,7 +174,7 @@ def load_type(run: Run, statement: st.LoadType) -> None:
 
     source = DefinitionSource(path, text)
     own = OwnType(path.stem, package, kind, statement.span, source=source)
-    _settle(run, statement, own, make, variable=statement.variable)
+    settle(run, statement, own, make, variable=statement.variable)
 
 
 def has_field(run: Run, statement: st.HasField) -> None:
@@ -187,7 +203,7 @@ def has_field(run: Run, statement: st.HasField) -> None:
             text = replace_member(before.text, added, line, section)
         return _read_again(text, name, own.kind, version, where)
 
-    _settle(run, statement, own, make, variable=statement.type)
+    settle(run, statement, own, make, variable=statement.type)
 
 
 def _line(
@@ -235,7 +251,7 @@ def no_longer_has_field(run: Run, statement: st.NoLongerHasField) -> None:
         text = remove_member(before.text, statement.field, section)
         return _read_again(text, before.interface.name, own.kind, version, where)
 
-    _settle(run, statement, own, make, variable=statement.type)
+    settle(run, statement, own, make, variable=statement.type)
 
 
 def _read_again(
@@ -250,9 +266,9 @@ def _read_again(
 def drop_type(run: Run, statement: st.DropType) -> None:
     """Take a type of the program away."""
     own = _own_type(run, statement)
-    users = list(dict.fromkeys(_users(run, own)))
+    users = list(dict.fromkeys(users_of(run, own)))
     if users:
-        raise _in_use(statement, own, users)
+        raise in_use(statement, own, users)
     del run.workspace.types[statement.type]
     run.workspace.written_types.pop(statement.type, None)
     run.types.changed()
@@ -298,98 +314,3 @@ def _section(statement: Any, own: OwnType) -> int:
     elif remedy is None:
         remedy = f"its parts are {', '.join(known)}"
     raise Mistake(Diagnostic(codes.NO_SUCH_FIELD, message, where, help=remedy, fix=fix))
-
-
-def _settle(
-    run: Run, statement: Any, own: OwnType, make: _Make, variable: str | None = None
-) -> None:
-    """Let a type mean in each generation of ROS what it is there now.
-
-    What is wrong in the generation that the program is for is told here; in the other one, where
-    a node of it uses the type.
-    """
-    first = run.checks.version(None)
-    others = run.messages.other_versions()
-    definitions: dict[int, Definition] = {}
-    wrong: dict[int, list[Diagnostic]] = {}
-    for version in (first, 3 - first):
-        if own.definitions and version not in own.definitions:
-            wrong[version] = [own.wrong[version]]
-            continue
-        made = make(version)
-        if isinstance(made, list):
-            wrong[version] = made
-        else:
-            definitions[version] = made
-    if first in wrong and not (definitions and others):
-        raise Mistake(*wrong[first])
-    kept = {version: found[0] for version, found in wrong.items() if found}
-    changed = own.with_definitions(definitions, kept)
-    types, key = run.workspace.types, variable or own.name
-    before = types.get(key)
-    types[key] = changed
-    try:
-        run.types.changed()
-        for version in definitions:
-            _check_circle(run, statement, changed, version)
-        if before is not None:
-            broken = list(run.types.broken_uses())
-            if broken:
-                raise _in_use(statement, own, broken)
-    except Mistake:
-        if before is None:
-            del types[key]
-        else:
-            types[key] = before
-        run.types.changed()
-        raise
-
-
-def _check_circle(run: Run, statement: Any, own: OwnType, version: int) -> None:
-    package = run.types.own_package(version)
-    interfaces = interfaces_of(run.workspace.types.values(), version, package)
-    messages = {
-        name: each for (kind, name), each in interfaces.items() if kind is InterfaceKind.MESSAGE
-    }
-    circle = find_circle(messages)
-    if circle:
-        names = [each.name for each in circle]
-        shown = " in ".join(f"`{each}`" for each in (*names, names[0]))
-        slot = "definition" if isinstance(statement, st.HasField) else "type"
-        if own.source is not None and isinstance(statement, st.LoadType):
-            slot = "source"
-        message = f"`{names[0]}` contains itself: {shown}"
-        if len(names) == 1:
-            message = f"`{names[0]}` contains itself"
-        raise Mistake(Diagnostic(codes.CIRCULAR_TYPE, message, statement.span_of(slot)))
-
-
-def _users(run: Run, own: OwnType) -> Iterator[Span]:
-    """Yield the statements that use a type."""
-    names = {each.interface.name for each in own.definitions.values()}
-    for node in run.workspace.nodes.values():
-        for endpoint in node.endpoints.values():
-            if endpoint.type in names and endpoint.span is not None:
-                yield endpoint.span
-    for message in run.workspace.messages.values():
-        if message.value.type in names:
-            yield message.span
-    for other in run.workspace.types.values():
-        sections = (
-            section for each in other.definitions.values() for section in each.interface.sections
-        )
-        if other is not own and any(names & nested_names(section) for section in sections):
-            yield other.span
-
-
-def _in_use(statement: Any, own: OwnType, users: Sequence[Span]) -> Mistake:
-    message = f"something of the program uses `{own.name}` as it is"
-    return Mistake(
-        Diagnostic(
-            codes.TYPE_IN_USE,
-            message,
-            statement.span,
-            help="change first what uses it",
-            labels=tuple(Label(span, "used here") for span in users[:5]),
-        )
-    )

@@ -22,6 +22,9 @@ from .insertion_point import Ground
 
 _T = TypeVar("_T")
 
+_ABOUT = ("node", "package", "launch", "variable", "type")
+"""The slots that name what a statement is about."""
+
 
 @dataclass(repr=False)
 class Analysis:
@@ -63,15 +66,25 @@ class Analysis:
 
     def node_at(self, offset: int) -> str | None:
         """Return the variable of the node that the statement on an offset's line is about."""
+        return next((name for name in self._named_at(offset) if name in self.workspace.nodes), None)
+
+    def written_at(self, offset: int) -> str | None:
+        """Return what the statement on an offset's line is about, of all that becomes files."""
+        known = self.workspace
+        kinds = (known.nodes, known.packages, known.launches, known.types)
+        named = self._named_at(offset)
+        return next((name for name in named if any(name in each for each in kinds)), None)
+
+    def _named_at(self, offset: int) -> tuple[str, ...]:
+        """Return the names in a statement that may be what it is about, those first that count."""
         statements = self.program.statements
         end = self.text.find(b"\n", offset)
         end = len(self.text) if end < 0 else end
         index = bisect_right(statements, end, key=lambda statement: statement.span.start) - 1
         if index < 0 or self.text.find(b"\n", statements[index].span.start, offset) >= 0:
-            return None
-        statement = statements[index]
-        name = getattr(statement, "node", None) or getattr(statement, "variable", None)
-        return name if name in self.workspace.nodes else None
+            return ()
+        found = (getattr(statements[index], slot, None) for slot in _ABOUT)
+        return tuple(name for name in found if isinstance(name, str))
 
 
 def analyse(session: Session, check: Callable[[], None]) -> Analysis:

@@ -15,6 +15,19 @@ if TYPE_CHECKING:
     from plastron_tui.model.workspace import Workspace
 
 
+_NAMING = frozenset(
+    {
+        *(SlotKind.NODE, SlotKind.MESSAGE, SlotKind.PACKAGE, SlotKind.LAUNCH, SlotKind.OWN_TYPE),
+        *(SlotKind.ITEM, SlotKind.HELD, SlotKind.STARTED),
+        *(SlotKind.MESSAGE_TYPE, SlotKind.SERVICE_TYPE, SlotKind.ACTION_TYPE),
+    }
+)
+"""The slots that name something which a statement makes."""
+
+_CHANGED = frozenset({SlotKind.NODE, SlotKind.PACKAGE, SlotKind.LAUNCH, SlotKind.OWN_TYPE})
+"""The slots that name what a statement is about."""
+
+
 class Ground(NamedTuple):
     """A program: its text, its statements, and what it builds."""
 
@@ -61,9 +74,9 @@ def placed(
         is_apart: whether at the end an empty line comes before them.
     """
     text = ground.document.text
-    made = [each.span for each in ground.workspace.generations if each.node.variable == variable]
-    if made and (after is None or after.end <= made[-1].start):
-        line = text.rfind(b"\n", 0, made[-1].start) + 1
+    made = _written_at(ground.workspace, variable)
+    if made is not None and (after is None or after.end <= made.start):
+        line = text.rfind(b"\n", 0, made.start) + 1
         placing = _placing(lines, line, line, b"", b"\n")
         if _takes_effect(ground, placing):
             return placing
@@ -73,6 +86,25 @@ def placed(
         return _placing(all_lines, 0, len(text), b"", b"\n")
     behind = b"" if text[end:].startswith((b"\n", b"\r\n")) else b"\n"
     return _placing(all_lines, end, end, b"\n\n" if is_apart else b"\n", behind)
+
+
+def _written_at(workspace: Workspace, variable: str | None) -> Span | None:
+    """Return the first statement of those that write last what changes along with a variable.
+
+    They are those of a node itself, and of the packages that contain it.
+    """
+    last: dict[object, Span] = {}
+    for node in workspace.generations:
+        if node.node.variable == variable:
+            last["node"] = node.span
+    for written in workspace.written_packages:
+        package = written.package
+        if variable == package.variable or variable in package.contents:
+            last["package", package.variable] = written.span
+    for launch in workspace.written_launches:
+        if launch.launch.variable == variable:
+            last["launch"] = launch.span
+    return min(last.values(), default=None, key=lambda span: span.start)
 
 
 def _placing(lines: Sequence[str], start: int, end: int, before: bytes, behind: bytes) -> Placing:
@@ -98,17 +130,18 @@ def _takes_effect(ground: Ground, placing: Placing) -> bool:
         return False
     workspace = ground.workspace
     named = {name for each in there.values() for name in _named(each)}
-    makers = (workspace.nodes.get, workspace.messages.get)
-    made = (found for name in named for of in makers if (found := of(name)) is not None)
-    return all(each.span.start < start for each in made)
+    made = (found for name in named if (found := workspace.what(name)) is not None)
+    return all(span.start < start for _, span in made)
 
 
 def _named(statement: Statement) -> Iterator[str]:
     """Yield the variables that a statement needs to be there."""
     type_: Any = type(statement)  # which mypy takes for not hashable
     for slot in DECLARATIONS[type_].slots:
-        if slot.kind in (SlotKind.NODE, SlotKind.MESSAGE):
-            yield getattr(statement, slot.name)
+        if slot.kind in _NAMING:
+            name = getattr(statement, slot.name)
+            if name is not None:
+                yield name
 
 
 def _encoded(text: str) -> bytes:
@@ -116,8 +149,11 @@ def _encoded(text: str) -> bytes:
 
 
 def is_generated_last(program: Program, workspace: Workspace, variable: str) -> Span | None:
-    """Return the `generate_node` of a node after which nothing is done with it, if there is one."""
+    """Return the statement that writes something, if nothing changes that further down."""
     spans = [made.span for made in workspace.generations if made.node.variable == variable]
+    spans += [each.span for each in workspace.written_packages if each.package.variable == variable]
+    spans += [each.span for each in workspace.written_launches if each.launch.variable == variable]
+    spans += [span for name, span in workspace.written_types.items() if name == variable]
     if not spans:
         return None
     end = spans[-1].end
@@ -126,9 +162,9 @@ def is_generated_last(program: Program, workspace: Workspace, variable: str) -> 
 
 
 def names_node(statement: Statement, variable: str) -> bool:
-    """Tell whether a slot of a statement names a node."""
+    """Tell whether a statement is about a node, a package, a launch file or a type."""
     type_: Any = type(statement)  # which mypy takes for not hashable
     return any(
-        slot.kind is SlotKind.NODE and getattr(statement, slot.name) == variable
+        slot.kind in _CHANGED and getattr(statement, slot.name) == variable
         for slot in DECLARATIONS[type_].slots
     )

@@ -14,8 +14,15 @@ from plastron_tui.language import DECLARATIONS, Document, Program, SlotKind
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.grammar import LANGUAGE
 from plastron_tui.language.sentence import sentence
-from plastron_tui.language.statements import CreateMessage, CreateNode, Publish, Rename
-from plastron_tui.model.kinds import Endpoint, EndpointKind, Parameter
+from plastron_tui.language.statements import (
+    CreateLaunch,
+    CreateMessage,
+    CreateNode,
+    CreatePackage,
+    Publish,
+    Rename,
+)
+from plastron_tui.model.kinds import INTERFACES, Endpoint, EndpointKind, Parameter
 from plastron_tui.model.workspace import Node, Workspace
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.names import (
@@ -69,7 +76,18 @@ def old_name(entry: Entry, workspace: Workspace) -> str:
     node = workspace.nodes.get(entry.node or "")
     if entry.subject is Subject.NODE and node is not None and node.source is None:
         return node.name
+    if entry.subject in (Subject.PACKAGE, Subject.LAUNCH):
+        return _made_name(workspace, entry)
     return entry.name or ""
+
+
+def _made_name(workspace: Workspace, entry: Entry) -> str:
+    """Return the name of a package or a launch file; of one that was loaded, its variable."""
+    variable = entry.name or ""
+    found = workspace.packages.get(variable) or workspace.launches.get(variable)
+    if found is None or getattr(found, "source", None) is not None:
+        return variable
+    return found.name
 
 
 def renamed(analysis: Analysis, entry: Entry, new: str) -> Renamed:
@@ -81,6 +99,10 @@ def renamed(analysis: Analysis, entry: Entry, new: str) -> Renamed:
         return Renamed(tuple(_node(analysis, node, new)))
     if entry.subject is Subject.MESSAGE:
         return Renamed(tuple(_variable(program, old, new)))
+    if entry.subject in (Subject.PACKAGE, Subject.LAUNCH):
+        return Renamed(tuple(_made(analysis, entry, new)))
+    if entry.subject is Subject.TYPE:
+        return Renamed(tuple(_own_type(program, old, new)))
     if entry.subject is EndpointKind.PARAMETER:
         return Renamed(tuple(_parameter(analysis, entry.node or "", old, new)))
     interface = _interface_of(entry)
@@ -98,6 +120,43 @@ def _node(analysis: Analysis, node: Node, new: str) -> Iterator[Edit]:
         if node.name != node.variable or _wrong_variable(analysis, new) is not None:
             return
     yield from _variable(analysis.program, node.variable, new)
+
+
+def _made(analysis: Analysis, entry: Entry, new: str) -> Iterator[Edit]:
+    """Rename a package or a launch file, and its variable where that is the same word."""
+    variable = entry.name or ""
+    old = _made_name(analysis.workspace, entry)
+    is_created = False
+    for statement in analysis.program.statements:
+        if isinstance(statement, CreatePackage | CreateLaunch) and statement.variable == variable:
+            is_created = True
+            yield Edit(statement.span_of("name"), f"'{new}'")
+    if is_created and (old != variable or _wrong_variable(analysis, new) is not None):
+        return
+    yield from _variable(analysis.program, variable, new)
+
+
+_TYPES = frozenset({*INTERFACES, SlotKind.TYPE_NAME, SlotKind.NEW_TYPE, SlotKind.OWN_TYPE})
+
+
+def _own_type(program: Program, old: str, new: str) -> Iterator[Edit]:
+    """Rename a type of the program, wherever it is named."""
+    for statement in program.statements:
+        for slot in DECLARATIONS[type(statement)].slots:
+            held = getattr(statement, slot.name)
+            if slot.kind in _TYPES and held == old:
+                yield Edit(statement.span_of(slot.name), new)
+            elif slot.kind is SlotKind.FIELDS:
+                for field in held:
+                    for node in QueryCursor(_type_names()).captures(field.syntax).get("type", []):
+                        if node.text == old.encode():
+                            span = Span(node.start_byte, node.end_byte)
+                            yield Edit(span.moved(statement.shift), new)
+
+
+@cache
+def _type_names() -> Query:
+    return Query(LANGUAGE, "(definition type: (definition_type (type) @type))")
 
 
 def _variable(program: Program, old: str, new: str) -> Iterator[Edit]:
@@ -217,15 +276,36 @@ def _under_another_name(
 
 def _wrong_variable(analysis: Analysis, new: str) -> str | None:
     workspace = analysis.workspace
-    if new in workspace.nodes or new in workspace.messages:
+    if workspace.what(new) is not None:
         return f"`{new}` is a variable already"
     return wrong_variable(Document(b""), new)
+
+
+def _wrong_made(analysis: Analysis, entry: Entry, new: str) -> str | None:
+    """Return why a package or a launch file cannot have a name, None when it can."""
+    workspace = analysis.workspace
+    package = workspace.packages.get(entry.name or "")
+    if package is not None and package.source is not None:
+        return _wrong_variable(analysis, new)
+    if _made_name(workspace, entry) == entry.name and workspace.what(new) is not None:
+        return f"`{new}` is a variable already"
+    others = workspace.packages if entry.subject is Subject.PACKAGE else workspace.launches
+    if any(each.name == new for each in others.values()):
+        return f"a {entry.subject.word} `{new}` exists already"
+    return "a name has no single quote" if "'" in new else None
 
 
 def wrong_name(analysis: Analysis, entry: Entry, new: str) -> str | None:
     """Return why something cannot have a name, None when it can."""
     nodes = analysis.workspace.nodes
     node = nodes.get(entry.node or "")
+    if entry.subject in (Subject.PACKAGE, Subject.LAUNCH):
+        return _wrong_made(analysis, entry, new)
+    if entry.subject is Subject.TYPE:
+        is_name = all(part.isascii() and part.isidentifier() for part in new.split("/"))
+        if new in analysis.workspace.types:
+            return f"a type `{new}` exists already"
+        return None if is_name else "a type has letters and digits, and a capital first"
     is_variable = entry.subject is Subject.MESSAGE
     if entry.subject is Subject.NODE:
         is_variable = node is not None and node.source is not None

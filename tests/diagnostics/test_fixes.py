@@ -19,7 +19,8 @@ WITHOUT = {
     "value-out-of-range", "wrong-array-length", "invalid-text", "invalid-rate",
     "unsupported-target", "service-type-conflict", "action-type-conflict", "qos-incompatible",
     "endless-messages", "package-exists", "unknown-item", "already-contained", "not-contained",
-    "type-exists", "circular-type", "type-in-use", "bad-type-name", "bad-field",
+    "type-exists", "circular-type", "type-in-use", "bad-field",
+    "launch-exists", "already-started", "not-started", "bad-launch-name",
     "invalid-qos", "not-in-ros-1", "still-needed", "unknown-parameter", "parameter-type-mismatch",
     "invalid-range", "nothing-received", "computed-type-mismatch",
 }  # fmt: skip

@@ -10,8 +10,8 @@ import pytest
 import plastron_tui.model
 
 MODULES = sorted(Path(plastron_tui.model.__file__).parent.glob("*.py"))
-# What else has a method of the name: dataclasses, strings, and what resolves types.
-OTHERS = {"rename", "replace", "resolve"}
+# What else has an attribute of the name: dataclasses, strings, nodes, what resolves types.
+OTHERS = {"home", "rename", "replace", "resolve"}
 ASKS_THE_DISK = {name for name in dir(Path) if not hasattr(PurePath, name)} - OTHERS
 FUNCTIONS = {"input", "open", "print"}
 

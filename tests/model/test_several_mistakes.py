@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from itertools import combinations
+from pathlib import Path
 
 import pytest
 from workspaces import LIBRARIES, FakeReader, catalog, endpoint, marked, source
 
 from plastron_tui.language import Document, lower
 from plastron_tui.language.declaration import DECLARATIONS
-from plastron_tui.model.context import Setting
+from plastron_tui.model.context import FoundDefinition, LoadedDefinition, Setting
 from plastron_tui.model.interpreter import interpret
 from plastron_tui.model.source import EndpointKind
+from plastron_tui.ros.interfaces import InterfaceKind
 
 BEFORE = """\
 create_node 'node' as n
@@ -28,6 +30,9 @@ n repeats tick at 1 hz
 n provides_action 'acts' of action_type Fibonacci calling act
 n sends_goal to 'done' of action_type Fibonacci with input none
 load driver as t
+create_message_type Own with int32 x
+create_package 'rover' as rover
+create_launch 'bringup' as bringup
 """
 
 SLOTS: dict[str, dict[str, list[str]]] = {
@@ -178,6 +183,35 @@ SLOTS: dict[str, dict[str, list[str]]] = {
         "'scan'": ["'nope'"],
         "'c'": ["'c d'"],
     },
+    "create_message_type {} with {} {}": {
+        "New": ["string", "Own"],
+        "float64": ["flot64"],
+        "a": ["class"],
+    },
+    "create_service_type {} with int32 {} returning {} b": {
+        "New": ["string", "Own"],
+        "a": ["class"],
+        "int32": ["int31"],
+    },
+    "create_action_type {} with none returning int32 {} reporting uint8 {}": {
+        "New": ["string"],
+        "a": ["class"],
+        "B = 5": ["B = 500"],
+    },
+    "load_type {} as {}": {"'a.msg'": [], "k": ["n"]},
+    "{} has_field {}": {"Own": ["Ownn"], '"int32 y"': []},
+    "generate_type {}": {"Own": ["Ownn"]},
+    "drop_type {}": {"Own": ["Ownn"]},
+    "create_package {} as {}": {"'new'": ["'rover'"], "k": ["n", "_k"]},
+    "{} contains {}": {"rover": ["rovr"], "n": ["m", "nn"]},
+    "generate_package {}": {"rover": ["rovr"]},
+    "load_package {} as {}": {"'src/p'": [], "k": ["n"]},
+    "create_launch {} as {}": {"'new'": ["'bringup'"], "k": ["n", "_k"]},
+    "load_launch {} as {}": {"'a.launch'": [], "k": ["n"]},
+    "{} has_argument 'a'": {"bringup": ["bringp"]},
+    "{} starts t": {"bringup": ["bringp"]},
+    "{} includes 'p/a.launch'": {"bringup": ["bringp"]},
+    "generate_launch {}": {"bringup": ["bringp"]},
 }
 
 FOLLOWING = {
@@ -199,7 +233,14 @@ FOLLOWING = {
 def _mistakes(line: str) -> list[str]:
     """Return the texts that are marked in a line behind a program without mistakes."""
     driver = source(endpoint(EndpointKind.SUBSCRIPTION, "scan", "sensor_msgs/LaserScan"))
-    setting = Setting("rospy", LIBRARIES, catalog, FakeReader({"driver": driver}))
+    found = LoadedDefinition(FoundDefinition(Path("a.msg"), b"", "p", InterfaceKind.MESSAGE))
+    setting = Setting(
+        "rospy",
+        LIBRARIES,
+        catalog,
+        FakeReader({"driver": driver}),
+        read_definition=lambda _: found,
+    )
     text = BEFORE + line + "\n"
     found = interpret(lower(Document(text.encode())), setting).diagnostics
     return [marked(text, each) for each in found]

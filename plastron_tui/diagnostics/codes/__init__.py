@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from plastron_tui.diagnostics.code import Code
 
-from . import builds, files, meaning, names, packages, ros, sentences, types, values, xml
+from . import builds, files, launches, meaning, names, packages, ros, sentences, types, values, xml
 from .builds import *  # noqa: F403
 from .files import *  # noqa: F403
+from .launches import *  # noqa: F403
 from .meaning import *  # noqa: F403
 from .names import *  # noqa: F403
 from .packages import *  # noqa: F403
@@ -20,7 +21,19 @@ GROUPS: dict[str, tuple[Code, ...]] = {
     module.__name__.rpartition(".")[2]: tuple(
         code for code in vars(module).values() if isinstance(code, Code)
     )
-    for module in (sentences, names, meaning, values, types, packages, files, xml, builds, ros)
+    for module in (
+        sentences,
+        names,
+        meaning,
+        values,
+        types,
+        packages,
+        launches,
+        files,
+        xml,
+        builds,
+        ros,
+    )
 }
 """The codes, by the module that declares them; each has the docstring that says what they share."""
 

@@ -19,6 +19,7 @@ from plastron_tui.session import Session
 from plastron_tui.targets import LIBRARIES, languages, ros_version
 
 from .candidate import Candidate
+from .packaging_completion import OFFERS
 from .value_completion import conditions, default_values, rates, resolver, values
 from .vocabulary import Vocabulary
 
@@ -104,7 +105,9 @@ def _of_slot(
             yield from (Candidate(*entry) for entry in vocabulary.nodes.items())
         case SlotKind.MESSAGE:
             yield from (Candidate(*entry) for entry in vocabulary.messages.items())
-        case SlotKind.NEW_NODE | SlotKind.NEW_MESSAGE:
+        case _ if kind in OFFERS:
+            yield from OFFERS[kind](expected, vocabulary)
+        case _ if kind.makes and kind.is_variable:
             yield from _variable(expected, vocabulary)
         case SlotKind.TOPIC | SlotKind.SERVICE | SlotKind.ACTION:
             yield from _graph_names(kind, expected, vocabulary)
@@ -150,7 +153,7 @@ def _variable(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candida
     """Offer a node's own name as its variable."""
     name = expected.filled.get("name") or expected.filled.get("source") or ""
     name = PurePath(name.strip("'")).stem
-    taken = name in vocabulary.nodes or name in vocabulary.messages
+    taken = any(name in each for each in vocabulary.variables)
     if name.isidentifier() and name[0].isalpha() and not taken:
         yield Candidate(name)
 

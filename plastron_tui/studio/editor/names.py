@@ -12,7 +12,19 @@ from plastron_tui.language import Document
 from plastron_tui.language.grammar import LANGUAGE
 from plastron_tui.language.keywords import KEYWORDS
 
-_DEFINING = frozenset({"create_node_statement", "load_statement", "create_message_statement"})
+_DEFINING = frozenset(
+    {
+        *("create_node_statement", "load_statement", "create_message_statement"),
+        *("create_package_statement", "load_package_statement"),
+        *("create_launch_statement", "load_launch_statement", "load_type_statement"),
+    }
+)
+_DEFINING_TYPES = frozenset(
+    {
+        *("create_message_type_statement", "create_service_type_statement"),
+        "create_action_type_statement",
+    }
+)
 
 
 class Variable(NamedTuple):
@@ -25,7 +37,7 @@ class Variable(NamedTuple):
 
 @cache
 def _variables() -> Query:
-    return Query(LANGUAGE, "(variable) @variable")
+    return Query(LANGUAGE, "(variable) @variable (type !package name: (_) @type)")
 
 
 def variable_at(document: Document, offset: int) -> Variable | None:
@@ -37,7 +49,7 @@ def variable_at(document: Document, offset: int) -> Variable | None:
             for start, end in ((offset, offset + 1), (offset - 1, offset))
             if start >= 0
             and (found := root.descendant_for_byte_range(start, end)) is not None
-            and found.type == "variable"
+            and (found.type == "variable" or _is_type(found))
         ),
         None,
     )
@@ -45,13 +57,24 @@ def variable_at(document: Document, offset: int) -> Variable | None:
         return None
     text = document.text
     name = text[node.start_byte : node.end_byte]
-    places = [
-        place
-        for place in QueryCursor(_variables()).captures(root).get("variable", [])
-        if text[place.start_byte : place.end_byte] == name
-    ]
+    captures = QueryCursor(_variables()).captures(root)
+    places, types = (
+        [
+            place
+            for place in captures.get(kind, [])
+            if text[place.start_byte : place.end_byte] == name
+        ]
+        for kind in ("variable", "type")
+    )
+    # A type of ROS may be called as a variable is: only one of the program's own is meant.
+    if any(_defines_type(place) for place in (*places, *types)):
+        places += types
+    elif node.type != "variable":
+        return None
     places.sort(key=lambda place: place.start_byte)
-    definition = next((_span(place) for place in places if _defines(place)), None)
+    definition = next(
+        (_span(place) for place in places if _defines(place) or _defines_type(place)), None
+    )
     return Variable(name.decode("utf-8"), definition, tuple(map(_span, places)))
 
 
@@ -65,6 +88,25 @@ def _defines(node: Node) -> bool:
         return False
     defined = parent.child_by_field_name("variable")
     return defined is not None and defined.start_byte == node.start_byte
+
+
+def _is_type(node: Node) -> bool:
+    """Tell whether a node is the name of a type that is written without its package."""
+    parent = node.parent
+    return (
+        parent is not None
+        and parent.type == "type"
+        and parent.child_by_field_name("package") is None
+    )
+
+
+def _defines_type(node: Node) -> bool:
+    """Tell whether a node gives a type of the program its name."""
+    parent = node.parent
+    if node.type == "variable":
+        return parent is not None and parent.type == "load_type_statement"
+    around = None if parent is None else parent.parent
+    return around is not None and around.type in _DEFINING_TYPES and _is_type(node)
 
 
 def wrong_name(document: Document, name: str) -> str | None:

@@ -47,6 +47,66 @@ class Vocabulary:
         return {"nodes": nodes, "messages": messages, "libraries": libraries}
 
     @cached_property
+    def _made(self) -> Mapping[str, dict[str, str]]:
+        """The packages, the launch files and the types, and what each is."""
+        packages: dict[str, str] = {}
+        launches: dict[str, str] = {}
+        types: dict[str, str] = {}
+        for statement in self._program.statements:
+            match statement:
+                case st.CreatePackage(name=name, variable=variable):
+                    packages[variable] = f"package '{name}'"
+                case st.LoadPackage(source=source, variable=variable):
+                    packages[variable] = f"package in {source}"
+                case st.CreateLaunch(name=name, variable=variable):
+                    launches[variable] = f"launch file '{name}'"
+                case st.LoadLaunch(source=source, variable=variable):
+                    launches[variable] = f"launch file {source}"
+                case st.CreateMessageType(type=type_):
+                    types[type_] = "message of your own"
+                case st.CreateServiceType(type=type_):
+                    types[type_] = "service of your own"
+                case st.CreateActionType(type=type_):
+                    types[type_] = "action of your own"
+                case st.LoadType(source=source, variable=variable):
+                    types[variable] = f"type from {source}"
+        return {"packages": packages, "launches": launches, "types": types}
+
+    @property
+    def variables(self) -> Iterable[dict[str, str]]:
+        """All variables, by what they stand for."""
+        return self.nodes, self.messages, self.packages, self.launches, self.types
+
+    @property
+    def packages(self) -> dict[str, str]:
+        """The variables of packages, and what each is."""
+        return self._made["packages"]
+
+    @property
+    def launches(self) -> dict[str, str]:
+        """The variables of launch files, and what each is."""
+        return self._made["launches"]
+
+    @property
+    def types(self) -> dict[str, str]:
+        """The names of the types of the program's own, and what each is."""
+        return self._made["types"]
+
+    def contents(self, package: str) -> Mapping[str, str]:
+        """Return what a package contains, as statements name it, and what one starts it by."""
+        found = self._workspace.packages.get(package)
+        if found is None:
+            return {}
+        there = () if found.source is None else found.source.executables
+        own = {variable: each.name for variable, each in found.contents.items()}
+        return {**own, **{f"'{name}'": "in the package" for name in there}}
+
+    def started(self, launch: str) -> Iterable[str]:
+        """Return the names of what a launch file starts."""
+        found = self._workspace.launches.get(launch)
+        return () if found is None else found.starts.keys()
+
+    @cached_property
     def _meetings(self) -> Mapping[InterfaceKind, dict[str, str]]:
         known = self._known
         written: dict[InterfaceKind, dict[str, str]] = {each: {} for each in InterfaceKind}

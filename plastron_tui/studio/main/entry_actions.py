@@ -31,8 +31,8 @@ class EntryActions:
         match asked.what:
             case "end" if entry.statement is not None:
                 self._write(entry.statement, entry.node, entry.span)
-            case "generate" if entry.node is not None:
-                self._generate(entry.node)
+            case "generate" if entry.writing is not None:
+                self._generate(*entry.writing)
             case "fix" if entry.edits:
                 editor.apply(entry.edits)
                 editor.focus()
@@ -62,16 +62,16 @@ class EntryActions:
         self._program.editor.go_to(offset)
         self._program.editor.focus()
 
-    def _generate(self, node: str) -> None:
-        """Write the statement that generates a node; go to the one that does so already."""
+    def _generate(self, statement: str, variable: str) -> None:
+        """Write the statement that generates something; go to the one that does so already."""
         analysis = self._current()
         if analysis is None:
             return
-        there = is_generated_last(analysis.program, analysis.workspace, node)
+        there = is_generated_last(analysis.program, analysis.workspace, variable)
         if there is None:
-            self._write(f"generate_node {node}", None)
+            self._write(statement, None)
             return
-        self._say(f"{node} is generated here; F6 writes the files", 4)
+        self._say(f"{variable} is generated here; F6 writes the files", 4)
         self._go_to(there.start)
 
     async def _rename(self, entry: Entry) -> None:

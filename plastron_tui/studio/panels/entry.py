@@ -25,6 +25,9 @@ class Subject(Enum):
     SERVICE_NAME = "service name"
     ACTION_NAME = "action name"
     MESSAGE = "message"
+    PACKAGE = "package"
+    LAUNCH = "launch file"
+    TYPE = "type"
     PROBLEM = "problem"
     OTHER = "other"
 
@@ -40,6 +43,9 @@ SIGNS: dict[Subject | EndpointKind, tuple[str, str]] = {
     Subject.SERVICE_NAME: ("◆", "warning"),
     Subject.ACTION_NAME: ("★", "warning"),
     Subject.MESSAGE: ("✉", "accent"),
+    Subject.PACKAGE: ("▣", "primary"),
+    Subject.LAUNCH: ("▶", "success"),
+    Subject.TYPE: ("◫", "accent"),
     **{kind: (kind.facts.sign, kind.facts.tone) for kind in EDITABLE},
 }
 """The character before the name, and its tone."""
@@ -51,6 +57,14 @@ HUBS = {
     InterfaceKind.ACTION: Subject.ACTION_NAME,
 }
 """What an entry is about that stands for what nodes meet at."""
+
+
+_WRITTEN: dict[Subject | EndpointKind, str] = {
+    Subject.PACKAGE: "generate_package",
+    Subject.LAUNCH: "generate_launch",
+    Subject.TYPE: "generate_type",
+}
+"""What writes a thing to files."""
 
 
 class Entry(NamedTuple):
@@ -71,6 +85,7 @@ class Entry(NamedTuple):
             a problem in another file that file and the line.
         edits: a fix that can be applied.
         is_branch: whether entries below belong to it.
+        ending: the statement that ends what it is about, where that is no endpoint.
     """
 
     key: str
@@ -86,15 +101,24 @@ class Entry(NamedTuple):
     name: str | None = None
     edits: tuple[Edit, ...] = ()
     is_branch: bool = False
+    ending: str = ""
 
     @property
     def statement(self) -> str | None:
         """The statement that ends what the entry shows, None where there is none."""
         if not isinstance(self.subject, EndpointKind):
-            return None
+            return self.ending or None
         editing = self.subject.editing
         texts = {"node": self.node or "", editing.name_slot: self.name or ""}
         return sentence(editing.ending, texts)
+
+    @property
+    def writing(self) -> tuple[str, str] | None:
+        """The statement that writes what it is about to files, and its variable; None for none."""
+        if self.node is not None:
+            return f"generate_node {self.node}", self.node
+        word = _WRITTEN.get(self.subject)
+        return None if word is None or not self.name else (f"{word} {self.name}", self.name)
 
     @property
     def elsewhere(self) -> str:

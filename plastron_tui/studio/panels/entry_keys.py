@@ -13,7 +13,8 @@ from plastron_tui.model.kinds import EDITABLE, EndpointKind
 from .entry import HUBS, Entry, Subject
 
 _NODE_PARTS = (Subject.NODE, *EDITABLE)
-_NAMED = {*_NODE_PARTS, *HUBS.values(), Subject.MESSAGE} - {EndpointKind.TIMER}
+_MADE = (Subject.PACKAGE, Subject.LAUNCH, Subject.TYPE)
+_NAMED = {*_NODE_PARTS, *HUBS.values(), Subject.MESSAGE, *_MADE} - {EndpointKind.TIMER}
 
 
 class EntryMessage(Message):
@@ -78,7 +79,7 @@ class Acting(Pointing):
         _asking("end", "delete,d", "Stop it",
                 "Write the statement that ends it: unsubscribe, stop_publishing, …"),
         _asking("rename", "f2,r", "Rename", "Give it another name, everywhere"),
-        _asking("generate", "g", "Generate", "Write the `generate_node` of its node"),
+        _asking("generate", "g", "Generate", "Write the statement that writes it to its files"),
         _asking("fix", "f,alt+enter", "Mend", "Apply the remedy"),
     ]  # fmt: skip
 
@@ -95,7 +96,7 @@ class Acting(Pointing):
             case "rename":
                 return entry.subject in _NAMED
             case "generate":
-                return entry.subject in _NODE_PARTS
+                return entry.subject in (*_NODE_PARTS, *_MADE)
             case _:
                 return bool(entry.edits)
 

@@ -1,15 +1,15 @@
-"""The files that nodes become, with what writing them would change."""
+"""The files that nodes and packages become, with what writing them would change."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Diagnostic
-from plastron_tui.model.workspace import Generation
-from plastron_tui.output.plan import FileState
+from plastron_tui.model.workspace import Generation, Workspace
+from plastron_tui.output.plan import FileState, PlannedFile
 
 from .source_lines import coloured, diff_lines, difference
 from .styles import Lines
@@ -29,6 +29,7 @@ class Preview:
         lines: its text, coloured.
         diff: what would change in it, None where there is nothing to compare with.
         problems: why there is no text.
+        size: how large it will be, in bytes.
     """
 
     name: str
@@ -37,13 +38,17 @@ class Preview:
     lines: Lines
     diff: Lines | None
     problems: tuple[Diagnostic, ...]
+    size: int = 0
 
 
 def previews_of(analysis: Analysis, variable: str) -> tuple[Preview, ...]:
-    """Return the files of a node: those that it is generated as, or else would be."""
+    """Return the files of a node: those that it is generated as, or else would be.
+
+    Of a package, a launch file or a type, those that are written of it.
+    """
     node = analysis.workspace.nodes.get(variable)
     if node is None:
-        return ()
+        return tuple(_written(analysis, variable))
     asked = {
         generation.library: generation
         for generation in analysis.workspace.generations
@@ -60,9 +65,53 @@ def previews_of(analysis: Analysis, variable: str) -> tuple[Preview, ...]:
     return tuple(_previews(analysis, generation, False))
 
 
-def _previews(analysis: Analysis, generation: Generation, is_asked: bool) -> Iterator[Preview]:
+def _written(analysis: Analysis, variable: str) -> Iterator[Preview]:
+    """Yield what the plan has of a package, a launch file or a type."""
+    is_meant = _meant(analysis.workspace, variable)
+    if is_meant is None:
+        return
+    plan, problems = analysis.session.plan()
+    files = [file for file in plan.files if is_meant(PurePosixPath(file.name))]
+    for file in files:
+        yield _preview(file, file.state, _disk_diff(file), problems)
+    if not files:
+        yield Preview(f"{variable}: nothing is written yet", None, None, (), None, problems)
+
+
+def _meant(workspace: Workspace, variable: str) -> Callable[[PurePosixPath], bool] | None:
+    """Return what tells the files of something from others, by their paths in the plan."""
+    package = workspace.packages.get(variable)
+    if package is not None:
+        folders = {package.name, f"{package.name}_interfaces"}
+        return lambda path: path.parts[0] in folders
+    launch = workspace.launches.get(variable)
+    if launch is not None:
+        return lambda path: path.name.partition(".")[0] in (launch.name, f"{launch.name}_launch")
+    if variable in workspace.types:
+        name = variable.rpartition("/")[2]
+        return lambda path: path.stem == name and path.suffix in (".msg", ".srv", ".action")
+    return None
+
+
+def _disk_diff(file: PlannedFile) -> Lines | None:
     from plastron_tui.output.diff import file_diff, visible_patch
 
+    if file.before is None or file.state is FileState.IDENTICAL:
+        return None
+    return diff_lines(visible_patch(file_diff(file)))
+
+
+def _preview(
+    file: PlannedFile,
+    state: FileState | None,
+    diff: Lines | None,
+    problems: tuple[Diagnostic, ...],
+) -> Preview:
+    lines = coloured(file.text.decode("utf-8", "replace"), file.path)
+    return Preview(file.name, file.path, state, lines, diff, problems, len(file.text))
+
+
+def _previews(analysis: Analysis, generation: Generation, is_asked: bool) -> Iterator[Preview]:
     session = analysis.session
     made = session.generate(generation)
     if made.files is None:
@@ -75,11 +124,8 @@ def _previews(analysis: Analysis, generation: Generation, is_asked: bool) -> Ite
     is_own = source is not None and source.library == generation.library
     loaded = {} if source is None or not is_own else dict(source.files.texts)
     for file, name in zip(plan.files, made.files.files.names, strict=False):
-        diff = None
-        if file.before is not None and file.state is not FileState.IDENTICAL:
-            diff = diff_lines(visible_patch(file_diff(file)))
-        elif name in loaded:
+        diff = _disk_diff(file)
+        if diff is None and name in loaded:
             diff = difference(loaded[name], file.text)
         state = file.state if is_asked else None
-        lines = coloured(file.text.decode("utf-8", "replace"), file.path)
-        yield Preview(file.name, file.path, state, lines, diff, made.diagnostics)
+        yield _preview(file, state, diff, made.diagnostics)

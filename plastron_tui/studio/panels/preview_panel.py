@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, ClassVar
 
+from textual import events, on
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
-from textual.containers import Vertical
+from textual.containers import Container, Vertical
 from textual.widgets import Static
 
+from .entry_keys import Chosen, Lit
+from .file_tree import FileTree, TreeFile, is_tree
 from .panel import Panel
 from .styles import Line, Piece
 from .text_view import TextView
@@ -27,6 +30,9 @@ _STATES = {
 }
 """By the value of a `FileState`."""
 
+_WIDE = 64
+"""From so many columns on the files are beside the text, not above it."""
+
 _NOT_GENERATED = ("not generated yet", "quiet")
 
 
@@ -37,22 +43,27 @@ class PreviewPanel(Vertical):
         Binding("d", "toggle_diff", "Diff", id="preview.diff",
                 tooltip="Show the whole file, or what changes in it"),
         Binding("n", "next_file", "Next file", id="preview.next",
-                tooltip="Show the next file of the node"),
+                tooltip="Show the next file"),
+        Binding("t", "turn", "Files or text", id="preview.turn",
+                tooltip="Go to the list of the files, or to the text"),
     ]  # fmt: skip
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
         super().__init__(id=id)
         self.previews: tuple[Preview, ...] = ()
-        self._node: str | None = None
+        self._subject: str | None = None
         self._at = 0
         self._shows_diff = True
         self._head = Static("", id="preview-head", markup=True)
+        self._tree = FileTree(id="preview-files")
         self._view = TextView(numbers=True, id="preview-text")
 
     def compose(self) -> ComposeResult:
-        """Make the heading and the text."""
+        """Make the heading, the tree of the files, and the text."""
         yield self._head
-        yield self._view
+        with Container(id="preview-body"):
+            yield self._tree
+            yield self._view
 
     @property
     def current(self) -> Preview | None:
@@ -65,22 +76,44 @@ class PreviewPanel(Vertical):
         return self._view.text
 
     def focus(self, scroll_visible: bool = True) -> Self:
-        """Give the text the focus."""
-        self._view.focus(scroll_visible)
+        """Give the files the focus, where they are shown, and else the text."""
+        (self._tree if self.has_tree else self._view).focus(scroll_visible)
         return self
 
+    @property
+    def has_tree(self) -> bool:
+        """Whether the files are listed."""
+        return is_tree(self._files)
+
+    @property
+    def _files(self) -> list[TreeFile]:
+        return [TreeFile(each.name, each.state, each.size) for each in self.previews]
+
+    def on_resize(self, event: events.Resize) -> None:
+        """Have the files beside the text, where there is room."""
+        self.set_class(event.size.width >= _WIDE, "-wide")
+
     def request(self, analysis: Analysis | None, offset: int) -> str | None:
-        """Ask for the files of the node at the cursor, or else of the last one, or the first."""
+        """Ask for the files of what is at the cursor, or else of the last one, or the first."""
         if analysis is None:
             return None
-        nodes = analysis.workspace.nodes
-        last = self._node if self._node in nodes else next(iter(nodes), None)
-        self._node = analysis.node_at(offset) or last
-        return self._node
+        known = analysis.workspace
+        kinds = (known.nodes, known.packages, known.launches, known.types)
+        is_there = any(self._subject in each for each in kinds)
+        last = self._subject if is_there else next((name for each in kinds for name in each), None)
+        self._subject = analysis.written_at(offset) or last
+        return self._subject
 
     def show(self, previews: tuple[Preview, ...] | None) -> None:
         """Show the files of a node; None for no node."""
         self.previews = previews or ()
+        had_focus = self.has_focus_within
+        self.set_class(self.has_tree, "-tree")
+        self._tree.show_files(self._files if self.has_tree else ())
+        if self.has_tree and self._tree.number is not None:
+            self._at = self._tree.number
+        if had_focus and self._tree.has_focus and not self.has_tree:
+            self._view.focus()
         self._draw()
 
     def follow(self, offset: int) -> None:
@@ -93,6 +126,8 @@ class PreviewPanel(Vertical):
             return current is not None and current.diff is not None
         if action == "next_file":
             return len(self.previews) > 1
+        if action == "turn":
+            return self.has_tree
         return True
 
     def action_toggle_diff(self) -> None:
@@ -101,9 +136,31 @@ class PreviewPanel(Vertical):
         self._draw()
 
     def action_next_file(self) -> None:
-        """Show the next file of the node."""
-        self._at += 1
+        """Show the next file."""
+        self._at = (self._at + 1) % max(1, len(self.previews))
+        if self.has_tree:
+            self._tree.go_to(self._at)
         self._draw()
+
+    def action_turn(self) -> None:
+        """Go to the list of the files, or to the text."""
+        (self._view if self._tree.has_focus else self._tree).focus()
+
+    @on(Lit)
+    def lit(self, message: Lit) -> None:
+        """Show the file that the cursor is on."""
+        message.stop()
+        number = self._tree.number
+        if number is not None and number != self._at:
+            self._at = number
+            self._draw()
+            self._view.scroll_home(animate=False)
+
+    @on(Chosen)
+    def chosen(self, message: Chosen) -> None:
+        """Go to the text of the file."""
+        message.stop()
+        self._view.focus()
 
     def _draw(self) -> None:
         from textual.content import Content
@@ -111,7 +168,9 @@ class PreviewPanel(Vertical):
         current = self.current
         if current is None:
             self._head.update(
-                Content.styled("put the cursor on a node's statement", "$foreground 60%")
+                Content.styled(
+                    "put the cursor on the statement of a node or a package", "$foreground 60%"
+                )
             )
             self._view.show((), numbers=False)
             return
@@ -146,10 +205,11 @@ PREVIEW = Panel(
     title="Preview",
     dock="result",
     keys="alt+5",
-    summary="The file that the node at the cursor becomes.",
+    summary="The files that the node, or the package, at the cursor becomes.",
     about=(
-        "The file that the node at the cursor becomes. For a file that is there already: what "
-        "changes in it; D shows the whole file."
+        "The files that the node, the package, the launch file or the type at the cursor becomes. "
+        "For a file that is there already: what changes in it; D shows the whole file. Many files "
+        "are a tree: Enter goes to the text of one, T back to the tree."
     ),
     widget=PreviewPanel,
     make=_previews,

@@ -8,6 +8,7 @@ from .graph_panel import GRAPH
 from .messages import MESSAGES
 from .nodes import NODES
 from .output import OUTPUT
+from .packages import PACKAGES
 from .preview_panel import PREVIEW
 from .problems import PROBLEMS
 from .services import SERVICES
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
     from ..analysis import Analysis
     from .panel import Request
 
-PANELS = (NODES, TOPICS, SERVICES, MESSAGES, PREVIEW, GRAPH, PROBLEMS, OUTPUT)
+PANELS = (NODES, TOPICS, SERVICES, MESSAGES, PREVIEW, GRAPH, PACKAGES, PROBLEMS, OUTPUT)
 
 BY_NAME = {panel.name: panel for panel in PANELS}
 

@@ -10,9 +10,7 @@ from textual import on
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
-from textual.content import Content
-from textual.widgets import Button, Label, OptionList
-from textual.widgets.option_list import Option
+from textual.widgets import Button, Label
 
 from plastron_tui.diagnostics import Diagnostic, codes, has_errors
 from plastron_tui.generating.node_files import name_of
@@ -21,23 +19,12 @@ from plastron_tui.output.plan import FilePlan, FileState, PlannedFile
 from plastron_tui.output.writer import WriteResult, write_current
 from plastron_tui.session import Session
 
+from ..panels.entry_keys import Chosen, Lit
+from ..panels.file_tree import FileTree, TreeFile
 from ..panels.source_lines import coloured, diff_lines, difference
 from ..panels.styles import Lines, Piece
 from ..panels.text_view import TextView
 from .dialog import Dialog
-
-_TONES = {
-    FileState.CREATE: "$text-success",
-    FileState.IDENTICAL: "$foreground 60%",
-    FileState.CHANGED: "$text-warning",
-    FileState.CONFLICT: "$text-error",
-}
-_SIGNS = {
-    FileState.CREATE: "+",
-    FileState.IDENTICAL: "=",
-    FileState.CHANGED: "~",
-    FileState.CONFLICT: "!",
-}
 
 _MOST_SAID = 4
 """The most lines about the plan; below them are the files."""
@@ -76,7 +63,7 @@ class GenerateDialog(Dialog[bool]):
         """Make the list, the diff and the buttons."""
         with Vertical(id="dialog", classes="-tall"):
             yield Label(self._heading(), id="dialog-title", markup=False)
-            yield OptionList(*self._options(), id="dialog-files", compact=True)
+            yield FileTree(id="dialog-files")
             yield Label("", id="dialog-text", markup=False)
             yield Label("", id="dialog-seen", markup=False)
             yield TextView(id="dialog-view")
@@ -89,9 +76,8 @@ class GenerateDialog(Dialog[bool]):
     def on_mount(self) -> None:
         """Offer what can be done."""
         self._offer()
-        if self.plan.files:
-            self.query_one(OptionList).highlighted = 0
-        else:
+        self._show_files()
+        if not self.plan.files:
             self.query_one(TextView).show(self._reasons())
 
     def _heading(self) -> str:
@@ -107,16 +93,12 @@ class GenerateDialog(Dialog[bool]):
         return [file for file in self.plan.files
                 if file.state in (FileState.CREATE, FileState.CHANGED)]  # fmt: skip
 
-    def _options(self) -> list[Option]:
-        return [
-            Option(
-                Content.assemble(
-                    (f" {_SIGNS[file.state]} {file.state.value:<10}", _TONES[file.state]),
-                    (file.name, "bold"),
-                )
-            )
-            for file in self.plan.files
-        ]
+    def _show_files(self) -> None:
+        """List the files, the cursor on the first one that was asked for."""
+        files = [TreeFile(file.name, file.state, len(file.text)) for file in self.plan.files]
+        tree = self.query_one(FileTree)
+        tree.display = bool(files)
+        tree.show_files(files)
 
     def _reasons(self) -> Lines:
         found = self.problems or (
@@ -159,22 +141,24 @@ class GenerateDialog(Dialog[bool]):
     def _program(self) -> str:
         return "FILE" if self._session.path is None else _short(self._session.path)
 
-    @on(OptionList.OptionHighlighted)
-    def highlighted(self) -> None:
+    @on(Lit)
+    def highlighted(self, message: Lit) -> None:
         """Show the diff of the file."""
+        message.stop()
         self._view = 0
         self._draw()
 
-    @on(OptionList.OptionSelected)
-    def selected(self) -> None:
+    @on(Chosen)
+    def selected(self, message: Chosen) -> None:
         """Take Enter on a file for the first button."""
+        message.stop()
         self.action_write()
 
     def _draw(self) -> None:
-        at = self.query_one(OptionList).highlighted
-        if at is None or at >= len(self.plan.files):
+        number = self.query_one(FileTree).number
+        if number is None or number >= len(self.plan.files):
             return
-        views = list(self._views(self.plan.files[at]))
+        views = list(self._views(self.plan.files[number]))
         title, lines, numbers = views[self._view % len(views)]
         more = f"   d: {views[(self._view + 1) % len(views)][0]}" if len(views) > 1 else ""
         self.query_one("#dialog-seen", Label).update(title + more)
@@ -239,11 +223,8 @@ class GenerateDialog(Dialog[bool]):
         self._show_plan()
 
     def _show_plan(self) -> None:
-        files = self.query_one(OptionList)
-        at = files.highlighted
-        files.clear_options()
-        files.add_options(self._options())
-        files.highlighted = at
+        self._show_files()
+        self._draw()
         self._offer()
         self.query_one("#run", Button).focus()
 

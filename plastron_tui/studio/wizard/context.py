@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -11,6 +11,7 @@ from plastron_tui.language.declaration import Statement
 from plastron_tui.language.keywords import KEYWORDS
 from plastron_tui.model.kinds import EDITABLE, Parameter
 from plastron_tui.model.types import TypeResolver
+from plastron_tui.model.workspace import Workspace
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.names import resolved_name
@@ -48,9 +49,17 @@ class Surroundings:
 
     Attributes:
         files: the files that hold nodes, each with its client library; None before the look-up.
+        others: other files, by what they are, of those that were looked up.
     """
 
     files: tuple[tuple[Path, str], ...] | None = None
+    others: dict[str, tuple[Path, ...]] = field(default_factory=dict)
+
+    def once(self, what: str, find: Callable[[], tuple[Path, ...]]) -> tuple[Path, ...]:
+        """Return the files that are something, looked for the first time."""
+        if what not in self.others:
+            self.others[what] = find()
+        return self.others[what]
 
 
 class Scene:
@@ -69,7 +78,7 @@ class Scene:
     @cached_property
     def taken(self) -> frozenset[str]:
         """The words that are no new variable."""
-        return frozenset({*self.workspace.nodes, *self.workspace.messages, *KEYWORDS})
+        return frozenset({*variables_of(self.workspace), *KEYWORDS})
 
     @cached_property
     def node_names(self) -> frozenset[str]:
@@ -162,6 +171,15 @@ class Scene:
     def heard(self, variable: str) -> dict[str, InterfaceName | None]:
         """Return the types of what a node listens to, by topic."""
         return {name: each.type for name, each in self.vocabulary.heard(variable).items()}
+
+
+def variables_of(workspace: Workspace) -> Iterator[str]:
+    """Yield all variables of a program."""
+    yield from workspace.nodes
+    yield from workspace.messages
+    yield from workspace.types
+    yield from workspace.packages
+    yield from workspace.launches
 
 
 def free_name(wanted: str, taken: Iterable[str]) -> str:

@@ -12,6 +12,8 @@ from plastron_tui.model.kinds import INTERFACES
 from .ask import Ask, Choice, Trial
 from .computed_values import sources_of
 from .context import Scene
+from .definition_kinds import field_choices
+from .definition_rows import fields_text, filled_rows, row_path, row_problems, rows_of
 from .form import NEW, Cell, Cells, Form, excluded_by, laid_out
 from .goals import maker_of
 from .kinds import KINDS
@@ -38,6 +40,7 @@ class Filled:
         entries: the form of the values, where the statement has values and the type is known.
         given: the values of the entries; those that were not entered are suggestions.
         used: the entries that stand in the text, in order.
+        rows: by slot, the rows of the fields of a definition.
         makers: the forms that make what the statement names, to be written before it.
         problems: what is wrong as far as the slots know.
         around: the cells of the form that this one makes something for.
@@ -51,6 +54,7 @@ class Filled:
     entries: list[Entry | Heading] = field(default_factory=list)
     given: dict[Path, str] = field(default_factory=dict)
     used: list[Entry] = field(default_factory=list)
+    rows: dict[str, list[str]] = field(default_factory=dict)
     makers: list[Filled] = field(default_factory=list)
     problems: list[Finding] = field(default_factory=list)
 
@@ -66,7 +70,8 @@ class Filled:
         before = [each for maker in self.makers for each in maker.written]
         slot = self.form.slot_of(SlotKind.NODE, SlotKind.NEW_NODE)
         node = "" if slot is None else self.cells[slot.name].text
-        return [*before, Placed(self.form, self.text, tuple(self.used), node)]
+        rows = {name: filled_rows(each) for name, each in self.rows.items()}
+        return [*before, Placed(self.form, self.text, tuple(self.used), node, rows)]
 
     @property
     def all_problems(self) -> list[Finding]:
@@ -122,6 +127,9 @@ class Filler:
             return fixed
         if slot.kind.form is Written.VALUES:
             return self._values(filled, ask)
+        if slot.kind.form is Written.FIELDS:
+            filled.rows[slot.name] = rows_of(form, slot)
+            return Cell(fields_text(filled.rows[slot.name]))
         text = form.entered.get(slot.name)
         if text is None:
             others = excluded_by(form.declaration, slot.name)
@@ -182,6 +190,9 @@ class Filler:
             problem = KINDS[slot.kind].problem(ask, cell.text)
             if problem is not None:
                 filled.problems.append(Finding(form, slot.name, problem))
+            for number, problem in row_problems(filled.rows.get(slot.name, [])):
+                path = row_path(slot, number)
+                filled.problems.append(Finding(form, slot.name, problem, path=path))
             if slot.kind.form is Written.VALUES:
                 sources = sources_of(ask)
                 for entry in filled.used:
@@ -208,8 +219,10 @@ class Filler:
         shown = Filled(filled.form, filled.base, filled.scene, before, filled.around)
         return KINDS[slot.kind].choices(self.ask(shown, slot), query)
 
-    def value_choices(self, filled: Filled, slot: Slot, path: Path) -> list[Choice]:
-        """Return what can be taken for a field of the values."""
+    def value_choices(self, filled: Filled, slot: Slot, path: Path, query: str) -> list[Choice]:
+        """Return what can be taken for a field of the values, or of a definition."""
+        if slot.kind.form is Written.FIELDS:
+            return field_choices(self.ask(filled, slot), query)
         sources = sources_of(self.ask(filled, slot))
         entries = (each for each in filled.entries if isinstance(each, Entry))
         return [

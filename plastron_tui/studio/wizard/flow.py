@@ -14,16 +14,21 @@ from plastron_tui.session import Session
 from .ask import Choice
 from .context import Scene, Surroundings
 from .filling import Filled, Filler, filled_of
+from .followers import Extra, chosen, extras_of
 from .form import Form
-from .goals import MORE_ABOUT, MORE_TITLE, Aim, aim_of, answering, declarations_of
+from .goals import Aim, aim_of, answering
 from .helps import helps_of
-from .menu import RECIPES, Offer
+from .menu import RECIPES, Offer, Option
+from .offers import Offering, give
 from .program_trial import Finding, Outcome, Placed, check, node_of
 from .values import Path
 from .where_mended import where_mended
 
 SEARCHED = (*INTERFACES, SlotKind.CONDITION)
 """The slots whose choices are what a search finds, not a list that is narrowed down."""
+
+GENERATES = "generates"
+"""The key of writing a node to its file along with what it does."""
 
 MOST_CHOICES = 200
 """The most choices that are listed; who has more of them writes a part of the name."""
@@ -57,6 +62,7 @@ class Look:
         problems: what is wrong, what the slots know first.
         node: the variable of the node that it is about.
         can_generate: whether the node could be generated along with it.
+        extras: what else can follow.
     """
 
     filled: tuple[Filled, ...] = ()
@@ -64,6 +70,7 @@ class Look:
     problems: tuple[Finding, ...] = ()
     node: str | None = None
     can_generate: bool = False
+    extras: tuple[Extra, ...] = ()
 
     def of(self, form: Form) -> Filled | None:
         """Return a form as it is filled."""
@@ -84,6 +91,7 @@ class Course:
         session: the program as it is without the wizard.
         at: the number of the page that is shown.
         generates: whether the node is to be generated along with it.
+        wanted: by key, whether what may follow a statement is wanted; what is not there is.
     """
 
     def __init__(self, session: Session, surroundings: Surroundings | None = None) -> None:
@@ -91,9 +99,10 @@ class Course:
         self.surroundings = surroundings or Surroundings()
         self.at = 0
         self.generates = True
+        self.wanted: dict[str, bool] = {}
         self.head: Declaration | None = None
         self.purpose: Declaration | None = None
-        self._is_more = False
+        self.group: Aim | None = None
         self._is_recipes = False
         self._forms: dict[tuple[Declaration | None, Declaration], Form] = {}
         self._filler = Filler()
@@ -105,28 +114,44 @@ class Course:
 
     # What is chosen.
 
-    def choose(self, declaration: Declaration | None) -> None:
+    def take(self, offer: Offer) -> None:
         """Take an entry of the menu that is shown, and go on."""
+        if offer.group is not None:
+            self.choose_group(offer.group)
+        elif offer.declaration is not None:
+            self.choose(offer.declaration)
+        else:
+            self.choose_recipes()
+
+    def choose(self, declaration: Declaration) -> None:
+        """Go on with a statement."""
         if self.page.kind is PageKind.START:
             self._is_recipes = False
-            self._is_more = declaration is None
+            self.group = None
             if declaration != self.head:
                 self.purpose = None
             self.head = declaration
         else:
-            assert declaration is not None
             self.purpose = declaration
+        self.at += 1
+
+    def choose_group(self, group: Aim) -> None:
+        """Go on to a menu of its own."""
+        if group is not self.group:
+            self.purpose = None
+        self._is_recipes, self.group = False, group
+        self.head = None
         self.at += 1
 
     def choose_recipes(self) -> None:
         """Go on to the programs that work."""
-        self._is_recipes, self._is_more = True, False
+        self._is_recipes, self.group = True, None
         self.head = self.purpose = None
         self.at = 1
 
     def answer(self, heard: Heard) -> None:
         """Go on to what a node sends for each message of a topic."""
-        self.choose(None)
+        self.choose_group(Aim.MORE)
         self.choose(answering())
         form = self.main_form
         assert form is not None
@@ -149,8 +174,8 @@ class Course:
             return offer.declaration is self.purpose
         if offer is RECIPES:
             return self._is_recipes
-        if offer.declaration is None:
-            return self._is_more
+        if offer.group is not None:
+            return offer.group is self.group
         return offer.declaration is self.head
 
     def back(self) -> bool:
@@ -164,7 +189,7 @@ class Course:
     def _has_purpose(self) -> bool:
         """Whether it is asked what a node shall do."""
         if self.head is None:
-            return self._is_more
+            return self.group is not None
         return any(slot.kind is SlotKind.NEW_NODE for slot in self.head.slots)
 
     def _form(self, around: Declaration | None, declaration: Declaration) -> Form:
@@ -193,7 +218,7 @@ class Course:
         head, main = self.head_form, self.main_form
         if self._is_recipes:
             return [*pages, Page(PageKind.RECIPES)]
-        if head is None and not self._is_more:
+        if head is None and self.group is None:
             return pages
         if head is not None:
             pages += self._form_pages(head, look)
@@ -237,26 +262,20 @@ class Course:
             if main is not None:
                 scene = self._filler.extended(scene, filled[0])
         if main is not None:
-            self._give(main, filled)
+            give(main, filled)
             filled.append(self._filler.fill(main, scene))
         self._seen = self._looked(filled)
         return self._seen
-
-    def _give(self, main: Form, filled: list[Filled]) -> None:
-        """Let the node be the one that the first form makes."""
-        slot = main.slot_of(SlotKind.NODE)
-        if slot is None or not filled:
-            return
-        made = filled[0].form.made
-        if made is not None:
-            main.given[slot.name] = filled[0].cells[made.name].text
 
     def _looked(self, filled: list[Filled]) -> Look:
         if not filled:
             return Look()
         placed = [each for one in filled for each in one.written]
         node = node_of(placed)
-        has_work = self.main_form is not None
+        extras = extras_of(filled[-1])
+        if extras:
+            placed, extras = chosen(self.session, placed, extras, self.wanted)
+        has_work = self.main_form is not None and node is not None
         outcome = check(self.session, placed, generates=has_work and self.generates)
         can = has_work and self._can_generate(placed, node, outcome)
         if has_work and self.generates and not can:
@@ -271,7 +290,7 @@ class Course:
             if (each.form, each.slot, each.path) not in places
             and not (broken and (each.form in broken or each.form is None))
         ]
-        return Look(tuple(filled), outcome, (*known, *more), node, can)
+        return Look(tuple(filled), outcome, (*known, *more), node, can, tuple(extras))
 
     def _can_generate(self, placed: list[Placed], node: str | None, plain: Outcome) -> bool:
         if node is None:
@@ -282,6 +301,23 @@ class Course:
         if self.generates:
             return not any(each.form is None for each in plain.findings)
         return not check(self.session, placed, generates=True).findings
+
+    def options(self, look: Look) -> list[Option]:
+        """Return what may be written along with the statements."""
+        options = [
+            Option(each.key, each.words, self.wanted.get(each.key, True)) for each in look.extras
+        ]
+        if look.can_generate:
+            words = f"write {look.node} to its file, too"
+            options.insert(0, Option(GENERATES, words, self.generates))
+        return options
+
+    def want(self, key: str, is_wanted: bool) -> None:
+        """Have something written along with the statements, or not."""
+        if key == GENERATES:
+            self.generates = is_wanted
+        else:
+            self.wanted[key] = is_wanted
 
     def blocking(self, look: Look) -> tuple[Finding, ...]:
         """Return what keeps the page that is shown from being left forwards."""
@@ -311,7 +347,7 @@ class Course:
         """Return what can be taken for a slot, or for a field of the values."""
         found = next(each for each in filled.form.declaration.slots if each.name == slot)
         if path is not None:
-            choices = self._filler.value_choices(filled, found, path)
+            choices = self._filler.value_choices(filled, found, path, query)
         elif filled.cells[slot].reason:
             return []
         else:
@@ -330,67 +366,10 @@ class Course:
 
     def start_offers(self) -> list[Offer]:
         """Return the entries of the first menu."""
-        offers = []
-        for aim in Aim:
-            if aim is Aim.MORE:
-                about = MORE_ABOUT
-                has_nodes = bool(self.session.workspace.nodes)
-                closed = "" if has_nodes else "there is no node yet: make one first"
-                offers.append(Offer(None, MORE_TITLE, "", about, closed))
-                continue
-            offers += [self._offer(each, None) for each in declarations_of(aim)]
-        return [*offers, RECIPES]
+        return Offering(self.scene, self._filler).start()
 
     def purpose_offers(self) -> list[Offer]:
-        """Return what a node can do, what most would do next first in mind."""
-        scene, head = self.scene, self.head_form
-        filled: list[Filled] = []
-        if head is not None:
-            filled.append(self._filler.fill(head, scene))
-            scene = self._filler.extended(scene, filled[0])
-        return [
-            self._offer(each, scene, filled)
-            for each in declarations_of(Aim.MORE)
-            if not (each.undoes is not None and self._makes_node)
-        ]
-
-    @property
-    def _makes_node(self) -> bool:
-        """Whether the node is a new one, which has nothing that could be taken away."""
-        return self.head is not None and aim_of(self.head) is Aim.NODE
-
-    def _offer(
-        self, declaration: Declaration, scene: Scene | None, filled: list[Filled] | None = None
-    ) -> Offer:
-        title, term, about = declaration.purpose, declaration.ros_term, declaration.about
-        if scene is None:
-            closed = self._closed(declaration, self.scene, [])
-            # A file's path can be written where none was found.
-            if not declaration.writes_file:
-                closed = ""
-            return Offer(declaration, title, term, about, closed)
-        closed = self._closed(declaration, scene, filled or [])
-        advised = not closed and self._completes(declaration, scene, filled or [])
-        return Offer(declaration, title, term, about, closed, advised)
-
-    def _filled_anew(self, declaration: Declaration, scene: Scene, filled: list[Filled]) -> Filled:
-        form = Form(declaration)
-        self._give(form, filled)
-        return self._filler.fill(form, scene)
-
-    def _closed(self, declaration: Declaration, scene: Scene, filled: list[Filled]) -> str:
-        """Tell why a statement cannot be had, whatever is entered, as far as that is known."""
-        anew = self._filled_anew(declaration, scene, filled)
-        if anew.all_problems:
-            return anew.all_problems[0].message
-        findings = check(scene.session, anew.written).findings
-        return findings[0].words if findings else ""
-
-    def _completes(self, declaration: Declaration, scene: Scene, filled: list[Filled]) -> bool:
-        """Tell whether a topic or service that lacks a side would have both."""
-        if declaration.undoes is not None:
-            # It may take away the side that there is: whether that is wanted, nobody knows.
-            return False
-        anew = self._filled_anew(declaration, scene, filled)
-        after = Scene(check(scene.session, anew.written).session)
-        return after.lonely < scene.lonely
+        """Return what a node can do, or the entries of another menu of its own."""
+        offering = Offering(self.scene, self._filler)
+        is_new = self.head is not None and aim_of(self.head) is Aim.NODE
+        return offering.purposes(self.group or Aim.MORE, self.head_form, is_new=is_new)

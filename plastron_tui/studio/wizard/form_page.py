@@ -20,6 +20,7 @@ from plastron_tui.language import Slot, SlotKind
 from plastron_tui.language.declaration import Form as Written
 
 from .ask import Choice
+from .definition_rows import field_slots, row_path
 from .filling import Filled
 from .form import NEW, Form
 from .libraries import ros_of
@@ -138,8 +139,8 @@ class FormPage(Vertical):
         has_focus = not row.is_fixed and row.box.has_focus
         if row.was_entered:
             return has_focus
-        if spec.entry is not None:
-            return has_focus and spec.entry.path in self.form.values
+        if row.path is not None:
+            return has_focus and row.path in self.form.values
         return has_focus and row.slot.name in self.form.entered
 
     async def _build(self, specs: Sequence[_Spec], shapes: list[tuple[object, ...]]) -> None:
@@ -165,6 +166,7 @@ class FormPage(Vertical):
                 entry=spec.entry,
                 is_fixed=spec.is_fixed,
                 placeholder=spec.placeholder,
+                path=spec.key[1],
             )
             self._rows[spec.key] = row
             made.append(row)
@@ -271,7 +273,7 @@ class FormPage(Vertical):
         """Tell what was entered."""
         message.stop()
         row, text = message.row, message.text
-        if row.entry is None and text == new_words(row.slot):
+        if row.path is None and text == new_words(row.slot):
             text = NEW
         self.post_message(Put(self.form, row.slot, row.path, text))
 
@@ -310,6 +312,9 @@ def _specs(filled: Filled) -> list[_Spec]:
         if slot.kind.form is Written.VALUES:
             specs += _value_specs(slot, filled)
             continue
+        if slot.kind.form is Written.FIELDS:
+            specs += _field_specs(slot, filled)
+            continue
         text = new_words(slot) if cell.is_new else cell.text
         label = slot.name.replace("_", " ")
         is_flag = slot.kind.form is Written.FLAG
@@ -338,4 +343,18 @@ def _value_specs(slot: Slot, filled: Filled) -> list[_Spec]:
         label = indent + each.path[-1]
         note = str(each.type).rpartition("/")[2]
         specs.append(_Spec(key, slot, each, label, text, note, False, each.default))
+    return specs
+
+
+def _field_specs(slot: Slot, filled: Filled) -> list[_Spec]:
+    """Return the rows of the fields of a definition."""
+    several = len(field_slots(filled.form)) > 1
+    specs = []
+    if several:
+        specs.append(_Spec(None, None, None, slot.name, "", slot.help, False))
+    for number, text in enumerate(filled.rows[slot.name]):
+        key = (slot.name, row_path(slot, number))
+        label = f"{'  ' if several else ''}field {number + 1}"
+        more = "another field, or none" if number else "none"
+        specs.append(_Spec(key, slot, None, label, text, "", False, more))
     return specs

@@ -127,17 +127,18 @@ class Frame(Paged, Dialog[str]):
         if page.kind is PageKind.FORM and page.form is not None:
             return FormPage(page.form, self._places.get(page.form))
         if page.kind is PageKind.REVIEW:
-            offer = f"write {view.look.node} to its file, too" if view.look.can_generate else ""
-            return ReviewPage(strings.review(view.look), offer, course.generates)
+            return ReviewPage(strings.review(view.look), course.options(view.look))
         self._offers = view.offers
         self._items = [Item(o.title, o.term, o.about, o.closed, o.is_advised) for o in view.offers]
         here = next((n for n, o in enumerate(view.offers) if course.is_chosen(o)), None)
-        return MenuPage(strings.question(page, view.look), self._items, here)
+        return MenuPage(strings.question(page, view.look, course.group), self._items, here)
 
     def _show_frame(self, page: Page, look: Look) -> None:
         """Show what is around the page."""
         pages = self.course.pages(look)
-        self.query_one("#wizard-title", Label).update(strings.title(page, self.is_done))
+        self.query_one("#wizard-title", Label).update(
+            strings.title(page, self.is_done, self.course.group)
+        )
         step = "" if self.is_done or page.kind is PageKind.START else f"step {self.course.at}"
         self.query_one("#wizard-step", Label).update(step)
         is_menu = self.is_done or page.kind in MENUS

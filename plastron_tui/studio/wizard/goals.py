@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from enum import Enum
+from typing import NamedTuple
 
 from plastron_tui.language import DECLARATIONS, Declaration, SlotKind
 from plastron_tui.language import statements as _statements  # noqa: F401 - declares the statements
@@ -15,20 +16,72 @@ class Aim(Enum):
     MORE = "what a node does"
     CHANGE = "a node that exists as a file"
     MESSAGE = "a message"
+    TYPE = "a type of one's own"
+    PACKAGE = "a package"
+    LAUNCH = "a launch file"
     WRITE = "files"
 
 
-MORE_TITLE = "give a node something more to do"
-MORE_ABOUT = (
-    "Let a node of the program send, listen, ask, answer, and more; or let it do so no longer."
-)
+class Group(NamedTuple):
+    """A menu of its own, and the entry that leads to it.
+
+    Attributes:
+        title: what one wants.
+        term: what ROS calls it.
+        about: a sentence about it.
+        question: the title of the menu.
+    """
+
+    title: str
+    term: str
+    about: str
+    question: str
+
+
+GROUPS = {
+    Aim.MORE: Group(
+        "give a node something more to do",
+        "",
+        "Let a node of the program send, listen, ask, answer, and more; or let it do so no longer.",
+        "What shall it do?",
+    ),
+    Aim.TYPE: Group(
+        "make a message of your own",
+        "interface definition",
+        "Where no type has the fields that you need; a service or an action of your own, too.",
+        "What of your own?",
+    ),
+    Aim.PACKAGE: Group(
+        "make it a package",
+        "package",
+        "A folder that a robot's workspace takes, with the nodes and all that they need.",
+        "What about packages?",
+    ),
+    Aim.LAUNCH: Group(
+        "start several nodes together",
+        "launch file",
+        "A launch file starts nodes, each with its names and parameters.",
+        "What about launch files?",
+    ),
+}
+"""The aims that have a menu of their own."""
+
+_ABOUT_TYPES = frozenset({SlotKind.TYPE_NAME, SlotKind.NEW_TYPE, SlotKind.OWN_TYPE})
+_ABOUT_PACKAGES = frozenset({SlotKind.NEW_PACKAGE, SlotKind.PACKAGE})
+_ABOUT_LAUNCHES = frozenset({SlotKind.NEW_LAUNCH, SlotKind.LAUNCH})
 
 
 def aim_of(declaration: Declaration) -> Aim:
     """Tell what a statement is wanted for, by what it makes or writes."""
+    kinds = {slot.kind for slot in declaration.slots}
+    if kinds & _ABOUT_TYPES:
+        return Aim.TYPE
+    if kinds & _ABOUT_PACKAGES:
+        return Aim.PACKAGE
+    if kinds & _ABOUT_LAUNCHES:
+        return Aim.LAUNCH
     if declaration.writes_file:
         return Aim.WRITE
-    kinds = {slot.kind for slot in declaration.slots}
     if SlotKind.FILE in kinds:
         return Aim.CHANGE
     if SlotKind.NEW_NODE in kinds:
@@ -64,7 +117,7 @@ def maker_of(kind: SlotKind) -> Declaration | None:
 
 def generating() -> Declaration | None:
     """Return the statement that writes a node to its file."""
-    return next((each for each in DECLARATIONS.values() if each.writes_file), None)
+    return next((each for each in declarations_of(Aim.WRITE)), None)
 
 
 def answering() -> Declaration:

@@ -9,10 +9,13 @@ from plastron_tui.language.declaration import Form as Written
 
 from .ask import Ask
 from .computed_values import sources_of
+from .definition_rows import row_path
 from .filling import Filled
 from .kinds import unanswered
 from .libraries import explained
 from .values import Entry, Path
+
+FIELD_HELP = "a type and a name: `float64 left`, `string[] names`, `uint8 OK = 1`"
 
 
 def helps_of(filled: Filled, ask: Callable[[Slot], Ask]) -> dict[tuple[str, Path | None], str]:
@@ -24,6 +27,8 @@ def helps_of(filled: Filled, ask: Callable[[Slot], Ask]) -> dict[tuple[str, Path
             said[slot.name, None] += unanswered(ask(slot))
         if slot.kind is SlotKind.LIBRARY:
             said[slot.name, None] = explained(ask(slot))
+        for number in range(len(filled.rows.get(slot.name, ()))):
+            said[slot.name, row_path(slot, number)] = FIELD_HELP
         if slot.kind.form is Written.VALUES:
             sources = sources_of(ask(slot))
             for each in filled.entries:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import PurePath
 
 from plastron_tui.language import SlotKind
 from plastron_tui.language import statements as st
@@ -11,26 +10,52 @@ from plastron_tui.language.keywords import KEYWORDS
 from plastron_tui.model.graph import NOUNS
 from plastron_tui.model.kinds import Publisher
 from plastron_tui.ros.interfaces import InterfaceKind
-from plastron_tui.ros.names import (
-    check_node_name,
-    check_service_name,
-    check_topic_name,
-    mended_node_name,
-)
+from plastron_tui.ros.names import check_node_name, check_service_name, check_topic_name
 
 from .ask import Ask, Choice
 from .context import Meeting, free_name
-from .form import NEW, is_variable
+from .definition_kinds import (
+    DefinitionKind,
+    FieldKind,
+    FieldsKind,
+    OwnTypeKind,
+    SectionKind,
+    TypeFileKind,
+    TypeNameKind,
+    own_type_to_send,
+)
+from .form import NEW
 from .goals import maker_of
 from .kind import OF_THE_LIST, Kind, name_problem
+from .launch_kinds import (
+    ArgumentKind,
+    IncludedKind,
+    LaunchFileKind,
+    LaunchKind,
+    LaunchNameKind,
+    RemapsKind,
+    RunNameKind,
+    SettingsKind,
+    StartedKind,
+)
 from .libraries import LibraryKind
 from .node_files import FileKind, NodeOfFileKind
+from .package_kinds import (
+    HeldKind,
+    ItemKind,
+    LicenseKind,
+    MaintainerKind,
+    PackageFolderKind,
+    PackageKind,
+    PackageNameKind,
+)
 from .parameter_kinds import BoundKind, DefaultKind, ParameterKind, ParameterTypeKind, TextKind
 from .rename_kinds import NamedKind, NewNameKind, OldNameKind
 from .sending_kinds import ConditionKind, FlagKind, QosKind, RateKind, TriggerKind
 from .taken_back import nothing_to_take, taken_back
 from .trials import closed_by, first_that_works, trials
 from .type_kinds import NAMES, TypeKind, name_for_type
+from .variable_kinds import NewVariableKind
 
 _NODE_NAMES = ("talker", "listener", "watcher", "helper")
 
@@ -49,41 +74,6 @@ class NodeNameKind(Kind):
         if not text:
             return "a node needs a name, such as `talker`"
         return name_problem(check_node_name(text, ask.version))
-
-
-class NewVariableKind(Kind):
-    """The variable of something that the statement makes."""
-
-    def suggest(self, ask: Ask) -> str:
-        """Return what fits the rest of the form and of the program."""
-        name = ask.text(SlotKind.NODE_NAME) or ask.text(SlotKind.NODE_OF_FILE)
-        name = name or PurePath(ask.text(SlotKind.FILE)).stem
-        if not name and ask.form.parent is not None:
-            topic = ask.parent_text(SlotKind.TOPIC).strip("~/").rpartition("/")[2]
-            name = f"{topic}_message" if topic else ""
-        wanted = mended_node_name(name, 1) or name
-        if not is_variable(wanted):
-            wanted = "message" if ask.slot.kind is SlotKind.NEW_MESSAGE else "node"
-        # What several nodes send on one topic is told apart by who sends it.
-        if ask.form.parent is not None and wanted in ask.scene.taken and ask.node:
-            wanted = f"{ask.node}_{wanted}"
-        return ask.scene.free(f"{wanted}_node" if wanted in KEYWORDS else wanted)
-
-    def problem(self, ask: Ask, text: str) -> str | None:
-        """Tell why a text cannot stand there."""
-        if not text:
-            return "it needs a name by which the program can speak of it"
-        if not text[0].isascii() or not text[0].isalpha():
-            return "a variable starts with a letter"
-        if not is_variable(text):
-            return "a variable has letters, digits and `_`, and no space"
-        if text in KEYWORDS:
-            return f"`{text}` is a word of the language: choose another one"
-        if text in ask.scene.taken:
-            is_node = text in ask.scene.workspace.nodes
-            what = "node" if is_node else "message"
-            return f"a {what} is called `{text}` already: choose another name"
-        return None
 
 
 class NodeKind(Kind):
@@ -206,7 +196,9 @@ class MeetingKind(Kind):
                 return name
         known = ask.scene.meetings(ask.interface, ask.version)
         message = ask.scene.workspace.messages.get(ask.text(SlotKind.MESSAGE))
-        wanted = name_for_type(ask.interface, None if message is None else message.value.type)
+        own = None if message is not None else own_type_to_send(ask)
+        type_ = own if message is None else message.value.type
+        wanted = name_for_type(ask.interface, type_)
         return free_name(wanted, {name.strip("/") for name in (*known, *held)})
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
@@ -325,5 +317,35 @@ KINDS: Mapping[SlotKind, Kind] = {
     SlotKind.NAMED: NamedKind(),
     SlotKind.OLD_NAME: OldNameKind(),
     SlotKind.NEW_NAME: NewNameKind(),
+    SlotKind.TYPE_NAME: TypeNameKind(),
+    SlotKind.NEW_TYPE: NewVariableKind(),
+    SlotKind.OWN_TYPE: OwnTypeKind(),
+    SlotKind.TYPE_FILE: TypeFileKind(),
+    SlotKind.FIELDS: FieldsKind(),
+    SlotKind.DEFINITION: DefinitionKind(),
+    SlotKind.FIELD: FieldKind(),
+    SlotKind.SECTION: SectionKind(),
+    SlotKind.PACKAGE_NAME: PackageNameKind(),
+    SlotKind.NEW_PACKAGE: NewVariableKind(),
+    SlotKind.PACKAGE: PackageKind(),
+    SlotKind.PACKAGE_FOLDER: PackageFolderKind(),
+    SlotKind.MAINTAINER: MaintainerKind(),
+    SlotKind.LICENSE: LicenseKind(),
+    SlotKind.ITEM: ItemKind(),
+    SlotKind.EXECUTABLE: Kind(),
+    SlotKind.HELD: HeldKind(),
+    SlotKind.LAUNCH_NAME: LaunchNameKind(),
+    SlotKind.NEW_LAUNCH: NewVariableKind(),
+    SlotKind.LAUNCH: LaunchKind(),
+    SlotKind.LAUNCH_FILE: LaunchFileKind(),
+    SlotKind.ARGUMENT: ArgumentKind(),
+    SlotKind.STARTED: StartedKind(),
+    SlotKind.RUN_NAME: RunNameKind(),
+    SlotKind.NAMESPACE: Kind(),
+    SlotKind.CONTAINER: Kind(),
+    SlotKind.REMAPS: RemapsKind(),
+    SlotKind.SETTINGS: SettingsKind(),
+    SlotKind.PARAMS_FILE: Kind(),
+    SlotKind.INCLUDED: IncludedKind(),
 }
 """What each kind of slot offers."""

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from plastron_tui.language import Declaration
 
 from ..recipes import recipes
+from .goals import Aim
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,6 +24,7 @@ class Offer:
         closed: why it cannot be had now, "" where it can.
         is_advised: whether it is what most would do next.
         recipe: the program that it starts from.
+        group: the menu of its own that it leads to.
     """
 
     declaration: Declaration | None
@@ -31,6 +34,15 @@ class Offer:
     closed: str = ""
     is_advised: bool = False
     recipe: Path | None = None
+    group: Aim | None = None
+
+
+class Option(NamedTuple):
+    """What may be written along with statements: its key, its words, whether it is wanted."""
+
+    key: str
+    words: str
+    is_wanted: bool
 
 
 RECIPES = Offer(

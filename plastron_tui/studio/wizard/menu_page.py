@@ -11,8 +11,9 @@ from textual.containers import Vertical
 from textual.content import Content
 from textual.message import Message
 from textual.widgets import Checkbox, Label, OptionList
-from textual.widgets.option_list import Option
+from textual.widgets.option_list import Option as Line
 
+from .menu import Option
 from .rows import Confirmed, Turn
 
 
@@ -41,7 +42,7 @@ class Menu(OptionList):
     def __init__(self, items: Sequence[Item], here: int | None = None) -> None:
         """List the entries; the cursor is on one of them, where that can be chosen."""
         options = (
-            Option(_words(item), id=str(number), disabled=bool(item.closed))
+            Line(_words(item), id=str(number), disabled=bool(item.closed))
             for number, item in enumerate(items)
         )
         super().__init__(*options, id="wizard-menu", compact=True, markup=False)
@@ -88,35 +89,39 @@ class MenuPage(Vertical):
         yield Menu(self._items, self._here)
 
 
-class Generates(Message):
-    """Whether the node is to be generated was turned."""
+class Wanted(Message):
+    """Whether something is to be written along was turned."""
 
-    def __init__(self, value: bool) -> None:
+    def __init__(self, key: str, value: bool) -> None:
         super().__init__()
+        self.key = key
         self.value = value
+
+
+_PREFIX = "wizard-"
 
 
 class ReviewPage(Vertical):
     """The last look before the statements enter the program."""
 
-    def __init__(self, words: str, offer: str, value: bool) -> None:
+    def __init__(self, words: str, options: Sequence[Option]) -> None:
         super().__init__(id="wizard-review")
         self._words = words
-        self._offer = offer
-        self._value = value
+        self._options = options
 
     def compose(self) -> ComposeResult:
-        """Make the words, and the question whether a file is to be written."""
+        """Make the words, and the questions what is to be written along."""
         yield Label(self._words, id="wizard-about", markup=False)
-        if self._offer:
-            yield Turn(self._offer, self._value, compact=True, id="wizard-generates")
+        for each in self._options:
+            yield Turn(each.words, each.is_wanted, compact=True, id=f"{_PREFIX}{each.key}")
         yield Label("", id="wizard-help", markup=False)
 
-    @on(Checkbox.Changed, "#wizard-generates")
+    @on(Checkbox.Changed)
     def turned(self, event: Checkbox.Changed) -> None:
         """Tell it."""
         event.stop()
-        self.post_message(Generates(event.value))
+        key = (event.checkbox.id or "").removeprefix(_PREFIX)
+        self.post_message(Wanted(key, event.value))
 
     def say(self, text: str) -> None:
         """Say what is wrong."""
@@ -125,4 +130,4 @@ class ReviewPage(Vertical):
         label.update(f"✗ {text}" if text else "")
 
 
-__all__ = ["Confirmed", "Generates", "Item", "Menu", "MenuPage", "Picked", "ReviewPage"]
+__all__ = ["Confirmed", "Item", "Menu", "MenuPage", "Picked", "ReviewPage", "Wanted"]

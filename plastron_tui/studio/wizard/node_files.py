@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Container, Iterator
+from collections.abc import Callable, Container, Iterator
 from contextlib import suppress
 from itertools import islice
 from pathlib import Path
@@ -56,7 +56,7 @@ class FileKind(Kind):
             )
         return [
             Choice(
-                _text(path, session.folder),
+                path_text(path, session.folder),
                 library,
                 closed="it is loaded already" if path in loaded else "",
             )
@@ -117,7 +117,8 @@ def _labels(source: SourceUnit) -> list[str]:
     return list(dict.fromkeys(node.label for node in source.nodes if node.label))
 
 
-def _text(path: Path, folder: Path) -> str:
+def path_text(path: Path, folder: Path) -> str:
+    """Return a path as a program in a folder has it."""
     try:
         return path.relative_to(folder).as_posix()
     except ValueError:
@@ -129,16 +130,28 @@ def _node_files(folder: Path) -> Iterator[tuple[Path, str]]:
     return islice(_marked(folder), MOST_FILES)
 
 
+def found_files(
+    suffixes: Container[str], folder: Path, is_meant: Callable[[str], bool] = lambda name: True
+) -> tuple[Path, ...]:
+    """Return the files below a folder that end in one of some ways, and whose names are meant."""
+    found = (path for path in files_of(suffixes, folder) if is_meant(path.name))
+    return tuple(islice(found, MOST_FILES))
+
+
 def _marked(folder: Path) -> Iterator[tuple[Path, str]]:
     known = {suffix: each for each in languages() for suffix in each.suffixes}
-    for path in islice(_files_of(frozenset(known), folder, 0), _MOST_ENTRIES):
+    for path in islice(files_of(frozenset(known), folder), _MOST_ENTRIES):
         with suppress(OSError):
             library = known[path.suffix].mentioned_library(read_regular(path, LARGEST_FILE))
             if library is not None:
                 yield path, library
 
 
-def _files_of(suffixes: Container[str], folder: Path, depth: int) -> Iterator[Path]:
+def files_of(suffixes: Container[str], folder: Path, depth: int = 0) -> Iterator[Path]:
+    """Yield the files below a folder that end in one of some ways; what is built is left out.
+
+    So is what is hidden, and what links lead to.
+    """
     try:
         entries = sorted(islice(os.scandir(folder), _MOST_ENTRIES), key=lambda each: each.name)
     except OSError:
@@ -154,4 +167,4 @@ def _files_of(suffixes: Container[str], folder: Path, depth: int) -> Iterator[Pa
                 yield Path(entry.path)
     if depth < _DEEPEST:
         for inner in folders:
-            yield from _files_of(suffixes, inner, depth + 1)
+            yield from files_of(suffixes, inner, depth + 1)

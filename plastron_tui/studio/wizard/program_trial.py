@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 
 from plastron_tui.diagnostics import Diagnostic, Edit, Severity, Span, codes
 from plastron_tui.language import SlotKind
@@ -25,13 +25,15 @@ from .values import Entry, Path
 class Placed:
     """A statement for the program: its form (None for one that follows), text, and values.
 
-    `node` is what stands where it names its node, "" where it names none.
+    `node` is what stands where it names its node, "" where it names none. `rows` has, by slot,
+    the rows of a form that the fields of a definition come from.
     """
 
     form: Form | None
     text: str
     entries: tuple[Entry, ...] = ()
     node: str = ""
+    rows: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -206,10 +208,13 @@ def _finding(diagnostic: Diagnostic, placed: Placed, statement: Statement | None
         if child is None or not child.start_byte <= at < child.end_byte:
             continue
         path = None
-        if slot.kind.form is Written.VALUES:
+        paths = [entry.path for entry in placed.entries]
+        if slot.kind.form is Written.FIELDS:
+            paths = [(slot.name, str(number)) for number in placed.rows.get(slot.name, ())]
+        if slot.kind.form in (Written.VALUES, Written.FIELDS):
             values = [each for each in child.named_children if each.kind_id not in COMMENTS]
-            for entry, value in zip(placed.entries, values, strict=False):
+            for each, value in zip(paths, values, strict=False):
                 if value.start_byte <= at < value.end_byte:
-                    path = entry.path
+                    path = each
         return Finding(form, slot.name, message, help_, path)
     return Finding(form, "", message, help_)

@@ -98,6 +98,7 @@ class Row(Horizontal):
     Attributes:
         slot: the slot of the statement.
         entry: the field of the values, None for the slot itself.
+        path: the field of the values, or of a definition, that the row is for.
         query_text: what was written, while a choice is looked at.
         was_entered: whether somebody entered something here, though nobody may know it yet.
     """
@@ -112,8 +113,10 @@ class Row(Horizontal):
         entry: Entry | None = None,
         is_fixed: bool = False,
         placeholder: str = "",
+        path: Path | None = None,
     ) -> None:
         super().__init__(classes="wizard-row")
+        self.path = path
         self.slot = slot
         self.entry = entry
         self.query_text = ""
@@ -123,11 +126,6 @@ class Row(Horizontal):
         self._text = text
         self._note = note
         self._placeholder = placeholder
-
-    @property
-    def path(self) -> Path | None:
-        """The field of the values that the row is for."""
-        return None if self.entry is None else self.entry.path
 
     @property
     def is_switch(self) -> bool:

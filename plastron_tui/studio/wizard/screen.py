@@ -23,8 +23,9 @@ from .flow import Course, Heard, Look, PageKind
 from .form import Form
 from .form_page import Key, Looked, Put
 from .frame import MENUS, Frame, View
-from .menu import RECIPES, Offer, recipe_offers
-from .menu_page import Generates, Picked
+from .goals import generating
+from .menu import Offer, recipe_offers
+from .menu_page import Picked, Wanted
 from .program_trial import Finding
 from .result_view import ResultView
 from .rows import Confirmed
@@ -191,14 +192,10 @@ class Wizard(Frame):
             self._places[page.form] = page.key_here
         self.changed()
 
-    @on(Generates)
-    def generates(self, message: Generates) -> None:
-        """Generate the node, or not."""
-
-        def do() -> None:
-            self.course.generates = message.value
-
-        self.changed(do)
+    @on(Wanted)
+    def wanted(self, message: Wanted) -> None:
+        """Write something along with the statements, or not."""
+        self.changed(lambda: self.course.want(message.key, message.value))
 
     @on(Picked)
     def picked(self, message: Picked) -> None:
@@ -210,16 +207,14 @@ class Wizard(Frame):
         if self._writes_at_once(offer):
             self.dismiss("screen.generate")
             return
-        if offer is RECIPES:
-            self._turn(self.course.choose_recipes)
-        elif offer.recipe is not None:
+        if offer.recipe is not None:
             self.dismiss(f"screen.start_from({str(offer.recipe)!r})")
         else:
-            self._turn(lambda: self.course.choose(offer.declaration))
+            self._turn(lambda: self.course.take(offer))
 
     def _writes_at_once(self, offer: Offer) -> bool:
         """Tell whether all that could be generated is: then the files can be written."""
-        if offer.declaration is None or not offer.declaration.writes_file:
+        if offer.declaration is None or offer.declaration is not generating():
             return False
         workspace = self.course.session.workspace
         generated = {made.node.variable for made in workspace.generations}

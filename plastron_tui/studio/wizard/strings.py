@@ -7,6 +7,7 @@ from plastron_tui.session import Session
 
 from .context import Scene
 from .flow import Look, Page, PageKind
+from .goals import GROUPS, Aim
 from .menu_page import Item
 
 DONE = "It is in the program now. One undo (Ctrl-Z in the editor) takes it out again."
@@ -39,14 +40,14 @@ def done_items(session: Session, heard: str) -> dict[str, Item]:
     return {**items, "": Item("back to the text", "", "Go on in the editor.")}
 
 
-def title(page: Page, is_done: bool) -> str:
-    """Return the title of a page."""
+def title(page: Page, is_done: bool, group: Aim | None = None) -> str:
+    """Return the title of a page; `group` is the menu that was taken, None for that of nodes."""
     if is_done:
         return "Done. And now?"
     if page.kind is PageKind.START:
         return "What do you want?"
     if page.kind is PageKind.PURPOSE:
-        return "What shall it do?"
+        return GROUPS[group or Aim.MORE].question
     if page.kind is PageKind.RECIPES:
         return "Start from a program that works"
     if page.form is None:
@@ -56,7 +57,7 @@ def title(page: Page, is_done: bool) -> str:
     return f"{words} · {declaration.ros_term}" if declaration.ros_term else words
 
 
-def question(page: Page, look: Look) -> str:
+def question(page: Page, look: Look, group: Aim | None = None) -> str:
     """Return the line above a menu."""
     if page.kind is PageKind.START:
         return (
@@ -65,6 +66,8 @@ def question(page: Page, look: Look) -> str:
         )
     if page.kind is PageKind.RECIPES:
         return "Each is a whole program: take one, run it, then change it."
+    if group not in (None, Aim.MORE):
+        return GROUPS[group].about
     return f"Choose what `{look.node}` shall do." if look.node else "Choose what shall be done."
 
 

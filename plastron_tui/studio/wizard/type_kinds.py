@@ -9,6 +9,7 @@ from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.search import FoundType, search_types
 
 from .ask import MEETINGS, Ask, Choice
+from .definition_kinds import own_type_to_send
 from .form import Cell
 from .kind import OF_THE_LIST, Kind
 
@@ -97,6 +98,9 @@ class TypeKind(Kind):
         usual = _USUAL[ask.interface].get(name, "")
         found = ask.scene.resolve(usual, ask.interface, ask.version) if usual else None
         if found is None:
+            own = own_type_to_send(ask)
+            if own is not None:
+                return ask.scene.written(own, ask.interface, ask.version)
             return _DEFAULTS[ask.interface]
         return ask.scene.written(found.name, ask.interface, ask.version)
 

@@ -8,15 +8,17 @@ from pathlib import Path
 
 import pytest
 from wizard_courses import (
+    ALL,
     CHANGE,
     MORE,
-    NODE_FILE,
+    PACKAGED,
     SEND,
     TWO_NODES,
     applied,
     choose,
     course,
     formatted,
+    put_beside,
     to_menu_or_review,
 )
 from wizard_driver import way_to
@@ -33,8 +35,6 @@ from plastron_tui.studio.wizard.form import Form
 from plastron_tui.studio.wizard.form_page import _specs
 from plastron_tui.studio.wizard.goals import Aim, aim_of, declarations_of
 from plastron_tui.studio.wizard.kinds import KINDS
-
-ALL = list(DECLARATIONS.values())
 
 MORE_TO_DO = """\
 talker has_parameter 'speed' of parameter_type float with default 0.5
@@ -56,7 +56,7 @@ def test_every_kind_of_slot_is_known() -> None:
 
 def test_every_statement_is_in_one_menu() -> None:
     listed = [declaration for aim in Aim for declaration in declarations_of(aim)]
-    assert sorted(listed, key=keyword) == sorted(ALL, key=keyword)
+    assert sorted(listed, key=keyword) == sorted(DECLARATIONS.values(), key=keyword)
 
 
 @pytest.mark.parametrize("declaration", ALL, ids=keyword)
@@ -70,8 +70,10 @@ def test_every_statement_says_what_it_is_for(declaration: Declaration) -> None:
 def test_every_statement_is_built_of_suggestions_alone(
     declaration: Declaration, tmp_path: Path
 ) -> None:
-    (tmp_path / "sonar.py").write_text(NODE_FILE)
+    put_beside(tmp_path)
     text = EVERYTHING
+    if aim_of(declaration) in (Aim.TYPE, Aim.PACKAGE, Aim.LAUNCH):
+        text += PACKAGED
     if declaration.undoes is not None:
         # Something is left for each node to do.
         text = text.replace("generate_node", "// generate_node")
@@ -245,8 +247,9 @@ def test_two_slots_of_a_kind_are_not_filled_alike(relay: Declaration) -> None:
 
 def test_a_statement_says_that_it_writes_a_file() -> None:
     said = [declaration.keyword for declaration in ALL if declaration.writes_file]
-    assert said == ["generate_node"]
-    assert [each.keyword for each in declarations_of(Aim.WRITE)] == said
+    known = ["generate_node", "generate_type", "generate_package", "generate_launch"]
+    assert sorted(said) == sorted(each for each in known if each in map(keyword, ALL))
+    assert [each.keyword for each in declarations_of(Aim.WRITE)] == ["generate_node"]
 
 
 def test_a_statement_that_is_added_has_its_form(whistle: Declaration) -> None:

@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 from machine import mostly_long
 from studio_driver import Driver
-from wizard_courses import NODE_FILE, TWO_NODES
+from wizard_courses import ALL, PACKAGED, TWO_NODES, put_beside
 from wizard_driver import WizardDriver, way_to, wizard, wizard_from_welcome
 
-from plastron_tui.language import DECLARATIONS, Declaration
+from plastron_tui.language import Declaration
 from plastron_tui.model.kinds import Publisher, Subscription
 from plastron_tui.session import Session
 from plastron_tui.studio.wizard.flow import PageKind
@@ -20,8 +20,6 @@ from plastron_tui.studio.wizard.goals import Aim, aim_of
 
 Step = Callable[[], Awaitable[None]]
 Pick = Callable[[str], Awaitable[None]]
-
-ALL = list(DECLARATIONS.values())
 
 TAKEN_BACK = """
 talker sends_goal to 'count' of action_type Fibonacci with input none
@@ -45,7 +43,7 @@ some_in_quick = pytest.mark.parametrize("declaration", mostly_long(ALL, QUICK, k
 @pytest.fixture
 def file(two: Path) -> Path:
     """A program in which every statement can be written."""
-    two.with_name("sonar.py").write_text(NODE_FILE)
+    put_beside(two.parent)
     return two
 
 
@@ -53,6 +51,8 @@ def program_for(declaration: Declaration, file: Path) -> str:
     text = TWO_NODES
     if declaration.undoes is not None:
         text = text.replace("generate_node", "// generate_node") + TAKEN_BACK
+    if aim_of(declaration) in (Aim.TYPE, Aim.PACKAGE, Aim.LAUNCH):
+        text += PACKAGED
     if aim_of(declaration) is Aim.WRITE:
         text = text.replace("generate_node listener\n", "")
     file.write_text(text)

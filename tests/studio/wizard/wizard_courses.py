@@ -5,7 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from plastron_tui.diagnostics import Edit
-from plastron_tui.language import Document, format_document
+from plastron_tui.language import DECLARATIONS, Document, format_document
+from plastron_tui.language import statements as _statements  # noqa: F401 - declares the statements
+from plastron_tui.language.declaration import Statement
+from plastron_tui.model.interpreter import HANDLERS
 from plastron_tui.session import Session
 from plastron_tui.studio.wizard.context import Surroundings
 from plastron_tui.studio.wizard.flow import Course, Look, PageKind
@@ -21,6 +24,9 @@ ANSWER = "answer questions"
 HAVE = "have a value that can be set from outside"
 REPEAT = "do something, again and again"
 DO = "do a task that takes its time"
+OWN = "make a message of your own"
+PACKAGE = "make it a package"
+TOGETHER = "start several nodes together"
 CHANGE = "change a node file that exists"
 
 TWO_NODES = """\
@@ -36,6 +42,17 @@ listener provides_service 'switch' of service_type SetBool
 generate_node listener
 """
 
+PACKAGED = """
+create_message_type Speed with float64 left, float64 right
+create_package 'rover' as rover
+rover contains listener
+create_launch 'everything' as everything
+everything has_argument 'robot'
+everything starts listener
+everything includes 'other/sensors.launch.xml'
+"""
+"""What a program has besides in which there is something of every kind that is no node."""
+
 NODE_FILE = """\
 #!/usr/bin/env python3
 import rospy
@@ -46,6 +63,63 @@ publisher = rospy.Publisher('range', String, queue_size=10)
 publisher.publish('x')
 rospy.spin()
 """
+
+
+PACKAGE_XML = """\
+<?xml version="1.0"?>
+<package format="3">
+  <name>old_robot</name>
+  <version>0.1.0</version>
+  <description>What was there before.</description>
+  <maintainer email="ann@example.org">Ann</maintainer>
+  <license>MIT</license>
+  <buildtool_depend>ament_python</buildtool_depend>
+  <export>
+    <build_type>ament_python</build_type>
+  </export>
+</package>
+"""
+SETUP_PY = """\
+from setuptools import setup
+
+setup(
+    name="old_robot",
+    version="0.1.0",
+    packages=["old_robot"],
+    entry_points={"console_scripts": []},
+)
+"""
+LAUNCH_XML = """\
+<launch>
+  <node pkg="old_robot" exec="arm" name="arm"/>
+</launch>
+"""
+
+
+def put_beside(folder: Path) -> None:
+    """Write what statements can read: a node, a definition, a package and a launch file."""
+    files = {
+        "sonar.py": NODE_FILE,
+        "msg/Old.msg": "# how far it is\nfloat64 distance\n",
+        "old_robot/package.xml": PACKAGE_XML,
+        "old_robot/setup.py": SETUP_PY,
+        "old_robot/old_robot/__init__.py": "",
+        "launch/old.launch.xml": LAUNCH_XML,
+    }
+    for name, text in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+
+
+def _means_something(type_: type[Statement]) -> bool:
+    """Tell whether a statement has an effect: those to come are in the language before."""
+    code = getattr(HANDLERS[type_], "__code__", None)
+    return code is None or bool(code.co_names or code.co_freevars)
+
+
+ALL = [each for each in DECLARATIONS.values() if _means_something(each.type)]
+"""The statements, but for those that mean nothing yet."""
 
 
 def course(text: str, folder: Path | None = None) -> Course:
@@ -63,7 +137,7 @@ def choose(it: Course, *titles: str) -> Look:
         offers = it.start_offers() if is_start else it.purpose_offers()
         offer = next(each for each in offers if each.title == title)
         assert not offer.closed, offer
-        it.choose(offer.declaration)
+        it.take(offer)
         look = it.look()
     return look
 

@@ -8,13 +8,13 @@ from pathlib import Path
 
 from studio_driver import Driver, studio
 from textual.widgets import Label, OptionList
-from wizard_courses import MORE, SEND
+from wizard_courses import SEND
 
 from plastron_tui.language import Declaration
 from plastron_tui.studio.panels.text_view import TextView
 from plastron_tui.studio.wizard.flow import PageKind
 from plastron_tui.studio.wizard.form_page import FormPage
-from plastron_tui.studio.wizard.goals import Aim, aim_of
+from plastron_tui.studio.wizard.goals import GROUPS, Aim, aim_of
 from plastron_tui.studio.wizard.menu_page import Menu
 from plastron_tui.studio.wizard.rows import Row
 from plastron_tui.studio.wizard.screen import Wizard
@@ -201,8 +201,9 @@ async def wizard_from_welcome() -> AsyncIterator[WizardDriver]:
 
 def way_to(declaration: Declaration) -> list[str]:
     """Return the entries of the menus that lead to a statement of a program with nodes."""
-    if aim_of(declaration) is Aim.MORE:
-        return [MORE, declaration.purpose]
+    group = GROUPS.get(aim_of(declaration))
+    if group is not None:
+        return [group.title, declaration.purpose]
     if aim_of(declaration) in (Aim.NODE, Aim.CHANGE):
         return [declaration.purpose, SEND]
     return [declaration.purpose]

@@ -1,0 +1,60 @@
+"""Launch files, and what they start."""
+
+from __future__ import annotations
+
+from plastron_tui.diagnostics.code import Code
+
+from .programs import TALKING
+
+_BRINGUP = f"{TALKING}create_launch 'bringup' as bringup\n"
+_FULL = f"{_BRINGUP}bringup starts talker\n"
+
+LAUNCH_EXISTS = Code(
+    "launch-exists",
+    "Two launch files of a program have one name.",
+    bad="create_launch 'bringup' as first\ncreate_launch 'bringup' as second\n",
+    good="create_launch 'bringup' as first\ncreate_launch 'robot' as second\n",
+)
+
+UNKNOWN_LAUNCH = Code(
+    "unknown-launch",
+    "No launch file has this variable: it is misspelt, or the launch file is made further down.",
+    bad=f"{_BRINGUP}bringpu starts talker\n",
+    good=_FULL,
+)
+
+ALREADY_STARTED = Code(
+    "already-started",
+    "A launch file starts a node of this name already, or has such an argument, or includes the "
+    "file: two nodes of one name cannot run together.",
+    bad=f"{_FULL}bringup starts talker\n",
+    good=f"{_FULL}bringup starts talker as 'second_talker'\n",
+)
+
+NOT_STARTED = Code(
+    "not-started",
+    "A launch file does not have what is to be taken out of it.",
+    bad=f"{_BRINGUP}bringup no_longer_starts 'talker'\n",
+    good=f"{_FULL}bringup no_longer_starts 'talker'\n",
+)
+
+BAD_LAUNCH_NAME = Code(
+    "bad-launch-name",
+    "A name that a launch file uses cannot be one: an argument has letters, digits and `_`, a node "
+    "is started as `'PACKAGE/EXECUTABLE'`, a file is included as `'PACKAGE/FILE'`.",
+    bad=f"{_BRINGUP}bringup starts 'talker'\n",
+    good=f"{_BRINGUP}bringup starts 'demo/talker'\n",
+)
+
+BROKEN_LAUNCH = Code(
+    "broken-launch",
+    "A file is no launch file, or says what `roslaunch` and `ros2 launch` do not take.",
+)
+
+UNRESOLVED_LAUNCH = Code(
+    "unresolved-launch",
+    "Something in a launch file is only known when it is started, or by code: an argument without "
+    "a value, a condition that is computed, a package that is not here. What hangs on it is left "
+    "out.",
+)
+"""No program shows the last ones: what a launch file says is not said in a program."""

@@ -1,0 +1,1 @@
+"""Launch files that exist: read, and changed in place where they are XML."""

@@ -1,0 +1,158 @@
+"""What a program makes beside nodes: packages, launch files, types of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from plastron_tui.language.declaration import DECLARATIONS
+from plastron_tui.language.sentence import sentence
+from plastron_tui.language.statements import NoLongerContains, NoLongerStarts
+from plastron_tui.ros.interfaces import InterfaceKind
+
+from .entry import SIGNS, Entries, Entry, Subject
+from .panel import Panel
+from .program_panel import ProgramPanel
+
+if TYPE_CHECKING:
+    from plastron_tui.model.launches import Launch
+    from plastron_tui.model.own_types import OwnType
+    from plastron_tui.model.packages import Package
+    from plastron_tui.model.workspace import Workspace
+
+    from ..analysis import Analysis
+
+_EMPTY = "no packages, launch files or types of your own yet\ncreate_package 'rover' as rover"
+_KINDS = {
+    InterfaceKind.MESSAGE: "message",
+    InterfaceKind.SERVICE: "service",
+    InterfaceKind.ACTION: "action",
+}
+
+
+def _entries(analysis: Analysis, _: object) -> Entries:
+    return Entries(_all(analysis.workspace), _EMPTY)
+
+
+def _all(workspace: Workspace) -> Iterator[Entry]:
+    written = {each.package.variable for each in workspace.written_packages}
+    for variable, package in workspace.packages.items():
+        yield from _package(workspace, variable, package, variable in written)
+    launched = {name for each in workspace.packages.values() for name in each.contents}
+    launched |= {each.launch.variable for each in workspace.written_launches}
+    for variable, launch in workspace.launches.items():
+        yield from _launch(workspace, variable, launch, variable in launched)
+    for name, own in workspace.types.items():
+        yield _type(name, own)
+
+
+def _package(
+    workspace: Workspace, variable: str, package: Package, is_written: bool
+) -> Iterator[Entry]:
+    there = () if package.source is None else package.source.executables
+    held = [name for name in there if name not in package.removed]
+    parts = ["loaded" if package.source is not None else ""]
+    if variable != package.name:
+        parts.insert(0, variable)
+    is_empty = not (package.contents or held)
+    yield Entry(
+        f"package {variable}",
+        package.name,
+        " · ".join(filter(None, parts)),
+        *SIGNS[Subject.PACKAGE],
+        warning="is empty" if is_empty else "" if is_written else "not written",
+        span=package.span,
+        subject=Subject.PACKAGE,
+        name=variable,
+        is_branch=not is_empty,
+    )
+    for item, contained in package.contents.items():
+        is_node = item in workspace.nodes
+        yield Entry(
+            f"contained {variable} {item}",
+            contained.name,
+            "" if contained.name == item else item,
+            *SIGNS[Subject.NODE if is_node else Subject.LAUNCH],
+            depth=1,
+            span=contained.span,
+            node=item if is_node else None,
+            name=item,
+            ending=_ending(NoLongerContains, variable, item),
+        )
+    for name in held:
+        yield Entry(
+            f"there {variable} {name}",
+            name,
+            "in the package",
+            "·",
+            depth=1,
+            name=name,
+            ending=_ending(NoLongerContains, variable, f"'{name}'"),
+        )
+
+
+def _ending(type_: type[NoLongerContains], package: str, item: str) -> str:
+    return sentence(DECLARATIONS[type_], {"package": package, "item": item})
+
+
+def _launch(
+    workspace: Workspace, variable: str, launch: Launch, is_written: bool
+) -> Iterator[Entry]:
+    yield Entry(
+        f"launch {variable}",
+        launch.name,
+        "launch file" if variable == launch.name else f"{variable} · launch file",
+        *SIGNS[Subject.LAUNCH],
+        warning="" if is_written else "not written",
+        span=launch.span,
+        subject=Subject.LAUNCH,
+        name=variable,
+        is_branch=bool(launch.starts),
+    )
+    for name, started in launch.starts.items():
+        span = getattr(started, "span", None)
+        namespace = getattr(started, "namespace", None)
+        yield Entry(
+            f"started {variable} {name}",
+            name,
+            f"in {namespace}" if namespace else "",
+            *SIGNS[Subject.NODE],
+            depth=1,
+            span=span,
+            name=name,
+            ending=sentence(DECLARATIONS[NoLongerStarts], {"launch": variable, "name": name}),
+        )
+
+
+def _type(name: str, own: OwnType) -> Entry:
+    return Entry(
+        f"type {name}",
+        name,
+        f"{_KINDS[own.kind]} of your own",
+        *SIGNS[Subject.TYPE],
+        span=own.span,
+        subject=Subject.TYPE,
+        name=name,
+    )
+
+
+def _count(analysis: Analysis) -> int:
+    workspace = analysis.workspace
+    return len(workspace.packages) + len(workspace.launches) + len(workspace.types)
+
+
+PACKAGES = Panel(
+    name="packages",
+    title="Packages",
+    dock="result",
+    keys="alt+9",
+    summary="The packages, the launch files, and the types of the program's own.",
+    about=(
+        "Each package ▣ with what it contains, each launch file ▶ with what it starts, and the "
+        "types ◫ of the program's own. Enter goes to the statement; Delete writes the one that "
+        "takes something out again; G the one that writes it to its files."
+    ),
+    widget=ProgramPanel,
+    make=_entries,
+    count=_count,
+)

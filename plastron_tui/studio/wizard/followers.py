@@ -1,0 +1,99 @@
+"""What else is written along with a new package or a new launch file, where that is wanted."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from plastron_tui.diagnostics import listed
+from plastron_tui.language import statements as st
+from plastron_tui.language.declaration import DECLARATIONS, Statement
+from plastron_tui.session import Session
+
+from .context import Scene, free_name, variables_of
+from .filling import Filled
+from .form import laid_out
+from .program_trial import Placed, check
+
+
+class Extra(NamedTuple):
+    """Statements that follow the one that was asked for.
+
+    Attributes:
+        key: what it is called within the wizard.
+        words: what is offered.
+        lines: the statements.
+    """
+
+    key: str
+    words: str
+    lines: tuple[str, ...]
+
+
+def extras_of(filled: Filled) -> list[Extra]:
+    """Return what may follow a statement, in the order of the program."""
+    declaration = filled.form.declaration.type
+    if declaration is st.CreatePackage:
+        return list(_of_package(filled.scene, filled.cells["variable"].text))
+    if declaration is st.CreateLaunch:
+        return list(_of_launch(filled.scene, filled.cells["variable"].text))
+    return []
+
+
+def _of_package(scene: Scene, package: str) -> Iterator[Extra]:
+    workspace = scene.workspace
+    held = {name for each in workspace.packages.values() for name in each.contents}
+    nodes = [name for name in workspace.nodes if name not in held]
+    launches = [name for name in workspace.launches if name not in held]
+    if nodes or launches:
+        names = [*nodes, *launches]
+        lines = [_line(st.Contains, package=package, item=name) for name in names]
+        yield Extra("contents", f"put into it what there is: {listed(names)}", tuple(lines))
+    if nodes and not launches:
+        taken = {*variables_of(workspace), package}
+        variable = free_name("bringup", taken)
+        lines = [
+            _line(st.CreateLaunch, name=variable, variable=variable),
+            *(_line(st.Starts, launch=variable, started=name) for name in nodes),
+            _line(st.Contains, package=package, item=variable),
+        ]
+        yield Extra("launch", "with a launch file that starts them together", tuple(lines))
+    if nodes or launches:
+        line = _line(st.GeneratePackage, package=package)
+        yield Extra("write", "write it to its folder", (line,))
+
+
+def _of_launch(scene: Scene, launch: str) -> Iterator[Extra]:
+    nodes = list(scene.workspace.nodes)
+    if nodes:
+        lines = [_line(st.Starts, launch=launch, started=name) for name in nodes]
+        yield Extra("starts", f"let it start what there is: {listed(nodes)}", tuple(lines))
+        line = _line(st.GenerateLaunch, launch=launch)
+        yield Extra("write", "write it to its file", (line,))
+
+
+def _line(type_: type[Statement], **texts: str) -> str:
+    return laid_out(DECLARATIONS[type_], texts)
+
+
+def chosen(
+    session: Session, placed: list[Placed], extras: list[Extra], wanted: Mapping[str, bool]
+) -> tuple[list[Placed], list[Extra]]:
+    """Return the statements with those that follow them, and what of that can be had.
+
+    Args:
+        session: the program.
+        placed: the statements that were asked for.
+        extras: what may follow them.
+        wanted: by key, whether somebody wants it; what is not there is wanted.
+    """
+    offered = []
+    for extra in extras:
+        more = [Placed(None, line) for line in extra.lines]
+        # What would be wrong is not offered: the one who asked for a package cannot mend it here.
+        if len(check(session, [*placed, *more]).findings) > len(check(session, placed).findings):
+            continue
+        offered.append(extra)
+        if wanted.get(extra.key, True):
+            placed = [*placed, *more]
+    return placed, offered

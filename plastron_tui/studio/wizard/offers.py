@@ -1,0 +1,113 @@
+"""The entries of the menus: which can be had now, and which most would take next."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from plastron_tui.language import Declaration, SlotKind
+
+from .context import Scene
+from .filling import Filled, Filler
+from .form import Form
+from .goals import GROUPS, Aim, declarations_of
+from .menu import RECIPES, Offer
+from .program_trial import Finding, check
+
+
+def give(main: Form, filled: list[Filled]) -> None:
+    """Let the node of a form be the one that the form before it makes."""
+    slot = main.slot_of(SlotKind.NODE)
+    if slot is None or not filled:
+        return
+    made = filled[0].form.made
+    if made is not None:
+        main.given[slot.name] = filled[0].cells[made.name].text
+
+
+@dataclass(frozen=True, slots=True)
+class Offering:
+    """Makes the entries of menus, for a program."""
+
+    scene: Scene
+    filler: Filler
+
+    def start(self) -> list[Offer]:
+        """Return the entries of the first menu."""
+        offers = []
+        for aim in Aim:
+            group = GROUPS.get(aim)
+            if group is None:
+                offers += [self._offer(each, None) for each in declarations_of(aim)]
+                continue
+            is_closed = aim is Aim.MORE and not self.scene.workspace.nodes
+            closed = "there is no node yet: make one first" if is_closed else ""
+            offers.append(Offer(None, group.title, group.term, group.about, closed, group=aim))
+        return [*offers, RECIPES]
+
+    def purposes(self, group: Aim, head: Form | None, *, is_new: bool) -> list[Offer]:
+        """Return the entries of a menu of its own, what most would do next first in mind.
+
+        Args:
+            group: whose menu it is.
+            head: the form that makes the node that it is about, None where there is none.
+            is_new: whether that node is a new one, which has nothing that could be taken away.
+        """
+        scene = self.scene
+        filled: list[Filled] = []
+        if head is not None:
+            filled.append(self.filler.fill(head, scene))
+            scene = self.filler.extended(scene, filled[0])
+        return [
+            self._offer(each, scene, filled)
+            for each in declarations_of(group)
+            if not (each.undoes is not None and is_new)
+        ]
+
+    def _offer(
+        self, declaration: Declaration, scene: Scene | None, filled: list[Filled] | None = None
+    ) -> Offer:
+        title, term, about = declaration.purpose, declaration.ros_term, declaration.about
+        if scene is None:
+            closed = self._closed(declaration, self.scene, [])
+            # A file's path can be written where none was found.
+            if not declaration.writes_file:
+                closed = ""
+            return Offer(declaration, title, term, about, closed)
+        closed = self._closed(declaration, scene, filled or [])
+        advised = not closed and self._completes(declaration, scene, filled or [])
+        return Offer(declaration, title, term, about, closed, advised)
+
+    def _filled_anew(self, declaration: Declaration, scene: Scene, filled: list[Filled]) -> Filled:
+        form = Form(declaration)
+        give(form, filled)
+        return self.filler.fill(form, scene)
+
+    def _closed(self, declaration: Declaration, scene: Scene, filled: list[Filled]) -> str:
+        """Tell why a statement cannot be had, whatever is entered, as far as that is known."""
+        anew = self._filled_anew(declaration, scene, filled)
+        if anew.all_problems:
+            first = anew.all_problems[0]
+            return "" if _is_for_user(first, declaration) else first.message
+        findings = check(scene.session, anew.written).findings
+        return findings[0].words if findings else ""
+
+    def _completes(self, declaration: Declaration, scene: Scene, filled: list[Filled]) -> bool:
+        """Tell whether a topic or service that lacks a side would have both."""
+        if declaration.undoes is not None:
+            # It may take away the side that there is: whether that is wanted, nobody knows.
+            return False
+        anew = self._filled_anew(declaration, scene, filled)
+        after = Scene(check(scene.session, anew.written).session)
+        return after.lonely < scene.lonely
+
+
+_FOR_USERS = frozenset(
+    {SlotKind.TYPE_FILE, SlotKind.PACKAGE_FOLDER, SlotKind.LAUNCH_FILE, SlotKind.INCLUDED}
+)
+"""The slots that a user can fill where nothing was found for them: with a path."""
+
+
+def _is_for_user(finding: Finding, declaration: Declaration) -> bool:
+    """Tell whether it is for the user to say what is missing."""
+    kinds = (slot.kind for slot in declaration.slots if slot.name == finding.slot)
+    return declaration.undoes is None and any(kind in _FOR_USERS for kind in kinds)

@@ -1,0 +1,1 @@
+"""Launch files that are written anew."""

@@ -1,0 +1,139 @@
+"""From what a program says of a launch file to what the file is to say."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from plastron_tui.model.launches import Launch, Start
+from plastron_tui.model.workspace import Node
+from plastron_tui.ros.launch import (
+    Argument,
+    Container,
+    Include,
+    Item,
+    LaunchFile,
+    Parameter,
+    ParameterFile,
+    ParameterValue,
+    Remapping,
+    StartedNode,
+)
+from plastron_tui.ros.launch_text import Text, package_file, text
+from plastron_tui.ros.names import name_as_written
+from plastron_tui.ros.parameter_values import yaml_text
+from plastron_tui.ros.parameters import Setting
+
+
+class Executable(NamedTuple):
+    """What a node of the program is started by: its package, and its name there."""
+
+    package: str
+    name: str
+
+
+FindExecutable = Callable[[Node], Executable]
+
+
+class Request(NamedTuple):
+    """What a program says of a launch file.
+
+    Attributes:
+        added: what it is to say besides, by the names that programs have for it.
+        removed: names of arguments, of nodes and of included files that are to go.
+    """
+
+    added: LaunchFile
+    removed: tuple[tuple[type[Item], str], ...] = ()
+
+
+def request_of(launch: Launch, ros_version: int, find: FindExecutable) -> Request:
+    """Return what a program says of a launch file.
+
+    Args:
+        launch: the launch file of the program.
+        ros_version: the generation of ROS that it is for.
+        find: tells which package a node of the program is in.
+    """
+    arguments: list[Item] = [
+        Argument(each.name, None if each.default is None else text(_plain(each.default)))
+        for each in launch.arguments.values()
+    ]
+    includes: list[Item] = [
+        Include(package_file(each.package, _path(each.file))) for each in launch.includes.values()
+    ]
+    items = (*arguments, *includes, *_started(launch, ros_version, find))
+    removed = (
+        *((Argument, name) for name in launch.removed_arguments),
+        *((StartedNode, name) for name in launch.removed_starts),
+        *((Include, name) for name in launch.removed_includes),
+    )
+    return Request(LaunchFile(items), removed)
+
+
+def _path(file: str) -> str:
+    """Return where a package has its launch files, unless the program says a folder."""
+    return file if "/" in file else f"launch/{file}"
+
+
+def _started(launch: Launch, ros_version: int, find: FindExecutable) -> list[Item]:
+    """Return what is started; nodes of a container stand in it, where the first of them does."""
+    found: list[Item] = []
+    containers: dict[str, int] = {}
+    for start in launch.starts.values():
+        node = _node(start, ros_version, find)
+        if start.container is None:
+            found.append(node)
+        elif start.container in containers:
+            at = containers[start.container]
+            held = found[at]
+            assert isinstance(held, Container)
+            found[at] = Container(held.node, held.target, (*held.components, node))
+        else:
+            containers[start.container] = len(found)
+            found.append(Container(_container(start.container), None, (node,)))
+    return found
+
+
+def _container(name: str) -> StartedNode:
+    namespace, _, base = name.rpartition("/")
+    return StartedNode(
+        text("rclcpp_components"),
+        text("component_container"),
+        text(base),
+        text(namespace) if namespace else None,
+    )
+
+
+def _node(start: Start, ros_version: int, find: FindExecutable) -> StartedNode:
+    own = Executable(start.package, start.executable) if start.node is None else find(start.node)
+    # roslaunch wants a name, and a component has one of its own only in code.
+    name = start.name
+    if name is None and (ros_version == 1 or start.node is not None or start.container):
+        name = start.run_name
+    parameters: list[Parameter] = []
+    if start.parameters is not None:
+        parameters.append(ParameterFile(_file(start.parameters, own.package)))
+    parameters += [ParameterValue(text(key), value) for key, value in start.settings]
+    return StartedNode(
+        text(own.package),
+        text(own.name),
+        text(name) if name is not None else None,
+        text(start.namespace) if start.namespace is not None else None,
+        tuple(
+            Remapping(
+                text(name_as_written(old, ros_version)), text(name_as_written(new, ros_version))
+            )
+            for old, new in start.remaps
+        ),
+        tuple(parameters),
+        (("output", text("screen")),) if start.container is None else (),
+    )
+
+
+def _file(path: str, package: str) -> Text:
+    return text(path) if path.startswith("/") else package_file(package, path)
+
+
+def _plain(value: Setting) -> str:
+    return value if isinstance(value, str) else yaml_text(value)

@@ -1,0 +1,74 @@
+"""Launch files in XML that are changed in place."""
+
+from __future__ import annotations
+
+import pytest
+
+from plastron_tui.ros.launch import Argument, Include, Item, Remapping, StartedNode
+from plastron_tui.ros.launch_text import package_file, text
+from plastron_tui.sources.launch.edits import add, remove
+from plastron_tui.sources.xml.document import XmlDocument, read_xml
+
+TALKER = StartedNode(
+    text("demo"),
+    text("talker"),
+    text("talker"),
+    remaps=(Remapping(text("chatter"), text("hello")),),
+)
+ITEMS: list[tuple[Item, str]] = [
+    (TALKER, "talker"),
+    (Argument("speed", text("0.5")), "speed"),
+    (Include(package_file("demo", "launch/more.launch")), "demo/more.launch"),
+]
+ROS1 = """<?xml version="1.0"?>
+<launch>
+    <!-- what starts the robot -->
+    <arg name='front' default='true' />
+
+    <node pkg='rover' type='driver' name='driver' output='screen' /> <!-- wheels -->
+    <group ns='front'>
+        <node pkg='rover' type='laser' name='laser' />
+    </group>
+</launch>
+"""
+ROS2 = (
+    '<launch>\r\n\t<let name="a" value="1"/>\r\n'
+    '\t<node pkg="rover" exec="driver"/>\r\n</launch>\r\n'
+)
+EMPTY = "<launch/>\n"
+
+
+def _document(source: str) -> XmlDocument:
+    found = read_xml(source.encode()).document
+    assert found is not None
+    return found
+
+
+@pytest.mark.parametrize("item, name", ITEMS, ids=[name for _, name in ITEMS])
+@pytest.mark.parametrize("source, ros_version", [(ROS1, 1), (ROS2, 2), (EMPTY, 1), (EMPTY, 2)])
+def test_what_is_added_and_taken_out_leaves_no_trace(
+    source: str, ros_version: int, item: Item, name: str
+) -> None:
+    added = add(_document(source), item, ros_version)
+    assert added.document is not None, added.diagnostics
+    removed = remove(added.document, type(item), name, ros_version)
+    assert removed.document is not None, removed.diagnostics
+    assert removed.document.text == source.encode()
+
+
+def test_a_node_is_written_as_the_file_writes_them() -> None:
+    added = add(_document(ROS1), TALKER, 1)
+    assert added.document is not None
+    expected = ROS1.replace(
+        "<!-- wheels -->\n",
+        "<!-- wheels -->\n    <node pkg='demo' type='talker' name='talker'>\n"
+        "        <remap from='chatter' to='hello' />\n    </node>\n",
+    )
+    assert added.document.text.decode() == expected
+
+
+def test_an_argument_that_is_used_stays() -> None:
+    source = '<launch><arg name="a"/><node pkg="p" exec="$(var a)"/></launch>'
+    refused = remove(_document(source), Argument, "a", 2)
+    assert refused.document is None
+    assert refused.diagnostics[0].message == "`a` is still used here, and cannot be taken out"

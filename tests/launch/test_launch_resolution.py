@@ -1,0 +1,69 @@
+"""What a launch file starts, with full names."""
+
+from __future__ import annotations
+
+from plastron_tui.ros.launch_resolution import Opened, Resolved, resolve
+from plastron_tui.ros.launch_text import Scope
+from plastron_tui.sources.launch.unresolved import warnings_of
+from plastron_tui.sources.launch.xml_reader import read_launch_xml
+
+SOURCE = b"""<launch>
+  <arg name="robot" default="rover"/>
+  <arg name="wanted"/>
+  <group>
+    <push_ros_namespace namespace="$(var robot)"/>
+    <node pkg="demo" exec="driver" name="driver" namespace="base">
+      <remap from="scan" to="/laser"/>
+      <param name="speed" value="0.5"/>
+      <param name="label" value="$(var robot)1"/>
+    </node>
+    <node pkg="demo" exec="eye" name="eye" if="$(var wanted)"/>
+    <node pkg="demo" exec="off" if="false"/>
+  </group>
+  <node pkg="demo" exec="listener"/>
+  <include file="$(find-pkg-share demo)/launch/more.launch.xml"/>
+</launch>
+"""
+CIRCLE = b"""<launch>
+  <node pkg="demo" exec="inner" name="inner"/>
+  <include file="more.launch.xml"/>
+</launch>"""
+
+
+def _resolved(**arguments: str) -> Resolved:
+    launch = read_launch_xml(SOURCE).launch
+    assert launch is not None
+    return resolve(launch, 2, Scope(arguments), "bringup.launch.xml")
+
+
+def test_names_are_full() -> None:
+    found = _resolved(wanted="true")
+    assert [each.full_name for each in found.started] == [
+        "/rover/base/driver",
+        "/rover/eye",
+        None,
+    ]
+    driver = found.started[0]
+    assert driver.remaps == (("scan", "/laser"),)
+    assert driver.parameters == (("speed", 0.5), ("label", "rover1"))
+
+
+def test_what_is_not_known_is_told_and_left_out() -> None:
+    found = _resolved()
+    assert [each.executable for each in found.started] == ["driver", "listener"]
+    assert [each.message for each in found.unresolved] == [
+        "what hangs on a condition is left out: `$(var wanted)` is not known here",
+        "an included file is left out: `$(find-pkg-share demo)` is not known here",
+    ]
+    warning = warnings_of(found)[0]
+    assert warning.span is not None
+    where = SOURCE[warning.span.start : warning.span.end]
+    assert where == b'<node pkg="demo" exec="eye" name="eye" if="$(var wanted)"/>'
+
+
+def test_files_that_include_each_other_come_to_an_end() -> None:
+    launch = read_launch_xml(CIRCLE).launch
+    assert launch is not None
+    found = resolve(launch, 2, Scope(), "a", open_include=lambda path: Opened(launch, 2, "", ""))
+    assert len(found.started) == 21
+    assert found.unresolved[-1].message == "the files include each other too often"
