@@ -158,6 +158,7 @@ class Session:
         self._configuration = self._configuration.anew()
         self._fitters = {}
         self._files.starts.clear()  # what a file was made from may be read by now
+        self._files.packages.clear()
         self._interpretation = None
 
     def files_changed(self) -> None:
@@ -221,7 +222,7 @@ class Session:
             self.ros.is_chosen,
             "" if self.path is None else self.path.stem,
             DefinitionReader(self.folder, self.boundary),
-            PackageReader(self.folder, self.boundary),
+            PackageReader(self.folder, self.boundary, self._files.packages),
         )
 
     @property

@@ -14,21 +14,31 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.diagnostics.severity import Severity
+from plastron_tui.model.launches import Launch
 from plastron_tui.model.workspace import Node
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.package_keys import key_of_module
 from plastron_tui.sources import find_language
-from plastron_tui.sources.packages import Changed, add_node, remove_executable
+from plastron_tui.sources.packages import Changed, add_launch, add_node, remove_executable
 from plastron_tui.targets.packages.dependencies import dependencies_of
-from plastron_tui.targets.packages.spec import BuildType, PackagedNode, PackageSpec
+from plastron_tui.targets.packages.spec import BuildType, PackagedLaunch, PackagedNode, PackageSpec
 
 if TYPE_CHECKING:
     from plastron_tui.model.package_source import PackageSource
     from plastron_tui.model.packages import Contained, Package
+    from plastron_tui.output.manifest import Manifest
 
     from .apply_changes import Library
     from .generation import Generated
+
+
+_DEPENDS = "depends"
+"""The dependencies that came with a node's file, as the manifest remembers them."""
+
+
+_LAUNCH = "launch"
+_NO_LAUNCHES: Mapping[str, PackagedLaunch] = {}
 
 
 class LoadedFiles(NamedTuple):
@@ -50,6 +60,8 @@ def loaded_package_files(
     made: Sequence[Generated],
     libraries: Mapping[str, Library],
     output: Path,
+    manifest: Manifest,
+    launches: Mapping[str, PackagedLaunch] = _NO_LAUNCHES,
     *,
     in_place: bool,
 ) -> LoadedFiles:
@@ -60,17 +72,21 @@ def loaded_package_files(
         made: the files of the nodes that the program generates.
         libraries: the client libraries, by name.
         output: the output folder, which gets the changed and the new files.
+        manifest: what is remembered of its files.
+        launches: the launch files that it contains, by variable.
         in_place: whether they are written where the package is instead.
     """
     source = package.source
     assert source is not None, "the package was loaded"
-    work = _Change(package, source, libraries, output, in_place, dict(source.texts))
+    work = _Change(package, source, libraries, output, manifest, in_place, dict(source.texts))
     work.take_out()
     by_variable = {each.generation.node.variable: each for each in made}
     for variable, contained in package.contents.items():
         generated = by_variable.get(variable)
         if isinstance(contained.item, Node) and generated is not None:
             work.put(contained, generated)
+        elif isinstance(contained.item, Launch):
+            work.put_launch(contained, launches.get(variable))
     if any(each.severity is Severity.ERROR for each in work.found):
         return LoadedFiles((), frozenset(), tuple(work.found))
     return LoadedFiles((*work.files(), *work.written), frozenset(work.moved), tuple(work.found))
@@ -82,6 +98,7 @@ class _Change:
     source: PackageSource
     libraries: Mapping[str, Library]
     output: Path
+    manifest: Manifest
     in_place: bool
     texts: dict[str, bytes]
     found: list[Diagnostic] = field(default_factory=list)
@@ -89,10 +106,14 @@ class _Change:
     moved: list[str] = field(default_factory=list)
 
     def take_out(self) -> None:
-        """Take out what the program takes out of the package."""
+        """Take out what the program takes out of the package.
+
+        A dependency that the package had before the node came stays, where the manifest tells.
+        """
         for name, span in self.package.removed.items():
             file = self.source.executables[name].file
-            changed = remove_executable(self.source, self.texts, name, self._needs)
+            added = None if file is None else self._added(file)
+            changed = remove_executable(self.source, self.texts, name, self._needs, added)
             if not self._take(changed, span) or file is None:
                 continue
             is_back = any(each.name == name for each in self.package.contents.values())
@@ -119,16 +140,11 @@ class _Change:
         """Put a node into the package."""
         if generated.files is None or generated.files.files.main is None:
             return
-        file = generated.files.name.removeprefix(f"{self.source.name}/")
+        file = self._inner(generated.files.name)
         text = generated.files.files.main
         known = self.source.texts.get(file)
         if known is not None and known != text and not self._is_in_place(file):
-            message = f"the package `{self.source.name}` has a file `{file}` already"
-            help_ = "name the node otherwise: `contains … as 'other_name'`, or write over the "
-            help_ += "package with `--in-place` where an earlier run made the file"
-            self.found.append(
-                Diagnostic(codes.ALREADY_CONTAINED, message, contained.span, help=help_)
-            )
+            self.found.append(self._taken(file, contained.span))
             return
         library = self.libraries[generated.generation.library]
         name = file.rpartition("/")[2]
@@ -145,9 +161,35 @@ class _Change:
         self.found += unknown
         changed = add_node(self.source, self.texts, contained.name, file, keys)
         self._take(changed, contained.span)
-        if self._is_in_place(file):
-            for each in generated.files.output_files():
-                self._move(each)
+        for each in generated.files.output_files():
+            self._write_node(each, changed.added)
+
+    def put_launch(self, contained: Contained, launch: PackagedLaunch | None) -> None:
+        """Put a launch file into the package's folder `launch`; None where it cannot be written."""
+        if launch is None:
+            message = f"the launch file `{contained.name}` is not written into `{self.source.name}`"
+            self.found.append(Diagnostic(codes.EDIT_REFUSED, message, contained.span))
+            return
+        file = f"{_LAUNCH}/{launch.name}"
+        known = self.source.texts.get(file)
+        if known not in (None, launch.text) and not self._is_in_place(file):
+            self.found.append(self._taken(file, contained.span))
+            return
+        keys = sorted(
+            {*launch.needs, "roslaunch" if self.source.ros_version == 1 else "ros2launch"}
+        )
+        changed = add_launch(self.source, self.texts, file, keys)
+        self._take(changed, contained.span)
+        made = OutputFile(f"{self.source.name}/{file}", launch.text, is_executable=False)
+        self._write_node(made, changed.added)
+
+    def _taken(self, file: str, span: Span) -> Diagnostic:
+        message = f"the package `{self.source.name}` has a file `{file}` already"
+        help_ = (
+            "name it otherwise: `contains … as 'other_name'`, or write over the package with "
+            "`--in-place` where an earlier run made the file"
+        )
+        return Diagnostic(codes.ALREADY_CONTAINED, message, span, help=help_)
 
     def _keys(
         self, node: PackagedNode, library: Library
@@ -177,23 +219,44 @@ class _Change:
         there = os.path.realpath(self.output / self.source.name / file)
         return self.in_place or there == os.path.realpath(self.source.folder / file)
 
-    def _move(self, file: OutputFile) -> None:
-        """Write a node's file where the package is."""
-        inner = file.name.removeprefix(f"{self.source.name}/")
-        path = self.source.folder / inner
+    def _inner(self, name: str) -> str:
+        """Return the path in the package of a file of the output folder."""
+        return name.removeprefix(f"{self.source.name}/")
+
+    def _entry(self, file: str) -> str:
+        """Return what the manifest calls a file that is written where the package is."""
+        return os.path.relpath(self.source.folder / file, self.output).replace(os.sep, "/")
+
+    def _added(self, file: str) -> Sequence[str] | None:
+        """Return the dependencies that came with a file, None where nothing tells."""
+        for name in (self._entry(file), f"{self.source.name}/{file}"):
+            known = self.manifest.bases.get(name, {}).get(_DEPENDS)
+            if isinstance(known, list):
+                return [each for each in known if isinstance(each, str)]
+        return None
+
+    def _write_node(self, file: OutputFile, added: Sequence[str]) -> None:
+        """Write a file of a node, and remember which dependencies came with it."""
+        inner = self._inner(file.name)
         self.moved.append(file.name)
-        self.written.append(
-            replace(file, path=path, entry=file.name, merged_from=None, layers=None)
-        )
+        if self._is_in_place(inner):
+            added = sorted({*added, *(self._added(inner) or ())})
+            path, entry = self.source.folder / inner, self._entry(inner)
+            file = replace(file, path=path, entry=entry, merged_from=None, layers=None)
+        if file.base is not None:
+            file = replace(file, base={**file.base, _DEPENDS: list(added)})
+        self.written.append(file)
 
     def files(self) -> list[OutputFile]:
         """Return the files that were there and are changed."""
         found = []
         for name, text in self.texts.items():
             before = self.source.texts[name]
-            if text == before:
-                continue
             is_over = self._is_in_place(name)
+            # What an earlier run changed is as it was before when nothing of it is left.
+            is_left = not is_over and f"{self.source.name}/{name}" in self.manifest
+            if text == before and not is_left:
+                continue
             found.append(
                 OutputFile(
                     f"{self.source.name}/{name}",

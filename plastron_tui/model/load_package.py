@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.diagnostics import Diagnostic, Label, codes
 from plastron_tui.language import statements as st
 
 from .mistake import Mistake
@@ -26,6 +26,14 @@ def load_package(run: Run, statement: st.LoadPackage) -> None:
     source = loaded.source
     if source is None:
         raise Mistake(*found)
+    for other in run.workspace.packages.values():
+        if other.name == source.name:
+            message = f"a package `{source.name}` exists already"
+            help_ = "a workspace takes one package of a name"
+            labels = (Label(other.span, "first here"),)
+            raise Mistake(
+                Diagnostic(codes.PACKAGE_EXISTS, message, where, help=help_, labels=labels)
+            )
     for each in found:
         run.report(statement, each)
     run.workspace.packages[statement.variable] = Package(

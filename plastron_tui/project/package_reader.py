@@ -6,13 +6,14 @@ import os
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field
+from itertools import islice
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 from plastron_tui.diagnostics import Code, Diagnostic, codes
 from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.model.package_source import LoadedPackage
-from plastron_tui.regular_files import read_regular, reason
+from plastron_tui.regular_files import Stamp, read_regular, reason, stamp_of
 from plastron_tui.sources.packages.reading import (
     CMAKE_LISTS,
     PACKAGE_XML,
@@ -42,13 +43,30 @@ _LARGEST_BUILD_FILE = 4_000_000
 _LARGEST_TEXT = 500_000
 
 
+_MOST_PACKAGES = 16
+"""How many are remembered; a program changes one or two."""
+
+Stamps: TypeAlias = dict[str, Stamp | None]
+"""The files of a package by their paths in it, each with its stamp."""
+
+KnownPackages: TypeAlias = dict[tuple[Path, int], tuple[Stamps, LoadedPackage]]
+"""What was read of packages, by folder and generation of ROS."""
+
+
 class PackageReader:
     """Reads packages by the paths of their folders from the program's, within the project."""
 
-    def __init__(self, folder: Path, boundary: Boundary) -> None:
-        """Set where folders are looked for, and how far the project reaches."""
+    def __init__(self, folder: Path, boundary: Boundary, known: KnownPackages) -> None:
+        """Set where folders are looked for.
+
+        Args:
+            folder: the program's folder.
+            boundary: the project, which no `load_package` leaves unless it is trusted.
+            known: what earlier readers have read; it counts until a file has another stamp.
+        """
         self._folder = folder
         self._boundary = boundary
+        self._known = known
 
     def __call__(self, source: str, ros_version: int) -> LoadedPackage:
         """Read the folder that a `load_package` asks for."""
@@ -61,7 +79,17 @@ class PackageReader:
         # A path that is too long is not there for these.
         if not os.path.isdir(folder):  # noqa: PTH112
             return _not_there(source, folder)
-        files = _Walk(Path(os.path.normpath(folder)), self._boundary)
+        place = Path(os.path.normpath(folder))
+        key, stamps = (place, ros_version), _stamps(place)
+        known = self._known.get(key)
+        if known is None or known[0] != stamps:
+            if len(self._known) >= _MOST_PACKAGES:
+                self._known.clear()
+            known = stamps, self._read(source, _Walk(place, self._boundary, stamps), ros_version)
+            self._known[key] = known
+        return known[1]
+
+    def _read(self, source: str, files: _Walk, ros_version: int) -> LoadedPackage:
         problem = files.read()
         if problem is not None:
             return LoadedPackage(None, (problem,))
@@ -80,6 +108,7 @@ class _Walk:
 
     folder: Path
     boundary: Boundary
+    stamps: Stamps
     names: set[str] = field(default_factory=set)
     texts: dict[str, bytes] = field(default_factory=dict)
     is_whole: bool = True
@@ -99,7 +128,7 @@ class _Walk:
             except OSError as error:
                 message = f"`{name}` cannot be read: {reason(error)}"
                 return Diagnostic(codes.UNREADABLE_FILE, message)
-        for name in _files(self.folder):
+        for name in self.stamps:
             if len(self.names) >= _MOST_FILES:
                 self.is_whole = False
                 break
@@ -119,6 +148,12 @@ class _Walk:
             return
         self.left -= len(text)
         self.texts[name] = text
+
+
+def _stamps(folder: Path) -> Stamps:
+    """Return the files of a package, with what tells whether one was changed."""
+    names = islice(_files(folder), _MOST_FILES + 1)
+    return {name: stamp_of(folder / name) for name in names}
 
 
 def _files(folder: Path) -> Iterator[str]:

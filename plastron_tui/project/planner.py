@@ -173,13 +173,13 @@ class Planner:
         files = [file for each in (*sets, *common.files) for file in each.output_files()]
         if params is not None:
             files.append(params)
-        files, refused = self._with_loaded(files, made)
+        files, refused = self._with_loaded(files, made, manifest)
         found += refused
         plan, problems = make_plan(output, files, manifest, within=configuration.writes_within)
         return plan, (*found, *problems)
 
     def _with_loaded(
-        self, files: list[OutputFile], made: Sequence[Generated]
+        self, files: list[OutputFile], made: Sequence[Generated], manifest: Manifest
     ) -> tuple[list[OutputFile], tuple[Diagnostic, ...]]:
         """Add the files of the packages that the program loads, as it changes them."""
         loaded = {
@@ -195,7 +195,9 @@ class Planner:
         told: tuple[Diagnostic, ...] = ()
         for package in loaded.values():
             output, in_place = self._configuration.output, self._configuration.options.in_place
-            changed = loaded_package_files(package, made, libraries, output, in_place=in_place)
+            changed = loaded_package_files(
+                package, made, libraries, output, manifest, in_place=in_place
+            )
             files = [each for each in files if each.name not in changed.nodes]
             files += changed.files
             told += changed.diagnostics

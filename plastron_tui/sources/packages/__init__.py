@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from .changing import Change, Changed, add_launch, add_node, remove_executable
+from .changing import Changed, add_launch, add_node, remove_executable
 from .reading import PackageFiles, read_package_files
 
 __all__ = [
-    "Change",
     "Changed",
     "PackageFiles",
     "add_launch",

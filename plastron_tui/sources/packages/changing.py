@@ -15,13 +15,17 @@ _REMOVABLE = ("exec_depend", "run_depend", "depend")
 
 
 class Changed(NamedTuple):
-    """The texts of a package after a change, or why there are none (`texts` is then None)."""
+    """A package after a change, or why there is none.
+
+    Attributes:
+        texts: what its files hold, None where the change is refused.
+        diagnostics: why it is refused.
+        added: the dependencies that it did not have.
+    """
 
     texts: dict[str, bytes] | None
     diagnostics: tuple[Diagnostic, ...] = ()
-
-
-Change = Callable[[Mapping[str, bytes]], Changed]
+    added: tuple[str, ...] = ()
 
 
 def add_node(
@@ -55,18 +59,29 @@ def add_node(
     return after if after.texts is None else _add_dependencies(source, after.texts, keys)
 
 
-def add_launch(source: PackageSource, texts: Mapping[str, bytes], file: str) -> Changed:
-    """Let a package install a launch file, by its path in the package."""
+def add_launch(
+    source: PackageSource, texts: Mapping[str, bytes], file: str, keys: Iterable[str]
+) -> Changed:
+    """Let a package install a launch file, and depend on what it starts.
+
+    Args:
+        source: the package.
+        texts: what its files hold by now.
+        file: the launch file, by its path in the package.
+        keys: the packages of what it starts.
+    """
     folder = file.partition("/")[0]
     if source.build_type == "ament_python":
         from plastron_tui.sources.setup_py.data_files import add_data_file
 
         path = source.folder / SETUP_PY
-        return _with(texts, SETUP_PY, add_data_file(texts[SETUP_PY], path, folder, file))
-    from plastron_tui.sources.cmake.shares import add_shared
+        after = _with(texts, SETUP_PY, add_data_file(texts[SETUP_PY], path, folder, file))
+    else:
+        from plastron_tui.sources.cmake.shares import add_shared
 
-    path = source.folder / CMAKE_LISTS
-    return _with(texts, CMAKE_LISTS, add_shared(texts[CMAKE_LISTS], path, file))
+        path = source.folder / CMAKE_LISTS
+        after = _with(texts, CMAKE_LISTS, add_shared(texts[CMAKE_LISTS], path, file))
+    return after if after.texts is None else _add_dependencies(source, after.texts, keys)
 
 
 def remove_executable(
@@ -74,6 +89,7 @@ def remove_executable(
     texts: Mapping[str, bytes],
     executable: str,
     needs: Callable[[bytes], Mapping[str, Iterable[str]]],
+    added: Iterable[str] | None = None,
 ) -> Changed:
     """Let a package install an executable no more, nor depend on what only that needed.
 
@@ -85,6 +101,7 @@ def remove_executable(
         texts: what its files hold by now.
         executable: what one starts it by.
         needs: returns what a text needs to run, by key, each with its modules.
+        added: the dependencies that came with the executable; None where nothing tells.
     """
     known = source.executables[executable]
     path = source.folder / known.where
@@ -114,7 +131,7 @@ def remove_executable(
     gone = [
         key
         for key, modules in needs(text).items()
-        if not any(named_elsewhere(others, (key, *modules)))
+        if (added is None or key in added) and not any(named_elsewhere(others, (key, *modules)))
     ]
     return _remove_dependencies(source, after.texts, gone)
 
@@ -134,6 +151,7 @@ def _add_dependencies(
     package, found = read_package(texts[PACKAGE_XML], source.folder / PACKAGE_XML)
     if package is None:
         return Changed(None, found)
+    added: list[str] = []
     for key in keys:
         if key == source.name:
             continue
@@ -141,7 +159,9 @@ def _add_dependencies(
         if edit.package is None:
             return Changed(None, edit.diagnostics)
         package = edit.package
-    return Changed({**texts, PACKAGE_XML: package.document.text})
+        if edit.tags:
+            added.append(key)
+    return Changed({**texts, PACKAGE_XML: package.document.text}, (), tuple(added))
 
 
 def _remove_dependencies(
