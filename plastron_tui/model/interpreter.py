@@ -19,6 +19,7 @@ from . import launch_statements
 from .circles import check_circles
 from .context import Setting
 from .kinds import EDITABLE, EndpointKind
+from .load_package import load_package
 from .meetings import check_meetings
 from .mistake import Mistake
 from .node_statements import create_node, generate_node, load
@@ -106,6 +107,7 @@ HANDLERS: dict[type[Statement], Callable[[Run, Any], None]] = {
     st.DropType: drop_type,
     st.GenerateType: generate_type,
     st.CreatePackage: create_package,
+    st.LoadPackage: load_package,
     st.Contains: contains,
     st.NoLongerContains: no_longer_contains,
     st.GeneratePackage: generate_package,
@@ -115,8 +117,8 @@ HANDLERS: dict[type[Statement], Callable[[Run, Any], None]] = {
 }
 """What each statement does."""
 
-# To come: packages and launch files that exist.
-for _type in (st.LoadPackage, st.LoadLaunch):
+# To come: launch files that exist.
+for _type in (st.LoadLaunch,):
     HANDLERS[_type] = lambda run, statement: None
 
 

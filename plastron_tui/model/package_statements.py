@@ -16,10 +16,11 @@ from plastron_tui.ros.packages import (
 )
 
 from .launches import Launch
+from .load_package import home_in
 from .mistake import Mistake
 from .packages import Contained, Package, PackageGeneration
 from .run import Run
-from .workspace import Generation, Home, Node
+from .workspace import Generation, Node
 
 
 def create_package(run: Run, statement: st.CreatePackage) -> None:
@@ -133,9 +134,12 @@ def contains(run: Run, statement: st.Contains) -> None:
                     labels=(Label(other.span, "first here"),),
                 )
             )
+    home = None
+    if isinstance(item, Node):
+        home = home_in(run, statement, package, item, contained.name)
     package.contents[statement.item] = contained
     if isinstance(item, Node):
-        item.home = Home(package.name, contained.name)
+        item.home = home
 
 
 def check_item(run: Run, statement: st.Contains) -> Node | Launch:
@@ -217,9 +221,9 @@ def no_longer_contains(run: Run, statement: st.NoLongerContains) -> None:
     held = [key for key, each in package.contents.items() if each.name == name]
     for key in held:
         _take_out(package, key)
-    is_there = package.source is not None and name in package.source.executables
-    if is_there:
-        package.removed[name] = statement.span
+    there = None if package.source is None else package.source.executable(name)
+    if there is not None:
+        package.removed[there] = statement.span
     elif not held:
         names = [each.name for each in package.contents.values()]
         if package.source is not None:

@@ -48,10 +48,12 @@ class Home(NamedTuple):
     Attributes:
         package: its name.
         executable: what one starts the node by.
+        folder: the folder of the package that its file is in; None for the usual one.
     """
 
     package: str
     executable: str
+    folder: str | None = None
 
     @property
     def stem(self) -> str:

@@ -174,7 +174,8 @@ class Planner:
         files = [file for each in (*sets, *common.files) for file in each.output_files()]
         if params is not None:
             files.append(params)
-        files += whole
+        files, refused = self._with_loaded([*files, *whole], made, manifest)
+        found += refused
         plan, problems = make_plan(output, files, manifest, within=configuration.writes_within)
         return plan, (*found, *problems)
 
@@ -200,6 +201,32 @@ class Planner:
         folder = Folder(configuration.output, manifest, self._author.name, force)
         files, notes = text_files(packages.files, folder)
         return files, [*packages.diagnostics, *notes]
+
+    def _with_loaded(
+        self, files: list[OutputFile], made: Sequence[Generated], manifest: Manifest
+    ) -> tuple[list[OutputFile], tuple[Diagnostic, ...]]:
+        """Add the files of the packages that the program loads, as it changes them."""
+        written = () if self._workspace is None else self._workspace.written_packages
+        loaded = {
+            each.package.variable: each.package
+            for each in written
+            if each.package.source is not None
+        }
+        if not loaded:
+            return files, ()
+        from plastron_tui.generating.loaded_package import loaded_package_files
+
+        libraries = {name: found for name in LIBRARIES if (found := self._library(name))}
+        told: tuple[Diagnostic, ...] = ()
+        for package in loaded.values():
+            output, in_place = self._configuration.output, self._configuration.options.in_place
+            changed = loaded_package_files(
+                package, made, libraries, output, manifest, in_place=in_place
+            )
+            files = [each for each in files if each.name not in changed.nodes]
+            files += changed.files
+            told += changed.diagnostics
+        return files, told
 
     def _params(self, manifest: Manifest) -> OutputFile | None:
         """Make the parameter file of all that is generated, where the project reaches so far."""

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Span, codes
+from plastron_tui.diagnostics import Diagnostic, Span
 
 Spans = Mapping[int, Span]
 """Where a program says what the lines of a file say, counted from 1; 0 stands for all of it."""

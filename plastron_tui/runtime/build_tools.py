@@ -75,9 +75,7 @@ class BuildError(Exception):
         diagnostics: what the tools said of the packages' files, instead of it.
     """
 
-    def __init__(
-        self, message: str, help_: str, diagnostics: Sequence[Diagnostic] = ()
-    ) -> None:
+    def __init__(self, message: str, help_: str, diagnostics: Sequence[Diagnostic] = ()) -> None:
         """Set both lines of the diagnostic, or the diagnostics."""
         super().__init__(message)
         self.help = help_
@@ -173,9 +171,7 @@ def _colcon(environment: Environment, own: dict[str, str]) -> Builder:
             "Python3_ROOT_DIR": base,
             "PLASTRON_INCLUDES": f"{headers};{numpy}",
         }
-        own["PATH"] = os.pathsep.join(
-            filter(None, (f"{prefix}/bin", own.get("PATH", os.defpath)))
-        )
+        own["PATH"] = os.pathsep.join(filter(None, (f"{prefix}/bin", own.get("PATH", os.defpath))))
         for name in ("AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH"):
             own[name] = os.pathsep.join(filter(None, (own.get(name, ""), prefix)))
     _check_tools(environment, own, headers)
@@ -221,9 +217,7 @@ def _ask_python(environment: Environment, own: Mapping[str, str]) -> list[str]:
     return folders
 
 
-def _check_tools(
-    environment: Environment, own: Mapping[str, str], headers: str | None
-) -> None:
+def _check_tools(environment: Environment, own: Mapping[str, str], headers: str | None) -> None:
     path = own.get("PATH", os.defpath)
     missing = [each for tool, each in _TOOLS.items() if shutil.which(tool, path=path) is None]
     if headers is not None and not (Path(headers) / "Python.h").is_file():

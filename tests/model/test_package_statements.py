@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 from workspaces import TALKER, marked, run, workspace
 
+from plastron_tui.model.workspace import Home
+
 ROVER = f"{TALKER}create_package 'rover' as rover\n"
 FULL = f"{ROVER}rover contains n as 'talk'\n"
 
@@ -72,5 +74,5 @@ def test_a_package_is_written_with_its_nodes_as_they_are_then() -> None:
     [written] = found.written_packages
     [node] = found.generations
     assert list(written.package.contents) == ["n"]
-    assert (node.node.name, node.node.home) == ("talker", ("rover", "talk"))
+    assert (node.node.name, node.node.home) == ("talker", Home("rover", "talk"))
     assert list(found.packages["rover"].contents) == ["other"]

@@ -12,6 +12,7 @@ from plastron_tui.language import Document, lower
 from plastron_tui.language.declaration import DECLARATIONS
 from plastron_tui.model.context import FoundDefinition, LoadedDefinition, Setting
 from plastron_tui.model.interpreter import interpret
+from plastron_tui.model.package_source import LoadedPackage, PackageSource
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind
 
@@ -246,6 +247,7 @@ def _mistakes(line: str) -> list[str]:
         catalog,
         FakeReader({"driver": driver}),
         read_definition=lambda _: found,
+        read_package=lambda *_: LoadedPackage(PackageSource(Path("p"), "p", 1, "catkin")),
     )
     text = BEFORE + line + "\n"
     found = interpret(lower(Document(text.encode())), setting).diagnostics

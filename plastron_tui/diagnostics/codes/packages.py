@@ -106,6 +106,19 @@ BAD_PACKAGE_FILE = Code(
     "one has already. Give it another name with `as`.",
 )
 
+OTHER_ROS = Code(
+    "other-ros",
+    "A package is for one generation of ROS, and a node for the other is put into it. A package "
+    "of `catkin` is for ROS 1, one of `ament_python` or `ament_cmake` for ROS 2.",
+)
+
+FILE_STAYS = Code(
+    "file-stays",
+    "An executable was taken out of a package that exists, and its file is left there: something "
+    "else may need it. Remove it by hand where nothing does.",
+    severity=Severity.WARNING,
+)
+
 UNKNOWN_IMPORT = Code(
     "unknown-import",
     "A node imports a module, and no package is known to bring it: `package.xml` says nothing of "
