@@ -377,4 +377,4 @@ class Session:
 
     def _own_types(self, ros_version: int) -> OwnInterfaces:
         known = self._interpretation
-        return {} if known is None else known.own_types(ros_version)
+        return {} if known is None else known.own_types.get(ros_version, {})

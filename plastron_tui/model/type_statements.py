@@ -223,7 +223,7 @@ def _line(
         span = Span(start, start + len(words[0].encode()))
         return [Diagnostic(full.code, full.message, span, help=full.help)]
     line = f"{full} {words[1]}"
-    read = parse_definition(line, name, InterfaceKind.MESSAGE, version)
+    read = parse_definition(line, name, InterfaceKind.MESSAGE, version, is_new=True)
     if read.interface is None:
         return [_in_string(each, where) for each in read.diagnostics]
     return line
