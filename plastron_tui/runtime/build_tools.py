@@ -10,15 +10,14 @@ import json
 import os
 import shutil
 import subprocess
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.ros.installations import Origin
 
 from . import installing
-from .action_messages import NEEDED, action_messages, needed_messages
+from .action_messages import action_messages, needed_messages
 from .environment import Environment, missing_packages, node_environ
 
 # The tools of a build, by the Debian package that has each; what is asked for of the extra.
@@ -68,18 +67,16 @@ print(json.dumps([sys.prefix, base, headers, numpy.get_include()]))
 
 
 class BuildError(Exception):
-    """Packages cannot be built; `help` says what is missing, or where to look.
+    """Packages cannot be built, because of what the message says.
 
     Attributes:
-        help: the help line of the diagnostic that comes of it.
-        diagnostics: what the tools said of the packages' files, instead of it.
+        help: how that is mended.
     """
 
-    def __init__(self, message: str, help_: str, diagnostics: Sequence[Diagnostic] = ()) -> None:
-        """Set both lines of the diagnostic, or the diagnostics."""
+    def __init__(self, message: str, help_: str) -> None:
+        """Set what the diagnostic that comes of it says."""
         super().__init__(message)
         self.help = help_
-        self.diagnostics = tuple(diagnostics)
 
 
 @dataclass(frozen=True, slots=True)
@@ -206,7 +203,7 @@ def _colcon(environment: Environment, own: dict[str, str]) -> Builder:
 def _ask_python(environment: Environment, own: Mapping[str, str]) -> list[str]:
     """Return the folders of a Python: itself, its base, its headers, and those of numpy."""
     remedy = f"install it with `{installing.extra(environment.distribution)}`"
-    message = "packages have to be built, and what builds them is not among the Python packages"
+    message = "what builds them is not among the Python packages"
     if missing_packages(environment, _BUILD_PACKAGES, own):
         raise BuildError(message, remedy)
     command = [str(environment.python), "-c", _ASK_PYTHON]
@@ -226,11 +223,11 @@ def _check_tools(environment: Environment, own: Mapping[str, str], headers: str 
     if environment.origin is not Origin.EXTRA and not has_colcon:
         missing.append("python3-colcon-common-extensions")
     if missing:
-        message = "packages have to be built, and the tools for it are not installed"
+        message = "the tools for it are not installed"
         raise BuildError(message, f"install them with `sudo apt install {' '.join(missing)}`")
     if not has_colcon:
-        message = "packages have to be built, and colcon is not installed"
-        raise BuildError(message, "install it with `pip install colcon-common-extensions`")
+        command = installing.extra(environment.distribution)
+        raise BuildError("colcon is not installed", f"install it with `{command}`")
 
 
 def _has_catkin() -> bool:
@@ -241,13 +238,14 @@ def _has_catkin() -> bool:
 def _catkin(environment: Environment, own: Mapping[str, str]) -> Builder:
     path = own.get("PATH", os.defpath)
     if not all(shutil.which(tool, path=path) for tool in ("catkin_make", *_TOOLS)):
-        message = "packages have to be built, and the tools for it are not installed"
+        message = "the tools for it are not installed"
         name = f"ros-{environment.distribution or 'noetic'}-catkin"
         raise BuildError(message, f"install them with `sudo apt install {name} cmake make g++`")
 
     def steps(workspace: Workspace) -> Iterator[Step]:
         words = (
-            *("catkin_make", f"-j{os.cpu_count() or 1}", "install"),
+            # A definition that needs another one than before is refused without it.
+            *("catkin_make", "--force-cmake", f"-j{os.cpu_count() or 1}", "install"),
             f"-DCMAKE_INSTALL_PREFIX={workspace.install}",
             f"-DPYTHON_EXECUTABLE={environment.python}",
             "-DCATKIN_ENABLE_TESTING=OFF",
@@ -298,22 +296,20 @@ def _write_definitions(
         for path, text in files.items()
         if path.startswith(("msg/", "srv/"))
     }
-    needed: set[str] = set()
     for package, files in packages.items():
         for path, text in files.items():
             if path.startswith("action/"):
                 name = Path(path).stem
                 for message, made in action_messages(name, text.decode("utf-8", "replace")):
                     texts[f"{package}/msg/{message}.msg"] = made.encode()
-                needed.update(NEEDED)
     for path, text in texts.items():
         (share / path).parent.mkdir(parents=True, exist_ok=True)
         (share / path).write_bytes(text)
-    if needed:
-        for name, made in needed_messages(environment.distribution):
-            file = share.parent / "needed" / name.package / "msg" / f"{name.name}.msg"
-            file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_text(made, encoding="utf-8")
+    if any(path.startswith("action/") for files in packages.values() for path in files):
+        for needed_name, made in needed_messages(environment.distribution):
+            folder = share.parent / "needed" / needed_name.package / "msg"
+            folder.mkdir(parents=True, exist_ok=True)
+            (folder / f"{needed_name.name}.msg").write_text(made, encoding="utf-8")
     shares = [share, *(each / "share" for each in environment.overlays), share.parent / "needed"]
     return [
         word

@@ -71,16 +71,27 @@ def overlay(
     """
     if not packages:
         return environment, []
-    names = ", ".join(f"`{each.name}`" for each in packages)
+    names = " and ".join(f"`{each.name}`" for each in packages)
     try:
         made = _built(environment, packages, tell, environ)
+    except _FailedError as failed:
+        return environment, failed.diagnostics
     except BuildError as error:
-        found = error.diagnostics or (Diagnostic(codes.NOT_BUILT, str(error), help=error.help),)
-        return environment, list(found)
+        verb = "has" if len(packages) == 1 else "have"
+        message = f"{names} {verb} to be built, and {error}"
+        return environment, [Diagnostic(codes.NOT_BUILT, message, help=error.help)]
     except OSError as error:
         message = f"{names} could not be built in {cache_folder(environ)}: {reason(error)}"
         return environment, [Diagnostic(codes.NOT_BUILT, message)]
     return replace(environment, overlays=(*environment.overlays, made)), []
+
+
+class _FailedError(Exception):
+    """A build has failed, with what there is to say about it."""
+
+    def __init__(self, diagnostics: list[Diagnostic]) -> None:
+        super().__init__(diagnostics)
+        self.diagnostics = diagnostics
 
 
 def _built(
@@ -106,7 +117,7 @@ def _built(
         if _use(kept):
             return kept
         _write_sources(workspace.source, packages)
-        with _log(workspace) as log:
+        with _unfinished(workspace), _log(workspace) as log:
             for step in builder(workspace):
                 _run(step, workspace, packages, tell, log)
         _keep(workspace.made, kept)
@@ -153,13 +164,29 @@ def _short(name: str) -> str:
 @contextmanager
 def _locked(folder: Path, waits: Callable[[], object]) -> Iterator[None]:
     """Keep other runs out of a workspace; the lock ends with the process, however that ends."""
-    with open(folder / "lock", "w") as file:
+    with (folder / "lock").open("w") as file:
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
             waits()
             fcntl.flock(file, fcntl.LOCK_EX)
         yield
+
+
+@contextmanager
+def _unfinished(workspace: Workspace) -> Iterator[None]:
+    """Mark a workspace while it is built in: a killed compiler may have left half a file."""
+    mark = workspace.root / "unfinished"
+    if mark.exists():
+        for folder in ("build", "devel", "install"):
+            shutil.rmtree(workspace.root / folder, ignore_errors=True)
+    mark.touch()
+    try:
+        yield
+    except _FailedError:
+        mark.unlink()
+        raise
+    mark.unlink()
 
 
 def _write_sources(folder: Path, packages: Sequence[BuiltPackage]) -> None:
@@ -194,7 +221,7 @@ def _run(
     """Run a step of a build.
 
     Raises:
-        BuildError: it fails.
+        _FailedError: it fails.
         KeyboardInterrupt: the user interrupts it.
     """
     lines: list[str] = []
@@ -221,16 +248,16 @@ def _run(
     [end] = supervisor.exits
     if end.status != 0:
         spans = {each.name: each.spans for each in packages}
-        raise BuildError(
-            f"`{now.package}` could not be built: `{Path(step.argv[0]).name}` {end.words}",
-            f"read what it said in {workspace.log}",
-            errors_of(lines, workspace.source, spans, workspace.log),
-        )
+        help_ = f"read what the build said in {workspace.log}"
+        found = errors_of(lines, workspace.source, spans, help_)
+        tool = Path(step.argv[0]).name
+        message = f"`{now.package}` could not be built: `{tool}` {end.words}"
+        raise _FailedError(found or [Diagnostic(codes.NOT_BUILT, message, help=help_)])
 
 
 @contextmanager
 def _log(workspace: Workspace) -> Iterator[Callable[[str], None]]:
-    with open(workspace.log, "w", encoding="utf-8", errors="replace") as file:
+    with workspace.log.open("w", encoding="utf-8", errors="replace") as file:
         written = 0
 
         def write(line: str) -> None:
@@ -270,7 +297,7 @@ def _forget_oldest(folder: Path, most: int, used: Path) -> None:
 
 
 def _is_locked(folder: Path) -> bool:
-    with suppress(OSError), open(folder / "lock") as file:
+    with suppress(OSError), (folder / "lock").open() as file:
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
