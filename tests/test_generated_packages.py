@@ -186,3 +186,45 @@ def test_launch_files_are_written_in_python_on_request(tmp_path: Path) -> None:
     generate(tmp_path, PACKAGE + LAUNCH + "demo contains bringup\n" + WRITE)
     text = files(tmp_path)["demo/launch/bringup.launch.py"].decode()
     assert "LaunchDescription" in text and "remappings" in text
+
+
+DEFINITION = "# How fast the wheels turn.\nfloat64 left   # m/s\r\n\n# a section\nfloat64 right"
+CHANGE = "load_type 'msg/Wheels.msg' as Wheels\nWheels has_field \"float64 slip\"\n"
+
+
+@pytest.mark.parametrize("in_place", [False, True])
+def test_a_definition_that_exists_keeps_all_other_bytes(tmp_path: Path, in_place: bool) -> None:
+    file = tmp_path / "msg" / "Wheels.msg"
+    file.parent.mkdir()
+    file.write_bytes(DEFINITION.encode())
+    options = Options("rclpy", tmp_path / "output", in_place=in_place)
+    text = f"{CHANGE}generate_type Wheels\n"
+    program = Session(text.encode(), tmp_path / "a.plastron", options, environ={})
+    plan, found = program.plan()
+    assert [*program.diagnostics, *found] == []
+    assert write(plan).diagnostics == ()
+    written = file if in_place else tmp_path / "output" / "Wheels.msg"
+    # The end of the text stays as it is: without a newline.
+    assert written.read_bytes() == DEFINITION.encode() + b"\nfloat64 slip"
+    if not in_place:
+        assert file.read_bytes() == DEFINITION.encode()
+    again = Session(text.encode(), tmp_path / "a.plastron", options, environ={})
+    plan, found = again.plan()
+    assert [*again.diagnostics, *found] == []
+    assert {each.state.value for each in plan.files} <= {"identical"}
+
+
+OUTSIDE = ["../Wheels.msg", "/etc/Wheels.msg", "msg/Nothing.msg", "msg", "msg/Wheels.txt"]
+
+
+@pytest.mark.parametrize("path", OUTSIDE)
+def test_a_definition_that_is_not_there_is_told(tmp_path: Path, path: str) -> None:
+    folder = tmp_path / "project"
+    (folder / "msg").mkdir(parents=True)
+    (folder / "plastron.yaml").touch()
+    (folder / "msg" / "Wheels.msg").write_text("int32 x\n")
+    (tmp_path / "Wheels.msg").write_text("int32 x\n")
+    text = f"load_type '{path}' as Wheels\n"
+    program = Session(text.encode(), folder / "a.plastron", environ={})
+    [found] = program.diagnostics
+    assert found.code in ("outside-project", "file-not-found")

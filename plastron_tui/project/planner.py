@@ -186,6 +186,7 @@ class Planner:
         workspace = self._workspace
         if workspace is None or not workspace.has_more_than_nodes:
             return [], []
+        from plastron_tui.generating.own_definitions import loaded_definitions
         from plastron_tui.generating.program_packages import ProgramPackages
         from plastron_tui.generating.text_files import Folder, text_files
 
@@ -200,7 +201,14 @@ class Planner:
         force = configuration.options.force
         folder = Folder(configuration.output, manifest, self._author.name, force)
         files, notes = text_files(packages.files, folder)
+        types = workspace.types.values() if self._writes_types(workspace) else ()
+        files += loaded_definitions(types, in_place=configuration.options.in_place)
         return files, [*packages.diagnostics, *notes]
+
+    @staticmethod
+    def _writes_types(workspace: Workspace) -> bool:
+        """Tell whether the program writes anything: types that it changes are written with it."""
+        return bool(workspace.generations or workspace.written_types or workspace.written_packages)
 
     def _with_loaded(
         self, files: list[OutputFile], made: Sequence[Generated], manifest: Manifest
