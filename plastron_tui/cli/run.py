@@ -78,6 +78,8 @@ def command(
     The nodes run with a ROS of their client library's: a sourced one, else the Python packages of
     the extra `ros2`, or Debian's rospy, for which a master is started where none answers. Ctrl-C
     stops everything. Exits with 1 when a node fails.
+
+    A launch file is started as it is; behind it stand its arguments, as NAME:=VALUE.
     """
     from plastron_tui.project.run_setup import RunSetup
     from plastron_tui.ros.run_names import RunNames

@@ -151,7 +151,7 @@ def find_packages(
 def _prefixes(environment: Environment, environ: Mapping[str, str]) -> Iterator[Path]:
     if environment.origin is Origin.SOURCED:
         for each in environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
-            if os.path.isabs(each):
+            if Path(each).is_absolute():
                 yield Path(each)
     elif environment.origin is Origin.EXTRA:
         yield environment.python.parent.parent

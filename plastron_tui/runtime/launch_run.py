@@ -196,7 +196,8 @@ def _roslaunch(
         return Prepared((), (missing_package(environment, "roslaunch"),))
     start = command("roslaunch:main", str(environment.python))
     given = (f"{name}:={value}" for name, value in arguments.items())
-    folders = [("ROS_PACKAGE_PATH", packages.root)]
+    # Nodes begin with `#!/usr/bin/env python3` as a rule, which has to be the one with rospy.
+    folders = [("ROS_PACKAGE_PATH", packages.root), ("PATH", environment.python.parent)]
     folders += (("PYTHONPATH", each / "src") for each in packages.sources.values()
                 if (each / "setup.py").is_file() and (each / "src").is_dir())  # fmt: skip
     node = NodeFile(
