@@ -143,7 +143,7 @@ class _Change:
         file = self._inner(generated.files.name)
         text = generated.files.files.main
         known = self.source.texts.get(file)
-        if known is not None and known != text and not self._is_in_place(file):
+        if known not in (None, text) and not self._is_own(file):
             self.found.append(self._taken(file, contained.span))
             return
         library = self.libraries[generated.generation.library]
@@ -172,7 +172,7 @@ class _Change:
             return
         file = f"{_LAUNCH}/{launch.name}"
         known = self.source.texts.get(file)
-        if known not in (None, launch.text) and not self._is_in_place(file):
+        if known not in (None, launch.text) and not self._is_own(file):
             self.found.append(self._taken(file, contained.span))
             return
         keys = sorted(
@@ -183,8 +183,16 @@ class _Change:
         made = OutputFile(f"{self.source.name}/{file}", launch.text, is_executable=False)
         self._write_node(made, changed.added)
 
+    def _is_own(self, file: str) -> bool:
+        """Tell whether an earlier run wrote a file, where this one would write over it."""
+        return self._is_in_place(file) and self._entry(file) in self.manifest
+
     def _taken(self, file: str, span: Span) -> Diagnostic:
         message = f"the package `{self.source.name}` has a file `{file}` already"
+        for there in self.source.executables.values():
+            if there.file == file:
+                message += f": line {there.line} of `{there.where}` installs it"
+                break
         help_ = (
             "name it otherwise: `contains … as 'other_name'`, or write over the package with "
             "`--in-place` where an earlier run made the file"
