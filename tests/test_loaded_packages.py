@@ -97,13 +97,22 @@ def test_a_dependency_that_was_there_before_stays(tmp_path: Path) -> None:
         ("demo/other.py", "import os\n", False),
     ],
 )
-def test_a_dependency_stays_that_something_else_names(
+def test_a_dependency_stays_that_something_else_names_by_now(
     path: str, text: str, stays: bool, tmp_path: Path
 ) -> None:
-    package = lay(tmp_path, {**AMENT_PYTHON, path: text})
+    package = lay(tmp_path, AMENT_PYTHON)
     run(IN, tmp_path, "rclpy", in_place=True)
+    lay(tmp_path, {path: text})
     run(OUT, tmp_path, "rclpy", in_place=True)
     assert (b"std_msgs" in texts(package)["package.xml"]) is stays
+
+
+def test_a_dependency_goes_that_the_package_named_and_did_not_declare(tmp_path: Path) -> None:
+    package = lay(tmp_path, {**AMENT_PYTHON, "demo/other.py": "import std_msgs.msg\n"})
+    before = texts(package)
+    run(IN, tmp_path, "rclpy", in_place=True)
+    run(OUT, tmp_path, "rclpy", in_place=True)
+    assert texts(package)["package.xml"] == before["package.xml"]
 
 
 def test_output_is_as_the_package_is_once_nothing_is_contained(tmp_path: Path) -> None:
@@ -177,7 +186,7 @@ REFUSED = [
     (
         AMENT_PYTHON,
         IN.replace("contains talker", "contains talker as 'listener'"),
-        *("already-contained", "line 11 of `setup.py`"),
+        *("already-contained", "line 12 of `setup.py`"),
     ),
     (AMENT_PYTHON, OUT, "not-contained", "`talker`"),
     ({**CATKIN, "scripts/talker.py": "import os\n"}, IN, "other-ros", "is for ROS 1"),
