@@ -372,12 +372,9 @@ class Session:
 
         author = Author(self._name, digest(self.document.text), self.folder)
         manifest = self._files.manifest
-        known = self._interpretation
-        packages = () if known is None else known.workspace.written_packages
-        return Planner(
-            self._configuration, author, manifest, generations, self._own_types, packages
-        )
+        known = None if self._interpretation is None else self._interpretation.workspace
+        return Planner(self._configuration, author, manifest, generations, self._own_types, known)
 
     def _own_types(self, ros_version: int) -> OwnInterfaces:
         known = self._interpretation
-        return {} if known is None else known.own_types(ros_version)
+        return {} if known is None else known.own_types.get(ros_version, {})

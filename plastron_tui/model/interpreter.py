@@ -49,13 +49,13 @@ class Interpretation(NamedTuple):
         diagnostics: what is wrong with it.
         fitters: what knows the values of its statements, by generation of ROS: a help with the
             same program after an edit.
-        own_types: gives its own interface types in a generation of ROS.
+        own_types: its own interface types, by generation of ROS.
     """
 
     workspace: Workspace
     diagnostics: tuple[Diagnostic, ...]
     fitters: Mapping[int, Fitter]
-    own_types: Callable[[int], OwnInterfaces] = lambda _: {}
+    own_types: Mapping[int, OwnInterfaces] = {}
 
 
 _STRETCH = 256
@@ -84,7 +84,8 @@ def interpret(
         diagnostics += tuple(late_changes(program, workspace))
         diagnostics += tuple(check_meetings(program, workspace, version_of))
         diagnostics += tuple(check_circles(workspace, version_of))
-    workspace, own_types = interpreter.workspace, interpreter.own_types
+    workspace = interpreter.workspace
+    own_types = {each: interpreter.own_types(each) for each in (1, 2)} if workspace.types else {}
     return Interpretation(workspace, diagnostics, interpreter.fitters, own_types)
 
 

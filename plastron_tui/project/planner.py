@@ -18,9 +18,8 @@ if TYPE_CHECKING:
     from plastron_tui.generating.file_names import FileNames
     from plastron_tui.generating.generation import Generated
     from plastron_tui.model.own_types import OwnInterfaces
-    from plastron_tui.model.packages import PackageGeneration
     from plastron_tui.model.source import FileSet
-    from plastron_tui.model.workspace import Generation
+    from plastron_tui.model.workspace import Generation, Workspace
     from plastron_tui.output.manifest import Manifest, Reading
     from plastron_tui.output.patch_stack import Author
     from plastron_tui.output.plan import FilePlan, OutputFile
@@ -36,7 +35,7 @@ class Planner:
         manifest: Callable[[Path], Reading],
         generations: Sequence[Generation] = (),
         own_types: Callable[[int], OwnInterfaces] = lambda _: {},
-        packages: Sequence[PackageGeneration] = (),
+        workspace: Workspace | None = None,
     ) -> None:
         """Set what the files follow from.
 
@@ -46,10 +45,10 @@ class Planner:
             manifest: reads a folder's manifest.
             generations: all that the program generates.
             own_types: gives the program's own interface types in a generation of ROS.
-            packages: the packages that the program generates.
+            workspace: what the program built, None while it is interpreted.
         """
+        self._workspace = workspace
         self._own_types = own_types
-        self._packages = packages
         self._libraries: dict[str, Library | None] = {}
         self._configuration = configuration
         self._author = author
@@ -169,22 +168,56 @@ class Planner:
         params = None if is_preview else self._params(manifest)
         if configuration.output_problem is not None:
             return FilePlan(output, ()), (*found, configuration.output_problem)
+        whole, notes = self._whole(made, manifest)
+        found += notes
         sets = (generated.files for generated in made if generated.files is not None)
         files = [file for each in (*sets, *common.files) for file in each.output_files()]
         if params is not None:
             files.append(params)
-        files, refused = self._with_loaded(files, made, manifest)
+        files, refused = self._with_loaded([*files, *whole], made, manifest)
         found += refused
         plan, problems = make_plan(output, files, manifest, within=configuration.writes_within)
         return plan, (*found, *problems)
+
+    def _whole(
+        self, made: Sequence[Generated], manifest: Manifest
+    ) -> tuple[list[OutputFile], list[Diagnostic]]:
+        """Make the packages, definitions and launch files of the program."""
+        workspace = self._workspace
+        if workspace is None or not workspace.has_more_than_nodes:
+            return [], []
+        from plastron_tui.generating.own_definitions import loaded_definitions
+        from plastron_tui.generating.program_packages import ProgramPackages
+        from plastron_tui.generating.text_files import Folder, text_files
+
+        configuration = self._configuration
+        packages = ProgramPackages(
+            workspace,
+            made,
+            self._library,
+            configuration.ros.library,
+            python_launch=configuration.project.launch == "python",
+        ).made()
+        force = configuration.options.force
+        folder = Folder(configuration.output, manifest, self._author.name, force)
+        files, notes = text_files(packages.files, folder)
+        types = workspace.types.values() if self._writes_types(workspace) else ()
+        files += loaded_definitions(types, in_place=configuration.options.in_place)
+        return files, [*packages.diagnostics, *notes]
+
+    @staticmethod
+    def _writes_types(workspace: Workspace) -> bool:
+        """Tell whether the program writes anything: types that it changes are written with it."""
+        return bool(workspace.generations or workspace.written_types or workspace.written_packages)
 
     def _with_loaded(
         self, files: list[OutputFile], made: Sequence[Generated], manifest: Manifest
     ) -> tuple[list[OutputFile], tuple[Diagnostic, ...]]:
         """Add the files of the packages that the program loads, as it changes them."""
+        written = () if self._workspace is None else self._workspace.written_packages
         loaded = {
             each.package.variable: each.package
-            for each in self._packages
+            for each in written
             if each.package.source is not None
         }
         if not loaded:

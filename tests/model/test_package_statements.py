@@ -12,8 +12,8 @@ FULL = f"{ROVER}rover contains n as 'talk'\n"
 
 WRONG: list[tuple[str, str, str, str, str | None]] = [
     (ROVER, "create_package 'rover' as r", "package-exists", "'rover'", "choose another"),
-    (ROVER, "create_package 'r' as rover", "variable-exists", "rover", "one namespace"),
-    (ROVER, "create_package 'r' as n", "variable-exists", "n", "one namespace"),
+    (ROVER, "create_package 'robot' as rover", "variable-exists", "rover", "one namespace"),
+    (ROVER, "create_package 'robot' as n", "variable-exists", "n", "one namespace"),
     (ROVER, "create_node 'r' as rover", "variable-exists", "rover", "one namespace"),
     (ROVER, "rovr contains n", "unknown-package", "rovr", "did you mean `rover`?"),
     (ROVER, "n contains n", "unknown-package", "n", "`n` is a node"),
