@@ -80,5 +80,4 @@ def packages_of(source: LaunchSource) -> Iterator[str]:
     for each in items_of(source.launch.items, Include):
         for part in each.file.parts:
             if isinstance(part, Substitution) and part.kind is Kind.PACKAGE:
-                if part.argument.literal:
-                    yield part.argument.literal
+                yield from filter(None, (part.argument.literal,))
