@@ -8,6 +8,7 @@ from pathlib import Path
 
 import click
 
+from plastron_tui.boundary import find_boundary
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.graph import graph_of
 from plastron_tui.model.workspace import Workspace

@@ -23,7 +23,6 @@ from plastron_tui.sources.setup_py.reader import read_setup
 
 from .loader import read_node, with_others
 
-
 _MOST_FOLDERS = 2000
 _SKIPPED = frozenset({"build", "install", "devel", "log", "node_modules", "__pycache__"})
 _SCRIPTS = ("scripts", "nodes", "src", "bin")
