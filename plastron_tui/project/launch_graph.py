@@ -57,7 +57,7 @@ def launch_graph(path: Path, arguments: Mapping[str, str], boundary: Boundary) -
     folders = {name: str(folder) for name, folder in packages.items()}
     scope = Scope(arguments, {}, str(path.absolute().parent), folders.get)
     resolved = resolve(read.launch, read.format.ros_version, scope, str(path))
-    found = list((*read.diagnostics, *warnings_of(resolved)))
+    found = [*read.diagnostics, *warnings_of(resolved)]
     whole = Workspace()
     sources: dict[tuple[str, str], SourceUnit | None] = {}
     for started in resolved.started:

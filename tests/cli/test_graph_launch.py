@@ -7,7 +7,7 @@ from pathlib import Path
 
 from click.testing import CliRunner
 
-from plastron_tui.cli.entry import main
+from plastron_tui.cli.group import cli as main
 
 PROGRAM = """\
 create_node 'talker' as talker
