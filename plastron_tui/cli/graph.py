@@ -89,7 +89,7 @@ def _show_launch_files(
         found = launch_graph(file, arguments, find_boundary(file.absolute().parent))
         if found.workspace is not None:
             print_text(render(graph_of(found.workspace), format_))
-        report.add(found.diagnostics, lines_of)
+        report.add(found.diagnostics, lambda path: None if path is None else lines_of(path))
 
 
 LAUNCH_ENDINGS = (".launch", ".launch.xml", ".launch.py", "_launch.xml", "_launch.py")
