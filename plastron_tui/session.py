@@ -158,6 +158,7 @@ class Session:
         self._configuration = self._configuration.anew()
         self._fitters = {}
         self._files.starts.clear()  # what a file was made from may be read by now
+        self._files.packages.clear()
         self._interpretation = None
 
     def files_changed(self) -> None:
@@ -211,6 +212,7 @@ class Session:
     def _new_setting(self, loader: NodeLoader) -> Setting:
         from plastron_tui.model.context import Setting
         from plastron_tui.project.definition_reader import DefinitionReader
+        from plastron_tui.project.package_reader import PackageReader
 
         return Setting(
             self.library,
@@ -220,6 +222,7 @@ class Session:
             self.ros.is_chosen,
             "" if self.path is None else self.path.stem,
             DefinitionReader(self.folder, self.boundary),
+            PackageReader(self.folder, self.boundary, self._files.packages),
         )
 
     @property
@@ -369,8 +372,9 @@ class Session:
 
         author = Author(self._name, digest(self.document.text), self.folder)
         manifest = self._files.manifest
-        return Planner(self._configuration, author, manifest, generations, self._own_types)
+        known = None if self._interpretation is None else self._interpretation.workspace
+        return Planner(self._configuration, author, manifest, generations, self._own_types, known)
 
     def _own_types(self, ros_version: int) -> OwnInterfaces:
         known = self._interpretation
-        return {} if known is None else known.own_types(ros_version)
+        return {} if known is None else known.own_types.get(ros_version, {})

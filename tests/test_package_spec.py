@@ -31,7 +31,7 @@ def spec_of(program: str, library: str, folder: Path) -> PackageSpec:
     assert target is not None
     libraries = {library: Library(target, Catalog({"rospy": "noetic", "rclpy": "kilted"}[library]))}
     package = session.workspace.written_packages[0].package
-    spec = package_spec(package, session.generated(), libraries)
+    spec = package_spec(package, session.generated(), libraries, next(iter(libraries.values())))
     assert spec is not None
     return spec
 
@@ -50,11 +50,3 @@ def test_package_of_a_program_is_rendered(library: str, path: str, tmp_path: Pat
     assert spec.license == "MIT"
     if library == "rclpy":
         assert b"'speaker = demo.speaker:main'" in found.files["setup.py"].text
-
-
-def test_unknown_license_is_told_at_the_package(tmp_path: Path) -> None:
-    spec = spec_of(PROGRAM.format('licensed_under "Apache"'), "rclpy", tmp_path)
-    found = render_package(spec)
-    assert found.files is None
-    assert [each.code for each in found.diagnostics] == ["unknown-license"]
-    assert found.diagnostics[0].span == spec.span

@@ -30,6 +30,8 @@ if TYPE_CHECKING:
     from plastron_tui.project.run_setup import RunNode, RunSetup
     from plastron_tui.ros.parameter_values import Assignment
     from plastron_tui.ros.run_names import Remap
+    from plastron_tui.runtime.build_progress import ProgressLine
+    from plastron_tui.runtime.builds import BuiltPackage
     from plastron_tui.runtime.environment import Environment, Found
     from plastron_tui.runtime.launch import NodeFile
 
@@ -183,25 +185,75 @@ def _run_node(generated: Generated, output: Path) -> RunNode:
 def _environments(
     session: Session, chosen: Sequence[Generated], found: Found, report: Report
 ) -> dict[str, Environment]:
-    """Return the environment of each client library that is in use."""
-    from plastron_tui.runtime.interface_packages import complete
+    """Return the environment of each client library that is in use; packages are built for it."""
+    from plastron_tui.runtime.build_progress import ProgressLine
     from plastron_tui.targets import ros_version
 
     environments = {}
     for library in dict.fromkeys(generated.generation.library for generated in chosen):
         environment, diagnostics = found.choose(ros_version(library))
         if environment is not None:
-            types = {
-                type_
-                for generated in chosen
-                if generated.generation.library == library
-                for type_ in generated.generation.node.types
-            }
-            definitions = session.catalog(environment.ros_version).table_package
-            environments[library], missing = complete(environment, types, definitions, _tell)
+            nodes = [each.generation.node for each in chosen if each.generation.library == library]
+            with ProgressLine(drawn_on(sys.stderr)) as line:
+                environments[library], missing = _complete(session, nodes, environment, line)
             diagnostics += missing
-        report.add(diagnostics, lambda _: None, session.path)
+        report.add(diagnostics, session.lines, session.path)
     return environments
+
+
+def _complete(
+    session: Session, nodes: Sequence[Node], environment: Environment, line: ProgressLine
+) -> tuple[Environment, list[Diagnostic]]:
+    """Return an environment with what the nodes' types are of, and why something is not there."""
+    from plastron_tui.ros.interfaces import InterfaceName
+    from plastron_tui.runtime.builds import overlay
+    from plastron_tui.runtime.interface_packages import complete
+
+    version = environment.ros_version
+    own, refused = _own_packages(session, nodes, version)
+    if refused:
+        return environment, refused
+    named = {package.name for package in own}
+    needed = {
+        InterfaceName(field.type.package, field.type.name)
+        for type_ in session.workspace.types.values()
+        if (definition := type_.definitions.get(version)) is not None
+        and definition.interface.name.package in named
+        for section in definition.interface.sections
+        for field in section.fields
+        if field.type.package is not None
+    }
+    types = {type_ for node in nodes for type_ in node.types} | needed
+    foreign = [type_ for type_ in types if type_.package not in named]
+    definitions = session.catalog(version).table_package
+    environment, missing = complete(environment, foreign, definitions, line.tell)
+    if missing:
+        return environment, missing
+    return overlay(environment, own, line.tell)
+
+
+def _own_packages(
+    session: Session, nodes: Sequence[Node], version: int
+) -> tuple[list[BuiltPackage], list[Diagnostic]]:
+    """Return the packages of the program's own types that nodes use, or why there are none."""
+    from plastron_tui.runtime.builds import BuiltPackage
+
+    packages = []
+    refused: list[Diagnostic] = []
+    for name, rendered in session.own_packages(nodes, version).items():
+        if rendered.files is None:
+            refused += rendered.diagnostics
+            continue
+        files = {path: file.text for path, file in rendered.files.items()}
+        spans = {
+            f"{type_.kind.value}/{type_.name}.{type_.kind.value}": {0: type_.span}
+            for type_ in session.workspace.types.values()
+            if (definition := type_.definitions.get(version)) is not None
+            and definition.interface.name.package == name
+        }
+        executables = {path for path, file in rendered.files.items() if file.is_executable}
+        packages.append(BuiltPackage(name, files, frozenset(executables), spans))
+    return packages, refused
 
 
 def _tell(line: str) -> None:

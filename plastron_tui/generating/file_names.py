@@ -58,9 +58,7 @@ class FileNames(NamedTuple):
         """Return the name of a node's main file: the one that it has, or what it is written to."""
         suffix = target.language.suffix
         if node.home is not None:
-            # What others start it by is what a module of Python may be called, but for these.
-            stem = node.home.executable.replace("-", "_").replace(".", "_")
-            return target.packaged(node.home, f"{stem}{suffix}")
+            return target.packaged(node.home, f"{node.home.stem}{suffix}")
         new = f"{node.name}{suffix}" if self.is_plain else target.file_name(node)
         names = dict.fromkeys((new, *(f"{node.name}{ending}{suffix}" for ending in _ENDINGS)))
         held = {name: self._library(name, node) for name in names}

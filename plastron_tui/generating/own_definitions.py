@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
+from plastron_tui.output.plan import OutputFile
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.targets.packages.rendering import render_interfaces, render_package
 from plastron_tui.targets.packages.spec import PackagedDefinition, PackageSpec, RenderedPackage
@@ -81,3 +82,24 @@ def rendered_definitions(
         package, version, distribution=distribution, definitions=definitions[package]
     )
     return render_package(spec) if version == 1 else render_interfaces(spec)
+
+
+def loaded_definitions(types: Iterable[OwnType], *, in_place: bool) -> Iterator[OutputFile]:
+    """Yield the files of types that a program loaded and changed.
+
+    Args:
+        types: the program's own types.
+        in_place: whether they are written over the files that they came from.
+    """
+    for each in types:
+        if each.source is None or not each.is_changed:
+            continue
+        text = next(iter(each.definitions.values())).text
+        path, held = each.source
+        yield OutputFile(
+            path.name,
+            text,
+            is_executable=False,
+            merged_from=held if in_place else None,
+            path=path if in_place else None,
+        )

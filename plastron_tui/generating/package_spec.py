@@ -20,7 +20,10 @@ if TYPE_CHECKING:
 
 
 def package_spec(
-    package: Package, made: Sequence[Generated], libraries: Mapping[str, Library]
+    package: Package,
+    made: Sequence[Generated],
+    libraries: Mapping[str, Library],
+    default: Library,
 ) -> PackageSpec | None:
     """Return what a created package holds, None where one of its nodes cannot be written.
 
@@ -31,6 +34,7 @@ def package_spec(
         package: the package.
         made: the files of the nodes that the program generates.
         libraries: the client libraries, by name.
+        default: the client library of a package without nodes.
     """
     by_variable = {each.generation.node.variable: each for each in made}
     nodes = []
@@ -52,7 +56,7 @@ def package_spec(
                 contained.span,
             )
         )
-    first = libraries[nodes[0].library] if nodes else next(iter(libraries.values()))
+    first = libraries[nodes[0].library] if nodes else default
     maintainer, _ = parse_maintainer(package.maintainer)
     catalog = first.catalog
     return PackageSpec(

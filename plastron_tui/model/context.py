@@ -11,6 +11,7 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceKind
 
 from .libraries import Libraries
+from .package_source import PackageReader, no_package
 
 if TYPE_CHECKING:
     from .source import SourceUnit
@@ -76,6 +77,7 @@ class Setting(NamedTuple):
         read: reads the files that the program loads.
         program: the name of the program's file without its ending, "" where it has none.
         read_definition: reads the definitions that the program loads.
+        read_package: reads the packages that the program loads.
         is_chosen: whether somebody chose `library`; otherwise it is what there is on this machine.
     """
 
@@ -86,6 +88,7 @@ class Setting(NamedTuple):
     is_chosen: bool = True
     program: str = ""
     read_definition: DefinitionReader = _no_definition
+    read_package: PackageReader = no_package
 
     def ros_version(self, library: str | None) -> int:
         """Return the generation of ROS of a client library; of the program's for one unknown."""

@@ -19,6 +19,7 @@ from . import launch_statements
 from .circles import check_circles
 from .context import Setting
 from .kinds import EDITABLE, EndpointKind
+from .load_package import load_package
 from .meetings import check_meetings
 from .mistake import Mistake
 from .node_statements import create_node, generate_node, load
@@ -48,13 +49,13 @@ class Interpretation(NamedTuple):
         diagnostics: what is wrong with it.
         fitters: what knows the values of its statements, by generation of ROS: a help with the
             same program after an edit.
-        own_types: gives its own interface types in a generation of ROS.
+        own_types: its own interface types, by generation of ROS.
     """
 
     workspace: Workspace
     diagnostics: tuple[Diagnostic, ...]
     fitters: Mapping[int, Fitter]
-    own_types: Callable[[int], OwnInterfaces] = lambda _: {}
+    own_types: Mapping[int, OwnInterfaces] = {}
 
 
 _STRETCH = 256
@@ -83,7 +84,8 @@ def interpret(
         diagnostics += tuple(late_changes(program, workspace))
         diagnostics += tuple(check_meetings(program, workspace, version_of))
         diagnostics += tuple(check_circles(workspace, version_of))
-    workspace, own_types = interpreter.workspace, interpreter.own_types
+    workspace = interpreter.workspace
+    own_types = {each: interpreter.own_types(each) for each in (1, 2)} if workspace.types else {}
     return Interpretation(workspace, diagnostics, interpreter.fitters, own_types)
 
 
@@ -106,6 +108,7 @@ HANDLERS: dict[type[Statement], Callable[[Run, Any], None]] = {
     st.DropType: drop_type,
     st.GenerateType: generate_type,
     st.CreatePackage: create_package,
+    st.LoadPackage: load_package,
     st.Contains: contains,
     st.NoLongerContains: no_longer_contains,
     st.GeneratePackage: generate_package,
@@ -115,8 +118,8 @@ HANDLERS: dict[type[Statement], Callable[[Run, Any], None]] = {
 }
 """What each statement does."""
 
-# To come: packages and launch files that exist.
-for _type in (st.LoadPackage, st.LoadLaunch):
+# To come: launch files that exist.
+for _type in (st.LoadLaunch,):
     HANDLERS[_type] = lambda run, statement: None
 
 

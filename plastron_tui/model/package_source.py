@@ -2,28 +2,82 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic, codes
+
+
+class Executable(NamedTuple):
+    """Something that a package installs for people to start.
+
+    Attributes:
+        file: what is started, by its path in the package with slashes; None where it is computed.
+        where: the file of the package that says so.
+        line: the line there, from 1.
+    """
+
+    file: str | None
+    where: str
+    line: int
 
 
 @dataclass(frozen=True, slots=True)
 class PackageSource:
-    """The files of a package that it is made of.
+    """The files of a package that exists.
+
+    All paths are from its folder, with slashes.
 
     Attributes:
         folder: where it is.
         name: what its package.xml calls it.
         ros_version: the generation of ROS that it is for.
-        build_type: `catkin`, `ament_python`, `ament_cmake`, …, as its package.xml says.
-        texts: its package.xml, CMakeLists.txt, setup.py and the like, by their names.
-        executables: what it installs for people to start, each with its file where that is known.
-        launches: the names of its launch files.
+        build_type: `catkin`, `ament_python` or `ament_cmake`, as its package.xml says.
+        texts: what its files hold: package.xml, setup.py, CMakeLists.txt, and the code.
+        executables: what it installs for people to start, by what they start it by.
+        node_folder: the folder that its nodes are in, or that a first one belongs in; None where
+            a node in Python can be in none.
+        python_root: the folder that its Python packages are in.
+        launches: its launch files.
+        is_whole: whether all files of the package are among `texts` that may name another.
     """
 
     folder: Path
     name: str
     ros_version: int
     build_type: str
-    texts: dict[str, bytes] = field(default_factory=dict)
-    executables: dict[str, Path | None] = field(default_factory=dict)
+    texts: Mapping[str, bytes] = field(default_factory=dict)
+    executables: Mapping[str, Executable] = field(default_factory=dict)
+    node_folder: str | None = None
+    python_root: str = ""
     launches: tuple[str, ...] = ()
+    is_whole: bool = True
+
+    def module_of(self, file: str) -> str:
+        """Return what Python calls a file of the package."""
+        inner = file.removeprefix(f"{self.python_root}/") if self.python_root else file
+        return inner.removesuffix(".py").replace("/", ".")
+
+    def executable(self, name: str) -> str | None:
+        """Return what starts an executable, which a program may name without `.py`."""
+        return next((each for each in (name, f"{name}.py") if each in self.executables), None)
+
+
+class LoadedPackage(NamedTuple):
+    """What a reader made of a folder; None with the reason."""
+
+    source: PackageSource | None
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+PackageReader = Callable[[str, int], LoadedPackage]
+"""Reads a folder; one that is for both generations of ROS counts for the given one."""
+
+
+def no_package(source: str, ros_version: int) -> LoadedPackage:
+    """Find no package, where nothing reads files."""
+    del ros_version
+    found = Diagnostic(codes.FILE_NOT_FOUND, f"no folder `{source}` beside the program")
+    return LoadedPackage(None, (found,))

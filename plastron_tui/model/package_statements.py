@@ -4,20 +4,39 @@ from __future__ import annotations
 
 from typing import Any
 
-from plastron_tui.diagnostics import Diagnostic, Label, codes, guess
+from plastron_tui.diagnostics import Diagnostic, Label, codes, guess, write
+from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.language import statements as st
+from plastron_tui.ros.package_keys import find_license, licenses
+from plastron_tui.ros.packages import (
+    check_package_name,
+    check_text,
+    parse_maintainer,
+    taken_package_name,
+)
 
 from .launches import Launch
+from .load_package import home_in
 from .mistake import Mistake
 from .packages import Contained, Package, PackageGeneration
 from .run import Run
-from .workspace import Generation, Home, Node
+from .workspace import Generation, Node
 
 
 def create_package(run: Run, statement: st.CreatePackage) -> None:
     """Make a package."""
     run.checks.new_variable(statement, statement.variable)
     check_package_named(run, statement)
+    check_description(run, statement)
+    check_maintainer(run, statement)
+    check_license(run, statement)
+    taken = taken_package_name(statement.name)
+    if taken is None and run.types.is_of_ros(statement.name, run.checks.version(None)):
+        taken = "ROS has a package of this name"
+    if taken is not None:
+        message = f"the name `{statement.name}` is taken: {taken}"
+        where = statement.span_of("name")
+        run.report(statement, Diagnostic(codes.TAKEN_PACKAGE_NAME, message, where))
     run.workspace.packages[statement.variable] = Package(
         statement.name,
         statement.variable,
@@ -29,18 +48,70 @@ def create_package(run: Run, statement: st.CreatePackage) -> None:
 
 
 def check_package_named(run: Run, statement: st.CreatePackage) -> None:
-    """Check that no other package has the name."""
+    """Check that a package may have its name, and that no other has it."""
+    where = statement.span_of("name")
+    problem = check_package_name(statement.name)
+    if problem is not None:
+        right = problem.suggestion
+        raise Mistake(
+            Diagnostic(
+                codes.BAD_PACKAGE_NAME,
+                problem.message,
+                where,
+                help=None if right is None else f"write '{right}'",
+                fix=None if right is None else write(f"'{right}'", where),
+            )
+        )
     for other in run.workspace.packages.values():
         if other.name == statement.name:
             raise Mistake(
                 Diagnostic(
                     codes.PACKAGE_EXISTS,
                     f"a package `{statement.name}` exists already",
-                    statement.span_of("name"),
+                    where,
                     help="a workspace takes one package of a name; choose another",
                     labels=(Label(other.span, "first here"),),
                 )
             )
+
+
+def check_description(_: Run, statement: st.CreatePackage) -> None:
+    """Check what a package says of itself."""
+    if statement.description:
+        problem = check_text(statement.description, "the description of a package")
+        if problem is not None:
+            where = statement.span_of("description")
+            raise Mistake(Diagnostic(codes.BAD_PACKAGE_TEXT, problem.message, where))
+
+
+def check_maintainer(_: Run, statement: st.CreatePackage) -> None:
+    """Check who looks after a package: a name, and an address as build tools take it."""
+    if statement.maintainer is None:
+        return
+    where = statement.span_of("maintainer")
+    maintainer, problem = parse_maintainer(statement.maintainer)
+    if maintainer is None or problem is not None:
+        message = "this names nobody" if problem is None else problem.message
+        help_ = 'write "Ada <ada@example.com>"'
+        raise Mistake(Diagnostic(codes.BAD_MAINTAINER, message, where, help=help_))
+
+
+def check_license(_: Run, statement: st.CreatePackage) -> None:
+    """Check that a license is one that SPDX knows."""
+    name = statement.license
+    if name is None or find_license(name) is not None:
+        return
+    where = statement.span_of("license")
+    right = nearest(name, licenses())
+    raise Mistake(
+        Diagnostic(
+            codes.UNKNOWN_LICENSE,
+            f"`{name}` is no license that SPDX and Plastron know",
+            where,
+            help=None if right is None else f"did you mean `{right}`?",
+            fix=None if right is None else write(f'"{right}"', where),
+        )
+    )
 
 
 def contains(run: Run, statement: st.Contains) -> None:
@@ -48,6 +119,7 @@ def contains(run: Run, statement: st.Contains) -> None:
     package = check_package_there(run, statement)
     item = check_item(run, statement)
     _check_place(run, statement, package)
+    _check_ros(run, statement, package, item)
     contained = Contained(item, statement.executable, statement.span)
     for other in package.contents.values():
         is_alike = type(other.item) is type(item) and other.name == contained.name
@@ -62,9 +134,12 @@ def contains(run: Run, statement: st.Contains) -> None:
                     labels=(Label(other.span, "first here"),),
                 )
             )
+    home = None
+    if isinstance(item, Node):
+        home = home_in(run, statement, package, item, contained.name)
     package.contents[statement.item] = contained
     if isinstance(item, Node):
-        item.home = Home(package.name, contained.name)
+        item.home = home
 
 
 def check_item(run: Run, statement: st.Contains) -> Node | Launch:
@@ -92,6 +167,25 @@ def _check_place(run: Run, statement: st.Contains, package: Package) -> None:
                     help=f"take it out first: `{other.variable} no_longer_contains "
                     f"{statement.item}`",
                     labels=(Label(earlier.span, "put there here"),),
+                )
+            )
+
+
+def _check_ros(run: Run, statement: st.Contains, package: Package, item: Node | Launch) -> None:
+    """Check that a package has nodes of one generation of ROS alone: it is built by one of them."""
+    if not isinstance(item, Node):
+        return
+    version = run.checks.version_of(item)
+    for other in package.contents.values():
+        if isinstance(other.item, Node) and run.checks.version_of(other.item) != version:
+            raise Mistake(
+                Diagnostic(
+                    codes.MIXED_PACKAGE,
+                    f"`{statement.item}` is of ROS {version}, and `{package.variable}` has nodes "
+                    f"of ROS {3 - version}",
+                    statement.span_of("item"),
+                    help="make a package for each",
+                    labels=(Label(other.span, "one of them"),),
                 )
             )
 
@@ -127,9 +221,9 @@ def no_longer_contains(run: Run, statement: st.NoLongerContains) -> None:
     held = [key for key, each in package.contents.items() if each.name == name]
     for key in held:
         _take_out(package, key)
-    is_there = package.source is not None and name in package.source.executables
-    if is_there:
-        package.removed[name] = statement.span
+    there = None if package.source is None else package.source.executable(name)
+    if there is not None:
+        package.removed[there] = statement.span
     elif not held:
         names = [each.name for each in package.contents.values()]
         if package.source is not None:

@@ -26,7 +26,14 @@ from .kinds.reaction import reaction_of
 from .launch_statements import check_launch_named
 from .mistake import Mistake
 from .node_statements import check_managed, check_node_name, check_work
-from .package_statements import check_item, check_package_named, check_package_there
+from .package_statements import (
+    check_description,
+    check_item,
+    check_license,
+    check_maintainer,
+    check_package_named,
+    check_package_there,
+)
 from .rename import RENAMED, kinds_having, kinds_of
 from .run import Run
 from .type_statements import check_fields, check_type_named
@@ -270,7 +277,9 @@ _CHECKS: dict[type[Statement], tuple[_Check, ...]] = {
         (check_type_named, check_fields),
     ),
     st.LoadType: (_variable,),
-    st.CreatePackage: (_variable, check_package_named),
+    st.CreatePackage: (
+        *(_variable, check_package_named, check_description, check_maintainer, check_license),
+    ),
     st.LoadPackage: (_variable,),
     st.Contains: (check_package_there, check_item),
     st.CreateLaunch: (_variable, check_launch_named),

@@ -193,6 +193,9 @@ def has_field(run: Run, statement: st.HasField) -> None:
         assert member is not None  # it was read before
         [(added, new)] = members_of(member.sections[0]).items()
         old = members_of(before.interface.sections[section]).get(added)
+        if old == new and own.source is not None:
+            # An earlier run may have written it over the file.
+            return before
         if old == new:
             message = f"`{own.name}` has `{line}` already"
             fix = Fix("take the statement away", (Edit(statement.span, ""),))
@@ -223,7 +226,7 @@ def _line(
         span = Span(start, start + len(words[0].encode()))
         return [Diagnostic(full.code, full.message, span, help=full.help)]
     line = f"{full} {words[1]}"
-    read = parse_definition(line, name, InterfaceKind.MESSAGE, version)
+    read = parse_definition(line, name, InterfaceKind.MESSAGE, version, is_new=True)
     if read.interface is None:
         return [_in_string(each, where) for each in read.diagnostics]
     return line
@@ -247,7 +250,12 @@ def no_longer_has_field(run: Run, statement: st.NoLongerHasField) -> None:
             of = f"`{own.name}`" if not part else f"the {part} of `{own.name}`"
             remedy, fix = guess(statement.field, names, where, is_quoted=True)
             message = f"{of} has no field `{statement.field}`"
-            return [Diagnostic(codes.NO_SUCH_FIELD, message, where, help=remedy, fix=fix)]
+            found = Diagnostic(codes.NO_SUCH_FIELD, message, where, help=remedy, fix=fix)
+            if own.source is None:
+                return [found]
+            if version == run.checks.version(None):
+                run.report(statement, found._replace(severity=Severity.WARNING))
+            return before
         text = remove_member(before.text, statement.field, section)
         return _read_again(text, before.interface.name, own.kind, version, where)
 

@@ -48,10 +48,17 @@ class Home(NamedTuple):
     Attributes:
         package: its name.
         executable: what one starts the node by.
+        folder: the folder of the package that its file is in; None for the usual one.
     """
 
     package: str
     executable: str
+    folder: str | None = None
+
+    @property
+    def stem(self) -> str:
+        """What the node's file is called: a module's name has no `-` and no dot."""
+        return self.executable.replace("-", "_").replace(".", "_")
 
 
 @dataclass(slots=True)
@@ -201,6 +208,11 @@ class Workspace:
     written_types: dict[str, Span] = field(default_factory=dict)
     written_packages: list[PackageGeneration] = field(default_factory=list)
     written_launches: list[LaunchGeneration] = field(default_factory=list)
+
+    @property
+    def has_more_than_nodes(self) -> bool:
+        """Whether it writes packages, definitions or launch files, or may have to."""
+        return bool(self.types or self.written_packages or self.written_launches)
 
     def what(self, variable: str) -> tuple[str, Span] | None:
         """Return what a variable stands for, in a word, and since where; None for a free one."""

@@ -214,7 +214,7 @@ def _plan_file(folder: Path, real_folder: str, file: OutputFile, manifest: Manif
         before,
         status,
         entry=known if is_own else None,
-        base=file.base if is_inside else None,
+        base=file.base if known else None,
         problem=problem,
         layers=file.layers,
         seen=tuple(seen),

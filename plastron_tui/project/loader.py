@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from plastron_tui.output.manifest import Reading
     from plastron_tui.output.patch_stack import Author
 
+    from .package_reader import KnownPackages
+
 _MOST_FOLDERS = 64
 """How many manifests are remembered; a program writes to one folder, and loads from a few."""
 
@@ -49,12 +51,14 @@ class FilesRead:
         starts: what a program started from when it wrote a file, by that file's path.
         manifests: what is remembered of the files of a folder, with the stamp of its file.
         problems: what was found of writes to a folder that were interrupted.
+        packages: what was read of packages.
     """
 
     nodes: dict[Path, tuple[Stamps, Loaded]] = field(default_factory=dict)
     starts: dict[Path, _Known] = field(default_factory=dict)
     manifests: dict[Path, tuple[Stamp, Reading]] = field(default_factory=dict)
     problems: dict[Path, tuple[Diagnostic, ...]] = field(default_factory=dict)
+    packages: KnownPackages = field(default_factory=dict)
 
     def settle(self, folder: Path) -> None:
         """Finish what a process that was killed had begun to write to a folder."""

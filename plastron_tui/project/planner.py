@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from plastron_tui.generating.generation import Generated
     from plastron_tui.model.own_types import OwnInterfaces
     from plastron_tui.model.source import FileSet
-    from plastron_tui.model.workspace import Generation
+    from plastron_tui.model.workspace import Generation, Workspace
     from plastron_tui.output.manifest import Manifest, Reading
     from plastron_tui.output.patch_stack import Author
     from plastron_tui.output.plan import FilePlan, OutputFile
@@ -35,6 +35,7 @@ class Planner:
         manifest: Callable[[Path], Reading],
         generations: Sequence[Generation] = (),
         own_types: Callable[[int], OwnInterfaces] = lambda _: {},
+        workspace: Workspace | None = None,
     ) -> None:
         """Set what the files follow from.
 
@@ -44,7 +45,9 @@ class Planner:
             manifest: reads a folder's manifest.
             generations: all that the program generates.
             own_types: gives the program's own interface types in a generation of ROS.
+            workspace: what the program built, None while it is interpreted.
         """
+        self._workspace = workspace
         self._own_types = own_types
         self._libraries: dict[str, Library | None] = {}
         self._configuration = configuration
@@ -165,12 +168,73 @@ class Planner:
         params = None if is_preview else self._params(manifest)
         if configuration.output_problem is not None:
             return FilePlan(output, ()), (*found, configuration.output_problem)
+        whole, notes = self._whole(made, manifest)
+        found += notes
         sets = (generated.files for generated in made if generated.files is not None)
         files = [file for each in (*sets, *common.files) for file in each.output_files()]
         if params is not None:
             files.append(params)
+        files, refused = self._with_loaded([*files, *whole], made, manifest)
+        found += refused
         plan, problems = make_plan(output, files, manifest, within=configuration.writes_within)
         return plan, (*found, *problems)
+
+    def _whole(
+        self, made: Sequence[Generated], manifest: Manifest
+    ) -> tuple[list[OutputFile], list[Diagnostic]]:
+        """Make the packages, definitions and launch files of the program."""
+        workspace = self._workspace
+        if workspace is None or not workspace.has_more_than_nodes:
+            return [], []
+        from plastron_tui.generating.own_definitions import loaded_definitions
+        from plastron_tui.generating.program_packages import ProgramPackages
+        from plastron_tui.generating.text_files import Folder, text_files
+
+        configuration = self._configuration
+        packages = ProgramPackages(
+            workspace,
+            made,
+            self._library,
+            configuration.ros.library,
+            python_launch=configuration.project.launch == "python",
+        ).made()
+        force = configuration.options.force
+        folder = Folder(configuration.output, manifest, self._author.name, force)
+        files, notes = text_files(packages.files, folder)
+        types = workspace.types.values() if self._writes_types(workspace) else ()
+        files += loaded_definitions(types, in_place=configuration.options.in_place)
+        return files, [*packages.diagnostics, *notes]
+
+    @staticmethod
+    def _writes_types(workspace: Workspace) -> bool:
+        """Tell whether the program writes anything: types that it changes are written with it."""
+        return bool(workspace.generations or workspace.written_types or workspace.written_packages)
+
+    def _with_loaded(
+        self, files: list[OutputFile], made: Sequence[Generated], manifest: Manifest
+    ) -> tuple[list[OutputFile], tuple[Diagnostic, ...]]:
+        """Add the files of the packages that the program loads, as it changes them."""
+        written = () if self._workspace is None else self._workspace.written_packages
+        loaded = {
+            each.package.variable: each.package
+            for each in written
+            if each.package.source is not None
+        }
+        if not loaded:
+            return files, ()
+        from plastron_tui.generating.loaded_package import loaded_package_files
+
+        libraries = {name: found for name in LIBRARIES if (found := self._library(name))}
+        told: tuple[Diagnostic, ...] = ()
+        for package in loaded.values():
+            output, in_place = self._configuration.output, self._configuration.options.in_place
+            changed = loaded_package_files(
+                package, made, libraries, output, manifest, in_place=in_place
+            )
+            files = [each for each in files if each.name not in changed.nodes]
+            files += changed.files
+            told += changed.diagnostics
+        return files, told
 
     def _params(self, manifest: Manifest) -> OutputFile | None:
         """Make the parameter file of all that is generated, where the project reaches so far."""

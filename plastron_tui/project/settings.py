@@ -32,7 +32,8 @@ MOST_MISTAKES = 20
 _Node = Any
 """A node of PyYAML's tree: its `id` says whether it is a scalar, a sequence or a mapping."""
 
-_KEYS = ("target", "distribution", "output", "file_names", "templates", "types")
+_KEYS = ("target", "distribution", "output", "file_names", "templates", "types", "launch")
+_LAUNCH = ("xml", "python")
 _FILE_NAMES = ("ending", "plain")
 _TEXT, _NULL = "tag:yaml.org,2002:str", "tag:yaml.org,2002:null"
 
@@ -49,6 +50,8 @@ class Project(NamedTuple):
             with what it does behind that, as where nothing is said.
         templates: a folder of templates that go before Plastron's own.
         types: folders with `.msg`, `.srv` and `.action` files.
+        launch: what new launch files of ROS 2 are written in: `python`; `xml`, as where nothing
+            is said.
     """
 
     file: Path | None = None
@@ -58,6 +61,7 @@ class Project(NamedTuple):
     file_names: str | None = None
     templates: Path | None = None
     types: tuple[Path, ...] = ()
+    launch: str | None = None
 
 
 def find_project(
@@ -115,6 +119,7 @@ def read_project(
         reader.choice("file_names", values.get("file_names"), _FILE_NAMES),
         reader.templates(values.get("templates")),
         tuple(reader.folders("types", values.get("types"))),
+        reader.choice("launch", values.get("launch"), _LAUNCH),
     )
     reader.check_agreement(project, values.get("distribution"), libraries)
     return project, reader.found()

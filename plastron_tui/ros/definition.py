@@ -57,14 +57,19 @@ def parse_definition(
     kind: InterfaceKind,
     ros_version: int,
     file: Path | None = None,
+    *,
+    is_new: bool = False,
 ) -> Definition:
-    """Read a definition; a line that is wrong is a diagnostic with its place in `file`."""
+    """Read a definition; a line that is wrong is a diagnostic with its place in `file`.
+
+    One that a program makes (`is_new`) has no word of a language that is generated for a name.
+    """
     size = len(source)
     if size > MAX_DEFINITION_BYTES:
         message = f"a definition of {size} bytes is too long (up to {MAX_DEFINITION_BYTES})"
         return Definition(None, (Diagnostic(codes.BAD_DEFINITION, message, file=file),))
     text = source if isinstance(source, str) else source.decode("utf-8", "surrogateescape")
-    reader = _Reader(name, kind, ros_version, file)
+    reader = _Reader(name, kind, ros_version, file, is_new=is_new)
     reader.read(text.removeprefix("\ufeff"), 3 if text.startswith("\ufeff") else 0)
     if reader.diagnostics:
         return Definition(None, tuple(reader.diagnostics))
@@ -93,8 +98,15 @@ class _Reader:
     """One pass over a definition, line by line."""
 
     def __init__(
-        self, name: InterfaceName, kind: InterfaceKind, ros_version: int, file: Path | None
+        self,
+        name: InterfaceName,
+        kind: InterfaceKind,
+        ros_version: int,
+        file: Path | None,
+        *,
+        is_new: bool,
     ) -> None:
+        self.is_new = is_new
         self.name = name
         self.kind = kind
         self.ros_version = ros_version
@@ -210,7 +222,13 @@ class _Reader:
             wrong, value = (parsed, None) if isinstance(parsed, ValueError) else (None, parsed)
         checked = value if wrong is None else 0  # what it is instead is told below
         made = make_member(
-            type_text, match["name"], checked, is_constant, self.ros_version, self.name.package
+            type_text,
+            match["name"],
+            checked,
+            is_constant,
+            self.ros_version,
+            self.name.package,
+            is_new=self.is_new,
         )
         if isinstance(made, list):
             spans = {

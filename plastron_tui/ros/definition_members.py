@@ -78,6 +78,8 @@ def make_member(
     is_constant: bool,
     ros_version: int,
     package: str,
+    *,
+    is_new: bool = True,
 ) -> Field | Constant | list[MemberMistake]:
     """Return the member, or what is wrong with it: one mistake for each part at most.
 
@@ -88,13 +90,14 @@ def make_member(
         is_constant: whether it is a constant.
         ros_version: 1 or 2.
         package: the package of the definition, to which a bare type belongs.
+        is_new: whether it is to be built in all languages, so that no word of one may name it.
     """
     mistakes: list[MemberMistake] = []
     wrong_type = constant_type(type_text, ros_version) if is_constant else None
     read = wrong_type or field_type(type_text, ros_version, package)
     if isinstance(read, MemberMistake):
         mistakes.append(read)
-    wrong_name = check_member_name(name, is_constant, ros_version)
+    wrong_name = check_member_name(name, is_constant, ros_version, is_new=is_new)
     if wrong_name is not None:
         mistakes.append(wrong_name)
     if isinstance(read, FieldType):
@@ -109,8 +112,14 @@ def make_member(
     return Constant(name, read.name, value)
 
 
-def check_member_name(name: str, is_constant: bool, ros_version: int) -> MemberMistake | None:
-    """Return what is wrong with the name of a field or constant, None when nothing is."""
+def check_member_name(
+    name: str, is_constant: bool, ros_version: int, *, is_new: bool = True
+) -> MemberMistake | None:
+    """Return what is wrong with the name of a field or constant, None when nothing is.
+
+    Only a new one is held against the words of languages: ROS itself takes others, and who builds
+    them for one language alone never meets the words of another.
+    """
     rules = _CONSTANT_NAME if is_constant else _FIELD_NAME
     message = f"`{name}` cannot name a {'constant' if is_constant else 'field'}"
     if rules[ros_version].fullmatch(name) is None:
@@ -118,7 +127,7 @@ def check_member_name(name: str, is_constant: bool, ros_version: int) -> MemberM
         if is_constant and ros_version == 2:
             rule = rule.replace("lower", "upper")
         return MemberMistake(MemberPart.NAME, message, f"use {rule}")
-    language = reserved_by(name, ros_version)
+    language = reserved_by(name, ros_version) if is_new else None
     if language is not None:
         message = f"{message}: it is a word of {language}, which is generated from definitions"
         return MemberMistake(MemberPart.NAME, message, f"write `{name}_value`, or another name")

@@ -19,6 +19,7 @@ WITHOUT = {
     "value-out-of-range", "wrong-array-length", "invalid-text", "invalid-rate",
     "unsupported-target", "service-type-conflict", "action-type-conflict", "qos-incompatible",
     "endless-messages", "package-exists", "unknown-item", "already-contained", "not-contained",
+    "mixed-package", "bad-maintainer", "taken-package-name", "bad-package-text",
     "type-exists", "circular-type", "type-in-use", "bad-field",
     "launch-exists", "already-started", "not-started", "bad-launch-name",
     "invalid-qos", "not-in-ros-1", "still-needed", "unknown-parameter", "parameter-type-mismatch",

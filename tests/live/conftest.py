@@ -19,8 +19,9 @@ from processes import Process, processes
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.installations import Origin
 from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.runtime.builds import overlay
 from plastron_tui.runtime.environment import Environment, node_environ
-from plastron_tui.runtime.interface_packages import kept_package
+from plastron_tui.runtime.interface_packages import table_package
 
 ROS1_PYTHON = Path("/usr/bin/python3")
 ROS1_INSTALL = (
@@ -43,11 +44,13 @@ def made_packages(environment: Environment, cache: Path) -> dict[str, str]:
     definitions = {name: catalog.table_package(name) for name in packages}
     with (cache / "lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
-        overlays = [
-            kept_package(environment, name, each, print, environ)
-            for name, each in sorted(definitions.items())
-            if each is not None
-        ]
+        overlays: list[Path] = []
+        for name, each in sorted(definitions.items()):
+            if each is not None:
+                package = table_package(environment, name, each)
+                made, problems = overlay(environment, [package], print, environ)
+                assert not problems, problems
+                overlays += made.overlays
     return node_environ(replace(environment, overlays=tuple(overlays)), environ)
 
 

@@ -129,7 +129,7 @@ PACKAGES = {
 @pytest.mark.parametrize(("text", "version"), PACKAGES, ids=str)
 def test_a_type_belongs_to_the_package(text: str, version: int) -> None:
     found = run(text, "rclpy", program="program")
-    [(_, name)] = found.own_types(version)
+    [(_, name)] = found.own_types[version]
     assert str(name) == f"{PACKAGES[text, version]}/A"
 
 

@@ -12,6 +12,7 @@ from plastron_tui.language import Document, lower
 from plastron_tui.language.declaration import DECLARATIONS
 from plastron_tui.model.context import FoundDefinition, LoadedDefinition, Setting
 from plastron_tui.model.interpreter import interpret
+from plastron_tui.model.package_source import LoadedPackage, PackageSource
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind
 
@@ -202,7 +203,13 @@ SLOTS: dict[str, dict[str, list[str]]] = {
     "{} has_field {}": {"Own": ["Ownn"], '"int32 y"': []},
     "generate_type {}": {"Own": ["Ownn"]},
     "drop_type {}": {"Own": ["Ownn"]},
-    "create_package {} as {}": {"'new'": ["'rover'"], "k": ["n", "_k"]},
+    "create_package {} as {} maintained_by {} licensed_under {}": {
+        "'new'": ["'rover'", "'a b'"],
+        "k": ["n", "_k"],
+        '"A <a@b.org>"': ['"A"', '"A <a>"'],
+        '"MIT"': ['"MITT"'],
+    },
+    "create_package {} as k described_as {}": {"'new'": ["'a b'"], '"a"': ['"a\\nb"']},
     "{} contains {}": {"rover": ["rovr"], "n": ["m", "nn"]},
     "generate_package {}": {"rover": ["rovr"]},
     "load_package {} as {}": {"'src/p'": [], "k": ["n"]},
@@ -240,6 +247,7 @@ def _mistakes(line: str) -> list[str]:
         catalog,
         FakeReader({"driver": driver}),
         read_definition=lambda _: found,
+        read_package=lambda *_: LoadedPackage(PackageSource(Path("p"), "p", 1, "catkin")),
     )
     text = BEFORE + line + "\n"
     found = interpret(lower(Document(text.encode())), setting).diagnostics

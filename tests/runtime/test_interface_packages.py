@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Callable
 from pathlib import Path
 
@@ -13,7 +12,8 @@ from plastron_tui.diagnostics import codes
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.installations import Origin
 from plastron_tui.ros.interfaces import InterfaceName
-from plastron_tui.runtime import installing, interface_packages
+from plastron_tui.runtime import installing
+from plastron_tui.runtime.build_output import Progress
 from plastron_tui.runtime.environment import Environment
 from plastron_tui.runtime.interface_packages import complete
 
@@ -58,10 +58,9 @@ def environ(tmp_path: Path) -> dict[str, str]:
     """The environment of a user whose cache is in the folder, with tools that do nothing."""
     tools = tmp_path / "bin"
     tools.mkdir()
-    for name in ("cmake", "make", "c++"):
-        (tools / name).write_text("#!/bin/sh\n")
+    for name in ("cmake", "make", "c++", "colcon"):
+        (tools / name).write_text('#!/bin/sh\necho "no rule for $1"\nexit 1\n')
         (tools / name).chmod(0o755)
-    (tools / "cmake").write_text('#!/bin/sh\necho "no rule for $1"\nexit 1\n')
     return {"PATH": f"{tools}:/usr/bin:/bin", "XDG_CACHE_HOME": str(tmp_path / "cache")}
 
 
@@ -87,7 +86,7 @@ def test_what_is_not_of_the_table_is_missing(
     tmp_path: Path,
 ) -> None:
     environment = Environment(origin, 2, "kilted", python())
-    told: list[str] = []
+    told: list[Progress] = []
     made, [found] = complete(
         environment, [type_], Catalog("kilted").table_package, told.append, environ
     )
@@ -123,6 +122,7 @@ def test_what_is_there_is_not_made(python: Callable[..., Path], environ: dict[st
         ("cmake", "install them with `sudo apt install cmake`"),
         ("Python.h", "install them with `sudo apt install python3-dev`"),
         ("ament_package", f"install it with `{installing.extra()}`"),
+        ("colcon", f"install it with `{installing.extra()}`"),
     ],
 )
 def test_a_tool_that_is_missing_is_named(
@@ -133,13 +133,10 @@ def test_a_tool_that_is_missing_is_named(
     (tmp_path / "bin" / lacks).unlink(missing_ok=True)
     environ["PATH"] = str(tmp_path / "bin")
     environment = Environment(Origin.EXTRA, 2, "kilted", script)
-    told: list[str] = []
     catalog = Catalog("kilted")
-    made, [found] = complete(environment, [ADD], catalog.table_package, told.append, environ)
+    made, [found] = complete(environment, [ADD], catalog.table_package, pytest.fail, environ)
     assert (made, found.code, found.help) == (environment, codes.NOT_BUILT, remedy)
-    assert told == [f"building `example_interfaces` for {environment.words}, once"]
-    assert [each.name for each in (tmp_path / "cache" / "plastron").iterdir()] == ["interfaces"]
-    assert is_empty(tmp_path / "cache" / "plastron" / "interfaces")
+    assert is_empty(tmp_path / "cache")
 
 
 @pytest.mark.parametrize("origin", [Origin.EXTRA, Origin.DEBIAN])
@@ -152,13 +149,13 @@ def test_a_build_that_fails_is_told_and_its_words_are_kept(
     environment = Environment(origin, version, distribution, python())
     catalog = Catalog(distribution)
     for _ in range(2):
-        told: list[str] = []
+        told: list[Progress] = []
         _, [found] = complete(environment, [type_], catalog.table_package, told.append, environ)
         assert found.code == codes.NOT_BUILT
         assert len(told) == 1
-        [log] = (tmp_path / "cache" / "plastron" / "interfaces").iterdir()
-        assert found.help == f"read what it said in {log}"
-        said = "no rule for -S" if origin is Origin.EXTRA else "no such type"
+        [log] = (tmp_path / "cache").rglob("*.log")
+        assert found.help == f"read what the build said in {log}"
+        said = "no rule for --log-base" if origin is Origin.EXTRA else "no such type"
         assert said in log.read_text()
 
 
@@ -171,59 +168,3 @@ def test_a_cache_that_cannot_be_written_is_told(
     _, [found] = complete(environment, [ADD], catalog.table_package, lambda _: None, environ)
     assert found.code == codes.NOT_BUILT
     assert str(tmp_path / "cache") in found.message
-
-
-def test_a_run_that_was_faster_has_kept_it(
-    python: Callable[..., Path],
-    environ: dict[str, str],
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    def make(_: object, package: str, files: list[Path], made: Path, __: object) -> None:
-        (made / "python").mkdir()
-        # Another run keeps the same meanwhile.
-        key = interface_packages._key(environment, definitions)
-        (kept_in / f"{package}-{key}" / "python" / "theirs").mkdir(parents=True)
-
-    monkeypatch.setitem(interface_packages._MAKERS, Origin.EXTRA, make)
-    environment = Environment(Origin.EXTRA, 2, "kilted", python())
-    definitions = Catalog("kilted").table_package("example_interfaces")
-    kept_in = tmp_path / "cache" / "plastron" / "interfaces"
-    kept = interface_packages.kept_package(
-        environment, "example_interfaces", definitions, lambda _: None, environ
-    )
-    assert (kept / "python" / "theirs").is_dir()
-
-
-def test_a_package_is_made_once(
-    python: Callable[..., Path],
-    environ: dict[str, str],
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    def make(_: object, package: str, files: list[Path], made: Path, __: object) -> None:
-        assert [file.read_text().split()[1] for file in files] == ["a", "order"]
-        (made / "python" / package).mkdir(parents=True)
-
-    monkeypatch.setitem(interface_packages._MAKERS, Origin.EXTRA, make)
-    script = python()
-    environment = Environment(Origin.EXTRA, 2, "kilted", script)
-    catalog = Catalog("kilted")
-    told: list[str] = []
-
-    def again() -> Path:
-        made, diagnostics = complete(
-            environment, [ADD], catalog.table_package, told.append, environ
-        )
-        assert not diagnostics
-        [overlay] = made.overlays
-        return overlay
-
-    overlay = again()
-    assert (overlay / "python" / "example_interfaces").is_dir()
-    assert again() == overlay
-    assert len(told) == 1
-    # Another Python under the same name.
-    os.utime(script, (0, 0))
-    assert again() != overlay
-    assert len(told) == 2

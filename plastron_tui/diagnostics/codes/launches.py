@@ -9,6 +9,11 @@ from .programs import TALKING
 _BRINGUP = f"{TALKING}create_launch 'bringup' as bringup\n"
 _FULL = f"{_BRINGUP}bringup starts talker\n"
 
+IN_NO_PACKAGE = Code(
+    "in-no-package",
+    "A launch file is to start a node that is in no package: it starts what packages install.",
+)
+
 LAUNCH_EXISTS = Code(
     "launch-exists",
     "Two launch files of a program have one name.",

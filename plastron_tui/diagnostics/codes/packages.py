@@ -50,6 +50,8 @@ BAD_PACKAGE_NAME = Code(
     "bad-package-name",
     "The name of a package has lower case letters, digits and single underscores, and starts with "
     "a letter (REP 144). The help line has a name that is allowed.",
+    bad="create_package 'My-Rover' as rover\n",
+    good="create_package 'my_rover' as rover\n",
 )
 
 TAKEN_PACKAGE_NAME = Code(
@@ -57,11 +59,15 @@ TAKEN_PACKAGE_NAME = Code(
     "The name of a package is another's: of a package of ROS, of a module of Python, or of what a "
     "build makes. It can be built, but one of the two hides the other. Choose another name.",
     severity=Severity.WARNING,
+    bad="create_package 'std_msgs' as rover\n",
+    good="create_package 'rover' as rover\n",
 )
 
 BAD_MAINTAINER = Code(
     "bad-maintainer",
     "A maintainer is a name and an address that the build tools take: `Ada <ada@example.com>`.",
+    bad="create_package 'rover' as rover maintained_by \"Ada\"\n",
+    good="create_package 'rover' as rover maintained_by \"Ada <ada@example.com>\"\n",
 )
 
 MAINTAINER_MISSING = Code(
@@ -75,6 +81,8 @@ UNKNOWN_LICENSE = Code(
     "unknown-license",
     "A license is named by its identifier in the SPDX License List, such as `Apache-2.0`, `MIT` or "
     "`BSD-3-Clause`. The help line has the nearest one.",
+    bad="create_package 'rover' as rover licensed_under \"Apache-2\"\n",
+    good="create_package 'rover' as rover licensed_under \"Apache-2.0\"\n",
 )
 
 LICENSE_MISSING = Code(
@@ -88,6 +96,8 @@ BAD_PACKAGE_TEXT = Code(
     "bad-package-text",
     "The description or the version of a package cannot be in its files: a description is one line "
     "of text, a version is three numbers.",
+    bad="create_package 'rover' as rover described_as \"two\\nlines\"\n",
+    good="create_package 'rover' as rover described_as \"one line\"\n",
 )
 
 BAD_PACKAGE_FILE = Code(
@@ -96,9 +106,30 @@ BAD_PACKAGE_FILE = Code(
     "one has already. Give it another name with `as`.",
 )
 
+OTHER_ROS = Code(
+    "other-ros",
+    "A package is for one generation of ROS, and a node for the other is put into it. A package "
+    "of `catkin` is for ROS 1, one of `ament_python` or `ament_cmake` for ROS 2.",
+)
+
+FILE_STAYS = Code(
+    "file-stays",
+    "An executable was taken out of a package that exists, and its file is left there: something "
+    "else may need it. Remove it by hand where nothing does.",
+    severity=Severity.WARNING,
+)
+
 UNKNOWN_IMPORT = Code(
     "unknown-import",
     "A node imports a module, and no package is known to bring it: `package.xml` says nothing of "
     "it. Add the dependency there by hand.",
     severity=Severity.WARNING,
+)
+
+MIXED_PACKAGE = Code(
+    "mixed-package",
+    "A package contains nodes of both generations of ROS: each has a build of its own.",
+    bad=f"{_FULL}create_node 'old' as old using rospy\n"
+    "create_node 'new' as new using rclpy\nrover contains old\nrover contains new\n",
+    good=_FULL,
 )

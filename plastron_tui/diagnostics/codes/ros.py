@@ -38,9 +38,9 @@ MISSING_ROS_PACKAGE = Code(
 
 NOT_BUILT = Code(
     "not-built",
-    "A package of the language's own types has nothing to install it from. It is made from "
-    "its definitions when a program is run that needs it, once, and that failed. The help "
-    "line has what is missing on this machine, or the file with what the build said.",
+    "A package of types has to be built before the nodes of a program run: one of the program's "
+    "own types, or one of the language's types that nothing installs. That failed. The help line "
+    "has what is missing on this machine, or the file with what the build said.",
 )
 
 NO_MASTER = Code(

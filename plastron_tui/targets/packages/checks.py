@@ -39,8 +39,6 @@ def is_refused(diagnostics: Iterable[Diagnostic]) -> bool:
 def _head(spec: PackageSpec) -> Iterator[Diagnostic]:
     yield from _told(codes.BAD_PACKAGE_NAME, check_package_name(spec.name), spec.span)
     taken = taken_package_name(spec.name)
-    if taken is None and spec.name in spec.packages and not spec.definitions:
-        taken = "ROS has a package of this name"
     if taken is not None:
         message = f"the name `{spec.name}` is taken: {taken}"
         yield Diagnostic(codes.TAKEN_PACKAGE_NAME, message, spec.span)

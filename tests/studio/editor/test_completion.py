@@ -304,7 +304,7 @@ class TestPopup:
             await at.press("escape", "ctrl+end")
             await at.type("create_")
             row = next(y for y, line in enumerate(at.lines) if line.endswith("create_"))
-            assert at.lines[row - 2].lstrip().startswith("create_node")
+            assert at.lines[row - 1].lstrip().startswith("create_")
 
     async def test_a_click_takes_an_entry(self) -> None:
         async with editing("") as at:

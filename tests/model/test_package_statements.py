@@ -5,13 +5,15 @@ from __future__ import annotations
 import pytest
 from workspaces import TALKER, marked, run, workspace
 
+from plastron_tui.model.workspace import Home
+
 ROVER = f"{TALKER}create_package 'rover' as rover\n"
 FULL = f"{ROVER}rover contains n as 'talk'\n"
 
 WRONG: list[tuple[str, str, str, str, str | None]] = [
     (ROVER, "create_package 'rover' as r", "package-exists", "'rover'", "choose another"),
-    (ROVER, "create_package 'r' as rover", "variable-exists", "rover", "one namespace"),
-    (ROVER, "create_package 'r' as n", "variable-exists", "n", "one namespace"),
+    (ROVER, "create_package 'robot' as rover", "variable-exists", "rover", "one namespace"),
+    (ROVER, "create_package 'robot' as n", "variable-exists", "n", "one namespace"),
     (ROVER, "create_node 'r' as rover", "variable-exists", "rover", "one namespace"),
     (ROVER, "rovr contains n", "unknown-package", "rovr", "did you mean `rover`?"),
     (ROVER, "n contains n", "unknown-package", "n", "`n` is a node"),
@@ -72,5 +74,5 @@ def test_a_package_is_written_with_its_nodes_as_they_are_then() -> None:
     [written] = found.written_packages
     [node] = found.generations
     assert list(written.package.contents) == ["n"]
-    assert (node.node.name, node.node.home) == ("talker", ("rover", "talk"))
+    assert (node.node.name, node.node.home) == ("talker", Home("rover", "talk"))
     assert list(found.packages["rover"].contents) == ["other"]

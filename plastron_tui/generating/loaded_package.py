@@ -1,0 +1,299 @@
+"""The files of a package that exists, as a program changes it.
+
+A package is changed from what its files hold when the program runs, each time anew: what is there
+already is not added again, and what is not there is not taken out. So no layers are remembered.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic, Span, codes
+from plastron_tui.diagnostics.severity import Severity
+from plastron_tui.model.launches import Launch
+from plastron_tui.model.workspace import Node
+from plastron_tui.output.plan import OutputFile
+from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.package_keys import key_of_module
+from plastron_tui.sources import find_language
+from plastron_tui.sources.packages import (
+    PACKAGE_XML,
+    Changed,
+    add_launch,
+    add_node,
+    named_elsewhere,
+    remove_executable,
+)
+from plastron_tui.targets.packages.dependencies import dependencies_of
+from plastron_tui.targets.packages.spec import BuildType, PackagedLaunch, PackagedNode, PackageSpec
+
+if TYPE_CHECKING:
+    from plastron_tui.model.package_source import PackageSource
+    from plastron_tui.model.packages import Contained, Package
+    from plastron_tui.output.manifest import Manifest
+
+    from .apply_changes import Library
+    from .generation import Generated
+
+
+_DEPENDS = "depends"
+"""The dependencies that came with a node's file, as the manifest remembers them."""
+
+
+_LAUNCH = "launch"
+_NO_LAUNCHES: Mapping[str, PackagedLaunch] = {}
+
+
+class LoadedFiles(NamedTuple):
+    """The files that a program changes in a loaded package, or none with the reason.
+
+    Attributes:
+        files: those that are written; empty where something is refused.
+        nodes: the names of node files that `files` has in place of the nodes' own.
+        diagnostics: what there is to say.
+    """
+
+    files: tuple[OutputFile, ...]
+    nodes: frozenset[str] = frozenset()
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+def loaded_package_files(
+    package: Package,
+    made: Sequence[Generated],
+    libraries: Mapping[str, Library],
+    output: Path,
+    manifest: Manifest,
+    launches: Mapping[str, PackagedLaunch] = _NO_LAUNCHES,
+    *,
+    in_place: bool,
+) -> LoadedFiles:
+    """Change a loaded package; nothing of it is written where a part is refused.
+
+    Args:
+        package: the package, which was loaded.
+        made: the files of the nodes that the program generates.
+        libraries: the client libraries, by name.
+        output: the output folder, which gets the changed and the new files.
+        manifest: what is remembered of its files.
+        launches: the launch files that it contains, by variable.
+        in_place: whether they are written where the package is instead.
+    """
+    source = package.source
+    assert source is not None, "the package was loaded"
+    work = _Change(package, source, libraries, output, manifest, in_place, dict(source.texts))
+    work.take_out()
+    by_variable = {each.generation.node.variable: each for each in made}
+    for variable, contained in package.contents.items():
+        generated = by_variable.get(variable)
+        if isinstance(contained.item, Node) and generated is not None:
+            work.put(contained, generated)
+        elif isinstance(contained.item, Launch):
+            work.put_launch(contained, launches.get(variable))
+    if any(each.severity is Severity.ERROR for each in work.found):
+        return LoadedFiles((), frozenset(), tuple(work.found))
+    return LoadedFiles((*work.files(), *work.written), frozenset(work.moved), tuple(work.found))
+
+
+@dataclass
+class _Change:
+    package: Package
+    source: PackageSource
+    libraries: Mapping[str, Library]
+    output: Path
+    manifest: Manifest
+    in_place: bool
+    texts: dict[str, bytes]
+    found: list[Diagnostic] = field(default_factory=list)
+    written: list[OutputFile] = field(default_factory=list)
+    moved: list[str] = field(default_factory=list)
+
+    def take_out(self) -> None:
+        """Take out what the program takes out of the package.
+
+        A dependency that the package had before the node came stays, where the manifest tells.
+        """
+        for name, span in self.package.removed.items():
+            file = self.source.executables[name].file
+            added = None if file is None else self._added(file)
+            ours = {each for each in self.source.texts if self._added(each) is not None}
+            changed = remove_executable(self.source, self.texts, name, self._needs, added, ours)
+            if not self._take(changed, span) or file is None:
+                continue
+            is_back = any(each.name == name for each in self.package.contents.values())
+            if file in self.source.texts and not is_back:
+                message = f"`{file}` of `{self.source.name}` stays where it is"
+                help_ = "remove it by hand if nothing else needs it"
+                self.found.append(Diagnostic(codes.FILE_STAYS, message, span, help=help_))
+
+    def _needs(self, text: bytes) -> Mapping[str, Sequence[str]]:
+        """Return what a Python text needs to run, by key, each with its modules."""
+        version = self.source.ros_version
+        known: frozenset[str] = frozenset()
+        for library in self.libraries.values():
+            if library.target.ros_version == version:
+                known = _packages(library)
+        found: dict[str, list[str]] = {}
+        for module in sorted(find_language("python").imports(text)):
+            key = key_of_module(module, version, known)
+            if key is not None and module.partition(".")[0] != self.source.name:
+                found.setdefault(key, []).append(module.partition(".")[0])
+        return found
+
+    def put(self, contained: Contained, generated: Generated) -> None:
+        """Put a node into the package."""
+        if generated.files is None or generated.files.files.main is None:
+            return
+        file = self._inner(generated.files.name)
+        text = generated.files.files.main
+        known = self.source.texts.get(file)
+        if known not in (None, text) and not self._is_own(file):
+            self.found.append(self._taken(file, contained.span))
+            return
+        library = self.libraries[generated.generation.library]
+        name = file.rpartition("/")[2]
+        node = PackagedNode(
+            contained.name,
+            name.removesuffix(library.target.language.suffix),
+            text,
+            generated.generation.node,
+            library.target.language,
+            library.target.name,
+            contained.span,
+        )
+        keys, unknown = self._keys(node, library)
+        self.found += unknown
+        changed = add_node(self.source, self.texts, contained.name, file, keys)
+        self._take(changed, contained.span)
+        for each in generated.files.output_files():
+            self._write_node(each, changed.added)
+
+    def put_launch(self, contained: Contained, launch: PackagedLaunch | None) -> None:
+        """Put a launch file into the package's folder `launch`; None where it cannot be written."""
+        if launch is None:
+            message = f"the launch file `{contained.name}` is not written into `{self.source.name}`"
+            self.found.append(Diagnostic(codes.EDIT_REFUSED, message, contained.span))
+            return
+        file = f"{_LAUNCH}/{launch.name}"
+        known = self.source.texts.get(file)
+        if known not in (None, launch.text) and not self._is_own(file):
+            self.found.append(self._taken(file, contained.span))
+            return
+        keys = sorted(
+            {*launch.needs, "roslaunch" if self.source.ros_version == 1 else "ros2launch"}
+        )
+        changed = add_launch(self.source, self.texts, file, keys)
+        self._take(changed, contained.span)
+        made = OutputFile(f"{self.source.name}/{file}", launch.text, is_executable=False)
+        self._write_node(made, changed.added)
+
+    def _is_own(self, file: str) -> bool:
+        """Tell whether an earlier run wrote a file, where this one would write over it."""
+        return self._is_in_place(file) and self._entry(file) in self.manifest
+
+    def _taken(self, file: str, span: Span) -> Diagnostic:
+        message = f"the package `{self.source.name}` has a file `{file}` already"
+        for there in self.source.executables.values():
+            if there.file == file:
+                message += f": line {there.line} of `{there.where}` installs it"
+                break
+        help_ = (
+            "name it otherwise: `contains … as 'other_name'`, or write over the package with "
+            "`--in-place` where an earlier run made the file"
+        )
+        return Diagnostic(codes.ALREADY_CONTAINED, message, span, help=help_)
+
+    def _keys(
+        self, node: PackagedNode, library: Library
+    ) -> tuple[list[str], tuple[Diagnostic, ...]]:
+        """Return what a node needs to run, as a new package would say it."""
+        spec = PackageSpec(
+            self.source.name,
+            self.source.ros_version,
+            nodes=(node,),
+            packages=_packages(library),
+            build_type=BuildType.AMENT_PYTHON,
+        )
+        dependencies, unknown = dependencies_of(spec)
+        return [each.key for each in dependencies if each.tag == "exec_depend"], unknown
+
+    def _take(self, changed: Changed, span: Span) -> bool:
+        self.found += [
+            each if each.file is not None or each.span is not None else each._replace(span=span)
+            for each in changed.diagnostics
+        ]
+        if changed.texts is not None:
+            self.texts = changed.texts
+        return changed.texts is not None
+
+    def _is_in_place(self, file: str) -> bool:
+        """Tell whether a file is written where the package is."""
+        there = os.path.realpath(self.output / self.source.name / file)
+        return self.in_place or there == os.path.realpath(self.source.folder / file)
+
+    def _inner(self, name: str) -> str:
+        """Return the path in the package of a file of the output folder."""
+        return name.removeprefix(f"{self.source.name}/")
+
+    def _entry(self, file: str) -> str:
+        """Return what the manifest calls a file that is written where the package is."""
+        return os.path.relpath(self.source.folder / file, self.output).replace(os.sep, "/")
+
+    def _added(self, file: str) -> Mapping[str, bool] | None:
+        """Return the dependencies that came with a file, None where nothing tells.
+
+        Each with whether other files of the package named it then.
+        """
+        for name in (self._entry(file), f"{self.source.name}/{file}"):
+            known = self.manifest.bases.get(name, {}).get(_DEPENDS)
+            if isinstance(known, dict):
+                return {key: value is True for key, value in known.items()}
+        return None
+
+    def _write_node(self, file: OutputFile, added: Sequence[str]) -> None:
+        """Write a file of a node, and remember which dependencies came with it."""
+        inner = self._inner(file.name)
+        others = {
+            name: text
+            for name, text in self.source.texts.items()
+            if name not in (inner, PACKAGE_XML)
+        }
+        modules = self._needs(file.text)
+        came = {key: any(named_elsewhere(others, (key, *modules.get(key, ())))) for key in added}
+        self.moved.append(file.name)
+        if self._is_in_place(inner):
+            came.update(self._added(inner) or {})
+            path, entry = self.source.folder / inner, self._entry(inner)
+            file = replace(file, path=path, entry=entry, merged_from=None, layers=None)
+        if file.base is not None:
+            file = replace(file, base={**file.base, _DEPENDS: came})
+        self.written.append(file)
+
+    def files(self) -> list[OutputFile]:
+        """Return the files that were there and are changed."""
+        found = []
+        for name, text in self.texts.items():
+            before = self.source.texts[name]
+            is_over = self._is_in_place(name)
+            # What an earlier run changed is as it was before when nothing of it is left.
+            is_left = not is_over and f"{self.source.name}/{name}" in self.manifest
+            if text == before and not is_left:
+                continue
+            found.append(
+                OutputFile(
+                    f"{self.source.name}/{name}",
+                    text,
+                    is_executable=False,
+                    merged_from=before if is_over else None,
+                    path=self.source.folder / name if is_over else None,
+                )
+            )
+        return found
+
+
+def _packages(library: Library) -> frozenset[str]:
+    return frozenset(each for kind in InterfaceKind for each in library.catalog.packages(kind))

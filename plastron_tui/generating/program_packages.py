@@ -1,0 +1,221 @@
+"""The packages, definitions and launch files that a program writes besides its nodes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.model.launches import Launch
+from plastron_tui.model.workspace import Node, Workspace
+from plastron_tui.sources.launch.new_elements import CannotWriteError
+from plastron_tui.targets.launch.program import Executable, request_of
+from plastron_tui.targets.launch.python import write_python
+from plastron_tui.targets.launch.xml import write_xml
+from plastron_tui.targets.packages.rendering import (
+    interfaces_of,
+    node_path,
+    render_interfaces,
+    render_package,
+)
+from plastron_tui.targets.packages.spec import PackagedLaunch, PackageFile, interfaces_name
+
+from .own_definitions import Packaged, own_definitions, rendered_definitions, used_packages
+from .package_spec import package_spec
+
+if TYPE_CHECKING:
+    from plastron_tui.model.packages import Package
+
+    from .apply_changes import Library
+    from .generation import Generated
+
+
+class Made(NamedTuple):
+    """Files by their path in the output folder, and why others are missing."""
+
+    files: Mapping[str, PackageFile]
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+class ProgramPackages:
+    """Makes what a program writes besides its nodes, as far as its nodes can be written."""
+
+    def __init__(
+        self,
+        workspace: Workspace,
+        made: Sequence[Generated],
+        library_of: Callable[[str], Library | None],
+        default: str,
+        *,
+        python_launch: bool = False,
+    ) -> None:
+        """Set what it follows from.
+
+        Args:
+            workspace: what the program built.
+            made: the files of its nodes.
+            library_of: gives a client library by its name, None for one that nothing writes.
+            default: the client library of what no node tells the ROS of.
+            python_launch: whether launch files of ROS 2 are written in Python.
+        """
+        self._workspace = workspace
+        self._made = made
+        self._python_launch = python_launch
+        names = dict.fromkeys((*(each.generation.library for each in made), default))
+        found = {name: library_of(name) for name in names}
+        self._libraries = {name: each for name, each in found.items() if each is not None}
+        self._default = self._libraries.get(default) or next(iter(self._libraries.values()), None)
+        self._definitions: dict[int, Packaged] = {}
+
+    def made(self) -> Made:
+        """Make the files."""
+        files: dict[str, PackageFile] = {}
+        diagnostics: list[Diagnostic] = []
+        if self._default is None:
+            return Made(files)
+        last = {each.package.variable: each.package for each in self._workspace.written_packages}
+        for part in (
+            *(self._package(each) for each in last.values() if each.source is None),
+            *self._definitions_alone(),
+            *self._launches_alone(),
+        ):
+            files.update(part.files)
+            diagnostics += part.diagnostics
+        return Made(files, tuple(dict.fromkeys(diagnostics)))
+
+    def _package(self, package: Package) -> Made:
+        assert self._default is not None
+        spec = package_spec(package, self._made, self._libraries, self._default)
+        if spec is None:
+            return Made({})
+        definitions = self._own(spec.ros_version)
+        home = package.name if spec.ros_version == 1 else interfaces_name(package.name)
+        launches, problems = self._launches(package, spec.ros_version)
+        spec = replace(spec, definitions=definitions.get(home, ()), launches=launches)
+        rendered = render_package(spec)
+        nodes = {node_path(spec, each) for each in spec.nodes}
+        files = {
+            f"{spec.name}/{path}": file
+            for path, file in (rendered.files or {}).items()
+            if path not in nodes
+        }
+        found = [*problems, *rendered.diagnostics]
+        interfaces = interfaces_of(spec)
+        if interfaces is not None:
+            beside = render_interfaces(interfaces)
+            files |= {
+                f"{interfaces.name}/{path}": file for path, file in (beside.files or {}).items()
+            }
+        return Made(files, tuple(found))
+
+    def _own(self, version: int) -> Packaged:
+        if version not in self._definitions:
+            types = self._workspace.types.values()
+            # A loaded type stays in its file; see `loaded_types`.
+            created = (each for each in types if each.source is None)
+            self._definitions[version] = own_definitions(created, version)
+        return self._definitions[version]
+
+    def _definitions_alone(self) -> Iterator[Made]:
+        """Yield the packages of types that nodes use, or that are asked for, and no package has."""
+        assert self._default is not None
+        have = {each.package.name for each in self._workspace.written_packages}
+        have |= {interfaces_name(name) for name in have}
+        versions = {each.target.ros_version: each for each in self._libraries.values()}
+        for version, library in versions.items():
+            own = self._own(version)
+            nodes = [
+                each.generation.node
+                for each in self._made
+                if each.files is not None
+                and self._libraries[each.generation.library].target.ros_version == version
+            ]
+            wanted = dict.fromkeys(used_packages(nodes, own))
+            if version == self._default.target.ros_version:
+                for name in self._workspace.written_types:
+                    asked = self._workspace.types[name].definitions.get(version)
+                    if asked is not None and asked.interface.name.package in own:
+                        wanted[asked.interface.name.package] = None
+            for package in (each for each in wanted if each not in have):
+                rendered = rendered_definitions(package, own, version, library.catalog.distribution)
+                files = rendered.files or {}
+                yield Made({f"{package}/{path}": file for path, file in files.items()})
+
+    def _launches(
+        self, package: Package, version: int
+    ) -> tuple[tuple[PackagedLaunch, ...], list[Diagnostic]]:
+        launches: list[PackagedLaunch] = []
+        problems: list[Diagnostic] = []
+        for contained in package.contents.values():
+            if isinstance(contained.item, Launch) and contained.item.source is None:
+                written = self._written(contained.item, version)
+                if isinstance(written, Diagnostic):
+                    problems.append(written)
+                else:
+                    launches.append(written._replace(span=contained.span))
+        return tuple(launches), problems
+
+    def _launches_alone(self) -> Iterator[Made]:
+        """Yield the launch files that are written for their own sake."""
+        assert self._default is not None
+        held = {
+            variable
+            for each in self._workspace.written_packages
+            for variable in each.package.contents
+        }
+        last = {each.launch.variable: each.launch for each in self._workspace.written_launches}
+        for variable, launch in last.items():
+            if variable in held or launch.source is not None:
+                continue
+            version = self._version_of(launch)
+            written = self._written(launch, version)
+            if isinstance(written, Diagnostic):
+                yield Made({}, (written,))
+            else:
+                yield Made({written.name: PackageFile(written.text)})
+
+    def _version_of(self, launch: Launch) -> int:
+        """Return the generation of ROS that a launch file is for: that of what it starts."""
+        assert self._default is not None
+        for start in launch.starts.values():
+            library = None if start.node is None else self._libraries.get(start.node.library or "")
+            if library is not None:
+                return library.target.ros_version
+        return self._default.target.ros_version
+
+    def _written(self, launch: Launch, version: int) -> PackagedLaunch | Diagnostic:
+        """Write a launch file, or say what it cannot say."""
+        homeless = next(
+            (each for each in launch.starts.values() if each.node and each.node.home is None), None
+        )
+        if homeless is not None and homeless.node is not None:
+            variable = homeless.node.variable
+            return Diagnostic(
+                codes.IN_NO_PACKAGE,
+                f"`{variable}` is in no package, and a launch file starts what packages have",
+                homeless.span,
+                help=f"put it into one: `PACKAGE contains {variable}`",
+            )
+        request = request_of(launch, version, self._executable)
+        is_python = self._python_launch and version == 2
+        try:
+            text = write_python(request.added) if is_python else write_xml(request.added, version)
+        except CannotWriteError as problem:
+            return Diagnostic(codes.BAD_LAUNCH_NAME, str(problem), launch.span)
+        suffix = ".launch.py" if is_python else ".launch.xml" if version == 2 else ".launch"
+        homes = (None if each.node is None else each.node.home for each in launch.starts.values())
+        needs = {
+            *(each.package for each in launch.starts.values() if each.package),
+            *(each.package for each in homes if each is not None),
+            *(each.package for each in launch.includes.values()),
+        }
+        return PackagedLaunch(f"{launch.name}{suffix}", text.encode(), frozenset(needs))
+
+    def _executable(self, node: Node) -> Executable:
+        """Tell what starts a node: in ROS 1 it is the file itself."""
+        assert node.home is not None
+        library = self._libraries.get(node.library or "") or self._default
+        if library is None or library.target.ros_version == 2:
+            return Executable(node.home.package, node.home.executable)
+        return Executable(node.home.package, f"{node.home.stem}{library.target.language.suffix}")

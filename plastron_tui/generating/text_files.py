@@ -1,0 +1,91 @@
+"""Files that a program makes as a whole, of packages say, brought together with handwork.
+
+What such a file was made as is remembered with it: where it was changed by hand since, lines are
+merged three ways, and what both sides changed is a conflict.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.output.manifest import Manifest
+from plastron_tui.output.merge3 import merge_lines
+from plastron_tui.output.plan import OutputFile
+from plastron_tui.targets.packages.spec import PackageFile
+
+from .user_edits import kept_handwork, of_other_program, on_disk, unmergeable
+
+_TEXT = "text"
+
+
+class Folder(NamedTuple):
+    """Where files are written, and what is known of what is there.
+
+    Attributes:
+        output: the output folder.
+        manifest: what is remembered of its files.
+        program: the name of the program's file, "" where it has none.
+        force: whether files are written anew, whatever was changed by hand.
+    """
+
+    output: Path
+    manifest: Manifest
+    program: str
+    force: bool = False
+
+
+def text_files(
+    files: Mapping[str, PackageFile], folder: Folder
+) -> tuple[list[OutputFile], list[Diagnostic]]:
+    """Return files as they are to be written, and what is to be said of handwork in them.
+
+    Args:
+        files: what the program makes, by the path in the output folder.
+        folder: where they go.
+    """
+    made: list[OutputFile] = []
+    notes: list[Diagnostic] = []
+    for name, file in files.items():
+        output, found = _text_file(name, file, folder)
+        made.append(output)
+        notes += found
+    return made, notes
+
+
+def _text_file(name: str, file: PackageFile, folder: Folder) -> tuple[OutputFile, list[Diagnostic]]:
+    path, manifest = folder.output / name, folder.manifest
+    text = file.text.decode("utf-8", "replace")
+    base = {"program": folder.program, _TEXT: text}
+    seen = ((folder.output, manifest),)
+    new = OutputFile(name, file.text, file.is_executable, base=base, seen=seen)
+    present = on_disk(path)
+    if present in (None, file.text) or name not in manifest:
+        return new, []
+    known = manifest.bases.get(name, {})
+    owner = known.get("program")
+    if isinstance(owner, str) and owner and folder.program and owner != folder.program:
+        return replace(new, problem=of_other_program(path, owner)), []
+    if folder.force or manifest.has(name, present):
+        return new, []
+    before = known.get(_TEXT)
+    merged = None
+    if isinstance(before, str):
+        merged = merge_lines(before.encode(), file.text, present, side_by_side=True)
+    if merged is None:
+        problem = unmergeable(path, "the program changed the same lines")
+        return replace(new, problem=problem), []
+    kept = OutputFile(
+        name,
+        merged,
+        file.is_executable,
+        merged_from=present,
+        has_handwork=True,
+        base=base,
+        seen=seen,
+    )
+    is_news = before != text
+    return kept, [kept_handwork(path, path.name)] if is_news else []

@@ -1,0 +1,17 @@
+"""Packages that exist: what their package.xml, setup.py and CMakeLists.txt say together."""
+
+from __future__ import annotations
+
+from .changing import Changed, add_launch, add_node, remove_executable
+from .reading import PACKAGE_XML, PackageFiles, named_elsewhere, read_package_files
+
+__all__ = [
+    "PACKAGE_XML",
+    "Changed",
+    "PackageFiles",
+    "add_launch",
+    "add_node",
+    "named_elsewhere",
+    "read_package_files",
+    "remove_executable",
+]

@@ -1,0 +1,187 @@
+"""Putting nodes and launch files into a package that exists, and taking them out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Container, Iterable, Mapping
+from typing import NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.model.package_source import PackageSource
+from plastron_tui.sources.build_files import Edited
+
+from .reading import CMAKE_LISTS, PACKAGE_XML, SETUP_PY, named_elsewhere
+
+_REMOVABLE = ("exec_depend", "run_depend", "depend")
+
+
+class Changed(NamedTuple):
+    """A package after a change, or why there is none.
+
+    Attributes:
+        texts: what its files hold, None where the change is refused.
+        diagnostics: why it is refused.
+        added: the dependencies that it did not have.
+    """
+
+    texts: dict[str, bytes] | None
+    diagnostics: tuple[Diagnostic, ...] = ()
+    added: tuple[str, ...] = ()
+
+
+def add_node(
+    source: PackageSource,
+    texts: Mapping[str, bytes],
+    executable: str,
+    file: str,
+    keys: Iterable[str],
+) -> Changed:
+    """Let a package install a node, and depend on what it needs.
+
+    Args:
+        source: the package.
+        texts: what its files hold by now.
+        executable: what one starts the node by; with CMake it is the name of the file.
+        file: the node's file, by its path in the package.
+        keys: the packages and rosdep keys that the node needs to run.
+    """
+    if source.build_type == "ament_python":
+        from plastron_tui.sources.setup_py.scripts import add_console_script
+
+        target = f"{source.module_of(file)}:main"
+        built = SETUP_PY
+        edited = add_console_script(texts[built], source.folder / built, executable, target)
+    else:
+        from plastron_tui.sources.cmake.programs import add_program
+
+        built = CMAKE_LISTS
+        edited = add_program(texts[built], source.folder / built, file)
+    after = _with(texts, built, edited)
+    return after if after.texts is None else _add_dependencies(source, after.texts, keys)
+
+
+def add_launch(
+    source: PackageSource, texts: Mapping[str, bytes], file: str, keys: Iterable[str]
+) -> Changed:
+    """Let a package install a launch file, and depend on what it starts.
+
+    Args:
+        source: the package.
+        texts: what its files hold by now.
+        file: the launch file, by its path in the package.
+        keys: the packages of what it starts.
+    """
+    folder = file.partition("/")[0]
+    if source.build_type == "ament_python":
+        from plastron_tui.sources.setup_py.data_files import add_data_file
+
+        path = source.folder / SETUP_PY
+        after = _with(texts, SETUP_PY, add_data_file(texts[SETUP_PY], path, folder, file))
+    else:
+        from plastron_tui.sources.cmake.shares import add_shared
+
+        path = source.folder / CMAKE_LISTS
+        after = _with(texts, CMAKE_LISTS, add_shared(texts[CMAKE_LISTS], path, file))
+    return after if after.texts is None else _add_dependencies(source, after.texts, keys)
+
+
+def remove_executable(
+    source: PackageSource,
+    texts: Mapping[str, bytes],
+    executable: str,
+    needs: Callable[[bytes], Mapping[str, Iterable[str]]],
+    added: Mapping[str, bool] | None = None,
+    others_added: Container[str] = (),
+) -> Changed:
+    """Let a package install an executable no more, nor depend on what only that needed.
+
+    Its file stays. A dependency goes where no other file of the package has its name, or that of a
+    module that it brings.
+
+    Args:
+        source: the package.
+        texts: what its files hold by now.
+        executable: what one starts it by.
+        needs: returns what a text needs to run, by key, each with its modules.
+        added: the dependencies that came with the executable, each with whether a file named it
+            before, which the package lived with; None where nothing tells.
+        others_added: the files of other nodes that came so.
+    """
+    known = source.executables[executable]
+    path = source.folder / known.where
+    if known.where == SETUP_PY:
+        from plastron_tui.sources.setup_py.scripts import remove_console_script
+
+        edited = remove_console_script(texts[SETUP_PY], path, executable)
+    elif known.file is None:
+        message = f"line {known.line} of `{known.where}` builds `{executable}` from other files"
+        return Changed(None, (Diagnostic(codes.EDIT_REFUSED, message, file=path),))
+    else:
+        from plastron_tui.sources.cmake.programs import remove_program
+
+        edited = remove_program(texts[CMAKE_LISTS], path, known.file)
+    after = _with(texts, known.where, edited)
+    if after.texts is None:
+        return after
+    if after.texts[known.where] == texts[known.where]:
+        message = f"line {known.line} of `{known.where}` installs `{executable}` among others"
+        return Changed(None, (Diagnostic(codes.COMPUTED_BUILD_FILE, message, file=path),))
+    text = texts.get(known.file or "")
+    if text is None or not source.is_whole:
+        return after
+    others = {
+        name: each for name, each in after.texts.items() if name not in (known.file, PACKAGE_XML)
+    }
+    nodes = {name: each for name, each in others.items() if name in others_added}
+    gone = []
+    for key, modules in needs(text).items():
+        if added is not None and key not in added:
+            continue
+        judged = nodes if added is not None and added[key] else others
+        if not any(named_elsewhere(judged, (key, *modules))):
+            gone.append(key)
+    return _remove_dependencies(source, after.texts, gone)
+
+
+def _with(texts: Mapping[str, bytes], name: str, edited: Edited) -> Changed:
+    if edited.text is None:
+        return Changed(None, edited.diagnostics)
+    return Changed({**texts, name: edited.text}, edited.diagnostics)
+
+
+def _add_dependencies(
+    source: PackageSource, texts: Mapping[str, bytes], keys: Iterable[str]
+) -> Changed:
+    from plastron_tui.sources.xml.dependencies import add_dependency
+    from plastron_tui.sources.xml.package_xml import read_package
+
+    package, found = read_package(texts[PACKAGE_XML], source.folder / PACKAGE_XML)
+    if package is None:
+        return Changed(None, found)
+    added: list[str] = []
+    for key in keys:
+        if key == source.name:
+            continue
+        edit = add_dependency(package, key, {"exec"}, source.ros_version)
+        if edit.package is None:
+            return Changed(None, edit.diagnostics)
+        package = edit.package
+        if edit.tags:
+            added.append(key)
+    return Changed({**texts, PACKAGE_XML: package.document.text}, (), tuple(added))
+
+
+def _remove_dependencies(
+    source: PackageSource, texts: Mapping[str, bytes], keys: Iterable[str]
+) -> Changed:
+    from plastron_tui.sources.xml.dependencies import remove_dependency
+    from plastron_tui.sources.xml.package_xml import read_package
+
+    package, found = read_package(texts[PACKAGE_XML], source.folder / PACKAGE_XML)
+    if package is None:
+        return Changed(None, found)
+    for key in reversed(list(keys)):
+        edit = remove_dependency(package, key, source.ros_version, _REMOVABLE)
+        if edit.package is None:
+            return Changed(None, edit.diagnostics)
+        package = edit.package
+    return Changed({**texts, PACKAGE_XML: package.document.text})

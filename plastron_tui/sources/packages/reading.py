@@ -1,0 +1,191 @@
+"""What a package is made of, from the texts of its files."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+from typing import NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.diagnostics.severity import Severity
+from plastron_tui.model.package_source import Executable, LoadedPackage, PackageSource
+from plastron_tui.sources.build_files import RefusedError, refusal
+from plastron_tui.sources.splices import line_number
+from plastron_tui.sources.xml.package_xml import read_package
+
+PACKAGE_XML, SETUP_PY, SETUP_CFG, CMAKE_LISTS = (
+    "package.xml",
+    "setup.py",
+    "setup.cfg",
+    "CMakeLists.txt",
+)
+LAUNCH_ENDINGS = (".launch", ".launch.xml", ".launch.py", ".launch.yaml", ".launch.yml")
+
+_SCRIPT_FOLDERS = ("scripts", "nodes", "script", "bin", "src")
+_PYTHON_ROOTS = ("", "src")
+
+
+class PackageFiles(NamedTuple):
+    """The files of a package, by their paths from its folder, with slashes.
+
+    Attributes:
+        folder: where it is.
+        names: all that is there.
+        texts: what those hold that may say something of others.
+        is_whole: whether all of those were read.
+    """
+
+    folder: Path
+    names: frozenset[str]
+    texts: Mapping[str, bytes]
+    is_whole: bool = True
+
+
+def read_package_files(files: PackageFiles, ros_version: int) -> LoadedPackage:
+    """Read a package; nothing of it is run.
+
+    Args:
+        files: its files.
+        ros_version: what a package counts for that is for both generations of ROS.
+    """
+    path = files.folder / PACKAGE_XML
+    package, found = read_package(files.texts[PACKAGE_XML], path)
+    errors = tuple(each for each in found if each.severity is Severity.ERROR)
+    if package is None or errors:
+        return LoadedPackage(None, errors or found)
+    types = {version: package.build_type({"ROS_VERSION": str(version)}) for version in (1, 2)}
+    if types[1] == types[2]:
+        ros_version = 1 if types[1] == "catkin" else 2
+    build_type = types[ros_version]
+    try:
+        if build_type == "ament_python":
+            parts = _python_parts(files)
+        elif build_type in ("catkin", "ament_cmake"):
+            parts = _cmake_parts(files)
+        else:
+            message = f"packages that `{build_type}` builds are not changed"
+            refused = Diagnostic(codes.EDIT_REFUSED, message, file=path)
+            return LoadedPackage(None, (refused,))
+    except RefusedError as error:
+        return LoadedPackage(None, (error.diagnostic,))
+    return LoadedPackage(
+        PackageSource(
+            files.folder,
+            package.name,
+            ros_version,
+            build_type,
+            files.texts,
+            parts.executables,
+            parts.node_folder,
+            parts.python_root,
+            tuple(sorted(name for name in files.names if name.endswith(LAUNCH_ENDINGS))),
+            files.is_whole,
+        )
+    )
+
+
+class _Parts(NamedTuple):
+    executables: dict[str, Executable]
+    node_folder: str | None
+    python_root: str = ""
+
+
+def _text(files: PackageFiles, name: str) -> bytes:
+    text = files.texts.get(name)
+    if text is None:
+        message = f"the package has no `{name}`, which its build type wants"
+        raise RefusedError(
+            Diagnostic(codes.BROKEN_BUILD_FILE, message, file=files.folder / PACKAGE_XML)
+        )
+    return text
+
+
+def _python_parts(files: PackageFiles) -> _Parts:
+    from plastron_tui.sources.setup_py.reader import read_setup
+
+    text, path = _text(files, SETUP_PY), files.folder / SETUP_PY
+    _check_configuration(files)
+    setup, found = read_setup(text, path)
+    if setup is None:
+        raise RefusedError(found[0])
+    modules = [each.target.partition(":")[0].replace(".", "/") for each in setup.console_scripts]
+    names = [*modules, *(each.replace(".", "/") for each in setup.packages or ()), setup.name or ""]
+    root = next((root for root in _PYTHON_ROOTS for name in names if _file(files, root, name)), "")
+    executables = {
+        each.name: Executable(
+            _file(files, root, module), SETUP_PY, line_number(text, each.span.start)
+        )
+        for each, module in zip(setup.console_scripts, modules, strict=True)
+    }
+    folders = _usual_folders(each.file for each in executables.values())
+    folders += [
+        f"{root}/{name}".strip("/") for name in (setup.name, *(setup.packages or ())) if name
+    ]
+    folder = next((each for each in folders if f"{each}/__init__.py" in files.names), None)
+    return _Parts(executables, folder, root)
+
+
+def _file(files: PackageFiles, root: str, name: str) -> str | None:
+    """Return the file that a module is, as far as it is there."""
+    path = f"{root}/{name}".strip("/")
+    return next(
+        (each for each in (f"{path}.py", f"{path}/__init__.py") if each in files.names), None
+    )
+
+
+def _check_configuration(files: PackageFiles) -> None:
+    """Refuse a setup.cfg that has entry points: setuptools takes those, and not setup.py's."""
+    text = files.texts.get(SETUP_CFG, b"")
+    at = text.find(b"[options.entry_points]")
+    if at >= 0:
+        span = (at, at + len(b"[options.entry_points]"))
+        raise refusal(text, files.folder / SETUP_CFG, span, "has the entry points of `setup.py`")
+
+
+def _cmake_parts(files: PackageFiles) -> _Parts:
+    from plastron_tui.sources.cmake.changing import build_type_of
+    from plastron_tui.sources.cmake.facts import programs, targets
+    from plastron_tui.sources.cmake.reader import read_cmake
+
+    text, path = _text(files, CMAKE_LISTS), files.folder / CMAKE_LISTS
+    lists, found = read_cmake(text, path)
+    if lists is None:
+        raise RefusedError(found[0])
+    build_type_of(lists)
+    executables: dict[str, Executable] = {}
+    for target in targets(lists):
+        if target.call.command.name != "add_library":
+            line = line_number(text, target.call.command.start)
+            executables[target.what] = Executable(None, CMAKE_LISTS, line)
+    for entry in programs(lists):
+        if entry.destination != f"lib/{lists.name}":
+            continue
+        line = line_number(text, entry.call.command.start)
+        names = [each.value for each in entry.call.items]
+        for file in filter(entry.has, files.names) if entry.item.is_pattern else (entry.what,):
+            name = file.rpartition("/")[2]
+            if "RENAME" in names[:-1]:
+                name = names[names.index("RENAME") + 1]
+            executables[name] = Executable(file, CMAKE_LISTS, line)
+    folders = _usual_folders(each.file for each in executables.values())
+    folders += [each for each in _SCRIPT_FOLDERS[:-1] if _has_folder(files, each)]
+    return _Parts(executables, folders[0] if folders else _SCRIPT_FOLDERS[0])
+
+
+def _usual_folders(paths: Iterable[str | None]) -> list[str]:
+    """Return the folders of files, those with most of them first."""
+    found = Counter(path.rpartition("/")[0] for path in paths if path is not None)
+    return [folder for folder, _ in found.most_common()]
+
+
+def _has_folder(files: PackageFiles, folder: str) -> bool:
+    return any(name.startswith(f"{folder}/") for name in files.names)
+
+
+def named_elsewhere(texts: Mapping[str, bytes], words: Iterable[str]) -> Iterator[str]:
+    """Return the files that have one of some words in them, wherever it stands."""
+    wanted = [word.encode() for word in words]
+    for name, text in texts.items():
+        if any(word in text for word in wanted):
+            yield name

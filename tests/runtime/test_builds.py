@@ -1,0 +1,216 @@
+"""Builds in the user's cache: when one is started, what it starts from, and what it leaves."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import pytest
+from machine import wait_until
+from supervised import all_gone
+
+from plastron_tui.diagnostics import Span, codes
+from plastron_tui.ros.installations import Origin
+from plastron_tui.runtime import build_tools, builds
+from plastron_tui.runtime.build_output import Progress
+from plastron_tui.runtime.builds import BuiltPackage, overlay
+from plastron_tui.runtime.environment import Environment
+
+SOURCED = Environment(Origin.SOURCED, 2, "kilted", Path(sys.executable))
+FILES = {"package.xml": b"<package/>", "msg/Level.msg": b"float64 value\n"}
+
+# Installs the sources, and what was there before a build, as a file whose time it is.
+COLCON = """\
+#!/bin/sh
+echo started >> "$CALLS"
+echo "Starting >>> demo"
+echo "[ 50%] Generating"
+mkdir -p install/python build
+rm -rf install/python/demo
+cp -Rp src/demo install/python/demo
+if [ -e build/object ]; then touch install/python/demo/was_incremental; fi
+touch build/object
+"""
+
+
+@pytest.fixture
+def environ(tmp_path: Path) -> dict[str, str]:
+    """The environment of a sourced ROS whose tools are fakes."""
+    tools = tmp_path / "bin"
+    tools.mkdir()
+    for name in ("cmake", "make", "c++", "colcon"):
+        (tools / name).write_text(COLCON if name == "colcon" else "#!/bin/sh\n")
+        (tools / name).chmod(0o755)
+    return {
+        "PATH": f"{tools}:/usr/bin:/bin",
+        "XDG_CACHE_HOME": str(tmp_path / "cache"),
+        "CALLS": str(tmp_path / "calls"),
+    }
+
+
+def calls(environ: dict[str, str]) -> int:
+    file = Path(environ["CALLS"])
+    return file.read_text().count("started") if file.exists() else 0
+
+
+def write_colcon(environ: dict[str, str], text: str) -> None:
+    (Path(environ["PATH"].partition(":")[0]) / "colcon").write_text(text)
+
+
+def build(environ: dict[str, str], **files: bytes) -> Path:
+    changed = {f"msg/{name}.msg": text for name, text in files.items()}
+    made, found = overlay(SOURCED, [BuiltPackage("demo", FILES | changed)], lambda _: None, environ)
+    assert not found
+    [folder] = made.overlays
+    return folder / "python" / "demo"
+
+
+def test_nothing_is_built_where_nothing_is_to_be(environ: dict[str, str]) -> None:
+    assert overlay(SOURCED, [], pytest.fail, environ) == (SOURCED, [])
+    assert calls(environ) == 0
+
+
+def test_what_is_unchanged_starts_no_build(environ: dict[str, str]) -> None:
+    told: list[Progress] = []
+    packages = [BuiltPackage("demo", FILES, frozenset({"package.xml"}))]
+    made, _ = overlay(SOURCED, packages, told.append, environ)
+    assert told == [
+        Progress("demo", "configure"),
+        Progress("demo", "build", 50),
+    ]
+    [folder] = made.overlays
+    assert os.access(folder / "python" / "demo" / "package.xml", os.X_OK)
+    assert overlay(SOURCED, packages, pytest.fail, environ) == (made, [])
+    assert calls(environ) == 1
+
+
+def test_a_change_builds_in_the_same_workspace(environ: dict[str, str]) -> None:
+    first = build(environ, Speed=b"float64 x\n")
+    second = build(environ, Speed=b"float64 y\n")
+    assert (second / "was_incremental").exists()
+    assert not (first / "was_incremental").exists()
+    assert (first / "msg/Speed.msg").read_bytes() == b"float64 x\n"
+    assert (second / "msg/Speed.msg").read_bytes() == b"float64 y\n"
+    times = [(each / "msg/Level.msg").stat().st_mtime_ns for each in (first, second)]
+    assert times[0] == times[1]
+    assert not (build(environ) / "msg/Speed.msg").exists()
+    # All three are kept.
+    assert build(environ, Speed=b"float64 x\n") == first
+    assert calls(environ) == 3
+
+
+def test_each_ros_has_its_own(environ: dict[str, str]) -> None:
+    first = build(environ)
+    assert build({**environ, "AMENT_PREFIX_PATH": "/opt/other"}) != first
+    assert calls(environ) == 2
+
+
+def test_a_failure_is_told_at_the_statement_and_built_again(environ: dict[str, str]) -> None:
+    said = "$PWD/src/demo/a.cpp:2:1: error: no such thing"
+    write_colcon(environ, f'#!/bin/sh\necho "{said}"\nexit 1\n')
+    package = BuiltPackage("demo", FILES, spans={"a.cpp": {0: Span(0, 4), 2: Span(4, 8)}})
+    made, [found] = overlay(SOURCED, [package], lambda _: None, environ)
+    assert (made, found.code, found.span) == (SOURCED, codes.NOT_BUILT, Span(4, 8))
+    assert found.message == "`demo/a.cpp:2` could not be built: no such thing"
+    [log] = Path(environ["XDG_CACHE_HOME"]).rglob("build.log")
+    assert found.help == f"read what the build said in {log}"
+    write_colcon(environ, COLCON)
+    assert build(environ).is_dir()
+
+
+def test_what_a_killed_build_left_is_not_built_upon(environ: dict[str, str]) -> None:
+    build(environ)
+    [lock] = Path(environ["XDG_CACHE_HOME"]).rglob("lock")
+    (lock.parent / "unfinished").touch()
+    assert not (build(environ, Speed=b"float64 x\n") / "was_incremental").exists()
+    assert (build(environ, Speed=b"float64 y\n") / "was_incremental").exists()
+
+
+def test_two_runs_at_once_build_once(environ: dict[str, str]) -> None:
+    made: list[Path] = []
+    runs = [threading.Thread(target=lambda: made.append(build(environ))) for _ in range(3)]
+    for each in runs:
+        each.start()
+    for each in runs:
+        each.join()
+    assert len(made) == 3
+    assert len(set(made)) == calls(environ) == 1
+
+
+def test_cache_is_bounded(environ: dict[str, str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(builds, "MOST_OVERLAYS", 2)
+    made = []
+    for number in range(4):
+        made.append(build(environ, Speed=b"float64 x%d\n" % number))
+        os.utime(made[-1].parents[1], ns=(number * 10**9, number * 10**9))
+    assert [each.exists() for each in made] == [False, False, True, True]
+
+
+def test_what_is_used_is_not_forgotten(
+    environ: dict[str, str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(builds, "MOST_OVERLAYS", 2)
+    first, second = build(environ), build(environ, Speed=b"float64 x\n")
+    for each in (first, second):
+        os.utime(each.parents[1], ns=(0, 0))
+    assert build(environ) == first
+    build(environ, Speed=b"float64 y\n")
+    assert (first.exists(), second.exists()) == (True, False)
+
+
+def test_cache_that_cannot_be_written_is_told(environ: dict[str, str], tmp_path: Path) -> None:
+    (tmp_path / "cache").touch()
+    _, [found] = overlay(SOURCED, [BuiltPackage("demo", FILES)], lambda _: None, environ)
+    assert found.code == codes.NOT_BUILT
+    assert str(tmp_path / "cache") in found.message
+
+
+DRIVER = """
+import sys
+from pathlib import Path
+from plastron_tui.ros.installations import Origin
+from plastron_tui.runtime.builds import BuiltPackage, overlay
+from plastron_tui.runtime.environment import Environment
+environment = Environment(Origin.SOURCED, 2, "kilted", Path(sys.executable))
+overlay(environment, [BuiltPackage("demo", {"package.xml": b""})], print)
+"""
+
+
+@pytest.mark.parametrize("signum", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+def test_a_build_that_is_ended_leaves_no_process(
+    signum: signal.Signals, environ: dict[str, str]
+) -> None:
+    pids = Path(environ["CALLS"])
+    write_colcon(environ, '#!/bin/sh\nsleep 600 &\necho "$$ $! ." > "$CALLS"\nwait\n')
+    with subprocess.Popen(
+        [sys.executable, "-c", DRIVER], env=environ, stderr=subprocess.DEVNULL
+    ) as run:
+        wait_until(lambda: pids.exists() and "." in pids.read_text(), "the build runs", 30)
+        run.send_signal(signum)
+        assert run.wait(30) == -signum
+    built = [int(each) for each in pids.read_text().split()[:2]]
+    all_gone(*built)
+    # It does not count as done, and what it left is not built upon.
+    assert not any((Path(environ["XDG_CACHE_HOME"]) / "plastron/builds/overlays").iterdir())
+    pids.unlink()
+    write_colcon(environ, COLCON)
+    assert build(environ).is_dir()
+
+
+def test_definitions_that_debian_has_in_another_package(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(build_tools, "_DEBIAN_SHARE", tmp_path)
+    environment = Environment(Origin.DEBIAN, 1, "noetic", Path(sys.executable))
+    package = BuiltPackage("rover", {"msg/A.msg": b"# a/b\nstereo_msgs/DisparityImage x\n"})
+    environ = {"XDG_CACHE_HOME": str(tmp_path / "cache"), "PATH": "/usr/bin:/bin"}
+    _, [found] = overlay(environment, [package], pytest.fail, environ)
+    assert found.message == (
+        "`rover` has to be built, and the definitions of `stereo_msgs` are not installed"
+    )
+    assert found.help == "install them with `sudo apt install ros-stereo-msgs`"
+    assert not (tmp_path / "cache").exists()

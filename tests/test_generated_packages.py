@@ -1,0 +1,230 @@
+"""Packages, definitions and launch files of a program, on the disk."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from plastron_tui.diagnostics import has_errors
+from plastron_tui.output.writer import write
+from plastron_tui.session import Options, Session
+
+TALKER = """\
+create_node 'talker' as talker
+create_message greeting of message_type String and input "hello"
+talker publish greeting to 'chatter' of message_type String at 2 hz
+"""
+ABOUT = 'maintained_by "Ada <ada@example.com>" licensed_under "MIT"'
+PACKAGE = f"{TALKER}create_package 'demo' as demo {ABOUT}\ndemo contains talker\n"
+WRITE = "generate_package demo\n"
+LISTENER = """\
+create_node 'listener' as listener
+subscribe listener to 'chatter' of message_type String
+demo contains listener as 'ears'
+"""
+SPEED = """\
+create_message_type WheelSpeed with float64 left, geometry_msgs/Point[] path
+create_node 'driver' as driver
+create_message fast of message_type WheelSpeed and input left=1
+driver publish fast to 'speed' of message_type WheelSpeed
+"""
+LAUNCH = """\
+create_launch 'bringup' as bringup
+bringup starts talker in 'front' remapping 'chatter' to 'words'
+"""
+
+
+def session(folder: Path, text: str, library: str = "rclpy", *, force: bool = False) -> Session:
+    options = Options(library, folder / "output", force=force)
+    return Session(text.encode(), folder / "robot.plastron", options, environ={})
+
+
+def generate(folder: Path, text: str, library: str = "rclpy", *, force: bool = False) -> list[str]:
+    """Write the files of a program, and return the codes of what is said of that."""
+    program = session(folder, text, library, force=force)
+    assert not has_errors(program.diagnostics), program.diagnostics
+    plan, diagnostics = program.plan()
+    result = write(plan, force=force)
+    return [each.code for each in (*diagnostics, *result.diagnostics)]
+
+
+def files(folder: Path) -> dict[str, bytes]:
+    output = folder / "output"
+    return {
+        str(path.relative_to(output)): path.read_bytes()
+        for path in sorted(output.rglob("*"))
+        if path.is_file() and path.name != ".plastron.json"
+    }
+
+
+MADE = {
+    ("rclpy", PACKAGE + WRITE): {
+        "demo/package.xml": "<build_type>ament_python</build_type>",
+        "demo/setup.py": "talker = demo.talker:main",
+        "demo/demo/talker.py": "class TalkerNode(Node)",
+        "demo/demo/__init__.py": "",
+        "demo/resource/demo": "",
+        "demo/LICENSE": "MIT License",
+        "demo/test/test_talker.py": "chatter",
+    },
+    ("rospy", PACKAGE + WRITE): {
+        "demo/package.xml": "<exec_depend>rospy</exec_depend>",
+        "demo/CMakeLists.txt": "scripts/talker.py",
+        "demo/scripts/talker.py": "rospy.init_node",
+    },
+    ("rclpy", PACKAGE + LISTENER + WRITE): {
+        "demo/demo/ears.py": "class ListenerNode(Node)",
+        "demo/setup.py": "ears = demo.ears:main",
+    },
+    ("rclpy", PACKAGE + SPEED + "demo contains driver\n" + WRITE): {
+        "demo_interfaces/msg/WheelSpeed.msg": "float64 left\ngeometry_msgs/Point[] path\n",
+        "demo_interfaces/package.xml": "rosidl_interface_packages",
+        "demo_interfaces/CMakeLists.txt": '"msg/WheelSpeed.msg"',
+        "demo/package.xml": "<exec_depend>demo_interfaces</exec_depend>",
+    },
+    ("rospy", PACKAGE + SPEED + "demo contains driver\n" + WRITE): {
+        "demo/msg/WheelSpeed.msg": "float64 left\ngeometry_msgs/Point[] path\n",
+        "demo/package.xml": "message_generation",
+        "demo/CMakeLists.txt": "WheelSpeed.msg",
+    },
+    ("rclpy", SPEED + "generate_node driver\n"): {
+        "driver_pub.py": "from robot_interfaces.msg import WheelSpeed",
+        "robot_interfaces/msg/WheelSpeed.msg": "float64 left\ngeometry_msgs/Point[] path\n",
+    },
+    ("rospy", SPEED + "generate_node driver\n"): {
+        "robot_interfaces/msg/WheelSpeed.msg": "float64 left\ngeometry_msgs/Point[] path\n",
+        "robot_interfaces/CMakeLists.txt": "generate_messages",
+    },
+    ("rclpy", "create_message_type own_msgs/A with int32 x\ngenerate_type A\n"): {
+        "own_msgs/msg/A.msg": "int32 x\n",
+    },
+    ("rclpy", PACKAGE + LAUNCH + "demo contains bringup\n" + WRITE): {
+        "demo/launch/bringup.launch.xml": '<node pkg="demo" exec="talker"',
+        "demo/setup.py": "launch",
+    },
+    ("rospy", PACKAGE + LAUNCH + "demo contains bringup\n" + WRITE): {
+        "demo/launch/bringup.launch": '<node pkg="demo" type="talker.py"',
+    },
+    ("rclpy", PACKAGE + LAUNCH + WRITE + "generate_launch bringup\n"): {
+        "bringup.launch.xml": '<remap from="chatter" to="words"/>',
+    },
+}
+
+
+@pytest.mark.parametrize(("library", "text"), MADE, ids=range(len(MADE)))
+def test_a_program_becomes_files(tmp_path: Path, library: str, text: str) -> None:
+    generate(tmp_path, text, library)
+    found = files(tmp_path)
+    for name, part in MADE[library, text].items():
+        assert part in found[name].decode(), name
+
+
+@pytest.mark.parametrize(("library", "text"), MADE, ids=range(len(MADE)))
+def test_files_are_made_twice_as_once(tmp_path: Path, library: str, text: str) -> None:
+    generate(tmp_path, text, library)
+    before = files(tmp_path)
+    plan, _ = session(tmp_path, text, library).plan()
+    assert {each.state.value for each in plan.files} == {"identical"}
+    generate(tmp_path, text, library)
+    assert files(tmp_path) == before
+
+
+def test_a_folder_of_definitions_alone_is_no_package_of_nodes(tmp_path: Path) -> None:
+    generate(tmp_path, SPEED + "generate_node driver\n")
+    assert not any(name.startswith("robot/") for name in files(tmp_path))
+
+
+def test_what_is_written_by_hand_stays(tmp_path: Path) -> None:
+    generate(tmp_path, PACKAGE + WRITE)
+    manifest = tmp_path / "output" / "demo" / "package.xml"
+    setup = manifest.with_name("setup.py")
+    manifest.write_text(
+        manifest.read_text().replace(
+            "  <test_depend>", "  <exec_depend>my_tools</exec_depend>\n  <test_depend>", 1
+        )
+    )
+    setup.write_text(setup.read_text() + "# mine\n")
+    codes = generate(tmp_path, PACKAGE + LISTENER + WRITE)
+    assert codes.count("merged-by-hand") == 2
+    assert "<exec_depend>my_tools</exec_depend>" in manifest.read_text()
+    assert "ears = demo.ears:main" in setup.read_text()
+    assert setup.read_text().endswith("# mine\n")
+    assert "merged-by-hand" not in generate(tmp_path, PACKAGE + LISTENER + WRITE)
+
+
+def test_what_both_changed_is_a_conflict_and_is_forced_with_a_backup(tmp_path: Path) -> None:
+    generate(tmp_path, PACKAGE + WRITE)
+    setup = tmp_path / "output" / "demo" / "setup.py"
+    by_hand = setup.read_text().replace("talker = demo.talker:main", "talk = demo.talker:main")
+    setup.write_text(by_hand)
+    text = PACKAGE.replace("contains talker", "contains talker as 'mouth'") + WRITE
+    plan, _ = session(tmp_path, text).plan()
+    assert [each.name for each in plan.files if each.problem] == ["demo/setup.py"]
+    generate(tmp_path, text, force=True)
+    assert "mouth = demo.mouth:main" in setup.read_text()
+    backups = [each for each in setup.parent.iterdir() if each.name.startswith("setup.py.")]
+    assert [each.read_text() for each in backups] == [by_hand]
+
+
+def test_a_file_of_somebody_else_is_a_conflict(tmp_path: Path) -> None:
+    folder = tmp_path / "output" / "demo"
+    folder.mkdir(parents=True)
+    (folder / "setup.py").write_text("mine = True\n")
+    plan, _ = session(tmp_path, PACKAGE + WRITE).plan()
+    assert [each.name for each in plan.files if each.problem] == ["demo/setup.py"]
+
+
+def test_a_node_in_no_package_is_not_launched(tmp_path: Path) -> None:
+    text = f"{TALKER}{LAUNCH}generate_launch bringup\n"
+    _, found = session(tmp_path, text).plan()
+    assert [each.code for each in found] == ["in-no-package"]
+
+
+def test_launch_files_are_written_in_python_on_request(tmp_path: Path) -> None:
+    (tmp_path / "plastron.yaml").write_text("launch: python\n")
+    generate(tmp_path, PACKAGE + LAUNCH + "demo contains bringup\n" + WRITE)
+    text = files(tmp_path)["demo/launch/bringup.launch.py"].decode()
+    assert "LaunchDescription" in text and "remappings" in text
+
+
+DEFINITION = "# How fast the wheels turn.\nfloat64 left   # m/s\r\n\n# a section\nfloat64 right"
+CHANGE = "load_type 'msg/Wheels.msg' as Wheels\nWheels has_field \"float64 slip\"\n"
+
+
+@pytest.mark.parametrize("in_place", [False, True])
+def test_a_definition_that_exists_keeps_all_other_bytes(tmp_path: Path, in_place: bool) -> None:
+    file = tmp_path / "msg" / "Wheels.msg"
+    file.parent.mkdir()
+    file.write_bytes(DEFINITION.encode())
+    options = Options("rclpy", tmp_path / "output", in_place=in_place)
+    text = f"{CHANGE}generate_type Wheels\n"
+    program = Session(text.encode(), tmp_path / "a.plastron", options, environ={})
+    plan, found = program.plan()
+    assert [*program.diagnostics, *found] == []
+    assert write(plan).diagnostics == ()
+    written = file if in_place else tmp_path / "output" / "Wheels.msg"
+    # The end of the text stays as it is: without a newline.
+    assert written.read_bytes() == DEFINITION.encode() + b"\nfloat64 slip"
+    if not in_place:
+        assert file.read_bytes() == DEFINITION.encode()
+    again = Session(text.encode(), tmp_path / "a.plastron", options, environ={})
+    plan, found = again.plan()
+    assert [*again.diagnostics, *found] == []
+    assert {each.state.value for each in plan.files} <= {"identical"}
+
+
+OUTSIDE = ["../Wheels.msg", "/etc/Wheels.msg", "msg/Nothing.msg", "msg", "msg/Wheels.txt"]
+
+
+@pytest.mark.parametrize("path", OUTSIDE)
+def test_a_definition_that_is_not_there_is_told(tmp_path: Path, path: str) -> None:
+    folder = tmp_path / "project"
+    (folder / "msg").mkdir(parents=True)
+    (folder / "plastron.yaml").touch()
+    (folder / "msg" / "Wheels.msg").write_text("int32 x\n")
+    (tmp_path / "Wheels.msg").write_text("int32 x\n")
+    text = f"load_type '{path}' as Wheels\n"
+    program = Session(text.encode(), folder / "a.plastron", environ={})
+    [found] = program.diagnostics
+    assert found.code in ("outside-project", "file-not-found")
