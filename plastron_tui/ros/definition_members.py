@@ -131,7 +131,7 @@ def check_member_name(
     if language is not None:
         message = f"{message}: it is a word of {language}, which is generated from definitions"
         return MemberMistake(MemberPart.NAME, message, f"write `{name}_value`, or another name")
-    taken = taken_by(name, ros_version)
+    taken = taken_by(name, ros_version) if is_new else None
     if taken is not None:
         return MemberMistake(MemberPart.NAME, f"{message}: it is {taken}", "take another name")
     return None

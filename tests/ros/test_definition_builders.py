@@ -53,7 +53,7 @@ def test_rosidl_adapter_takes_the_same_lines(text: str, reason: str | None) -> N
         from rosidl_adapter import parser
     except ImportError:
         skip_or_fail("rosidl_adapter is not installed")
-    found = parse_definition(text, NAME, InterfaceKind.MESSAGE, 2).interface
+    found = parse_definition(text, NAME, InterfaceKind.MESSAGE, 2, is_new=True).interface
     try:
         spec = parser.parse_message_string("own", "A", text)
     except (SystemExit, Exception):
@@ -93,7 +93,9 @@ def test_what_is_installed_is_read(version: int) -> None:
     ["int8 serialize", "int8 deserialize_numpy", "int8 Ptr", "int8 unix", "int8 NULL=1"],
 )
 def test_names_that_the_generated_code_has(line: str) -> None:
-    assert parse_definition(line, NAME, InterfaceKind.MESSAGE, 1).interface is None
+    assert parse_definition(line, NAME, InterfaceKind.MESSAGE, 1).interface is not None
+    new = parse_definition(line, NAME, InterfaceKind.MESSAGE, 1, is_new=True)
+    assert new.interface is None
 
 
 @pytest.mark.parametrize(
