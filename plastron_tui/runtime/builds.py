@@ -111,6 +111,8 @@ def _built(
     builder = find_builder(environment, {each.name: each.files for each in packages}, environ)
     for each in (folder, folder / "overlays", folder / "workspaces"):
         each.mkdir(mode=0o700, parents=True, exist_ok=True)
+    # The definitions here are nobody's own, wherever the cache is.
+    (folder / "CATKIN_IGNORE").touch()
     workspace = Workspace(folder / "workspaces" / f"{name}-{_digest(tools)}")
     with _locked(workspace.root, lambda: tell(Progress(name, "waiting for another run"))):
         # The one that was waited for may have built the same.
