@@ -141,7 +141,7 @@ def find_packages(
     sources: dict[str, Path] = {}
     folders = [*([own] if own is not None else []), *_package_folders(root)]
     for folder in folders:
-        name = _name(folder)
+        name = package_name(folder)
         if name is not None:
             sources.setdefault(name, folder)
     beside = [each / "install" for each in (root, root.parent) if (each / "install").is_dir()]
@@ -176,7 +176,8 @@ def _package_folders(root: Path) -> Iterator[Path]:
         folders[:] = sorted(x for x in folders if x not in _NO_SOURCES and x[:1] != ".")
 
 
-def _name(folder: Path) -> str | None:
+def package_name(folder: Path) -> str | None:
+    """Return the name of the package in a folder, None where there is none that can be read."""
     try:
         source = read_regular(folder / "package.xml", _LARGEST)
     except (OSError, ValueError):

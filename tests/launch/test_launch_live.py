@@ -131,11 +131,12 @@ def test_nodes_of_a_launch_file_talk_and_are_ended(tmp_path: Path, ros_version: 
     if ros_version == 1 and missing_packages(environment, ["roslaunch"]):
         skip_or_fail("roslaunch is not installed")
     file = _package(tmp_path, ros_version)
+    environ = graph_environ(tmp_path)
     log = tmp_path / "said.log"
     with log.open("w") as out:
         run = subprocess.Popen(
             [sys.executable, "-m", "plastron_tui", "run", str(file), "word:=salut", "--for", "90"],
-            env=graph_environ(tmp_path),
+            env=environ,
             stdout=out,
             stderr=out,
         )
@@ -143,11 +144,28 @@ def test_nodes_of_a_launch_file_talk_and_are_ended(tmp_path: Path, ros_version: 
             heard = "/back/ear heard salut"
             wait_until(lambda: run.poll() is not None or heard in log.read_text(), "it is heard")
             assert heard in log.read_text()
+            said = _described(environ, ros_version)
+            assert '<node pkg="demo" type="talker" name="speaker"' in said or ros_version == 2
+            assert all(f'name="{name}"' in said for name in ("speaker", "ear", "word")), said
+            assert 'value="salut"' in said
         finally:
             run.send_signal(signal.SIGINT)
             status = run.wait(60)
     assert status == 128 + signal.SIGINT, log.read_text()
     assert _processes(str(tmp_path)) == []
+
+
+def _described(environ: dict[str, str], ros_version: int) -> str:
+    """Return the graph as a launch file."""
+    words = ["describe", "--ros", str(ros_version), "--format", "launch"]
+    done = subprocess.run(
+        [sys.executable, "-m", "plastron_tui", *words],
+        env=environ,
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    return done.stdout + done.stderr
 
 
 def _processes(folder: str) -> list[str]:
