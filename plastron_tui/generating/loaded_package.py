@@ -20,7 +20,14 @@ from plastron_tui.output.plan import OutputFile
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.package_keys import key_of_module
 from plastron_tui.sources import find_language
-from plastron_tui.sources.packages import Changed, add_launch, add_node, remove_executable
+from plastron_tui.sources.packages import (
+    PACKAGE_XML,
+    Changed,
+    add_launch,
+    add_node,
+    named_elsewhere,
+    remove_executable,
+)
 from plastron_tui.targets.packages.dependencies import dependencies_of
 from plastron_tui.targets.packages.spec import BuildType, PackagedLaunch, PackagedNode, PackageSpec
 
@@ -113,7 +120,8 @@ class _Change:
         for name, span in self.package.removed.items():
             file = self.source.executables[name].file
             added = None if file is None else self._added(file)
-            changed = remove_executable(self.source, self.texts, name, self._needs, added)
+            ours = {each for each in self.source.texts if self._added(each) is not None}
+            changed = remove_executable(self.source, self.texts, name, self._needs, added, ours)
             if not self._take(changed, span) or file is None:
                 continue
             is_back = any(each.name == name for each in self.package.contents.values())
@@ -143,7 +151,7 @@ class _Change:
         file = self._inner(generated.files.name)
         text = generated.files.files.main
         known = self.source.texts.get(file)
-        if known is not None and known != text and not self._is_in_place(file):
+        if known not in (None, text) and not self._is_own(file):
             self.found.append(self._taken(file, contained.span))
             return
         library = self.libraries[generated.generation.library]
@@ -172,7 +180,7 @@ class _Change:
             return
         file = f"{_LAUNCH}/{launch.name}"
         known = self.source.texts.get(file)
-        if known not in (None, launch.text) and not self._is_in_place(file):
+        if known not in (None, launch.text) and not self._is_own(file):
             self.found.append(self._taken(file, contained.span))
             return
         keys = sorted(
@@ -183,8 +191,16 @@ class _Change:
         made = OutputFile(f"{self.source.name}/{file}", launch.text, is_executable=False)
         self._write_node(made, changed.added)
 
+    def _is_own(self, file: str) -> bool:
+        """Tell whether an earlier run wrote a file, where this one would write over it."""
+        return self._is_in_place(file) and self._entry(file) in self.manifest
+
     def _taken(self, file: str, span: Span) -> Diagnostic:
         message = f"the package `{self.source.name}` has a file `{file}` already"
+        for there in self.source.executables.values():
+            if there.file == file:
+                message += f": line {there.line} of `{there.where}` installs it"
+                break
         help_ = (
             "name it otherwise: `contains … as 'other_name'`, or write over the package with "
             "`--in-place` where an earlier run made the file"
@@ -227,24 +243,34 @@ class _Change:
         """Return what the manifest calls a file that is written where the package is."""
         return os.path.relpath(self.source.folder / file, self.output).replace(os.sep, "/")
 
-    def _added(self, file: str) -> Sequence[str] | None:
-        """Return the dependencies that came with a file, None where nothing tells."""
+    def _added(self, file: str) -> Mapping[str, bool] | None:
+        """Return the dependencies that came with a file, None where nothing tells.
+
+        Each with whether other files of the package named it then.
+        """
         for name in (self._entry(file), f"{self.source.name}/{file}"):
             known = self.manifest.bases.get(name, {}).get(_DEPENDS)
-            if isinstance(known, list):
-                return [each for each in known if isinstance(each, str)]
+            if isinstance(known, dict):
+                return {key: value is True for key, value in known.items()}
         return None
 
     def _write_node(self, file: OutputFile, added: Sequence[str]) -> None:
         """Write a file of a node, and remember which dependencies came with it."""
         inner = self._inner(file.name)
+        others = {
+            name: text
+            for name, text in self.source.texts.items()
+            if name not in (inner, PACKAGE_XML)
+        }
+        modules = self._needs(file.text)
+        came = {key: any(named_elsewhere(others, (key, *modules.get(key, ())))) for key in added}
         self.moved.append(file.name)
         if self._is_in_place(inner):
-            added = sorted({*added, *(self._added(inner) or ())})
+            came.update(self._added(inner) or {})
             path, entry = self.source.folder / inner, self._entry(inner)
             file = replace(file, path=path, entry=entry, merged_from=None, layers=None)
         if file.base is not None:
-            file = replace(file, base={**file.base, _DEPENDS: list(added)})
+            file = replace(file, base={**file.base, _DEPENDS: came})
         self.written.append(file)
 
     def files(self) -> list[OutputFile]:

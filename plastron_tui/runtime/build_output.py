@@ -147,15 +147,18 @@ def _of_cmake(lines: Iterable[str], source: Path, packages: Iterable[str]) -> It
     """Yield what CMake says of the build files of packages."""
     package = next(iter(packages), "")
     at: tuple[str, str, int] | None = None
-    for line in lines:
+    words: list[str] = []
+    for line in (*lines, ""):
         if started := _STARTED.match(line):
             package = started[1]
         elif match := _CMAKE.match(line):
-            file = match[1] if "/" in match[1] else str(source / package / match[1])
+            file = match[1] if "/" in match[1] else f"{package}/{match[1]}"
             place = _place(str(source / file), source, packages)
-            at = None if place is None else (*place, int(match[2]))
-        elif at is not None and line.startswith("  ") and "provided by" in line:
-            yield _Said(*at, line.strip().rstrip("."))
+            at, words = None if place is None else (*place, int(match[2])), []
+        elif at is not None and line.startswith("  "):
+            words.append(line.strip())
+        elif at is not None and words:
+            yield _Said(*at, " ".join(words).rstrip("."))
             at = None
 
 

@@ -140,10 +140,54 @@ def find_builder(
     # Debian's rospy depends on genpy, but not on catkin. catkin finds no package that genpy alone
     # has made, and builds none without a CMakeLists.txt.
     own["PATH"] = _SYSTEM_PATH
+    needed = _needed_packages(environment, packages)
     is_for_catkin = all("CMakeLists.txt" in files for files in packages.values())
-    if is_for_catkin and not environment.overlays and _has_catkin():
+    is_known = all((_DEBIAN_SHARE / each / "cmake").is_dir() for each in needed)
+    if is_for_catkin and is_known and not environment.overlays and _has_catkin():
         return _catkin(environment, own)
     return _genpy(environment, packages, own)
+
+
+def _needed_packages(
+    environment: Environment, packages: Mapping[str, Mapping[str, bytes]]
+) -> list[str]:
+    """Return the other packages of which definitions have fields.
+
+    Debian's Python modules of messages come without the definitions, which are in a package of
+    their own.
+
+    Raises:
+        BuildError: the definitions of one are not installed.
+    """
+    there = {
+        folder.parent.name
+        for each in environment.overlays
+        for folder in (each / "share").glob("*/msg")
+    }
+    words = {
+        line.split(maxsplit=1)[0].partition(b"/")
+        for files in packages.values()
+        for path, text in files.items()
+        if path.startswith(("msg/", "srv/", "action/"))
+        for line in text.splitlines()
+        if line.strip()
+    }
+    named = {
+        package.decode("utf-8", "replace")
+        for package, slash, _ in words
+        if slash and not package.startswith(b"#")
+    }
+    needed = sorted(named - packages.keys() - there)
+    missing = [each for each in needed if not (_DEBIAN_SHARE / each / "msg").is_dir()]
+    commands = [installing.debian_definitions(each) for each in missing]
+    known = [each for each in commands if each is not None]
+    if known and len(known) == len(missing):
+        names = " and ".join(f"`{each}`" for each in missing)
+        raise BuildError(
+            f"the definitions of {names} are not installed",
+            f"install them with `sudo apt install {' '.join(known)}`",
+        )
+    return needed
 
 
 def _with_overlays(environment: Environment, own: dict[str, str]) -> dict[str, str]:

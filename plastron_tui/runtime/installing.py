@@ -85,6 +85,11 @@ def debian(package: str) -> str | None:
     return f"sudo apt install python3-{_dashed(package)}" if package in _DEBIAN else None
 
 
+def debian_definitions(package: str) -> str | None:
+    """Return Debian's package with the definitions of a ROS 1 package, None for none."""
+    return f"ros-{_dashed(package)}" if package in _DEBIAN else None
+
+
 def of_distribution(package: str, distribution: str) -> str | None:
     """Return the command that adds a package to a sourced ROS, None where its name is unknown."""
     if not distribution:

@@ -115,7 +115,9 @@ CMake Error at CMakeLists.txt:5 (find_package):
         (
             CMAKE,
             "CMakeLists.txt:5",
-            'asked CMake to find a package configuration file provided by "no_such", but',
+            'By not providing "Findno_such.cmake" in CMAKE_MODULE_PATH this project has asked '
+            'CMake to find a package configuration file provided by "no_such", but CMake did not '
+            "find one",
             None,
         ),
     ],

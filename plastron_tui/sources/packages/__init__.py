@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from .changing import Changed, add_launch, add_node, remove_executable
-from .reading import PackageFiles, read_package_files
+from .reading import PACKAGE_XML, PackageFiles, named_elsewhere, read_package_files
 
 __all__ = [
+    "PACKAGE_XML",
     "Changed",
     "PackageFiles",
     "add_launch",
     "add_node",
+    "named_elsewhere",
     "read_package_files",
     "remove_executable",
 ]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Container, Iterable, Mapping
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
@@ -89,7 +89,8 @@ def remove_executable(
     texts: Mapping[str, bytes],
     executable: str,
     needs: Callable[[bytes], Mapping[str, Iterable[str]]],
-    added: Iterable[str] | None = None,
+    added: Mapping[str, bool] | None = None,
+    others_added: Container[str] = (),
 ) -> Changed:
     """Let a package install an executable no more, nor depend on what only that needed.
 
@@ -101,7 +102,9 @@ def remove_executable(
         texts: what its files hold by now.
         executable: what one starts it by.
         needs: returns what a text needs to run, by key, each with its modules.
-        added: the dependencies that came with the executable; None where nothing tells.
+        added: the dependencies that came with the executable, each with whether a file named it
+            before, which the package lived with; None where nothing tells.
+        others_added: the files of other nodes that came so.
     """
     known = source.executables[executable]
     path = source.folder / known.where
@@ -128,11 +131,14 @@ def remove_executable(
     others = {
         name: each for name, each in after.texts.items() if name not in (known.file, PACKAGE_XML)
     }
-    gone = [
-        key
-        for key, modules in needs(text).items()
-        if (added is None or key in added) and not any(named_elsewhere(others, (key, *modules)))
-    ]
+    nodes = {name: each for name, each in others.items() if name in others_added}
+    gone = []
+    for key, modules in needs(text).items():
+        if added is not None and key not in added:
+            continue
+        judged = nodes if added is not None and added[key] else others
+        if not any(named_elsewhere(judged, (key, *modules))):
+            gone.append(key)
     return _remove_dependencies(source, after.texts, gone)
 
 
