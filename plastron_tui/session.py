@@ -212,6 +212,7 @@ class Session:
     def _new_setting(self, loader: NodeLoader) -> Setting:
         from plastron_tui.model.context import Setting
         from plastron_tui.project.definition_reader import DefinitionReader
+        from plastron_tui.project.launch_reader import LaunchReader
         from plastron_tui.project.package_reader import PackageReader
 
         return Setting(
@@ -223,6 +224,7 @@ class Session:
             "" if self.path is None else self.path.stem,
             DefinitionReader(self.folder, self.boundary),
             PackageReader(self.folder, self.boundary, self._files.packages),
+            LaunchReader(self.folder, self.boundary),
         )
 
     @property

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import click
 
+from plastron_tui.boundary import find_boundary
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.graph import graph_of
 from plastron_tui.model.workspace import Workspace
@@ -48,6 +49,13 @@ def command(
     as `plastron run` takes them, it is the graph of such a run.
     """
     report = Report()
+    launches, arguments, files = _launch_files(files)
+    if launches:
+        if files or remaps or namespace is not None:
+            raise click.UsageError("launch files are shown alone, with the names that they give")
+        _show_launch_files(launches, arguments, format_, report)
+        finish(report)
+        return
     sessions = open_sessions(files, report, Options(target=target))
     names = RunNames(namespace, remaps)
     if sessions:
@@ -57,6 +65,35 @@ def command(
     for session in sessions:
         report.add(session.diagnostics, session.lines, session.path)
     finish(report)
+
+
+def _launch_files(
+    files: tuple[Path, ...],
+) -> tuple[list[Path], dict[str, str], tuple[Path, ...]]:
+    """Tell launch files, and `name:=value` for their arguments, from programs."""
+    launches = [each for each in files if each.name.endswith(LAUNCH_ENDINGS)]
+    if not launches:
+        return [], {}, files
+    given = [str(each).partition(":=") for each in files if ":=" in str(each)]
+    others = tuple(each for each in files if each not in launches and ":=" not in str(each))
+    return launches, {name: value for name, _, value in given}, others
+
+
+def _show_launch_files(
+    files: list[Path], arguments: dict[str, str], format_: str, report: Report
+) -> None:
+    from plastron_tui.project.launch_graph import launch_graph
+    from plastron_tui.project.program_file import lines_of
+
+    for file in files:
+        found = launch_graph(file, arguments, find_boundary(file.absolute().parent))
+        if found.workspace is not None:
+            print_text(render(graph_of(found.workspace), format_))
+        report.add(found.diagnostics, lambda path: None if path is None else lines_of(path))
+
+
+LAUNCH_ENDINGS = (".launch", ".launch.xml", ".launch.py", "_launch.xml", "_launch.py")
+"""How the names of launch files end."""
 
 
 def _check(sessions: Iterable[Session], names: RunNames) -> list[Diagnostic]:

@@ -21,11 +21,15 @@ from plastron_tui.targets.packages.rendering import (
 )
 from plastron_tui.targets.packages.spec import PackagedLaunch, PackageFile, interfaces_name
 
+from .launch_files import edited_launch, launch_output, packages_of
 from .own_definitions import Packaged, own_definitions, rendered_definitions, used_packages
 from .package_spec import package_spec
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from plastron_tui.model.packages import Package
+    from plastron_tui.output.plan import OutputFile
 
     from .apply_changes import Library
     from .generation import Generated
@@ -148,7 +152,7 @@ class ProgramPackages:
         launches: list[PackagedLaunch] = []
         problems: list[Diagnostic] = []
         for contained in package.contents.values():
-            if isinstance(contained.item, Launch) and contained.item.source is None:
+            if isinstance(contained.item, Launch):
                 written = self._written(contained.item, version)
                 if isinstance(written, Diagnostic):
                     problems.append(written)
@@ -175,6 +179,24 @@ class ProgramPackages:
             else:
                 yield Made({written.name: PackageFile(written.text)})
 
+    def loaded_launches(
+        self, output: Path, *, in_place: bool
+    ) -> tuple[list[OutputFile], list[Diagnostic]]:
+        """Return the launch files that the program loads and writes, as it changes them."""
+        files: list[OutputFile] = []
+        problems: list[Diagnostic] = []
+        last = {each.launch.variable: each for each in self._workspace.written_launches}
+        for launch, span in last.values():
+            if launch.source is None:
+                continue
+            written = self._written(launch, launch.source.format.ros_version)
+            if isinstance(written, Diagnostic):
+                has_place = written.span is not None or written.file is not None
+                problems.append(written if has_place else written._replace(span=span))
+            else:
+                files.append(launch_output(launch.source, written.text, output, in_place=in_place))
+        return files, problems
+
     def _version_of(self, launch: Launch) -> int:
         """Return the generation of ROS that a launch file is for: that of what it starts."""
         assert self._default is not None
@@ -197,6 +219,25 @@ class ProgramPackages:
                 homeless.span,
                 help=f"put it into one: `PACKAGE contains {variable}`",
             )
+        name_and_text = self._name_and_text(launch, version)
+        if isinstance(name_and_text, Diagnostic):
+            return name_and_text
+        name, text = name_and_text
+        homes = (None if each.node is None else each.node.home for each in launch.starts.values())
+        needs = {
+            *(each.package for each in launch.starts.values() if each.package),
+            *(each.package for each in homes if each is not None),
+            *(each.package for each in launch.includes.values()),
+            *(() if launch.source is None else packages_of(launch.source)),
+        }
+        return PackagedLaunch(name, text, frozenset(needs))
+
+    def _name_and_text(self, launch: Launch, version: int) -> tuple[str, bytes] | Diagnostic:
+        if launch.source is not None:
+            edited = edited_launch(launch, self._executable)
+            return edited.diagnostics[0] if edited.text is None else (
+                launch.source.path.name, edited.text
+            )  # fmt: skip
         request = request_of(launch, version, self._executable)
         is_python = self._python_launch and version == 2
         try:
@@ -204,13 +245,7 @@ class ProgramPackages:
         except CannotWriteError as problem:
             return Diagnostic(codes.BAD_LAUNCH_NAME, str(problem), launch.span)
         suffix = ".launch.py" if is_python else ".launch.xml" if version == 2 else ".launch"
-        homes = (None if each.node is None else each.node.home for each in launch.starts.values())
-        needs = {
-            *(each.package for each in launch.starts.values() if each.package),
-            *(each.package for each in homes if each is not None),
-            *(each.package for each in launch.includes.values()),
-        }
-        return PackagedLaunch(f"{launch.name}{suffix}", text.encode(), frozenset(needs))
+        return f"{launch.name}{suffix}", text.encode()
 
     def _executable(self, node: Node) -> Executable:
         """Tell what starts a node: in ROS 1 it is the file itself."""

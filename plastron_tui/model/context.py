@@ -10,6 +10,7 @@ from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceKind
 
+from .launches import LaunchReader, no_launch
 from .libraries import Libraries
 from .package_source import PackageReader, no_package
 
@@ -78,6 +79,7 @@ class Setting(NamedTuple):
         program: the name of the program's file without its ending, "" where it has none.
         read_definition: reads the definitions that the program loads.
         read_package: reads the packages that the program loads.
+        read_launch: reads the launch files that the program loads.
         is_chosen: whether somebody chose `library`; otherwise it is what there is on this machine.
     """
 
@@ -89,6 +91,7 @@ class Setting(NamedTuple):
     program: str = ""
     read_definition: DefinitionReader = _no_definition
     read_package: PackageReader = no_package
+    read_launch: LaunchReader = no_launch
 
     def ros_version(self, library: str | None) -> int:
         """Return the generation of ROS of a client library; of the program's for one unknown."""

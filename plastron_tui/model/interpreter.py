@@ -118,10 +118,6 @@ HANDLERS: dict[type[Statement], Callable[[Run, Any], None]] = {
 }
 """What each statement does."""
 
-# To come: launch files that exist.
-for _type in (st.LoadLaunch,):
-    HANDLERS[_type] = lambda run, statement: None
-
 
 class Interpreter:
     """Runs programs, one after the other, in one workspace."""

@@ -44,6 +44,27 @@ def check_launch_named(run: Run, statement: st.CreateLaunch) -> None:
             )
 
 
+def load_launch(run: Run, statement: st.LoadLaunch) -> None:
+    """Read a launch file, to change it."""
+    run.checks.new_variable(statement, statement.variable)
+    where = statement.span_of("source")
+    loaded = run.setting.read_launch(statement.source)
+    found = [each if each.file else each._replace(span=where) for each in loaded.diagnostics]
+    source = loaded.source
+    if source is None:
+        raise Mistake(*found)
+    for other in run.workspace.launches.values():
+        if other.source is not None and other.source.path == source.path:
+            message = f"`{statement.source}` is loaded already"
+            raise _twice(codes.LAUNCH_EXISTS, message, where, other.span)
+    for each in found:
+        run.report(statement, each)
+    name, variable = source.path.name, statement.variable
+    for ending in (".xml", ".launch"):
+        name = name.removesuffix(ending)
+    run.workspace.launches[variable] = Launch(name, variable, statement.span, source)
+
+
 def has_argument(run: Run, statement: st.HasArgument) -> None:
     """Give a launch file an argument."""
     launch = _launch(run, statement)
@@ -280,6 +301,7 @@ def _twice(
 
 HANDLERS: dict[type[Statement], Callable[[Run, Any], None]] = {
     st.CreateLaunch: create_launch,
+    st.LoadLaunch: load_launch,
     st.HasArgument: has_argument,
     st.NoLongerHasArgument: no_longer_has_argument,
     st.Starts: starts,

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from plastron_tui.diagnostics import Span
+from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.ros.parameters import Setting
 
 if TYPE_CHECKING:
@@ -29,6 +30,22 @@ class LaunchSource(NamedTuple):
     text: bytes
     format: Format
     launch: LaunchFile
+
+
+class LoadedLaunch(NamedTuple):
+    """What a reader made of the path of a launch file; None with the reason."""
+
+    source: LaunchSource | None
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+LaunchReader = Callable[[str], LoadedLaunch]
+
+
+def no_launch(source: str) -> LoadedLaunch:
+    """Find no launch file: where a program has no folder, there is none."""
+    found = Diagnostic(codes.FILE_NOT_FOUND, f"no file `{source}` beside the program")
+    return LoadedLaunch(None, (found,))
 
 
 class Start(NamedTuple):

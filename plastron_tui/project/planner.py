@@ -197,13 +197,16 @@ class Planner:
             self._library,
             configuration.ros.library,
             python_launch=configuration.project.launch == "python",
-        ).made()
+        )
+        made_of = packages.made()
+        in_place = configuration.options.in_place
+        launches, refused = packages.loaded_launches(configuration.output, in_place=in_place)
         force = configuration.options.force
         folder = Folder(configuration.output, manifest, self._author.name, force)
-        files, notes = text_files(packages.files, folder)
+        files, notes = text_files(made_of.files, folder)
         types = workspace.types.values() if self._writes_types(workspace) else ()
-        files += loaded_definitions(types, in_place=configuration.options.in_place)
-        return files, [*packages.diagnostics, *notes]
+        files += loaded_definitions(types, in_place=in_place)
+        return [*files, *launches], [*made_of.diagnostics, *notes, *refused]
 
     @staticmethod
     def _writes_types(workspace: Workspace) -> bool:

@@ -8,7 +8,8 @@ _BLANK = b" \t"
 def add_member(text: bytes, line: str, section: int = 0) -> bytes:
     """Return the text with a line after the last member of a section, or at the section's end.
 
-    The line ends as the first line of the text does; the end of the text stays as it is.
+    The line ends as the first line of the text does; the end of the text stays as it is. That
+    the section has no member of this name yet is the caller's matter.
 
     Raises:
         ValueError: the text has no such section.
@@ -53,8 +54,13 @@ def remove_member(text: bytes, name: str, section: int | None = None) -> bytes:
     return b"".join([*kept, *lines[end:]])
 
 
-def replace_member(text: bytes, name: str, line: str, section: int | None = None) -> bytes:
+def replace_member(
+    text: bytes, name: str, line: str, section: int | None = None, ros_version: int = 2
+) -> bytes:
     """Return the text with another field or constant in a member's place, its comment kept.
+
+    A string constant of ROS 1 reaches to the end of its line: what it had after a `#` goes with
+    it, and the comment of a member that becomes one goes on a line above it.
 
     Raises:
         ValueError: there is no such member, or no such section.
@@ -64,9 +70,18 @@ def replace_member(text: bytes, name: str, line: str, section: int | None = None
     old = lines[at]
     ending = old[len(old.rstrip(b"\r\n")) :]
     body = old[: len(old) - len(ending)]
-    code = body.split(b"#")[0].rstrip() if b"#" in body else body
-    lines[at] = line.encode() + body[len(code) :] + ending
+    was_text = ros_version == 1 and _is_string_constant(body)
+    code = body.split(b"#")[0].rstrip() if b"#" in body and not was_text else body
+    new, comment = line.encode(), body[len(code) :]
+    if comment and ros_version == 1 and _is_string_constant(new):
+        new, comment = comment.lstrip(_BLANK) + (ending or b"\n") + new, b""
+    lines[at] = new + comment + ending
     return b"".join(lines)
+
+
+def _is_string_constant(line: bytes) -> bool:
+    words = line.split(b"#")[0].split(maxsplit=1)
+    return len(words) == 2 and words[0] == b"string" and b"=" in words[1]
 
 
 def member_name(line: bytes) -> str | None:

@@ -16,7 +16,7 @@ from plastron_tui.diagnostics import did_you_mean
 
 from .interfaces import Constant, Field, FieldType, Scalar
 from .primitives import PRIMITIVES, check_scalar, primitive
-from .reserved_words import is_python_word, reserved_by
+from .reserved_words import is_python_word, reserved_by, taken_by
 
 Value = Scalar | tuple[Scalar, ...]
 
@@ -131,6 +131,9 @@ def check_member_name(
     if language is not None:
         message = f"{message}: it is a word of {language}, which is generated from definitions"
         return MemberMistake(MemberPart.NAME, message, f"write `{name}_value`, or another name")
+    taken = taken_by(name, ros_version) if is_new else None
+    if taken is not None:
+        return MemberMistake(MemberPart.NAME, f"{message}: it is {taken}", "take another name")
     return None
 
 

@@ -42,3 +42,32 @@ def reserved_by(word: str, ros_version: int) -> str | None:
 def is_python_word(word: str) -> bool:
     """Tell whether no class of Python can have this name."""
     return word in _TABLE["Python"]
+
+
+# What the generated code has of its own, by generation. Sources: the class that
+# `genpy.generator.msg_generator` writes, `msg.h.template` of gencpp, `_msg.py.em` of
+# rosidl_generator_py; and macros: those that
+# GCC predefines in its GNU dialects on Linux, and those of the headers that are included.
+_TAKEN = {
+    1: {
+        "a method of the generated Python class": (
+            "serialize deserialize serialize_numpy deserialize_numpy"
+        ),
+        "a type of the generated C++ struct": "Type Ptr ConstPtr",
+        "a macro of C++ compilers": "linux unix NULL EOF",
+    },
+    2: {
+        "a member of the generated Python class": "get_fields_and_field_types check_fields",
+        "a member that empty messages get": "structure_needs_at_least_one_member",
+        "a macro of C++ compilers": "linux unix NULL EOF",
+    },
+}
+_TAKEN_TABLE = {
+    version: {word: what for what, words in groups.items() for word in words.split()}
+    for version, groups in _TAKEN.items()
+}
+
+
+def taken_by(name: str, ros_version: int) -> str | None:
+    """Return what in the generated code has the name of a member, None when nothing has."""
+    return _TAKEN_TABLE[ros_version].get(name)

@@ -17,6 +17,7 @@ MOST_ERRORS = 20
 _LONGEST_LINE = 4096
 _LONGEST_FILE = 1 << 20
 _KINDS = ("msg", "srv", "action")
+_QUOTES = str.maketrans("‘’", "''")
 
 _PERCENT = re.compile(r"\[ *(\d{1,3})%\] ")
 _STARTED = re.compile(r"Starting >>> (\S+)")
@@ -100,20 +101,32 @@ def errors_of(
 
 def _of_lines(lines: Iterable[str], source: Path, packages: Iterable[str]) -> Iterator[_Said]:
     reason = ""
+    generated: dict[tuple[str, str], dict[int, str]] = {}
     for line in lines:
         if match := _COMPILER.fullmatch(line):
             if place := _place(match[1], source, packages):
                 yield _Said(*place, int(match[2]), match[3])
+            elif definition := _generated_from(match[1], source, packages):
+                number = _field_in(source.joinpath(*definition), match[3])
+                # The rest of what is said of a field follows from the first.
+                generated.setdefault(definition, {}).setdefault(number, match[3])
         elif match := _genmsg(line):
             if place := _place(match[1], source, packages):
                 yield _Said(*place, 0, _without_paths(match[2]))
         elif match := _TARGET.match(line):
-            package, kind, name = match.groups()
+            package, kind, _ = match.groups()
+            # A generator is called once for all definitions; make names the first.
             if reason and package in packages and kind in _KINDS:
-                yield _Said(package, f"{kind}/{name}.{kind}", 0, reason)
+                path = _meant(source / package, reason)
+                if path is not None:
+                    yield _Said(package, path, 0, reason)
             reason = ""
         elif _EXCEPTION.fullmatch(line):
             reason = line
+    for definition, messages in generated.items():
+        for number, message in messages.items():
+            if number or len(messages) == 1:
+                yield _Said(*definition, number, message)
 
 
 def _genmsg(line: str) -> re.Match[str] | None:
@@ -185,6 +198,50 @@ def _place(file: str, source: Path, packages: Iterable[str]) -> tuple[str, str] 
     else:
         return None
     return (package, "/".join(parts)) if package in packages and parts else None
+
+
+def _generated_from(file: str, source: Path, packages: Iterable[str]) -> tuple[str, str] | None:
+    """Return the package and definition that a file of C or C++ was generated from.
+
+    rosidl calls it `build/PACKAGE/GENERATOR/PACKAGE/KIND/detail/NAME__PART`, with a name in lower
+    case.
+    """
+    if not Path(file).is_relative_to(source.parent / "build"):
+        return None
+    match Path(file).relative_to(source.parent / "build").parts:
+        case (package, _, _, kind, *_, name) if package in packages and kind in _KINDS:
+            stem = name.partition("__")[0] if "__" in name else name.rpartition("_s.")[0]
+            definitions = (source / package / kind).glob(f"*.{kind}")
+            named = [each for each in definitions if each.stem.lower() == stem.replace("_", "")]
+            return (package, f"{kind}/{named[0].name}") if len(named) == 1 else None
+    return None
+
+
+def _field_in(definition: Path, message: str) -> int:
+    """Return the line of the only field that a compiler quotes, 0 where there is none."""
+    quoted = message.translate(_QUOTES).split("'")[1::2]
+    fields = [line.split()[1:2] for line in _lines(definition)]
+    found = [number for number, field in enumerate(fields, 1) if field and field[0] in quoted]
+    return found[0] if len(found) == 1 else 0
+
+
+def _meant(package: Path, reason: str) -> str | None:
+    """Return the only definition that a generator can mean: by a package that is not there."""
+    files = [each for kind in _KINDS for each in sorted((package / kind).glob(f"*.{kind}"))]
+    if len(files) > 1:
+        words = reason.split("'")[1::2]
+        named = tuple(f"{word}/" for word in words)
+        files = [
+            file for file in files if any(line.lstrip().startswith(named) for line in _lines(file))
+        ]
+    return str(files[0].relative_to(package)) if len(files) == 1 else None
+
+
+def _lines(file: Path) -> list[str]:
+    try:
+        return read_regular(file, _LONGEST_FILE).decode("utf-8", "replace").splitlines()
+    except OSError:
+        return []
 
 
 def _written_at(package: Path, name: str, written: str) -> tuple[str, int]:

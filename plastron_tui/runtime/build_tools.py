@@ -96,6 +96,11 @@ class Workspace:
         return self.root / "install"
 
     @property
+    def unfinished(self) -> Path:
+        """The file that is there while what was built is not to be built upon."""
+        return self.root / "unfinished"
+
+    @property
     def log(self) -> Path:
         """The file with all that the last build said."""
         return self.root / "build.log"
@@ -194,6 +199,9 @@ def _with_overlays(environment: Environment, own: dict[str, str]) -> dict[str, s
     """Let a build find the packages of the overlays."""
     overlays = [str(each) for each in environment.overlays]
     own["LC_ALL"] = "C.UTF-8"
+    # What the user has set for builds of his own: where it ends up, and what says how far it is.
+    own.pop("DESTDIR", None)
+    own["CMAKE_GENERATOR"] = "Unix Makefiles"
     for name in ("AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH"):
         own[name] = os.pathsep.join(filter(None, (*overlays, own.get(name, ""))))
         if not own[name]:

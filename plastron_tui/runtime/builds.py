@@ -18,6 +18,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import IO
 
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.regular_files import reason
@@ -111,12 +112,11 @@ def _built(
     for each in (folder, folder / "overlays", folder / "workspaces"):
         each.mkdir(mode=0o700, parents=True, exist_ok=True)
     workspace = Workspace(folder / "workspaces" / f"{name}-{_digest(tools)}")
-    workspace.root.mkdir(mode=0o700, exist_ok=True)
     with _locked(workspace.root, lambda: tell(Progress(name, "waiting for another run"))):
         # The one that was waited for may have built the same.
         if _use(kept):
             return kept
-        _write_sources(workspace.source, packages)
+        _write_sources(workspace, packages)
         with _unfinished(workspace), _log(workspace) as log:
             for step in builder(workspace):
                 _run(step, workspace, packages, tell, log)
@@ -164,19 +164,34 @@ def _short(name: str) -> str:
 @contextmanager
 def _locked(folder: Path, waits: Callable[[], object]) -> Iterator[None]:
     """Keep other runs out of a workspace; the lock ends with the process, however that ends."""
-    with (folder / "lock").open("w") as file:
+    while True:
+        folder.mkdir(mode=0o700, exist_ok=True)
         try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            waits()
-            fcntl.flock(file, fcntl.LOCK_EX)
-        yield
+            file = (folder / "lock").open("w")
+        except FileNotFoundError:  # another run has removed the folder just now
+            continue
+        with file:
+            try:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                waits()
+                fcntl.flock(file, fcntl.LOCK_EX)
+            # Who has waited for a run that removes the folder holds a lock of no folder.
+            if _is_open(file, folder / "lock"):
+                yield
+                return
+
+
+def _is_open(file: IO[str], path: Path) -> bool:
+    with suppress(FileNotFoundError):
+        return os.path.samestat(os.fstat(file.fileno()), path.stat())
+    return False
 
 
 @contextmanager
 def _unfinished(workspace: Workspace) -> Iterator[None]:
     """Mark a workspace while it is built in: a killed compiler may have left half a file."""
-    mark = workspace.root / "unfinished"
+    mark = workspace.unfinished
     if mark.exists():
         for folder in ("build", "devel", "install"):
             shutil.rmtree(workspace.root / folder, ignore_errors=True)
@@ -189,8 +204,13 @@ def _unfinished(workspace: Workspace) -> Iterator[None]:
     mark.unlink()
 
 
-def _write_sources(folder: Path, packages: Sequence[BuiltPackage]) -> None:
-    """Write packages; a file that holds what it is to hold keeps its time, by which tools go."""
+def _write_sources(workspace: Workspace, packages: Sequence[BuiltPackage]) -> None:
+    """Write packages; a file that holds what it is to hold keeps its time, by which tools go.
+
+    No tool takes out of its folders what it once made of a file that is gone: then nothing there
+    is built upon.
+    """
+    folder = workspace.source
     wanted = {
         folder / each.name / path: (text, path in each.executables)
         for each in packages
@@ -203,6 +223,7 @@ def _write_sources(folder: Path, packages: Sequence[BuiltPackage]) -> None:
             with suppress(OSError):  # it is not empty
                 path.rmdir()
         elif path not in wanted:
+            workspace.unfinished.touch()
             path.unlink()
     for path, (text, is_executable) in wanted.items():
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -245,6 +266,8 @@ def _run(
     if supervisor.stop_signal is not None:
         # What it would have done to this process, had nothing been built.
         signal.raise_signal(supervisor.stop_signal)
+        # That did nothing, as where a shell has started this process in the background.
+        raise KeyboardInterrupt
     [end] = supervisor.exits
     if end.status != 0:
         spans = {each.name: each.spans for each in packages}
@@ -292,14 +315,17 @@ def _forget_oldest(folder: Path, most: int, used: Path) -> None:
         with suppress(OSError):
             ages.append((each.stat().st_mtime_ns, each))
     for _, each in sorted(ages, reverse=True)[most:]:
-        if each != used and not _is_locked(each):
-            shutil.rmtree(each, ignore_errors=True)
+        if each != used:
+            _forget(each)
 
 
-def _is_locked(folder: Path) -> bool:
-    with suppress(OSError), (folder / "lock").open() as file:
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            return True
-    return False
+def _forget(folder: Path) -> None:
+    """Remove a folder, unless another run has locked it; none does meanwhile."""
+    try:
+        lock = (folder / "lock").open()
+    except OSError:  # what was built has none
+        shutil.rmtree(folder, ignore_errors=True)
+        return
+    with lock, suppress(BlockingIOError):
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        shutil.rmtree(folder, ignore_errors=True)

@@ -72,3 +72,11 @@ def test_own_types_come_first() -> None:
     assert mine.candidates("String", InterfaceKind.MESSAGE) == (own.name,)
     assert "own" in mine.packages(InterfaceKind.MESSAGE)
     assert catalog.find(own.name, InterfaceKind.MESSAGE) is None
+
+
+def test_own_types_leave_the_types_that_are_taken_as_they_are() -> None:
+    own, unknown = message("A", "int8 a\n"), InterfaceName("other", "Unknown")
+    catalog = Catalog("jazzy").with_undefined([(InterfaceKind.MESSAGE, unknown)])
+    mine = catalog.with_own({(InterfaceKind.MESSAGE, own.name): own})
+    assert mine.find(unknown, InterfaceKind.MESSAGE) is not None
+    assert mine.with_own({}).find(unknown, InterfaceKind.MESSAGE) is not None

@@ -135,6 +135,49 @@ def test_errors(output: str, place: str, said: str, span: Span | None, tmp_path:
     assert (found.span, found.help) == (span, "read it")
 
 
+GENERATED = "{build}/demo/rosidl_generator_c/demo/msg/detail/wheel_speed__struct.h:25:12: error: "
+GENERATED_PYTHON = "{build}/demo/rosidl_generator_py/demo/msg/_wheel_speed_s.c:9:2: error: "
+MISSING = """\
+KeyError: '{package}'
+gmake[2]: *** [CMakeFiles/a.dir/build.make:77: generator/demo/msg/Axle.json] Error 1
+"""
+
+
+@pytest.mark.parametrize(
+    ("output", "said"),
+    [
+        (f"{GENERATED}expected ‘;’ before ‘}}’", ["msg/WheelSpeed.msg: expected ‘;’ before ‘}’"]),
+        (f"{GENERATED_PYTHON}no", ["msg/WheelSpeed.msg: no"]),
+        # One message a field; what names none follows from it.
+        (
+            f"{GENERATED}no\n{GENERATED}bad ‘class’\n{GENERATED}bad 'class' too\n"
+            f"{GENERATED}bad ‘and’ token",
+            ["msg/WheelSpeed.msg:2: bad ‘class’", "msg/WheelSpeed.msg:3: bad ‘and’ token"],
+        ),
+        # Which of two definitions it is, nothing says.
+        (GENERATED.replace("wheel_speed", "level") + "no", []),
+        (GENERATED.replace("/demo/", "/other/") + "no", []),
+        (GENERATED.replace("{build}/", "/usr/") + "no", []),
+        # make names the first of all definitions that a generator is given.
+        (MISSING.replace("{package}", "nopkg"), ["msg/WheelSpeed.msg: KeyError: 'nopkg'"]),
+        (MISSING.replace("{package}", "unknown"), []),
+    ],
+)
+def test_errors_of_what_is_generated(output: str, said: list[str], tmp_path: Path) -> None:
+    messages = tmp_path / "src" / "demo" / "msg"
+    messages.mkdir(parents=True)
+    for name in ("Axle", "Level", "LEVEL"):
+        (messages / f"{name}.msg").write_text("float64 value\n")
+    (messages / "WheelSpeed.msg").write_text("nopkg/Foo foo\nint8 class\nint8  and  # it\n")
+    lines = output.replace("{build}", str(tmp_path / "build")).splitlines()
+    found = errors_of(lines, tmp_path / "src", {"demo": {}}, "read it")
+    expected = []
+    for each in said:
+        place, _, message = each.partition(": ")
+        expected.append(f"`demo/{place}` could not be built: {message}")
+    assert [each.message for each in found] == expected
+
+
 @pytest.mark.parametrize(
     "output",
     [

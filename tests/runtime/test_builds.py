@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -101,6 +102,55 @@ def test_a_change_builds_in_the_same_workspace(environ: dict[str, str]) -> None:
     # All three are kept.
     assert build(environ, Speed=b"float64 x\n") == first
     assert calls(environ) == 3
+
+
+def test_what_was_made_of_a_file_that_is_gone_is_not_built_upon(environ: dict[str, str]) -> None:
+    build(environ, Speed=b"float64 x\n")
+    assert not (build(environ) / "was_incremental").exists()
+    assert (build(environ, Axle=b"float64 x\n") / "was_incremental").exists()
+
+
+def test_what_the_user_has_set_for_builds_of_his_own_does_not_count(
+    environ: dict[str, str],
+) -> None:
+    said = '#!/bin/sh\nmkdir -p install/python/demo\necho "$DESTDIR-$CMAKE_GENERATOR" > {}\n'
+    write_colcon(environ, said.format("install/python/demo/said"))
+    folder = build({**environ, "DESTDIR": "/elsewhere", "CMAKE_GENERATOR": "Ninja"})
+    assert (folder / "said").read_text() == "-Unix Makefiles\n"
+
+
+def test_a_workspace_is_not_removed_while_it_is_built_in(
+    environ: dict[str, str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(builds, "MOST_WORKSPACES", 0)
+    folder = Path(environ["XDG_CACHE_HOME"]) / "plastron" / "builds" / "workspaces"
+    other = folder / "other"
+    other.mkdir(parents=True)
+    with builds._locked(other, pytest.fail):
+        build(environ)
+        assert other.is_dir()
+    [first] = [each for each in folder.iterdir() if each != other]
+    build({**environ, "AMENT_PREFIX_PATH": "/opt/other"})
+    assert not other.exists()
+    assert not first.exists()
+
+
+def test_who_waits_for_a_workspace_that_is_removed_makes_it_anew(tmp_path: Path) -> None:
+    folder = tmp_path / "workspace"
+    waits = threading.Event()
+    entered: list[bool] = []
+
+    def wait() -> None:
+        with builds._locked(folder, waits.set):
+            entered.append((folder / "lock").exists())
+
+    with builds._locked(folder, pytest.fail):
+        waiting = threading.Thread(target=wait)
+        waiting.start()
+        assert waits.wait(10)
+        shutil.rmtree(folder)
+    waiting.join(10)
+    assert entered == [True]
 
 
 def test_each_ros_has_its_own(environ: dict[str, str]) -> None:
@@ -214,3 +264,19 @@ def test_definitions_that_debian_has_in_another_package(
     )
     assert found.help == "install them with `sudo apt install ros-stereo-msgs`"
     assert not (tmp_path / "cache").exists()
+
+
+def test_a_build_that_is_interrupted_in_the_background_is_not_told_as_failed(
+    environ: dict[str, str],
+) -> None:
+    write_colcon(environ, '#!/bin/sh\necho started > "$CALLS"\nexec sleep 600\n')
+    command = [sys.executable, "-c", DRIVER]
+    # A shell that starts a process in the background lets it ignore what Ctrl-C sends.
+    ignoring = ["/bin/sh", "-c", 'trap "" INT; exec "$@"', "sh", *command]
+    with subprocess.Popen(ignoring, env=environ, stderr=subprocess.PIPE, text=True) as run:
+        wait_until(lambda: calls(environ) == 1, "the build runs", 30)
+        run.send_signal(signal.SIGINT)
+        _, said = run.communicate(timeout=30)
+    assert run.returncode != 0
+    assert said.rstrip().endswith("KeyboardInterrupt")
+    assert list(Path(environ["XDG_CACHE_HOME"]).rglob("unfinished"))

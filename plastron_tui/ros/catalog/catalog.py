@@ -91,6 +91,7 @@ class Catalog:
         self._open: list[_Key] = []
         self._found: dict[_Key, Interface | None] = {}
         self._overlay: Mapping[_Key, Interface] = {}
+        self._undefined: Mapping[_Key, Interface] = {}
         self._wrong: dict[_Key, list[Diagnostic]] = {}
         self._candidates: dict[tuple[InterfaceKind, str], tuple[InterfaceName, ...]] = {}
 
@@ -122,6 +123,7 @@ class Catalog:
         if not unknown:
             return self
         other = copy(self)
+        other._undefined = {**self._undefined, **unknown}
         other._found = {**self._found, **unknown}
         return other
 
@@ -134,7 +136,7 @@ class Catalog:
         other._overlay = dict(interfaces)
         other.problems, other._open, other._candidates = [], [], {}
         if interfaces or self._overlay:
-            other._found, other._wrong = {}, {}
+            other._found, other._wrong = dict(self._undefined), {}
         return other
 
     def candidates(self, bare: str, kind: InterfaceKind) -> tuple[InterfaceName, ...]:

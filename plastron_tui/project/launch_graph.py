@@ -1,0 +1,162 @@
+"""The graph of what a launch file starts: each node with the names that it gets there."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import NamedTuple
+
+from plastron_tui.boundary import Boundary
+from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes
+from plastron_tui.model.loading import add_found
+from plastron_tui.model.source import LARGEST_FILE, SourceUnit
+from plastron_tui.model.workspace import Node, Workspace
+from plastron_tui.regular_files import read_regular, reason
+from plastron_tui.ros.launch_resolution import Started, resolve
+from plastron_tui.ros.launch_text import Scope
+from plastron_tui.ros.run_names import Remap, RunNames
+from plastron_tui.sources.launch.python_reader import read_launch_python
+from plastron_tui.sources.launch.unresolved import warnings_of
+from plastron_tui.sources.launch.xml_reader import read_launch_xml
+from plastron_tui.sources.setup_py.reader import read_setup
+
+from .loader import read_node, with_others
+
+_MOST_FOLDERS = 2000
+_SKIPPED = frozenset({"build", "install", "devel", "log", "node_modules", "__pycache__"})
+_SCRIPTS = ("scripts", "nodes", "src", "bin")
+
+
+class LaunchGraph(NamedTuple):
+    """The nodes that a launch file starts, None where it cannot be read, and what is doubtful."""
+
+    workspace: Workspace | None
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+def launch_graph(path: Path, arguments: Mapping[str, str], boundary: Boundary) -> LaunchGraph:
+    """Read a launch file, and the nodes that it starts as far as they are found in the project.
+
+    Args:
+        path: the launch file.
+        arguments: the values that it is given.
+        boundary: the project: packages beyond it are not looked at.
+    """
+    try:
+        text = read_regular(path, LARGEST_FILE)
+    except OSError as error:
+        message = f"`{path.name}` cannot be read: {reason(error)}"
+        return LaunchGraph(None, (Diagnostic(codes.UNREADABLE_FILE, message, file=path),))
+    is_python = path.suffix == ".py"
+    read = read_launch_python(text, path) if is_python else read_launch_xml(text, path)
+    if read.launch is None:
+        return LaunchGraph(None, read.diagnostics)
+    packages = _packages(boundary.root if boundary.allows(path) else path.parent, boundary)
+    # The folder that is installed as the share is, in the source, the package's own.
+    folders = {name: str(folder) for name, folder in packages.items()}
+    scope = Scope(arguments, {}, str(path.absolute().parent), folders.get)
+    resolved = resolve(read.launch, read.format.ros_version, scope, str(path))
+    found = [*read.diagnostics, *warnings_of(resolved)]
+    whole = Workspace()
+    sources: dict[tuple[str, str], SourceUnit | None] = {}
+    for started in resolved.started:
+        key = started.package, started.executable
+        if key not in sources:
+            sources[key] = _source(packages.get(started.package), started, boundary)
+            if sources[key] is None:
+                found.append(_unseen(started))
+        node = _node(started, sources[key], whole)
+        whole.nodes[node.variable] = node
+    return LaunchGraph(whole, tuple(found))
+
+
+def _packages(root: Path, boundary: Boundary) -> dict[str, Path]:
+    """Return the folders of the packages below a folder, by the names in their package.xml."""
+    from plastron_tui.sources.xml.document import read_xml
+
+    found: dict[str, Path] = {}
+    seen = 0
+    for place, folders, files in os.walk(root):
+        seen += 1
+        if seen > _MOST_FOLDERS:
+            break
+        folders[:] = sorted(x for x in folders if x not in _SKIPPED and not x.startswith("."))
+        path = Path(place) / "package.xml"
+        if "package.xml" not in files or not boundary.allows(path):
+            continue
+        folders.clear()
+        try:
+            document, _ = read_xml(read_regular(path, LARGEST_FILE), path)
+        except OSError:
+            continue
+        names = () if document is None else document.root.children
+        name = next((each.text.strip() for each in names if each.name == "name"), "")
+        if name:
+            found.setdefault(name, Path(place))
+    return found
+
+
+def _source(package: Path | None, started: Started, boundary: Boundary) -> SourceUnit | None:
+    """Return what is read of the file that an executable is made of, None where none is found."""
+    if package is None:
+        return None
+    for path in _candidates(package, started.executable):
+        if path.is_file() and boundary.allows(path):
+            try:
+                files = with_others(path, read_regular(path, LARGEST_FILE))
+            except OSError:
+                continue
+            return read_node(path, files).source
+    return None
+
+
+def _candidates(package: Path, executable: str) -> Iterator[Path]:
+    setup = package / "setup.py"
+    if setup.is_file():
+        try:
+            described = read_setup(read_regular(setup, LARGEST_FILE), setup).setup
+        except OSError:
+            described = None
+        for script in () if described is None else described.console_scripts:
+            if script.name == executable:
+                yield package.joinpath(*script.target.partition(":")[0].split(".")).with_suffix(
+                    ".py"
+                )
+    if "/" in executable:
+        return
+    for folder in (*_SCRIPTS, package.name, ""):
+        for ending in ("", ".py"):
+            yield package / folder / f"{executable}{ending}"
+
+
+def _node(started: Started, source: SourceUnit | None, whole: Workspace) -> Node:
+    """Return a node of the workspace, of which all names are the full ones that it gets."""
+    own = None if source is None else next((x.name for x in source.nodes if x.name), None)
+    name = started.name or own or started.executable
+    full = f"{started.namespace}/{name}"
+    variable, count = full.lstrip("/"), 1
+    while variable in whole.nodes:
+        count += 1
+        variable = f"{full.lstrip('/')}_{count}"
+    place = started.place
+    span = Span(0, 0) if place is None else Span(place.start, place.end)
+    shown = full if started.namespace else name
+    node = Node(shown, variable, span, None if source is None else source.library, source)
+    names = RunNames(started.namespace, tuple(Remap(a, b) for a, b in started.remaps))
+    for endpoint in () if source is None else source.endpoints:
+        if endpoint.label is not None and endpoint.kind.facts.interface is not None:
+            add_found(node, endpoint, names.resolved(name, endpoint.label))
+    return node
+
+
+def _unseen(started: Started) -> Diagnostic:
+    place = started.place
+    return Diagnostic(
+        codes.UNRESOLVED_LAUNCH,
+        f"`{started.package}/{started.executable}` is not found as a file of the project that "
+        "can be read, and is shown without topics",
+        None if place is None else Span(place.start, place.end),
+        None if started.file is None else Path(started.file),
+        severity=Severity.WARNING,
+    )
