@@ -212,7 +212,7 @@ def _other_names(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Cand
 
 def _catalog(expected: Expectation, vocabulary: Vocabulary, session: Session) -> Catalog:
     library = vocabulary.library(_node_of(expected)) or session.library
-    return session.catalog(ros_version(library))
+    return vocabulary.with_own_types(session.catalog(ros_version(library)))
 
 
 def _types(
