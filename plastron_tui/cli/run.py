@@ -78,13 +78,24 @@ def command(
     The nodes run with a ROS of their client library's: a sourced one, else the Python packages of
     the extra `ros2`, or Debian's rospy, for which a master is started where none answers. Ctrl-C
     stops everything. Exits with 1 when a node fails.
+
+    A launch file is started as it is; behind it stand its arguments, as NAME:=VALUE.
     """
     from plastron_tui.project.run_setup import RunSetup
     from plastron_tui.ros.run_names import RunNames
     from plastron_tui.runtime.environment import find_environments
     from plastron_tui.runtime.launch import Options as RunOptions
     from plastron_tui.runtime.launch import run_nodes
+    from plastron_tui.sources.launch.reader import is_launch_file
 
+    from .run_launch import run_launch
+
+    options = RunOptions(seconds, network, watch)
+    if is_launch_file(file):
+        given = {"--output": output, "--target": target, "--namespace": namespace,
+                 "--remap": remaps, "--set": settings}  # fmt: skip
+        run_launch(file, nodes, options, [name for name, value in given.items() if value])
+        return
     report = Report()
     session = open_session(file, report, Options(target, output, is_writing=True))
     if session is None:
@@ -94,7 +105,6 @@ def command(
     setup = RunSetup(RunNames(namespace, remaps), settings)
     files = _prepare(session, nodes, setup, found, report)
     if not report.status and files:
-        options = RunOptions(seconds, network, watch)
         # The table is drawn over itself; what nodes print is escaped before it comes there.
         result = run_nodes(files, options, out=drawn_on(sys.stdout), err=drawn_on(sys.stderr))
         report.add(result.diagnostics, lambda _: None, session.path)

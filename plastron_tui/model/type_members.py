@@ -104,6 +104,9 @@ def _member(
     except Mistake:
         message = "a definition holds numbers, texts and lists of them"
         return [Diagnostic(codes.BAD_FIELD, message, _span(statement, each, "value"))]
+    unsure = None if naming.version == 1 else _changed_by_builders(value)
+    if unsure is not None:
+        return [Diagnostic(codes.BAD_FIELD, unsure, _span(statement, each, "value"))]
     type_text = naming.full(each.type)
     if isinstance(type_text, TypeProblem):
         where = _span(statement, each, "type")
@@ -138,6 +141,21 @@ def _scalar(value: InputValue) -> Scalar:
     if not isinstance(value, Literal):
         raise Mistake
     return value.value
+
+
+def _changed_by_builders(value: Value | None) -> str | None:
+    """Tell why the builders of ROS 2 would not keep a value, None where they do.
+
+    Source: rosidl_adapter writes it into IDL, where rosidl_parser decodes escapes once more; a
+    list of texts is read there as ASCII.
+    """
+    values = value if isinstance(value, tuple) else (value,)
+    texts = [each for each in values if isinstance(each, str)]
+    if any("\\" in each for each in texts):
+        return "a text in a definition of ROS 2 does not keep a backslash"
+    if isinstance(value, tuple) and not all(each.isascii() for each in texts):
+        return "a list of texts in a definition of ROS 2 is ASCII alone"
+    return None
 
 
 def _span(statement: Statement, each: FieldText, part: str) -> Span:

@@ -203,7 +203,7 @@ def has_field(run: Run, statement: st.HasField) -> None:
         if old is None:
             text = add_member(before.text, line, section)
         else:
-            text = replace_member(before.text, added, line, section)
+            text = replace_member(before.text, added, line, section, ros_version=version)
         return _read_again(text, name, own.kind, version, where)
 
     settle(run, statement, own, make, variable=statement.type)

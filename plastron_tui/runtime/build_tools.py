@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from plastron_tui.regular_files import read_regular
 from plastron_tui.ros.installations import Origin
 
 from . import installing
@@ -371,8 +372,12 @@ def _write_definitions(
     ]
 
 
+_LARGEST_MEND = 1_000_000
+"""More than any file of the builder's own, in bytes."""
+
+
 def _write(file: Path, text: str) -> None:
     """Write a file of the builder's own; one that has the text keeps its time."""
-    if not file.is_file() or file.read_text(encoding="utf-8") != text:
+    if not file.is_file() or read_regular(file, _LARGEST_MEND) != text.encode():
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text, encoding="utf-8")

@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import IO
 
 from plastron_tui.diagnostics import Diagnostic, codes
-from plastron_tui.regular_files import reason
+from plastron_tui.regular_files import read_regular, reason
 from plastron_tui.user_folders import cache_folder
 
 from .build_output import Progress, Spans, errors_of, progress_of
@@ -111,6 +111,8 @@ def _built(
     builder = find_builder(environment, {each.name: each.files for each in packages}, environ)
     for each in (folder, folder / "overlays", folder / "workspaces"):
         each.mkdir(mode=0o700, parents=True, exist_ok=True)
+    # The definitions here are nobody's own, wherever the cache is.
+    (folder / "CATKIN_IGNORE").touch()
     workspace = Workspace(folder / "workspaces" / f"{name}-{_digest(tools)}")
     with _locked(workspace.root, lambda: tell(Progress(name, "waiting for another run"))):
         # The one that was waited for may have built the same.
@@ -227,9 +229,13 @@ def _write_sources(workspace: Workspace, packages: Sequence[BuiltPackage]) -> No
             path.unlink()
     for path, (text, is_executable) in wanted.items():
         path.parent.mkdir(parents=True, exist_ok=True)
-        if not path.is_file() or path.read_bytes() != text:
+        if not path.is_file() or read_regular(path, _LARGEST_FILE) != text:
             path.write_bytes(text)
         path.chmod(0o755 if is_executable else 0o644)
+
+
+_LARGEST_FILE = 64 * 1024 * 1024
+"""More than any file of a package that is built, in bytes."""
 
 
 def _run(

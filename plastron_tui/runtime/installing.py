@@ -45,6 +45,7 @@ _DEBIAN = frozenset(
         "nav_msgs",
         "pcl_msgs",
         "rosgraph_msgs",
+        "roslaunch",
         "rosmaster",
         "sensor_msgs",
         "shape_msgs",

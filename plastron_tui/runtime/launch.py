@@ -40,6 +40,9 @@ class NodeFile:
         arguments: what it is started with besides.
         namespace: the namespace that they put it in, "" for the root.
         managed: the full names of its lifecycle nodes, which the run has to activate.
+        folders: folders that come first in variables of the environment (`PYTHONPATH`).
+        label: what its lines are labelled with, where that is not its name.
+        starts: the full names of the nodes that it starts itself; its name is then none.
     """
 
     name: str
@@ -49,6 +52,14 @@ class NodeFile:
     arguments: tuple[str, ...] = ()
     namespace: str = ""
     managed: tuple[str, ...] = ()
+    folders: tuple[tuple[str, Path], ...] = ()
+    label: str = ""
+    starts: tuple[str, ...] = ()
+
+    @property
+    def title(self) -> str:
+        """What its lines are labelled with."""
+        return self.label or self.name
 
     @property
     def full_name(self) -> str:
@@ -144,7 +155,7 @@ class _Run:
         self._is_inactive = False
         self._calls = bytearray()
         self._supervisor = Supervisor(self._on_line, self._on_exit, self._on_tick)
-        names = [*(node.name for node in nodes), *([_WATCH_NAME] if options.watch else [])]
+        names = [*(node.title for node in nodes), *([_WATCH_NAME] if options.watch else [])]
         self._console = Console(names, out, err, on_gone=self._supervisor.stop, environ=environ)
         self._screen = Screen(self._watch) if options.watch and out.isatty() else None
 
@@ -157,7 +168,12 @@ class _Run:
                 master, diagnostics = ensure_master(
                     self._supervisor,
                     node.environment,
-                    [one.full_name for one in self._nodes if one.environment.ros_version == 1],
+                    [
+                        name
+                        for one in self._nodes
+                        if one.environment.ros_version == 1
+                        for name in one.starts or (one.full_name,)
+                    ],
                     network=self._options.network,
                     environ=self._environ,
                 )
@@ -206,13 +222,16 @@ class _Run:
 
     def _process(self, node: NodeFile, master: Master | None, pipe: int | None) -> Process:
         environ = self._node_environ(node.environment, master)
+        for variable, folder in reversed(node.folders):
+            known = environ.get(variable)
+            environ[variable] = f"{folder}{os.pathsep}{known}" if known else str(folder)
         if pipe is None or node.script is None:
-            return Process(node.name, (*node.command, *node.arguments), environ)
+            return Process(node.title, (*node.command, *node.arguments), environ)
         environ["PLASTRON_EVENTS_FD"] = str(pipe)
         environ["PLASTRON_ROS_VERSION"] = str(node.environment.ros_version)
         traced = str(_OBSERVERS / "traced.py")
         argv = (str(node.environment.python), traced, str(node.script), *node.arguments)
-        return Process(node.name, argv, environ, fds=(pipe,))
+        return Process(node.title, argv, environ, fds=(pipe,))
 
     def _activate(self, master: Master | None) -> None:
         """Bring up the managed nodes, of each environment by a process of its own."""

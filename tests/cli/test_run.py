@@ -77,7 +77,7 @@ def test_types_of_the_table_that_nothing_installs(ros: Ros) -> None:
         return all(each in answers for each in ("sum: 0", "wp_received: 0", "count: 0"))
 
     adder = "beginner_tutorials" if ros.library == "rospy" else "example_interfaces"
-    built = [f"building `{name}` for ROS " for name in ("basics", adder, "mavros_msgs")]
+    built = [f"building `{name}`: " for name in ("basics", adder, "mavros_msgs")]
     said = ros.run_until(is_answered, "p.plastron")
     assert [line for line in built if line not in said] == []
     said = ros.run_until(is_answered, "p.plastron")

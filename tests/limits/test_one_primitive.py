@@ -25,6 +25,7 @@ _OTHERS = {
     "studio/main/screen.py": "it opens the wizard",
     "studio/editor/state.py": "it opens a session",
     "studio/editor/widget.py": "it opens a bar, and a session",
+    "runtime/builds.py": "it makes locks and logs in the user's cache",
     "private_files.py": "it makes files, and reads what the kernel says of a process",
 }
 """The modules that open files otherwise, and why."""

@@ -1,0 +1,230 @@
+"""The packages around a launch file, and what starts their executables.
+
+Sources: the ROS 2 documentation, "Using colcon to build packages" and "ROS 2 executables": an
+executable of a package is installed as `lib/PACKAGE/EXECUTABLE`, its files in `share/PACKAGE`.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import NamedTuple
+
+from plastron_tui.import_path import command
+from plastron_tui.regular_files import read_regular
+from plastron_tui.ros.installations import Origin
+from plastron_tui.sources.setup_py.reader import read_setup
+from plastron_tui.sources.xml.document import read_xml
+
+from .environment import Environment
+
+_LARGEST = 500_000
+_DEEPEST = 5
+_MOST_FOLDERS = 4000
+_NO_SOURCES = frozenset(("build", "install", "log", "devel", "node_modules", "__pycache__"))
+_IGNORED = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
+
+Variables = tuple[tuple[str, Path], ...]
+"""Folders that are put before what a variable of the environment has."""
+
+
+class Executable(NamedTuple):
+    """What starts an executable of a package.
+
+    Attributes:
+        command: the command line.
+        folders: the folders that the process has to find besides, by variable.
+    """
+
+    command: tuple[str, ...]
+    folders: Variables = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Packages:
+    """The packages that a launch file can start nodes of.
+
+    Attributes:
+        sources: the folder of each package whose sources are around the launch file.
+        prefixes: where packages are installed: those of colcon first, then ROS itself.
+        root: the folder that all sources are in.
+    """
+
+    sources: Mapping[str, Path]
+    prefixes: tuple[Path, ...]
+    root: Path
+
+    def share(self, package: str) -> str | None:
+        """Return the folder that has a package's files, None where the package is not here.
+
+        Sources have their files where the installed package has them (`launch`, `config`).
+        """
+        if package in self.sources:
+            return str(self.sources[package])
+        found = (each / "share" / package for each in self._prefixes_of(package))
+        return next((str(each) for each in found if each.is_dir()), None)
+
+    def has(self, file: Path) -> bool:
+        """Tell whether a file is among the sources, or is installed."""
+        path = Path(os.path.realpath(file))
+        roots = (self.root, *self.prefixes)
+        return any(path.is_relative_to(os.path.realpath(each)) for each in roots)
+
+    def executable(self, package: str, name: str, python: Path) -> Executable | None:
+        """Return what starts an executable, None where it is not found."""
+        if not _is_plain(package) or not _is_plain(name):
+            return None
+        if package in self.sources:
+            found = self._of_sources(self.sources[package], name, python)
+            if found is not None:
+                return found
+        for prefix in self._prefixes_of(package):
+            path = prefix / "lib" / package / name
+            if path.is_file() and os.access(path, os.X_OK):
+                return Executable((str(path),), tuple(_variables(prefix)))
+        return None
+
+    def names(self, package: str, python: Path) -> list[str]:
+        """Return the executables that a package is known to have."""
+        found: list[str] = []
+        folder = self.sources.get(package)
+        if folder is not None:
+            found += (name for name, _ in _scripts(folder))
+            found += (each.name for each in _files(folder / "scripts"))
+        for prefix in self._prefixes_of(package):
+            found += (each.name for each in _files(prefix / "lib" / package))
+        return list(dict.fromkeys(found))
+
+    def _of_sources(self, folder: Path, name: str, python: Path) -> Executable | None:
+        paths = tuple(("PYTHONPATH", each) for each in self._python_folders(folder))
+        for script, target in _scripts(folder):
+            if script == name and ":" in target:
+                return Executable(tuple(command(target, str(python))), paths)
+        for each in _files(folder / "scripts"):
+            if each.name in (name, f"{name}.py") and not (folder / "setup.py").exists():
+                start = (str(python), str(each)) if _is_python(each) else (str(each),)
+                if len(start) == 2 or os.access(each, os.X_OK):
+                    return Executable(start, paths)
+        return None
+
+    def _python_folders(self, first: Path) -> Iterator[Path]:
+        yield first
+        for each in self.sources.values():
+            if each != first and (each / "setup.py").is_file():
+                yield each
+
+    def _prefixes_of(self, package: str) -> Iterator[Path]:
+        if not _is_plain(package):
+            return
+        for prefix in self.prefixes:
+            # `colcon build` gives each package a prefix of its own, unless told to merge them.
+            yield prefix / package
+            yield prefix
+
+
+def find_packages(
+    file: Path, environment: Environment, environ: Mapping[str, str] = os.environ
+) -> Packages:
+    """Find the packages around a launch file, and where others are installed.
+
+    Around are those in the folder that the file's own package is in, `src` as a rule; without a
+    package of its own, those beside the file.
+    """
+    file = Path.cwd() / file
+    own = next((each for each in file.parents if (each / "package.xml").is_file()), None)
+    root = file.parent if own is None else own.parent
+    source = next((each for each in (root, *root.parents[:3]) if each.name == "src"), None)
+    root = source or root
+    sources: dict[str, Path] = {}
+    folders = [*([own] if own is not None else []), *_package_folders(root)]
+    for folder in folders:
+        name = package_name(folder)
+        if name is not None:
+            sources.setdefault(name, folder)
+    beside = [each / "install" for each in (root, root.parent) if (each / "install").is_dir()]
+    return Packages(sources, (*beside, *_prefixes(environment, environ)), root)
+
+
+def _prefixes(environment: Environment, environ: Mapping[str, str]) -> Iterator[Path]:
+    if environment.origin is Origin.SOURCED:
+        for each in environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
+            if Path(each).is_absolute():
+                yield Path(each)
+    elif environment.origin is Origin.EXTRA:
+        yield environment.python.parent.parent
+    else:
+        yield Path("/usr")
+
+
+def _package_folders(root: Path) -> Iterator[Path]:
+    """Yield the folders with a package.xml, in the order of their names; no link is followed."""
+    for seen, (place, folders, files) in enumerate(os.walk(root)):
+        path = Path(place)
+        if seen >= _MOST_FOLDERS:
+            return
+        if any(each in files for each in _IGNORED):
+            folders.clear()
+        elif "package.xml" in files:
+            # A package has no packages in it (REP 149 and the build tools).
+            folders.clear()
+            yield path
+        elif len(path.relative_to(root).parts) >= _DEEPEST:
+            folders.clear()
+        folders[:] = sorted(x for x in folders if x not in _NO_SOURCES and x[:1] != ".")
+
+
+def package_name(folder: Path) -> str | None:
+    """Return the name of the package in a folder, None where there is none that can be read."""
+    try:
+        source = read_regular(folder / "package.xml", _LARGEST)
+    except (OSError, ValueError):
+        return None
+    document = read_xml(source).document
+    if document is None or document.root.name != "package":
+        return None
+    found = document.root.named("name")
+    return found[0].value.strip() if found and _is_plain(found[0].value.strip()) else None
+
+
+def _scripts(folder: Path) -> Iterator[tuple[str, str]]:
+    try:
+        source = read_regular(folder / "setup.py", _LARGEST)
+    except (OSError, ValueError):
+        return
+    setup = read_setup(source, folder / "setup.py").setup
+    for each in () if setup is None else setup.console_scripts:
+        yield each.name, each.target
+
+
+def _files(folder: Path) -> list[Path]:
+    try:
+        return sorted(each for each in folder.iterdir() if each.is_file())
+    except OSError:
+        return []
+
+
+def _is_python(file: Path) -> bool:
+    try:
+        head = read_regular(file, 10 * _LARGEST)[:200].split(b"\n")[0]
+    except (OSError, ValueError):
+        return False
+    return file.suffix == ".py" or (head.startswith(b"#!") and b"python" in head)
+
+
+def _variables(prefix: Path) -> Iterator[tuple[str, Path]]:
+    version = f"python{sys.version_info.major}.{sys.version_info.minor}"
+    for lib in (prefix / "lib" / version, *sorted((prefix / "lib").glob("python3*"))):
+        if (lib / "site-packages").is_dir():
+            yield "PYTHONPATH", lib / "site-packages"
+            break
+    if (prefix / "lib").is_dir():
+        yield "LD_LIBRARY_PATH", prefix / "lib"
+    yield "AMENT_PREFIX_PATH", prefix
+
+
+def _is_plain(name: str) -> bool:
+    """Tell whether a name is one of a folder or a file, and no path."""
+    return bool(name) and name not in (".", "..") and not any(x in name for x in "/\\\0")

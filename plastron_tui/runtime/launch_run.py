@@ -1,0 +1,216 @@
+"""What a launch file starts, as processes: `plastron run` of one, without its command line."""
+
+from __future__ import annotations
+
+import os
+import shlex
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes, did_you_mean
+from plastron_tui.import_path import command
+from plastron_tui.regular_files import read_regular, reason
+from plastron_tui.ros.launch import Argument, LaunchFile, Place, items_of
+from plastron_tui.ros.launch_resolution import Opened, Resolved, Started, resolve
+from plastron_tui.ros.launch_text import Scope
+from plastron_tui.ros.parameter_values import yaml_text
+from plastron_tui.sources.launch.reader import LARGEST, read_launch
+
+from .environment import Environment, missing_package, missing_packages
+from .launch import NodeFile
+from .launch_packages import Packages, find_packages
+
+# What makes no difference to what runs: how a node's lines are shown, and how long it may take.
+_SHOWN = frozenset(("output", "emulate_tty", "exec_name", "respawn_delay", "sigterm_timeout",
+                    "sigkill_timeout"))  # fmt: skip
+_ARGUMENTS = ("args", "ros_args")
+
+_TIMES = ("--sigint-timeout=1.0", "--sigterm-timeout=0.5")
+"""How long roslaunch waits for nodes: it has ended them before it is ended itself."""
+
+
+class Prepared(NamedTuple):
+    """The processes of a launch file; none where something keeps it from being started."""
+
+    nodes: tuple[NodeFile, ...]
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+def prepare(
+    launch: LaunchFile,
+    file: Path,
+    arguments: Mapping[str, str],
+    environment: Environment,
+    environ: Mapping[str, str] = os.environ,
+) -> Prepared:
+    """Return what a launch file starts, or why it is not started: with the line that says it.
+
+    Args:
+        launch: what the file says.
+        file: the file.
+        arguments: the values that its arguments get.
+        environment: the ROS that it runs with.
+        environ: the environment variables.
+    """
+    file = Path.cwd() / file
+    packages = find_packages(file, environment, environ)
+    resolved = _resolved(launch, file, arguments, environment.ros_version, packages, environ)
+    if environment.ros_version == 1:
+        return _roslaunch(file, arguments, environment, packages, resolved)
+    found = [*_arguments(launch, file, arguments)]
+    found += (_told(each.message, each.file, each.place) for each in resolved.unresolved)
+    nodes = []
+    for started in resolved.started:
+        made = _node(started, environment, packages)
+        if isinstance(made, Diagnostic):
+            found.append(made)
+        else:
+            nodes.append(made)
+    if not nodes and not found:
+        found.append(_told("the launch file starts no node", str(file), None))
+    is_wrong = any(each.severity is Severity.ERROR for each in found)
+    return Prepared(() if is_wrong else tuple(nodes), tuple(found))
+
+
+def _resolved(
+    launch: LaunchFile,
+    file: Path,
+    arguments: Mapping[str, str],
+    ros_version: int,
+    packages: Packages,
+    environ: Mapping[str, str],
+) -> Resolved:
+    scope = Scope(arguments, environ, str(file.parent), packages.share)
+
+    def opened(path: str) -> Opened:
+        return _open(Path(path), packages)
+
+    return resolve(launch, ros_version, scope, str(file), opened)
+
+
+def _open(path: Path, packages: Packages) -> Opened:
+    if not path.is_absolute():
+        return Opened(None, 2, "", "its path has to be a whole one")
+    if not packages.has(path):
+        return Opened(None, 2, "", "it is neither in the project nor installed")
+    try:
+        source = read_regular(path, LARGEST)
+    except (OSError, ValueError) as error:
+        return Opened(None, 2, "", reason(error))
+    read = read_launch(source, path)
+    if read.launch is None:
+        why = read.diagnostics[0].message if read.diagnostics else "it is no launch file"
+        return Opened(None, 2, "", why)
+    return Opened(read.launch, read.format.ros_version, str(path.parent))
+
+
+def _arguments(launch: LaunchFile, file: Path, given: Mapping[str, str]) -> Iterator[Diagnostic]:
+    declared = list(items_of(launch.items, Argument))
+    for each in declared:
+        if each.default is None and each.condition is None and each.name not in given:
+            message = f"the argument `{each.name}` has no value"
+            told = _told(message, str(file), each.place)
+            yield told._replace(help=f"give it one: `{each.name}:=VALUE`")
+    names = {each.name for each in declared}
+    for name in given:
+        if name not in names:
+            yield Diagnostic(
+                codes.UNRESOLVED_LAUNCH,
+                f"the launch file has no argument `{name}`",
+                help=did_you_mean(name, names),
+                severity=Severity.WARNING,
+            )
+
+
+def _node(started: Started, environment: Environment, packages: Packages) -> NodeFile | Diagnostic:
+    """Return the process of a node, or why it cannot be started."""
+
+    def wrong(message: str, help_: str | None = None) -> Diagnostic:
+        return _told(message, started.file, started.place)._replace(help=help_)
+
+    if started.container is not None:
+        return wrong(f"`{started.executable}` is a component, and `run` starts no containers")
+    label = f"{started.package}/{started.executable}"
+    executable = packages.executable(started.package, started.executable, environment.python)
+    if executable is None:
+        if packages.share(started.package) is None:
+            near = did_you_mean(started.package, packages.sources)
+            return wrong(f"the package `{started.package}` is not found", near)
+        known = packages.names(started.package, environment.python)
+        message = f"the package `{started.package}` has no executable `{started.executable}`"
+        return wrong(message, did_you_mean(started.executable, known))
+    words: list[str] = []
+    folders = executable.folders
+    for key, value in started.others:
+        if key in _ARGUMENTS:
+            try:
+                words += shlex.split(value)
+            except ValueError:
+                return wrong(f"`{key}` has a quote that is not closed")
+        elif key not in _SHOWN and not (key == "respawn" and value.lower() in ("false", "0")):
+            return wrong(f"`run` does not do what `{key}` asks for")
+    missing = next((each for each in started.files if not Path(each).is_file()), None)
+    if missing is not None:
+        return wrong(f"the parameter file `{missing}` is not found")
+    return NodeFile(
+        started.name or started.executable,
+        executable.command,
+        environment,
+        arguments=(*words, *ros_arguments_of(started)),
+        namespace=started.namespace,
+        folders=folders,
+        label=label if started.full_name is None else started.full_name.removeprefix("/"),
+    )
+
+
+def ros_arguments_of(started: Started) -> tuple[str, ...]:
+    """Return the arguments that give a node of ROS 2 its names and parameters.
+
+    Of two values for a parameter the later one holds, and those of the launch file itself come
+    behind those of files.
+    """
+    found: list[str] = []
+    if started.name is not None:
+        found += ("-r", f"__node:={started.name}")
+    if started.namespace:
+        found += ("-r", f"__ns:={started.namespace}")
+    for old, new in started.remaps:
+        found += ("-r", f"{old}:={new}")
+    for file in started.files:
+        found += ("--params-file", file)
+    for name, value in started.parameters:
+        found += ("-p", f"{name}:={yaml_text(value)}")
+    return ("--ros-args", *found) if found else ()
+
+
+def _roslaunch(
+    file: Path,
+    arguments: Mapping[str, str],
+    environment: Environment,
+    packages: Packages,
+    resolved: Resolved,
+) -> Prepared:
+    """Return the process of roslaunch, which reads the file itself."""
+    if missing_packages(environment, ["roslaunch"]):
+        return Prepared((), (missing_package(environment, "roslaunch"),))
+    start = command("roslaunch:main", str(environment.python))
+    given = (f"{name}:={value}" for name, value in arguments.items())
+    # Nodes begin with `#!/usr/bin/env python3` as a rule, which has to be the one with rospy.
+    folders = [("ROS_PACKAGE_PATH", packages.root), ("PATH", environment.python.parent)]
+    folders += (("PYTHONPATH", each / "src") for each in packages.sources.values()
+                if (each / "setup.py").is_file() and (each / "src").is_dir())  # fmt: skip
+    node = NodeFile(
+        "roslaunch",
+        (*start, *_TIMES, "--disable-title", str(file), *given),
+        environment,
+        folders=tuple(folders),
+        starts=tuple(each.full_name for each in resolved.started if each.full_name is not None),
+    )
+    return Prepared((node,))
+
+
+def _told(message: str, file: str | None, place: Place | None) -> Diagnostic:
+    span = None if place is None else Span(place.start, place.end)
+    path = None if file is None else Path(file)
+    return Diagnostic(codes.UNRESOLVED_LAUNCH, message, span, path)

@@ -1,0 +1,45 @@
+"""Launch files in whatever they are written in, as their names tell."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from .python_reader import read_launch_python
+from .xml_reader import LaunchRead, read_launch_xml
+
+LARGEST = 2_000_000
+"""In bytes: far more than any launch file that people write."""
+
+_ENDINGS = {
+    ".launch": "xml",
+    ".launch.xml": "xml",
+    "_launch.xml": "xml",
+    ".launch.py": "py",
+    "_launch.py": "py",
+    ".launch.yaml": "yaml",
+    ".launch.yml": "yaml",
+    "_launch.yaml": "yaml",
+    "_launch.yml": "yaml",
+}
+
+
+def is_launch_file(file: Path) -> bool:
+    """Tell whether a file is a launch file, as its name tells."""
+    return _language(file) is not None
+
+
+def read_launch(source: bytes, file: Path) -> LaunchRead:
+    """Read a launch file; one whose name tells nothing is XML."""
+    language = _language(file)
+    if language == "py":
+        return read_launch_python(source, file)
+    if language == "yaml":
+        from .yaml_reader import read_launch_yaml
+
+        return read_launch_yaml(source, file)
+    # Where the words of a file are those of both, `*.launch.xml` is of ROS 2 (its documentation).
+    return read_launch_xml(source, file)
+
+
+def _language(file: Path) -> str | None:
+    return next((found for end, found in _ENDINGS.items() if file.name.endswith(end)), None)

@@ -1,0 +1,181 @@
+"""Launch files that are run: two nodes in two namespaces talk by a name that both get."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from machine import find_ros, graph_environ, skip_or_fail, wait_until
+
+from plastron_tui.runtime.environment import missing_packages
+
+pytestmark = pytest.mark.live
+
+MANIFEST = """<package format="3"><name>demo</name><version>0.1.0</version>
+<description>d</description><maintainer email="a@b.cc">a</maintainer><license>MIT</license>
+</package>
+"""
+SETUP = """from setuptools import setup
+setup(name="demo", packages=["demo"], entry_points={"console_scripts": [
+    "talker = demo.talker:main", "listener = demo.listener:main"]})
+"""
+TALKER = {
+    1: """#!/usr/bin/env python3
+import rospy
+from std_msgs.msg import String
+rospy.init_node("talker")
+publisher = rospy.Publisher("chatter", String, queue_size=10)
+rate = rospy.Rate(5)
+while not rospy.is_shutdown():
+    publisher.publish(rospy.get_param("~word"))
+    rate.sleep()
+""",
+    2: """import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+def main():
+    rclpy.init()
+    node = Node("talker")
+    word = node.declare_parameter("word", "nothing").value
+    publisher = node.create_publisher(String, "chatter", 10)
+    node.create_timer(0.2, lambda: publisher.publish(String(data=word)))
+    try:
+        rclpy.spin(node)
+    except KeyboardInterrupt:
+        pass
+""",
+}
+LISTENER = {
+    1: """#!/usr/bin/env python3
+import rospy
+from std_msgs.msg import String
+rospy.init_node("listener")
+rospy.Subscriber("chatter", String,
+                 lambda message: print(rospy.get_name(), "heard", message.data, flush=True))
+rospy.spin()
+""",
+    2: """import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+def main():
+    rclpy.init()
+    node = Node("listener")
+    node.create_subscription(
+        String, "chatter",
+        lambda told: print(node.get_fully_qualified_name(), "heard", told.data, flush=True), 10)
+    try:
+        rclpy.spin(node)
+    except KeyboardInterrupt:
+        pass
+""",
+}
+LAUNCH = {
+    1: """<launch>
+  <arg name="word" default="hello"/>
+  <group ns="front">
+    <node pkg="demo" type="talker" name="speaker">
+      <param name="word" value="$(arg word)"/>
+      <remap from="chatter" to="/shared/words"/>
+    </node>
+  </group>
+  <node pkg="demo" type="listener" name="ear" ns="back" output="screen">
+    <remap from="chatter" to="/shared/words"/>
+  </node>
+</launch>
+""",
+    2: """<launch>
+  <arg name="word" default="hello"/>
+  <group>
+    <push_ros_namespace namespace="front"/>
+    <node pkg="demo" exec="talker" name="speaker">
+      <param name="word" value="$(var word)"/>
+      <remap from="chatter" to="/shared/words"/>
+    </node>
+  </group>
+  <node pkg="demo" exec="listener" name="ear" namespace="back">
+    <remap from="chatter" to="/shared/words"/>
+  </node>
+</launch>
+""",
+}
+
+
+def _package(folder: Path, ros_version: int) -> Path:
+    """Write a package, and return its launch file."""
+    package = folder / "src/demo"
+    code = package / ("scripts" if ros_version == 1 else "demo")
+    code.mkdir(parents=True)
+    (package / "package.xml").write_text(MANIFEST)
+    if ros_version == 2:
+        (package / "setup.py").write_text(SETUP)
+        (code / "__init__.py").write_text("")
+    for name, text in (("talker", TALKER), ("listener", LISTENER)):
+        file = code / (name if ros_version == 1 else f"{name}.py")
+        file.write_text(text[ros_version])
+        file.chmod(0o755)
+    file = package / "launch" / ("two.launch" if ros_version == 1 else "two.launch.xml")
+    file.parent.mkdir()
+    file.write_text(LAUNCH[ros_version])
+    return file
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("ros_version", [1, 2])
+def test_nodes_of_a_launch_file_talk_and_are_ended(tmp_path: Path, ros_version: int) -> None:
+    environment = find_ros(ros_version)
+    if ros_version == 1 and missing_packages(environment, ["roslaunch"]):
+        skip_or_fail("roslaunch is not installed")
+    file = _package(tmp_path, ros_version)
+    environ = graph_environ(tmp_path)
+    log = tmp_path / "said.log"
+    with log.open("w") as out:
+        run = subprocess.Popen(
+            [sys.executable, "-m", "plastron_tui", "run", str(file), "word:=salut", "--for", "90"],
+            env=environ,
+            stdout=out,
+            stderr=out,
+        )
+        try:
+            heard = "/back/ear heard salut"
+            wait_until(lambda: run.poll() is not None or heard in log.read_text(), "it is heard")
+            assert heard in log.read_text()
+            said = _described(environ, ros_version)
+            assert '<node pkg="demo" type="talker" name="speaker"' in said or ros_version == 2
+            assert all(f'name="{name}"' in said for name in ("speaker", "ear", "word")), said
+            assert 'value="salut"' in said
+        finally:
+            run.send_signal(signal.SIGINT)
+            status = run.wait(60)
+    assert status == 128 + signal.SIGINT, log.read_text()
+    assert _processes(str(tmp_path)) == []
+
+
+def _described(environ: dict[str, str], ros_version: int) -> str:
+    """Return the graph as a launch file."""
+    words = ["describe", "--ros", str(ros_version), "--format", "launch"]
+    done = subprocess.run(
+        [sys.executable, "-m", "plastron_tui", *words],
+        env=environ,
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    return done.stdout + done.stderr
+
+
+def _processes(folder: str) -> list[str]:
+    """Return the command lines that name a folder, or have it in their environment."""
+    found = []
+    for each in Path("/proc").glob("[0-9]*"):
+        try:
+            words = (each / "cmdline").read_bytes() + (each / "environ").read_bytes()
+        except OSError:
+            continue
+        if folder.encode() in words:
+            found.append(str((each / "cmdline").read_bytes()))
+    return found
