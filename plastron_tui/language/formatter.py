@@ -83,8 +83,10 @@ def _lay_out(source: bytes, nodes: list[Node]) -> bytes:
 def _kind(leaf: Leaf) -> str:
     """Return what a word is for the space around it."""
     match leaf.node.type, leaf.within:
-        case "=", "condition":
+        case "=", "condition" | "definition" | "setting":
             return "operator"
-        case "[", "element":
+        case "[", "element" | "definition_type":
+            return "index"
+        case "<=", "definition_type":
             return "index"
     return leaf.node.type

@@ -152,7 +152,7 @@ def _of_slot(
 def _variable(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate]:
     """Offer a node's own name as its variable."""
     name = expected.filled.get("name") or expected.filled.get("source") or ""
-    name = PurePath(name.strip("'")).stem
+    name = PurePath(name.strip("'")).name.partition(".")[0]
     taken = any(name in each for each in vocabulary.variables)
     if name.isidentifier() and name[0].isalpha() and not taken:
         yield Candidate(name)
@@ -212,7 +212,7 @@ def _other_names(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Cand
 
 def _catalog(expected: Expectation, vocabulary: Vocabulary, session: Session) -> Catalog:
     library = vocabulary.library(_node_of(expected)) or session.library
-    return session.catalog(ros_version(library))
+    return vocabulary.with_own_types(session.catalog(ros_version(library)))
 
 
 def _types(
@@ -227,12 +227,19 @@ def _types(
     fields = described_type(first, kind, catalog) if first else ""
     if first and fields:
         yield Candidate(first, fields)
+    # Those of the program's own come before the hundreds of the distribution.
+    own = [each for each in vocabulary.types if each != first and _is_of(each, kind, catalog)]
+    yield from (Candidate(each, vocabulary.types[each]) for each in own)
     qualified = "/" in expected.prefix
     for each in catalog.names(kind):
         alone = not qualified and len(catalog.candidates(each.name, kind)) == 1
         text = each.name if alone and catalog.candidates(each.name, kind)[0] == each else str(each)
-        if text != first:
+        if text != first and text not in own:
             yield Candidate(text, "")
+
+
+def _is_of(text: str, kind: InterfaceKind, catalog: Catalog) -> bool:
+    return isinstance(resolver(catalog).resolve(text, kind), Interface)
 
 
 def described_type(text: str, kind: InterfaceKind, catalog: Catalog) -> str:

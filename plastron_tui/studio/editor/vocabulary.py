@@ -9,17 +9,22 @@ from typing import TYPE_CHECKING, Any
 from plastron_tui.language import Program
 from plastron_tui.language import statements as st
 from plastron_tui.model.kinds import EDITABLE, EndpointKind, Parameter, Subscription
+from plastron_tui.model.own_types import interfaces_of
 from plastron_tui.model.rename import RENAMED
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.names import spelled
 
 if TYPE_CHECKING:
     from plastron_tui.model.workspace import Workspace
+    from plastron_tui.ros.catalog import Catalog
 
 _MADE: dict[Any, EndpointKind] = {
     kind.editing.made_by: kind for kind in EDITABLE if kind.facts.interface is not None
 }
 """The statements that name what nodes meet at, and its type."""
+
+_PACKAGE = "own_interfaces"
+"""The package of own types where the program has none: they are offered without it."""
 
 
 class Vocabulary:
@@ -28,6 +33,7 @@ class Vocabulary:
     def __init__(self, program: Program, workspace: Workspace) -> None:
         self._program = program
         self._workspace = workspace
+        self._catalogs: dict[int, tuple[Catalog, Catalog]] = {}
 
     @cached_property
     def _variables(self) -> Mapping[str, dict[str, str]]:
@@ -71,6 +77,19 @@ class Vocabulary:
                 case st.LoadType(source=source, variable=variable):
                     types[variable] = f"type from {source}"
         return {"packages": packages, "launches": launches, "types": types}
+
+    def with_own_types(self, catalog: Catalog) -> Catalog:
+        """Return a catalog with the types of the program's own, as it was last understood."""
+        types = self._workspace.types
+        if not types:
+            return catalog
+        known = self._catalogs.get(catalog.ros_version)
+        if known is None or known[0] is not catalog:
+            packages = self._workspace.packages.values()
+            package = next((each.name for each in packages), _PACKAGE)
+            own = interfaces_of(types.values(), catalog.ros_version, package)
+            known = self._catalogs[catalog.ros_version] = catalog, catalog.with_own(own)
+        return known[1]
 
     @property
     def variables(self) -> Iterable[dict[str, str]]:

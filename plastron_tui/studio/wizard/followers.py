@@ -15,6 +15,9 @@ from .filling import Filled
 from .form import laid_out
 from .program_trial import Placed, check
 
+_MANY = 4
+"""So many names are not listed."""
+
 
 class Extra(NamedTuple):
     """Statements that follow the one that was asked for.
@@ -48,7 +51,7 @@ def _of_package(scene: Scene, package: str) -> Iterator[Extra]:
     if nodes or launches:
         names = [*nodes, *launches]
         lines = [_line(st.Contains, package=package, item=name) for name in names]
-        yield Extra("contents", f"put into it what there is: {listed(names)}", tuple(lines))
+        yield Extra("contents", f"put in {_said(names)}", tuple(lines))
     if nodes and not launches:
         taken = {*variables_of(workspace), package}
         variable = free_name("bringup", taken)
@@ -57,7 +60,7 @@ def _of_package(scene: Scene, package: str) -> Iterator[Extra]:
             *(_line(st.Starts, launch=variable, started=name) for name in nodes),
             _line(st.Contains, package=package, item=variable),
         ]
-        yield Extra("launch", "with a launch file that starts them together", tuple(lines))
+        yield Extra("launch", "with a launch file that starts them", tuple(lines))
     if nodes or launches:
         line = _line(st.GeneratePackage, package=package)
         yield Extra("write", "write it to its folder", (line,))
@@ -67,9 +70,14 @@ def _of_launch(scene: Scene, launch: str) -> Iterator[Extra]:
     nodes = list(scene.workspace.nodes)
     if nodes:
         lines = [_line(st.Starts, launch=launch, started=name) for name in nodes]
-        yield Extra("starts", f"let it start what there is: {listed(nodes)}", tuple(lines))
+        yield Extra("starts", f"let it start {_said(nodes)}", tuple(lines))
         line = _line(st.GenerateLaunch, launch=launch)
         yield Extra("write", "write it to its file", (line,))
+
+
+def _said(names: list[str]) -> str:
+    """Return what is put somewhere, in so many words as there is room for."""
+    return listed(names) if len(names) < _MANY else f"all {len(names)} that there are"
 
 
 def _line(type_: type[Statement], **texts: str) -> str:

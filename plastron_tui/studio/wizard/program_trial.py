@@ -129,9 +129,13 @@ def _checked(session: Session, placed: Sequence[Placed], place: Placing) -> Outc
     return Outcome(candidate, (place.edit,), block, findings, place.lines)
 
 
+_BLOCKS = (SlotKind.NEW_NODE, SlotKind.NEW_PACKAGE, SlotKind.NEW_LAUNCH)
+"""The slots that name what has a block of statements of its own."""
+
+
 def _opens_block(placed: Sequence[Placed]) -> bool:
     first = placed[0].form
-    return first is not None and first.slot_of(SlotKind.NEW_NODE) is not None
+    return first is not None and first.slot_of(*_BLOCKS) is not None
 
 
 def _findings(
