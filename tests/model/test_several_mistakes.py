@@ -12,9 +12,11 @@ from plastron_tui.language import Document, lower
 from plastron_tui.language.declaration import DECLARATIONS
 from plastron_tui.model.context import FoundDefinition, LoadedDefinition, Setting
 from plastron_tui.model.interpreter import interpret
+from plastron_tui.model.launches import LaunchSource, LoadedLaunch
 from plastron_tui.model.package_source import LoadedPackage, PackageSource
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.launch import Format, LaunchFile
 
 BEFORE = """\
 create_node 'node' as n
@@ -248,6 +250,9 @@ def _mistakes(line: str) -> list[str]:
         FakeReader({"driver": driver}),
         read_definition=lambda _: found,
         read_package=lambda *_: LoadedPackage(PackageSource(Path("p"), "p", 1, "catkin")),
+        read_launch=lambda _: LoadedLaunch(
+            LaunchSource(Path("a.launch"), b"<launch/>", Format.ROS1_XML, LaunchFile(()))
+        ),
     )
     text = BEFORE + line + "\n"
     found = interpret(lower(Document(text.encode())), setting).diagnostics
