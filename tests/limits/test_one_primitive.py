@@ -26,6 +26,7 @@ _OTHERS = {
     "studio/editor/state.py": "it opens a session",
     "studio/editor/widget.py": "it opens a bar, and a session",
     "runtime/builds.py": "it makes locks and logs in the user's cache",
+    "runtime/launch_of_graph.py": "it reads what the kernel says of a process",
     "private_files.py": "it makes files, and reads what the kernel says of a process",
 }
 """The modules that open files otherwise, and why."""
