@@ -15,7 +15,7 @@ from plastron_tui.sources.splices import Splice, apply, newline_of
 from .items import insert, removals
 from .reader import DataFiles, SetupFile, describe, dictionary, keyword
 from .syntax import Setup, parse_setup
-from .values import evaluate, items_of
+from .values import evaluate, items_of, summands
 
 
 def add_data_file(text: bytes, path: Path, folder: str, file: str) -> Edited:
@@ -118,25 +118,19 @@ def _new_argument(setup: Setup, entry: str) -> list[Splice]:
 
 def _entries(setup: Setup, node: Node) -> Iterator[tuple[Node, Node]]:
     """Return the destination and the files of each entry that is written as a pair."""
-    for target in _lists(setup, node):
+    for target in _literal_lists(setup, node):
         for each in items_of(target):
             pair = items_of(setup.resolve(each))
             if setup.resolve(each).type in ("tuple", "list") and len(pair) == 2:
                 yield pair[0], pair[1]
 
 
-def _lists(setup: Setup, node: Node) -> Iterator[Node]:
-    resolved = setup.resolve(node)
-    if resolved.type == "list":
-        yield resolved
-    elif resolved.type == "binary_operator":
-        for part in (resolved.child_by_field_name(each) for each in ("left", "right")):
-            if part is not None:
-                yield from _lists(setup, part)
+def _literal_lists(setup: Setup, node: Node) -> list[Node]:
+    return [each for each in summands(setup, node) if each.type == "list"]
 
 
 def _last_list(setup: Setup, node: Node) -> Node | None:
-    found = list(_lists(setup, node))
+    found = _literal_lists(setup, node)
     return found[-1] if found else None
 
 
@@ -232,7 +226,7 @@ def _removals(setup: Setup, destination: str, file: str) -> Iterator[list[Splice
     node = keyword(setup, "data_files")
     if node is None:
         return
-    for target in _lists(setup, node):
+    for target in _literal_lists(setup, node):
         for each in items_of(target):
             pair = items_of(setup.resolve(each))
             if len(pair) != 2 or evaluate(setup, pair[0]) != destination:

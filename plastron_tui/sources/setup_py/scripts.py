@@ -24,7 +24,7 @@ from .reader import (
     placed,
 )
 from .syntax import Setup, parse_setup
-from .values import comprehension_parts, evaluate, items_of
+from .values import comprehension_parts, evaluate, items_of, summands
 
 _UNIT = "    "
 
@@ -299,17 +299,13 @@ def _whole_removals(setup: Setup, source: Node) -> Iterator[list[Splice]]:
 
 def _lists(setup: Setup, node: Node) -> Iterator[Node]:
     """Return the literal lists that the console scripts come from."""
-    resolved = setup.resolve(node)
-    if resolved.type == "list":
-        yield resolved
-    elif resolved.type == "binary_operator":
-        for part in (resolved.child_by_field_name(each) for each in ("left", "right")):
-            if part is not None:
-                yield from _lists(setup, part)
-    elif resolved.type == "list_comprehension":
-        found = _source_list(setup, resolved)
-        if found is not None:
-            yield found[0]
+    for each in summands(setup, node):
+        if each.type == "list":
+            yield each
+        elif each.type == "list_comprehension":
+            found = _source_list(setup, each)
+            if found is not None:
+                yield found[0]
 
 
 def _item_at(setup: Setup, source: Node, script: ConsoleScript) -> Node | None:

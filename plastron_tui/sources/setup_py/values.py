@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -179,3 +179,14 @@ def _call(setup: Setup, node: Node, names: Names, depth: int) -> Value:
     if name in ("list", "sorted", "tuple", "str") and len(values) == 1:
         return values[0]
     return unknown
+
+
+def summands(setup: Setup, node: Node) -> Iterator[Node]:
+    """Yield what is added up with `+` to make a value, names followed; else the value itself."""
+    resolved = setup.resolve(node)
+    if resolved.type != "binary_operator":
+        yield resolved
+        return
+    for part in (resolved.child_by_field_name(each) for each in ("left", "right")):
+        if part is not None:
+            yield from summands(setup, part)
