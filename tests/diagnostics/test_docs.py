@@ -20,6 +20,7 @@ def script() -> ModuleType:
     assert spec is not None and spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = module
+    sys.path.append(str(SCRIPT.parent))  # as where it is run
     spec.loader.exec_module(module)
     return module
 

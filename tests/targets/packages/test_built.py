@@ -10,6 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from machine import skip_or_fail
 from made_packages import TALKER, spec_of, with_types, write
 
 from plastron_tui.targets.packages import BuildType, render_package
@@ -44,7 +45,7 @@ def call(command: list[str], folder: Path, environ: dict[str, str]) -> str:
 def skip_without(*programs: str, path: str) -> None:
     for program in programs:
         if shutil.which(program, path=path) is None:
-            pytest.skip(f"there is no `{program}`")
+            skip_or_fail(f"there is no `{program}`")
 
 
 @pytest.mark.long(1)
