@@ -173,6 +173,20 @@ def test_a_file_of_somebody_else_is_a_conflict(tmp_path: Path) -> None:
     (folder / "setup.py").write_text("mine = True\n")
     plan, _ = session(tmp_path, PACKAGE + WRITE).plan()
     assert [each.name for each in plan.files if each.problem] == ["demo/setup.py"]
+    assert "was not written by plastron" in plan.conflicts[0].message
+
+
+def test_types_of_a_package_are_its_maintainers_too(tmp_path: Path) -> None:
+    generate(tmp_path, PACKAGE + SPEED + "demo contains driver\n" + WRITE)
+    assert b"ada@example.com" in files(tmp_path)["demo_interfaces/package.xml"]
+
+
+def test_the_file_of_an_executable_is_what_a_module_can_be_called(tmp_path: Path) -> None:
+    text = PACKAGE.replace("contains talker", "contains talker as 'my-talk.v2'")
+    generate(tmp_path, text + WRITE)
+    found = files(tmp_path)
+    assert "demo/demo/my_talk_v2.py" in found
+    assert b"my-talk.v2 = demo.my_talk_v2:main" in found["demo/setup.py"]
 
 
 def test_a_node_in_no_package_is_not_launched(tmp_path: Path) -> None:

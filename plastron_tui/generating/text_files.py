@@ -74,7 +74,7 @@ def _text_file(name: str, file: PackageFile, folder: Folder) -> tuple[OutputFile
     before = known.get(_TEXT)
     merged = None
     if isinstance(before, str):
-        merged = merge_lines(before.encode(), file.text, present, side_by_side=True)
+        merged = merge_lines(before.encode(), file.text, present)
     if merged is None:
         problem = unmergeable(path, "the program changed the same lines")
         return replace(new, problem=problem), []
