@@ -6,9 +6,12 @@ import keyword
 from typing import ClassVar
 
 from plastron_tui.model.kinds import Parameter
+from plastron_tui.model.source import FileSet
 from plastron_tui.model.values import Value
+from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import FieldType, Interface, InterfaceKind
+from plastron_tui.sources.base import Rendered
 from plastron_tui.sources.python import literals
 from plastron_tui.sources.python.dialect import Dialect, plain_scalar
 from plastron_tui.sources.python.import_block import Imports
@@ -147,3 +150,12 @@ class RclpyTarget(PythonTarget):
     package_folder: ClassVar[str] = "{}"
     writes_managed: ClassVar[bool] = True
     dialect: ClassVar[Dialect] = DIALECT
+
+    def render(self, node: Node, catalog: Catalog) -> Rendered:
+        """Write a created node, one in a package as the package's own tests want it."""
+        rendered = super().render(node, catalog)
+        if node.home is None or rendered.files is None:
+            return rendered
+        from plastron_tui.sources.python.ament_style import ament_style  # loads tree-sitter-python
+
+        return rendered._replace(files=FileSet.single(".py", ament_style(rendered.files.main)))
