@@ -34,6 +34,7 @@ from .user_edits import (
 if TYPE_CHECKING:
     from plastron_tui.sources.base import Language
 
+    from .line_merge import Sides
 
 Notes = tuple[Diagnostic, ...]
 
@@ -269,7 +270,7 @@ class _Creation:
         from plastron_tui.targets import read_source
 
         from .endpoint_merge import merge
-        from .line_merge import Sides, merge_created
+        from .line_merge import merge_created
 
         seen = read_source(path, present).source
         target, catalog = self.library
@@ -280,11 +281,31 @@ class _Creation:
             return Merged(None, "it holds no node that can be read")
         known = self.manifest.bases.get(name)
         base, node = None if known is None else recall(known), self.generation.node
-        made = None if base is None else target.render(base, catalog).files
-        if base is None or made is None:
+        sides = None if base is None else self._sides(path, base, mine, present)
+        if base is None or sides is None:
             return merge(read.source, base, node, target, catalog)
-        sides = Sides(path, made, mine, present)
         return merge_created(read.source, sides, (node, base), self.library)
+
+    def _sides(self, path: Path, base: Node, mine: FileSet, present: FileSet) -> Sides | None:
+        """Return what is merged by lines, None where what the program made before is not known.
+
+        A node in a package may have the style of one alone: an earlier version of Plastron wrote
+        it, or a formatter did. It keeps the style that it has more lines of.
+        """
+        from .line_merge import Sides, lines_in_common
+
+        target, catalog = self.library
+        node = self.generation.node.snapshot()
+        base.home = node.home
+        made = target.render(base, catalog).files
+        if node.home is not None and made is not None:
+            base.home = node.home = None
+            alone = target.render(base, catalog).files
+            if alone is not None and lines_in_common(alone, present) > lines_in_common(
+                made, present
+            ):
+                made, mine = alone, target.render(node, catalog).files or mine
+        return None if made is None else Sides(path, made, mine, present)
 
 
 def _other_program(name: str, program: str, manifest: Manifest) -> str | None:

@@ -51,6 +51,11 @@ class Sides(NamedTuple):
     before: FileSet
 
 
+def lines_in_common(some: FileSet, others: FileSet) -> int:
+    """Return how many lines two main files share, wherever they stand."""
+    return (Counter(some.main.splitlines()) & Counter(others.main.splitlines())).total()
+
+
 def merge_lines(
     sides: Sides,
     nodes: Sequence[tuple[Node, Node | None]],

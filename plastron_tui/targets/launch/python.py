@@ -55,17 +55,28 @@ def write_python(launch: LaunchFile) -> str:
     Raises:
         CannotWriteError: Python has other words for something in it.
     """
+    from plastron_tui.sources.python.ament_style import ament_style  # loads tree-sitter-python
+    from plastron_tui.sources.python.layout import Brackets, fit
+
     writer = _Writer()
     items = [writer.item(item, "        ") for item in launch.items]
     body = "".join(f"        {item},\n" for item in items)
     description = f"LaunchDescription([\n{body}    ])" if items else "LaunchDescription([])"
     writer.names.add("LaunchDescription")
     imports = "".join(
-        f"from {module} import {', '.join(used)}\n"
+        _import(module, used)
         for module, names in _MODULES.items()
         if (used := [name for name in names if name in writer.names])
     )
-    return f"{imports}\n\ndef generate_launch_description():\n    return {description}\n"
+    text = f"{imports}\n\ndef generate_launch_description():\n    return {description}\n"
+    return ament_style(fit(text, Brackets(_WIDTH)).encode()).decode()
+
+
+def _import(module: str, names: list[str]) -> str:
+    line = f"from {module} import {', '.join(names)}\n"
+    if len(line) <= _WIDTH:
+        return line
+    return f"from {module} import (\n" + "".join(f"    {name},\n" for name in names) + ")\n"
 
 
 class _Writer:

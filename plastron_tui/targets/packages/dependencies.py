@@ -100,6 +100,7 @@ _LINTERS: Mapping[BuildType, Iterable[str]] = {
     BuildType.AMENT_PYTHON: ("ament_flake8", "ament_pep257", "python3-pytest"),
     BuildType.AMENT_CMAKE: ("ament_cmake_lint_cmake", "ament_cmake_xmllint", "ament_lint_auto"),
     BuildType.AMENT_CMAKE_PYTHON: (
+        "ament_cmake_flake8",
         "ament_cmake_lint_cmake",
         "ament_cmake_pep257",
         "ament_cmake_xmllint",
