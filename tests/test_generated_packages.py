@@ -9,6 +9,7 @@ import pytest
 from plastron_tui.diagnostics import has_errors
 from plastron_tui.output.writer import write
 from plastron_tui.session import Options, Session
+from plastron_tui.sources.python import ament_style
 
 TALKER = """\
 create_node 'talker' as talker
@@ -165,6 +166,39 @@ def test_what_both_changed_is_a_conflict_and_is_forced_with_a_backup(tmp_path: P
     assert "mouth = demo.mouth:main" in setup.read_text()
     backups = [each for each in setup.parent.iterdir() if each.name.startswith("setup.py.")]
     assert [each.read_text() for each in backups] == [by_hand]
+
+
+@pytest.mark.parametrize("is_earlier", [False, True], ids=["own style", "style of an earlier one"])
+def test_a_node_keeps_the_style_that_its_file_has(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_earlier: bool
+) -> None:
+    with monkeypatch.context() as patched:
+        if is_earlier:
+            patched.setattr(ament_style, "ament_style", lambda text: text)
+        generate(tmp_path, PACKAGE + WRITE)
+    node = tmp_path / "output/demo/demo/talker.py"
+    quote = '"' if is_earlier else "'"
+    text = node.read_text(encoding="utf-8")
+    assert f"super().__init__({quote}talker{quote})" in text
+    # What nothing was changed in by hand is written anew.
+    generate(tmp_path, PACKAGE + WRITE)
+    assert "super().__init__('talker')" in node.read_text(encoding="utf-8")
+    by_hand = text.replace("import rclpy\n", "import rclpy  # by hand\n")
+    node.write_text(by_hand, encoding="utf-8")
+    more = PACKAGE + "subscribe talker to 'stop' of message_type Empty\n" + WRITE
+    assert "merged-by-hand" in generate(tmp_path, more)
+    merged = node.read_text(encoding="utf-8")
+    assert "import rclpy  # by hand\n" in merged
+    assert f"super().__init__({quote}talker{quote})" in merged
+    assert f"Empty, {quote}stop{quote}, self.on_stop" in merged
+
+
+def test_a_node_that_moves_into_a_package_is_written_there(tmp_path: Path) -> None:
+    generate(tmp_path, f"{TALKER}generate_node talker\n")
+    assert generate(tmp_path, PACKAGE + WRITE) == []
+    made = files(tmp_path)
+    assert b'super().__init__("talker")' in made["talker_pub.py"]
+    assert b"super().__init__('talker')" in made["demo/demo/talker.py"]
 
 
 def test_a_file_of_somebody_else_is_a_conflict(tmp_path: Path) -> None:

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import ast
+from pathlib import Path
 
+import pytest
+from ament_linters import findings
 from hypothesis import HealthCheck, Phase, given, settings
 from launch_files import launch_files
 
@@ -11,13 +14,15 @@ from plastron_tui.ros.launch import LaunchFile
 from plastron_tui.sources.launch.python_reader import read_launch_python
 from plastron_tui.targets.launch.python import write_python
 
-
-@settings(
+written_often = settings(
     max_examples=60,
     deadline=None,
     suppress_health_check=list(HealthCheck),
     phases=(Phase.explicit, Phase.reuse, Phase.generate),
 )
+
+
+@written_often
 @given(launch=launch_files(2))
 def test_what_is_written_is_read_again(launch: LaunchFile) -> None:
     written = write_python(launch)
@@ -25,3 +30,17 @@ def test_what_is_written_is_read_again(launch: LaunchFile) -> None:
     read = read_launch_python(written.encode())
     assert read.diagnostics == ()
     assert read.launch == launch, written
+
+
+@pytest.mark.long
+def test_what_is_written_is_clean(tmp_path: Path) -> None:
+    made: list[Path] = []
+
+    @written_often
+    @given(launch_files(2))
+    def make(launch: LaunchFile) -> None:
+        made.append(tmp_path / f"made_{len(made)}.launch.py")
+        made[-1].write_text(write_python(launch), encoding="utf-8")
+
+    make()
+    assert findings(tmp_path) == []

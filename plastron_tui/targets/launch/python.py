@@ -208,7 +208,9 @@ class _Writer:
         inner = indent + "    "
         deeper = inner + "    "
         written = [
-            self._action("ComposableNode", self._node(each, deeper, "plugin"), each, deeper)
+            self._action(
+                "ComposableNode", self._node(each, deeper + "    ", "plugin"), each, deeper
+            )
             for each in item.components
         ]
         parts = self._list(written, inner)

@@ -10,6 +10,7 @@ from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.packages import Maintainer
 from plastron_tui.session import Options, Session
 from plastron_tui.sources import find_language
+from plastron_tui.sources.python.ament_style import ament_style
 from plastron_tui.targets.packages import (
     BuildType,
     PackagedDefinition,
@@ -35,7 +36,7 @@ generate_node listener
 
 
 def nodes_of(program: str, library: str, folder: Path) -> tuple[PackagedNode, ...]:
-    """Return the nodes that a program generates, each as a node of a package."""
+    """Return the nodes that a program generates, each with the text that it has in a package."""
     options = Options(library, folder / "out")
     session = Session(program.encode(), folder / "a.plastron", options, environ={})
     python = find_language("python")
@@ -45,6 +46,8 @@ def nodes_of(program: str, library: str, folder: Path) -> tuple[PackagedNode, ..
         node = each.generation.node
         text = each.files.files.main
         assert text is not None
+        if library == "rclpy":
+            text = ament_style(text)
         nodes.append(PackagedNode(node.name, node.name, text, node, python, library))
     return tuple(nodes)
 
