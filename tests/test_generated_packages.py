@@ -185,12 +185,13 @@ def test_a_node_keeps_the_style_that_its_file_has(
     assert "super().__init__('talker')" in node.read_text(encoding="utf-8")
     by_hand = text.replace("import rclpy\n", "import rclpy  # by hand\n")
     node.write_text(by_hand, encoding="utf-8")
-    more = PACKAGE + "subscribe talker to 'stop' of message_type Empty\n" + WRITE
-    assert "merged-by-hand" in generate(tmp_path, more)
+    # Where the lines do not fit, a new parameter is a conflict.
+    more = PACKAGE + "talker has_parameter 'gain' of parameter_type int with default 1\n" + WRITE
+    assert generate(tmp_path, more) == ["merged-by-hand"]
     merged = node.read_text(encoding="utf-8")
     assert "import rclpy  # by hand\n" in merged
     assert f"super().__init__({quote}talker{quote})" in merged
-    assert f"Empty, {quote}stop{quote}, self.on_stop" in merged
+    assert f"self.declare_parameter({quote}gain{quote}, 1)" in merged
 
 
 def test_a_node_that_moves_into_a_package_is_written_there(tmp_path: Path) -> None:
