@@ -16,6 +16,7 @@ from plastron_tui.session import Session
 from plastron_tui.studio.wizard.context import Surroundings
 from plastron_tui.studio.wizard.flow import Course, Look, PageKind
 from plastron_tui.studio.wizard.form import NEW, Form
+from plastron_tui.studio.wizard.menu import Offer
 from plastron_tui.studio.wizard.values import Entry
 from plastron_tui.studio.wizard.values import Path as Field
 
@@ -82,6 +83,18 @@ def mended(it: Course, form: Form) -> bool:
     return not it.blocking(it.look())
 
 
+def leads_on(offer: Offer) -> bool:
+    return offer.declaration is not None or offer.group is not None
+
+
+def choose(it: Course, offer: Offer) -> None:
+    if offer.declaration is not None:
+        it.choose(offer.declaration)
+    else:
+        assert offer.group is not None
+        it.choose_group(offer.group)
+
+
 def go_through(it: Course, data: st.DataObject, taken: Counter[tuple[str, bool]]) -> Look | None:
     """Go through the pages, and count what is taken; None where only a refusal was left."""
     look = it.look()
@@ -102,10 +115,11 @@ def go_through(it: Course, data: st.DataObject, taken: Counter[tuple[str, bool]]
         else:
             is_start = page.kind is PageKind.START
             offers = it.start_offers() if is_start else it.purpose_offers()
-            open_offers = [each for each in offers if not each.closed]
+            # Programs that work are whole ones: they have no pages to go through.
+            open_offers = [each for each in offers if not each.closed and leads_on(each)]
             if not open_offers:
                 return None
-            it.choose(data.draw(st.sampled_from(open_offers), "offer").declaration)
+            choose(it, data.draw(st.sampled_from(open_offers), "offer"))
         look = it.look()
     raise AssertionError("the wizard has no end")
 
