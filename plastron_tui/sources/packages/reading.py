@@ -110,8 +110,10 @@ def _python_parts(files: PackageFiles) -> _Parts:
     if setup is None:
         raise RefusedError(found[0])
     modules = [each.target.partition(":")[0].replace(".", "/") for each in setup.console_scripts]
-    names = [*modules, *(each.replace(".", "/") for each in setup.packages or ()), setup.name or ""]
-    root = next((root for root in _PYTHON_ROOTS for name in names if _file(files, root, name)), "")
+    packages = [*(setup.packages or ()), *(setup.finder.find(files.names) if setup.finder else ())]
+    names = [*modules, *(each.replace(".", "/") for each in packages), setup.name or ""]
+    roots = _PYTHON_ROOTS if setup.root is None else (setup.root,)
+    root = next((root for root in roots for name in names if _file(files, root, name)), roots[0])
     executables = {
         each.name: Executable(
             _file(files, root, module), SETUP_PY, line_number(text, each.span.start)
@@ -120,7 +122,7 @@ def _python_parts(files: PackageFiles) -> _Parts:
     }
     folders = _usual_folders(each.file for each in executables.values())
     folders += [
-        f"{root}/{name}".strip("/") for name in (setup.name, *(setup.packages or ())) if name
+        f"{root}/{name.replace('.', '/')}".strip("/") for name in (setup.name, *packages) if name
     ]
     folder = next((each for each in folders if f"{each}/__init__.py" in files.names), None)
     return _Parts(executables, folder, root)

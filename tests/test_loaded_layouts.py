@@ -1,0 +1,79 @@
+"""Packages whose folders, entry points or plugins are not where they usually are."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from loaded_packages import AMENT_PYTHON, IN, OUT, lay, run, texts
+
+SETUP = AMENT_PYTHON["setup.py"]
+IMPORT = "from setuptools import setup\n"
+FOUND = SETUP.replace(IMPORT, "from setuptools import find_packages, setup\n").replace(
+    "            'listener = demo.listener:main',  # hears it\n", ""
+)
+
+
+def files(setup: str, *modules: str) -> dict[str, str]:
+    return {
+        "package.xml": AMENT_PYTHON["package.xml"],
+        "setup.py": setup,
+        **dict.fromkeys(modules, ""),
+    }
+
+
+def packages(setup: str, value: str) -> str:
+    return setup.replace("packages=[package_name]", f"packages={value}")
+
+
+LAYOUTS = {
+    "another name": (
+        packages(FOUND, "find_packages(exclude=['test'])"),
+        ("bringup/__init__.py", "test/__init__.py"),
+        ("bringup/talker.py", "bringup.talker:main"),
+    ),
+    "what is left out": (
+        packages(FOUND, "find_packages(exclude=('alpha', 'alpha.*'))"),
+        ("alpha/__init__.py", "alpha/inner/__init__.py", "beta/__init__.py"),
+        ("beta/talker.py", "beta.talker:main"),
+    ),
+    "a folder without a package": (
+        packages(FOUND, "find_packages()"),
+        ("alpha/inner/__init__.py", "beta/__init__.py"),
+        ("beta/talker.py", "beta.talker:main"),
+    ),
+    "below src": (
+        packages(FOUND, "find_packages('src'),\n    package_dir={'': 'src'}"),
+        ("src/bringup/__init__.py", "other/__init__.py"),
+        ("src/bringup/talker.py", "bringup.talker:main"),
+    ),
+    "below a folder of any name": (
+        packages(FOUND, "['demo'],\n    package_dir={'': 'python'}"),
+        ("python/demo/__init__.py",),
+        ("python/demo/talker.py", "demo.talker:main"),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", LAYOUTS)
+def test_a_node_goes_where_the_modules_are(name: str, tmp_path: Path) -> None:
+    setup, modules, (file, target) = LAYOUTS[name]
+    package = lay(tmp_path, files(setup, *modules))
+    before = texts(package)
+    assert run(IN, tmp_path, "rclpy", in_place=True) == ()
+    after = texts(package)
+    assert set(after) == {*before, file}
+    assert f"talker = {target}" in after["setup.py"].decode()
+    run(OUT, tmp_path, "rclpy", in_place=True)
+    assert {each: texts(package)[each] for each in before} == before
+
+
+@pytest.mark.parametrize(
+    "value", ["find_packages(exclude=hidden())", "find_packages(*where)", "found()"]
+)
+def test_packages_that_are_computed_are_not_guessed(value: str, tmp_path: Path) -> None:
+    package = lay(tmp_path, files(packages(FOUND, value), "bringup/__init__.py"))
+    before = texts(package)
+    [told] = run(IN, tmp_path, "rclpy", in_place=True)
+    assert told.code == "edit-refused"
+    assert texts(package) == before
