@@ -77,3 +77,68 @@ def test_packages_that_are_computed_are_not_guessed(value: str, tmp_path: Path) 
     [told] = run(IN, tmp_path, "rclpy", in_place=True)
     assert told.code == "edit-refused"
     assert texts(package) == before
+
+
+BARE = SETUP.partition("    entry_points")[0] + ")\n"
+HEAD = "[develop]\nscript_dir=$base/lib/demo\n"
+POINTS = f"{HEAD}[options.entry_points]\n"
+CONFIGURATIONS = {
+    "in its place": (
+        f"{POINTS}console_scripts =\n    a = demo.a:main\n    z = demo.a:main\n\n[x]\n",
+        "    talker = demo.talker:main",
+    ),
+    "at the end, in their style": (
+        f"{POINTS}console_scripts =\n  z=demo.a:main\n  # more\n  a=demo.a:main\n",
+        "  talker=demo.talker:main",
+    ),
+    "behind one in the line of the key": (
+        f"{POINTS}console_scripts = z = demo.a:main\n",
+        "    talker = demo.talker:main",
+    ),
+    "the first": (
+        f"{POINTS}console_scripts =\n",
+        "console_scripts = talker = demo.talker:main",
+    ),
+    "the first of its kind": (f"{POINTS}rqt =\n    x = y:z\n", "    talker = demo.talker:main"),
+    "without a last line's end": (
+        f"{POINTS}console_scripts =\n    a = demo.a:main",
+        "    talker = demo.talker:main",
+    ),
+    "with other lines' ends": (
+        f"{POINTS}console_scripts =\n    a = demo.a:main\n".replace("\n", "\r\n"),
+        "    talker = demo.talker:main",
+    ),
+    "with a byte order mark": (
+        f"\ufeff{POINTS}console_scripts =\n    a = demo.a:main\n",
+        "    talker = demo.talker:main",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CONFIGURATIONS)
+def test_a_script_goes_where_the_scripts_are(name: str, tmp_path: Path) -> None:
+    text, line = CONFIGURATIONS[name]
+    package = lay(tmp_path, {**AMENT_PYTHON, "setup.py": BARE, "demo/a.py": "", "setup.cfg": text})
+    before = texts(package)
+    assert run(IN, tmp_path, "rclpy", in_place=True) == ()
+    after = texts(package)
+    assert after["setup.py"] == before["setup.py"]
+    assert line in after["setup.cfg"].decode().splitlines()
+    assert run(IN, tmp_path, "rclpy", in_place=True) == ()
+    assert texts(package) == after
+    run(OUT, tmp_path, "rclpy", in_place=True)
+    assert {each: texts(package)[each] for each in before} == before
+
+
+def test_the_scripts_of_setup_py_count_before_those_of_setup_cfg(tmp_path: Path) -> None:
+    package = lay(tmp_path, {**AMENT_PYTHON, "setup.cfg": f"{POINTS}console_scripts =\n"})
+    before = texts(package)
+    assert run(IN, tmp_path, "rclpy", in_place=True) == ()
+    assert texts(package)["setup.cfg"] == before["setup.cfg"]
+    assert b"demo.talker:main" in texts(package)["setup.py"]
+
+
+def test_scripts_that_pyproject_leaves_to_setup_py_are_its(tmp_path: Path) -> None:
+    project = '[project]\nname = "demo"\ndynamic = ["scripts"]\n[tool.x]\n'
+    lay(tmp_path, {**AMENT_PYTHON, "pyproject.toml": project})
+    assert run(IN, tmp_path, "rclpy", in_place=True) == ()

@@ -157,6 +157,22 @@ def dictionary(setup: Setup, node: Node) -> Node | None:
     return None
 
 
+def has_entry_points(text: bytes, path: Path) -> bool:
+    """Tell whether `setup` is called with entry points, or with what may have some.
+
+    Raises:
+        RefusedError: the file cannot be read.
+    """
+    setup = parse_setup(text, path)
+    arguments = setup.call.child_by_field_name("arguments")
+    given = items_of(arguments) if arguments is not None else []
+    unknown = any(
+        each.type == "dictionary_splat" and dictionary(setup, each.named_children[0]) is None
+        for each in given
+    )
+    return unknown or keyword(setup, "entry_points") is not None
+
+
 def entry_points(setup: Setup) -> Node | None:
     """Return what the console scripts are, None where there are none."""
     given = keyword(setup, "entry_points")
