@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from loaded_packages import AMENT_PYTHON, IN, OUT, lay, run, texts
+from loaded_packages import AMENT_PYTHON, IN, KINDS, OUT, lay, run, texts
 
 SETUP = AMENT_PYTHON["setup.py"]
 IMPORT = "from setuptools import setup\n"
@@ -142,3 +142,41 @@ def test_scripts_that_pyproject_leaves_to_setup_py_are_its(tmp_path: Path) -> No
     project = '[project]\nname = "demo"\ndynamic = ["scripts"]\n[tool.x]\n'
     lay(tmp_path, {**AMENT_PYTHON, "pyproject.toml": project})
     assert run(IN, tmp_path, "rclpy", in_place=True) == ()
+
+
+PLUGINS = """\
+<library path="{path}">
+  <class name="other" type="demo.other.Other" base_class_type="rqt_gui_py::Plugin"/>
+  <class name="it" type="{type}" base_class_type="rqt_gui_py::Plugin">
+  </class>
+</library>
+"""
+
+
+@pytest.mark.parametrize(
+    ("kind", "path", "type_", "is_refused"),
+    [
+        ("ament_python", ".", "demo.talker.Talker", True),
+        ("ament_python", "src", "demo.talker.Talker", True),
+        ("ament_python", "src", "demo.talker_view.Talker", False),
+        ("ament_python", "src", "", False),
+        ("catkin", "scripts", "talker.Talker", True),
+        ("catkin", "src", "talker.Talker", False),
+    ],
+)
+def test_an_executable_stays_whose_file_a_plugin_is_loaded_from(
+    kind: str, path: str, type_: str, is_refused: bool, tmp_path: Path
+) -> None:
+    library, base = KINDS[kind]
+    described = PLUGINS.format(path=path, type=type_)
+    package = lay(tmp_path, {**base, "plugin.xml": described, "broken.xml": "<class"})
+    assert run(IN, tmp_path, library, in_place=True) == ()
+    before = texts(package)
+    told = run(OUT, tmp_path, library, in_place=True)
+    if not is_refused:
+        assert [each.code for each in told] == ["file-stays"]
+        return
+    [refused] = told
+    assert refused.code == "edit-refused"
+    assert f"line 3 of `plugin.xml` loads `{type_}`" in refused.message
+    assert texts(package) == before

@@ -9,6 +9,7 @@ from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.package_source import PackageSource
 from plastron_tui.sources.build_files import Edited
 
+from .plugin_classes import plugin_refusals
 from .reading import CMAKE_LISTS, PACKAGE_XML, SETUP_CFG, SETUP_PY, named_elsewhere
 
 _REMOVABLE = ("exec_depend", "run_depend", "depend")
@@ -110,6 +111,9 @@ def remove_executable(
     """
     known = source.executables[executable]
     path = source.folder / known.where
+    refused = tuple(plugin_refusals(source, texts, known.file)) if known.file else ()
+    if refused:
+        return Changed(None, refused[:1])
     if known.where == SETUP_PY:
         from plastron_tui.sources.setup_py.scripts import remove_console_script
 
