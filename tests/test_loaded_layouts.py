@@ -17,6 +17,7 @@ FOUND = SETUP.replace(IMPORT, "from setuptools import find_packages, setup\n").r
 def files(setup: str, *modules: str) -> dict[str, str]:
     return {
         "package.xml": AMENT_PYTHON["package.xml"],
+        "setup.cfg": AMENT_PYTHON["setup.cfg"],
         "setup.py": setup,
         **dict.fromkeys(modules, ""),
     }
@@ -80,7 +81,7 @@ def test_packages_that_are_computed_are_not_guessed(value: str, tmp_path: Path) 
 
 
 BARE = SETUP.partition("    entry_points")[0] + ")\n"
-HEAD = "[develop]\nscript_dir=$base/lib/demo\n"
+HEAD = "[install]\ninstall_scripts=$base/lib/demo\n"
 POINTS = f"{HEAD}[options.entry_points]\n"
 CONFIGURATIONS = {
     "in its place": (
@@ -180,3 +181,13 @@ def test_an_executable_stays_whose_file_a_plugin_is_loaded_from(
     assert refused.code == "edit-refused"
     assert f"line 3 of `plugin.xml` loads `{type_}`" in refused.message
     assert texts(package) == before
+
+
+@pytest.mark.parametrize("text", ["", "[develop]\nscript_dir=$base/lib/demo\n"])
+def test_a_script_that_is_installed_where_it_is_not_found_is_told(
+    text: str, tmp_path: Path
+) -> None:
+    package = lay(tmp_path, {**AMENT_PYTHON, "setup.cfg": text})
+    [told] = run(IN, tmp_path, "rclpy", in_place=True)
+    assert (told.code, told.span is not None) == ("script-elsewhere", True)
+    assert b"talker" in texts(package)["setup.py"]

@@ -134,6 +134,17 @@ def _python_parts(files: PackageFiles) -> _Parts:
     return _Parts(executables, folder, root, where)
 
 
+def finds_scripts(source: PackageSource) -> bool:
+    """Tell whether `ros2 run` finds the scripts of a package, as far as nothing speaks against it.
+
+    A setup.cfg names `lib/PACKAGE` for them, or setup.py does.
+    """
+    words = (b"install_scripts", b"install-scripts")
+    texts = [source.texts.get(each, b"") for each in (SETUP_CFG, SETUP_PY)]
+    named = any(word in text for word in words for text in texts)
+    return source.build_type != "ament_python" or named
+
+
 def _file(files: PackageFiles, root: str, name: str) -> str | None:
     """Return the file that a module is, as far as it is there."""
     path = f"{root}/{name}".strip("/")
