@@ -1,7 +1,8 @@
 """Which plugin descriptions load a class from a Python file of a package.
 
-From the page "Create your new rqt plugin" of the ROS wiki: `path` of the library is the folder
-that the modules are in, and `type` of the class is `MODULE.CLASS`.
+From the page "Plugin Description File" of the ROS wiki: the path of a library is from the folder
+of the package. As rqt's own plugins in Python have it, it is the folder that the modules are in,
+and the type of a class is `MODULE.CLASS`.
 """
 
 from __future__ import annotations
