@@ -52,6 +52,7 @@ setup(
     },
 )
 """,
+    "setup.cfg": "[install]\ninstall_scripts=$base/lib/demo\n",
     "demo/__init__.py": "",
     "demo/listener.py": "import rclpy\n\n\ndef main():\n    rclpy.init()\n",
 }

@@ -153,6 +153,9 @@ _COMPUTED = AMENT_PYTHON["setup.py"].replace(
 _BROKEN_CMAKE = AMENT_CMAKE["CMakeLists.txt"].replace("project(demo)", "project(demo")
 _LOOP = CATKIN["CMakeLists.txt"].replace("scripts/listener.py", "${SCRIPTS}")
 
+_BARE_SETUP = AMENT_PYTHON["setup.py"].partition("    entry_points")[0] + ")\n"
+BARE = {**AMENT_PYTHON, "setup.py": _BARE_SETUP}
+
 REFUSED = [
     ({"a.txt": ""}, IN, "file-not-found", "no `package.xml`"),
     ({**AMENT_PYTHON, "package.xml": "<package><name>demo</package>"}, IN, "broken-xml", ""),
@@ -166,9 +169,14 @@ REFUSED = [
         *(IN, "broken-build-file", "no `setup.py`"),
     ),
     (
-        {**AMENT_PYTHON, "setup.cfg": "[metadata]\n[options.entry_points]\n"},
+        {**AMENT_PYTHON, "pyproject.toml": '# it\n[project]\nname = "demo"\n'},
+        *(IN, "computed-build-file", "line 2 of `pyproject.toml`"),
+    ),
+    (
+        {**BARE, "setup.cfg": "[options]\nentry_points = file: points.cfg\n"},
         *(IN, "computed-build-file", "line 2 of `setup.cfg`"),
     ),
+    ({**BARE, "setup.cfg": "[options\n"}, *(IN, "broken-build-file", "`setup.cfg`")),
     (
         {**AMENT_PYTHON, "demo/talker.py": "import os\n"},
         IN,

@@ -25,6 +25,7 @@ from plastron_tui.sources.packages import (
     Changed,
     add_launch,
     add_node,
+    finds_scripts,
     named_elsewhere,
     remove_executable,
 )
@@ -168,9 +169,17 @@ class _Change:
         keys, unknown = self._keys(node, library)
         self.found += unknown
         changed = add_node(self.source, self.texts, contained.name, file, keys)
-        self._take(changed, contained.span)
+        if self._take(changed, contained.span) and not finds_scripts(self.source):
+            self.found.append(self._elsewhere(contained))
         for each in generated.files.output_files():
             self._write_node(each, changed.added)
+
+    def _elsewhere(self, contained: Contained) -> Diagnostic:
+        message = (
+            f"`ros2 run {self.source.name} {contained.name}` does not find it: it goes to `bin`"
+        )
+        help_ = f"`install_scripts=$base/lib/{self.source.name}` below `[install]` of `setup.cfg`"
+        return Diagnostic(codes.SCRIPT_ELSEWHERE, message, contained.span, help=help_)
 
     def put_launch(self, contained: Contained, launch: PackagedLaunch | None) -> None:
         """Put a launch file into the package's folder `launch`; None where it cannot be written."""

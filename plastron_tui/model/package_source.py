@@ -42,6 +42,7 @@ class PackageSource:
         python_root: the folder that its Python packages are in.
         launches: its launch files.
         is_whole: whether all files of the package are among `texts` that may name another.
+        script_file: the file that has the console scripts of an ament_python package.
     """
 
     folder: Path
@@ -54,6 +55,7 @@ class PackageSource:
     python_root: str = ""
     launches: tuple[str, ...] = ()
     is_whole: bool = True
+    script_file: str = "setup.py"
 
     def module_of(self, file: str) -> str:
         """Return what Python calls a file of the package."""

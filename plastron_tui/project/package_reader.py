@@ -17,6 +17,7 @@ from plastron_tui.regular_files import Stamp, read_regular, reason, stamp_of
 from plastron_tui.sources.packages.reading import (
     CMAKE_LISTS,
     PACKAGE_XML,
+    PYPROJECT,
     SETUP_CFG,
     SETUP_PY,
     PackageFiles,
@@ -26,7 +27,7 @@ from plastron_tui.sources.packages.reading import (
 if TYPE_CHECKING:
     from plastron_tui.boundary import Boundary
 
-_BUILD_FILES = (PACKAGE_XML, SETUP_PY, SETUP_CFG, CMAKE_LISTS)
+_BUILD_FILES = (PACKAGE_XML, SETUP_PY, SETUP_CFG, PYPROJECT, CMAKE_LISTS)
 _TEXTS = frozenset(
     {
         "", ".c", ".cc", ".cfg", ".cmake", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".in", ".launch",

@@ -119,6 +119,14 @@ FILE_STAYS = Code(
     severity=Severity.WARNING,
 )
 
+SCRIPT_ELSEWHERE = Code(
+    "script-elsewhere",
+    "A package of `ament_python` installs its executables where `ros2 run` does not look for them: "
+    "it looks into `lib/PACKAGE`, and without an `install_scripts` in `setup.cfg` they go to "
+    "`bin`. Add it there.",
+    severity=Severity.WARNING,
+)
+
 UNKNOWN_IMPORT = Code(
     "unknown-import",
     "A node imports a module, and no package is known to bring it: `package.xml` says nothing of "

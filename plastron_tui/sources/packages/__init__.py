@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from .changing import Changed, add_launch, add_node, remove_executable
-from .reading import PACKAGE_XML, PackageFiles, named_elsewhere, read_package_files
+from .reading import PACKAGE_XML, PackageFiles, finds_scripts, named_elsewhere, read_package_files
 
 __all__ = [
     "PACKAGE_XML",
@@ -11,6 +11,7 @@ __all__ = [
     "PackageFiles",
     "add_launch",
     "add_node",
+    "finds_scripts",
     "named_elsewhere",
     "read_package_files",
     "remove_executable",

@@ -9,7 +9,8 @@ from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.package_source import PackageSource
 from plastron_tui.sources.build_files import Edited
 
-from .reading import CMAKE_LISTS, PACKAGE_XML, SETUP_PY, named_elsewhere
+from .plugin_classes import plugin_refusals
+from .reading import CMAKE_LISTS, PACKAGE_XML, SETUP_CFG, SETUP_PY, named_elsewhere
 
 _REMOVABLE = ("exec_depend", "run_depend", "depend")
 
@@ -45,11 +46,13 @@ def add_node(
         keys: the packages and rosdep keys that the node needs to run.
     """
     if source.build_type == "ament_python":
+        from plastron_tui.sources.setup_py.configuration import add_script
         from plastron_tui.sources.setup_py.scripts import add_console_script
 
         target = f"{source.module_of(file)}:main"
-        built = SETUP_PY
-        edited = add_console_script(texts[built], source.folder / built, executable, target)
+        built = source.script_file
+        add = add_script if built == SETUP_CFG else add_console_script
+        edited = add(texts[built], source.folder / built, executable, target)
     else:
         from plastron_tui.sources.cmake.programs import add_program
 
@@ -108,10 +111,17 @@ def remove_executable(
     """
     known = source.executables[executable]
     path = source.folder / known.where
+    refused = tuple(plugin_refusals(source, texts, known.file)) if known.file else ()
+    if refused:
+        return Changed(None, refused[:1])
     if known.where == SETUP_PY:
         from plastron_tui.sources.setup_py.scripts import remove_console_script
 
         edited = remove_console_script(texts[SETUP_PY], path, executable)
+    elif known.where == SETUP_CFG:
+        from plastron_tui.sources.setup_py.configuration import remove_script
+
+        edited = remove_script(texts[SETUP_CFG], path, executable)
     elif known.file is None:
         message = f"line {known.line} of `{known.where}` builds `{executable}` from other files"
         return Changed(None, (Diagnostic(codes.EDIT_REFUSED, message, file=path),))

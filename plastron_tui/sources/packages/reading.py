@@ -5,19 +5,23 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.diagnostics.severity import Severity
 from plastron_tui.model.package_source import Executable, LoadedPackage, PackageSource
-from plastron_tui.sources.build_files import RefusedError, refusal
+from plastron_tui.sources.build_files import RefusedError
 from plastron_tui.sources.splices import line_number
 from plastron_tui.sources.xml.package_xml import read_package
 
-PACKAGE_XML, SETUP_PY, SETUP_CFG, CMAKE_LISTS = (
+if TYPE_CHECKING:
+    from plastron_tui.sources.setup_py.reader import ConsoleScript, SetupFile
+
+PACKAGE_XML, SETUP_PY, SETUP_CFG, PYPROJECT, CMAKE_LISTS = (
     "package.xml",
     "setup.py",
     "setup.cfg",
+    "pyproject.toml",
     "CMakeLists.txt",
 )
 LAUNCH_ENDINGS = (".launch", ".launch.xml", ".launch.py", ".launch.yaml", ".launch.yml")
@@ -81,6 +85,7 @@ def read_package_files(files: PackageFiles, ros_version: int) -> LoadedPackage:
             parts.python_root,
             tuple(sorted(name for name in files.names if name.endswith(LAUNCH_ENDINGS))),
             files.is_whole,
+            parts.script_file,
         )
     )
 
@@ -89,6 +94,7 @@ class _Parts(NamedTuple):
     executables: dict[str, Executable]
     node_folder: str | None
     python_root: str = ""
+    script_file: str = SETUP_PY
 
 
 def _text(files: PackageFiles, name: str) -> bytes:
@@ -105,25 +111,38 @@ def _python_parts(files: PackageFiles) -> _Parts:
     from plastron_tui.sources.setup_py.reader import read_setup
 
     text, path = _text(files, SETUP_PY), files.folder / SETUP_PY
-    _check_configuration(files)
     setup, found = read_setup(text, path)
     if setup is None:
         raise RefusedError(found[0])
-    modules = [each.target.partition(":")[0].replace(".", "/") for each in setup.console_scripts]
-    names = [*modules, *(each.replace(".", "/") for each in setup.packages or ()), setup.name or ""]
-    root = next((root for root in _PYTHON_ROOTS for name in names if _file(files, root, name)), "")
+    scripts, where = _scripts(files, setup)
+    modules = [each.target.partition(":")[0].replace(".", "/") for each in scripts]
+    packages = [*(setup.packages or ()), *(setup.finder.find(files.names) if setup.finder else ())]
+    names = [*modules, *(each.replace(".", "/") for each in packages), setup.name or ""]
+    roots = _PYTHON_ROOTS if setup.root is None else (setup.root,)
+    root = next((root for root in roots for name in names if _file(files, root, name)), roots[0])
     executables = {
         each.name: Executable(
-            _file(files, root, module), SETUP_PY, line_number(text, each.span.start)
+            _file(files, root, module), where, line_number(files.texts[where], each.span.start)
         )
-        for each, module in zip(setup.console_scripts, modules, strict=True)
+        for each, module in zip(scripts, modules, strict=True)
     }
     folders = _usual_folders(each.file for each in executables.values())
     folders += [
-        f"{root}/{name}".strip("/") for name in (setup.name, *(setup.packages or ())) if name
+        f"{root}/{name.replace('.', '/')}".strip("/") for name in (setup.name, *packages) if name
     ]
     folder = next((each for each in folders if f"{each}/__init__.py" in files.names), None)
-    return _Parts(executables, folder, root)
+    return _Parts(executables, folder, root, where)
+
+
+def finds_scripts(source: PackageSource) -> bool:
+    """Tell whether `ros2 run` finds the scripts of a package, as far as nothing speaks against it.
+
+    A setup.cfg names `lib/PACKAGE` for them, or setup.py does.
+    """
+    words = (b"install_scripts", b"install-scripts")
+    texts = [source.texts.get(each, b"") for each in (SETUP_CFG, SETUP_PY)]
+    named = any(word in text for word in words for text in texts)
+    return source.build_type != "ament_python" or named
 
 
 def _file(files: PackageFiles, root: str, name: str) -> str | None:
@@ -134,13 +153,18 @@ def _file(files: PackageFiles, root: str, name: str) -> str | None:
     )
 
 
-def _check_configuration(files: PackageFiles) -> None:
-    """Refuse a setup.cfg that has entry points: setuptools takes those, and not setup.py's."""
-    text = files.texts.get(SETUP_CFG, b"")
-    at = text.find(b"[options.entry_points]")
-    if at >= 0:
-        span = (at, at + len(b"[options.entry_points]"))
-        raise refusal(text, files.folder / SETUP_CFG, span, "has the entry points of `setup.py`")
+def _scripts(files: PackageFiles, setup: SetupFile) -> tuple[tuple[ConsoleScript, ...], str]:
+    """Return the console scripts, and the file that says them."""
+    from plastron_tui.sources.setup_py.configuration import check_project, read_scripts
+    from plastron_tui.sources.setup_py.reader import has_entry_points
+
+    if (project := files.texts.get(PYPROJECT)) is not None:
+        check_project(project, files.folder / PYPROJECT)
+    text = files.texts.get(SETUP_CFG)
+    if text is None or has_entry_points(files.texts[SETUP_PY], files.folder / SETUP_PY):
+        return setup.console_scripts, SETUP_PY
+    scripts = read_scripts(text, files.folder / SETUP_CFG)
+    return (setup.console_scripts, SETUP_PY) if scripts is None else (scripts, SETUP_CFG)
 
 
 def _cmake_parts(files: PackageFiles) -> _Parts:

@@ -11,6 +11,7 @@ from tree_sitter import Node
 from plastron_tui.diagnostics import Diagnostic, Span
 from plastron_tui.sources.build_files import RefusedError, matches
 
+from .python_packages import Finder, read_finder, read_root
 from .syntax import Setup, parse_setup
 from .values import Glob, Unknown, Value, evaluate, items_of
 
@@ -60,6 +61,8 @@ class SetupFile(NamedTuple):
         name: what the package is called, None where that is computed.
         is_catkin: whether catkin's `generate_distutils_setup` is called.
         packages: the Python packages, None where they are computed.
+        finder: how they are found, None where they are listed, or computed otherwise.
+        root: the folder that `package_dir` says they are in, None where it does not.
         console_scripts: the executables that are known.
         data_files: what is installed besides.
         scripts: the files that are installed as they are.
@@ -73,6 +76,8 @@ class SetupFile(NamedTuple):
     data_files: tuple[DataFiles, ...]
     scripts: tuple[str, ...]
     computed: tuple[tuple[str, Span], ...] = ()
+    finder: Finder | None = None
+    root: str | None = None
 
 
 class ReadSetup(NamedTuple):
@@ -110,6 +115,8 @@ def describe(setup: Setup) -> SetupFile:
             *(("entry_points", each) for each in unknown_scripts),
             *(("data_files", each) for each in unknown_data),
         ),
+        read_finder(setup, packages),
+        read_root(setup, keyword(setup, "package_dir")),
     )
 
 
@@ -148,6 +155,22 @@ def dictionary(setup: Setup, node: Node) -> Node | None:
     if function is not None and setup.source(function) == "dict":
         return node.child_by_field_name("arguments")
     return None
+
+
+def has_entry_points(text: bytes, path: Path) -> bool:
+    """Tell whether `setup` is called with entry points, or with what may have some.
+
+    Raises:
+        RefusedError: the file cannot be read.
+    """
+    setup = parse_setup(text, path)
+    arguments = setup.call.child_by_field_name("arguments")
+    given = items_of(arguments) if arguments is not None else []
+    unknown = any(
+        each.type == "dictionary_splat" and dictionary(setup, each.named_children[0]) is None
+        for each in given
+    )
+    return unknown or keyword(setup, "entry_points") is not None
 
 
 def entry_points(setup: Setup) -> Node | None:
