@@ -23,13 +23,13 @@ from plastron_tui.ros.definition import parse_definition
 from plastron_tui.ros.definition_edits import add_member, remove_member, replace_member
 from plastron_tui.ros.definition_members import check_type_name, check_type_package
 from plastron_tui.ros.definition_text import format_definition
-from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName, Section
+from plastron_tui.ros.interfaces import Constant, Interface, InterfaceKind, InterfaceName, Section
 
 from .mistake import Mistake
 from .own_type_changes import Make, in_use, settle, users_of
 from .own_types import SECTIONS, Definition, DefinitionSource, OwnType
 from .run import Run
-from .type_members import Naming, members_of, section_of
+from .type_members import Naming, changed_by_builders, members_of, section_of
 
 _PARTS: dict[type[Statement], tuple[InterfaceKind, tuple[str, ...]]] = {
     st.CreateMessageType: (InterfaceKind.MESSAGE, ("fields",)),
@@ -229,7 +229,10 @@ def _line(
     read = parse_definition(line, name, InterfaceKind.MESSAGE, version, is_new=True)
     if read.interface is None:
         return [_in_string(each, where) for each in read.diagnostics]
-    return line
+    [member] = members_of(read.interface.sections[0]).values()
+    value = member.value if isinstance(member, Constant) else member.default
+    unsure = changed_by_builders(value) if version == 2 else None
+    return line if unsure is None else [Diagnostic(codes.BAD_FIELD, unsure, where)]
 
 
 def _in_string(found: Diagnostic, where: Span) -> Diagnostic:

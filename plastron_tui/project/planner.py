@@ -204,14 +204,9 @@ class Planner:
         force = configuration.options.force
         folder = Folder(configuration.output, manifest, self._author.name, force)
         files, notes = text_files(made_of.files, folder)
-        types = workspace.types.values() if self._writes_types(workspace) else ()
+        types = workspace.types.values() if workspace.is_written else ()
         files += loaded_definitions(types, in_place=in_place)
         return [*files, *launches], [*made_of.diagnostics, *notes, *refused]
-
-    @staticmethod
-    def _writes_types(workspace: Workspace) -> bool:
-        """Tell whether the program writes anything: types that it changes are written with it."""
-        return bool(workspace.generations or workspace.written_types or workspace.written_packages)
 
     def _with_loaded(
         self, files: list[OutputFile], made: Sequence[Generated], manifest: Manifest

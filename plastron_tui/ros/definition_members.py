@@ -40,6 +40,10 @@ _NAME_RULE = {
 }
 
 
+_LINE_ENDS = "\x0b\x0c\x1c\x1d\x1e\x85\u2028\u2029"
+"""What ends a line besides a newline where `rosidl_adapter` splits a definition."""
+
+
 class MemberPart(str, Enum):
     """The parts of a member that can be wrong."""
 
@@ -296,6 +300,8 @@ def _check_text(value: Scalar, is_constant: bool, ros_version: int) -> str | Non
     if ros_version == 1:
         is_cut = value != value.strip()
         return "ROS 1 drops the space around the string of a constant" if is_cut else None
+    if any(each in _LINE_ENDS for each in value):
+        return "ROS 2 takes a character of this text for the end of a line"
     if "#" in value:
         return "in a ROS 2 definition `#` starts a comment, in quotes too"
     if "=" in value and not is_constant:
