@@ -29,6 +29,13 @@ create_node 'driver' as driver
 create_message fast of message_type WheelSpeed and input left=1
 driver publish fast to 'speed' of message_type WheelSpeed
 """
+TYPES_OF_NODES = [
+    f"{SPEED}create_package 'demo' as demo {ABOUT}\ndemo contains driver\n"
+    f"create_package 'demo_interfaces' as other {ABOUT}\ngenerate_package other\n{WRITE}",
+    f"{SPEED}create_package 'demo' as demo {ABOUT}\ndemo contains driver\n{WRITE}".replace(
+        "WheelSpeed", "demo/WheelSpeed"
+    ),
+]
 LAUNCH = """\
 create_launch 'bringup' as bringup
 bringup starts talker in 'front' remapping 'chatter' to 'words'
@@ -242,3 +249,17 @@ def test_a_definition_that_is_not_there_is_told(tmp_path: Path, path: str) -> No
     program = Session(text.encode(), folder / "a.plastron", environ={})
     [found] = program.diagnostics
     assert found.code in ("outside-project", "file-not-found")
+
+
+def test_a_taken_name_is_told_once(tmp_path: Path) -> None:
+    program = session(tmp_path, f"create_package 'json' as p {ABOUT}\ngenerate_package p\n")
+    told = dict.fromkeys((*program.diagnostics, *program.plan()[1]))
+    assert [each.code for each in told].count("taken-package-name") == 1
+
+
+@pytest.mark.parametrize("text", TYPES_OF_NODES, ids=["another package", "the package itself"])
+def test_a_package_of_nodes_builds_no_types_in_ros_2(text: str, tmp_path: Path) -> None:
+    _, diagnostics = session(tmp_path, text).plan()
+    [found] = [each for each in diagnostics if each.code == "bad-package-file"]
+    assert found.span is not None
+    assert text[found.span.start :].startswith("create_message_type")

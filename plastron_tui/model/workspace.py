@@ -218,10 +218,7 @@ class Workspace:
     def is_written(self) -> bool:
         """Whether the program asks for a file, of whatever kind."""
         return bool(
-            self.generations
-            or self.written_types
-            or self.written_packages
-            or self.written_launches
+            self.generations or self.written_types or self.written_packages or self.written_launches
         )
 
     def what(self, variable: str) -> tuple[str, Span] | None:

@@ -14,6 +14,10 @@ USED = f"{A}create_message m of message_type A and input x=5\n"
 ROSPY = "create_node 'n' as n using rospy\n"
 RCLPY = "create_node 'n' as n using rclpy\n"
 
+SLASH = "A has_field \"string y 'b\\\\c'\""
+LISTED = "create_message_type A with string[] x default "
+QUOTES = '["a\'\\""]'
+
 MADE = {
     "create_message_type A with none\n": "",
     A: "int32 x\n",
@@ -25,6 +29,9 @@ MADE = {
     'create_message_type A with string NAME = "a b"\n': 'string NAME="a b"\n',
     "create_message_type A with int32[3] x default [1, 2, 3]\n": "int32[3] x [1, 2, 3]\n",
     "create_message_type A with string<=5[<=3] names\n": "string<=5[<=3] names\n",
+    'create_message_type A with string[] x default ["a \\"b\\"", "c"]\n': (
+        'string[] x [\'a "b"\', "c"]\n'
+    ),
     S: "int32 x\n---\n",
     "create_action_type A with none returning bool ok reporting float32 left\n": (
         "---\nbool ok\n---\nfloat32 left\n"
@@ -62,6 +69,9 @@ WRONG: list[tuple[str, str, str, str, str | None]] = [
     ("", "create_message_type A with int32 linux", "bad-field", "linux", None),
     (A, 'A has_field "int32 x"', "field-exists", '"int32 x"', None),
     (A, 'A has_field "int32"', "bad-field", '"int32"', "float64 x"),
+    ("", 'create_message_type A with string x default "a\u2028b"', "bad-field", '"a\u2028b"', None),
+    (A, SLASH, "bad-field", SLASH.removeprefix("A has_field "), None),
+    ("", f"{LISTED}{QUOTES}", "bad-field", QUOTES, None),
     (A, 'A has_field "foo y"', "unknown-type", "foo", None),
     (A, 'A has_field "A a"', "circular-type", "A", None),
     (A, 'A has_field "int32 y" in response', "no-such-field", "response", "leave it out"),
