@@ -119,7 +119,7 @@ class ProgramPackages:
         return Made(files, tuple(found))
 
     def _without_builder(self, spec: PackageSpec) -> Iterator[Diagnostic]:
-        """Tell the types that a package of nodes would have to build, which it does not in ROS 2."""
+        """Tell the types that a package of nodes would have to build, and builds not in ROS 2."""
         if spec.ros_version == 1 or spec.name not in self._own(spec.ros_version):
             return
         for each in self._workspace.types.values():
