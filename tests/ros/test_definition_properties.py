@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import io
 from collections.abc import Callable
+from importlib import import_module
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -174,9 +175,8 @@ def _by_rosidl(text: str) -> list[tuple[str, str, object]]:
 
 
 def _by_genmsg(text: str) -> list[tuple[str, str, object]]:
-    from genmsg.msg_loader import MsgContext, load_msg_from_string
-
-    spec = load_msg_from_string(MsgContext.create_default(), text, str(NAME))
+    loader = import_module("genmsg.msg_loader")
+    spec = loader.load_msg_from_string(loader.MsgContext.create_default(), text, str(NAME))
     return [
         *((name, type_, None) for name, type_ in zip(spec.names, spec.types, strict=True)),
         *((each.name, each.type, each.val) for each in spec.constants),
