@@ -153,7 +153,7 @@ def test_what_is_written_by_hand_stays(tmp_path: Path) -> None:
     )
     setup.write_text(setup.read_text() + "# mine\n")
     codes = generate(tmp_path, PACKAGE + LISTENER + WRITE)
-    assert codes.count("merged-by-hand") == 2
+    assert codes.count("merged-by-hand") == 1
     assert "<exec_depend>my_tools</exec_depend>" in manifest.read_text()
     assert "ears = demo.ears:main" in setup.read_text()
     assert setup.read_text().endswith("# mine\n")
@@ -249,6 +249,27 @@ def test_a_definition_that_is_not_there_is_told(tmp_path: Path, path: str) -> No
     program = Session(text.encode(), folder / "a.plastron", environ={})
     [found] = program.diagnostics
     assert found.code in ("outside-project", "file-not-found")
+
+
+def test_a_file_that_is_written_no_longer_is_told(tmp_path: Path) -> None:
+    generate(tmp_path, PACKAGE + WRITE)
+    renamed = (PACKAGE + WRITE).replace("create_node 'talker'", "create_node 'speaker'")
+    assert generate(tmp_path, renamed) == ["file-stays", "file-stays"]
+    for name in ("demo/talker.py", "test/test_talker.py"):
+        (tmp_path / "output" / "demo" / name).unlink()
+    assert generate(tmp_path, renamed) == []
+
+
+def test_a_node_comes_beside_a_version_that_was_changed_by_hand(tmp_path: Path) -> None:
+    generate(tmp_path, PACKAGE + WRITE)
+    for name in ("package.xml", "setup.py"):
+        path = tmp_path / "output" / "demo" / name
+        path.write_text(path.read_text().replace("0.0.0", "1.2.3").replace("MIT", "X11"))
+    told = generate(tmp_path, PACKAGE + LISTENER + WRITE)
+    assert set(told) == {"merged-by-hand"}
+    setup = files(tmp_path)["demo/setup.py"]
+    assert b"1.2.3" in setup
+    assert b"ears" in setup
 
 
 def test_a_taken_name_is_told_once(tmp_path: Path) -> None:

@@ -21,7 +21,7 @@ from plastron_tui.language.declaration import Statement
 from plastron_tui.language.definitions import FieldText
 from plastron_tui.ros.definition import parse_definition
 from plastron_tui.ros.definition_edits import add_member, remove_member, replace_member
-from plastron_tui.ros.definition_members import check_type_name, check_type_package
+from plastron_tui.ros.definition_members import check_type_name, check_type_package, file_stem
 from plastron_tui.ros.definition_text import format_definition
 from plastron_tui.ros.interfaces import Constant, Interface, InterfaceKind, InterfaceName, Section
 
@@ -120,11 +120,34 @@ def check_type_named(run: Run, statement: Any) -> tuple[str, str]:
                 fix=write(right, where) if is_better else None,
             )
         )
+    _check_files(run, statement, package, name)
     owner = package or run.types.own_package(version)
     if run.types.is_of_ros(owner, version):
         message = f"`{owner}` is a package of ROS, which gets no types of yours"
         raise Mistake(Diagnostic(codes.TYPE_EXISTS, message, where, help="leave the package out"))
     return package, name
+
+
+def _check_files(run: Run, statement: Any, package: str, name: str) -> None:
+    """Check that nothing else of the package gets the files that ROS 2 generates for a type."""
+    kind = _PARTS[type(statement)][0]
+    same = (
+        each
+        for each in run.workspace.types.values()
+        if (each.package, each.kind) == (package, kind) and file_stem(each.name) == file_stem(name)
+    )
+    earlier = next(same, None)
+    if earlier is not None and 2 in _versions(run):
+        message = f"`{name}` and `{earlier.name}` are generated into the same files"
+        raise Mistake(
+            Diagnostic(
+                codes.TYPE_EXISTS,
+                message,
+                statement.span_of("type"),
+                help="choose a name that differs in more than its capital letters",
+                labels=(Label(earlier.span, "first here"),),
+            )
+        )
 
 
 def _made(

@@ -164,6 +164,15 @@ def check_type_package(name: str, ros_version: int) -> str | None:
     return None
 
 
+def file_stem(name: str) -> str:
+    """Return what the files are called that ROS 2 generates for a type.
+
+    Source: rosidl_pycommon, which puts a `_` where a word begins: `http_server` for `HTTPServer`.
+    """
+    spread = re.sub("(.)([A-Z][a-z]+)", r"\1_\2", name)
+    return re.sub("([a-z0-9])([A-Z])", r"\1_\2", spread).lower()
+
+
 def constant_type(text: str, ros_version: int) -> MemberMistake | None:
     """Return why a type is none for a constant, None when it is one."""
     match = _TYPE.fullmatch(text)
