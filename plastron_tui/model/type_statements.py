@@ -21,7 +21,7 @@ from plastron_tui.language.declaration import Statement
 from plastron_tui.language.definitions import FieldText
 from plastron_tui.ros.definition import parse_definition
 from plastron_tui.ros.definition_edits import add_member, remove_member, replace_member
-from plastron_tui.ros.definition_members import check_type_name, check_type_package, file_stem
+from plastron_tui.ros.definition_members import check_type_name, check_type_package, generated_stems
 from plastron_tui.ros.definition_text import format_definition
 from plastron_tui.ros.interfaces import Constant, Interface, InterfaceKind, InterfaceName, Section
 
@@ -129,25 +129,24 @@ def check_type_named(run: Run, statement: Any) -> tuple[str, str]:
 
 
 def _check_files(run: Run, statement: Any, package: str, name: str) -> None:
-    """Check that nothing else of the package gets the files that ROS 2 generates for a type."""
+    """Check that nothing else of the package gets the files that are generated for a type."""
     kind = _PARTS[type(statement)][0]
-    same = (
-        each
-        for each in run.workspace.types.values()
-        if (each.package, each.kind) == (package, kind) and file_stem(each.name) == file_stem(name)
-    )
-    earlier = next(same, None)
-    if earlier is not None and 2 in _versions(run):
-        message = f"`{name}` and `{earlier.name}` are generated into the same files"
-        raise Mistake(
-            Diagnostic(
-                codes.TYPE_EXISTS,
-                message,
-                statement.span_of("type"),
-                help="choose a name that differs in more than its capital letters",
-                labels=(Label(earlier.span, "first here"),),
-            )
+    beside = [each for each in run.workspace.types.values() if each.package == package]
+    for version in _versions(run):
+        files = generated_stems(name, kind, version)
+        earlier = next(
+            (each for each in beside if files & generated_stems(each.name, each.kind, version)),
+            None,
         )
+        if earlier is not None:
+            message = f"ROS {version} generates `{name}` and `{earlier.name}` into the same files"
+            label = Label(earlier.span, "first here")
+            where = statement.span_of("type")
+            raise Mistake(
+                Diagnostic(
+                    codes.TYPE_EXISTS, message, where, help="choose another name", labels=(label,)
+                )
+            )
 
 
 def _made(

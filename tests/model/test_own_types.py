@@ -53,7 +53,7 @@ WRONG: list[tuple[str, str, str, str, str | None]] = [
     (A, "create_message_type A with none", "type-exists", "A", "`A has_field"),
     (A, "create_service_type a with none returning none", "bad-type-name", "a", "`A`"),
     ("create_message_type HTTPServer with none\n", "create_message_type HttpServer with none",
-     "type-exists", "HttpServer", "capital"),
+     "type-exists", "HttpServer", "another name"),
     (RCLPY, "create_message_type n with none", "variable-exists", "n", None),
     (A, "create_node 'n' as A", "variable-exists", "A", None),
     ("", "create_message_type A with float64 leftWheel", "bad-field", "leftWheel", "lower-case"),
@@ -164,6 +164,15 @@ def test_what_one_ros_cannot_have_is_told_where_it_is_used() -> None:
     use = f"{text}{ROSPY}subscribe n to 'a' of message_type A\n"
     [found] = run(use, "rclpy").diagnostics
     assert found.message == "`A` is no type of ROS 1: ROS 1 has no bounded types"
+
+
+def test_messages_of_an_action_of_ros_1_are_no_other_messages() -> None:
+    action = "create_action_type Dock with none returning none reporting none\n"
+    message = "create_message_type DockGoal with none\n"
+    for text, where in ((action + message, "DockGoal"), (message + action, "Dock")):
+        assert list(run(text, "rclpy").diagnostics) == []
+        [found] = run(text, "rospy").diagnostics
+        assert (found.code, marked(text, found)) == ("type-exists", where)
 
 
 def test_a_type_that_the_program_is_not_for_may_be_for_its_nodes() -> None:
