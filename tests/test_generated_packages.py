@@ -29,13 +29,7 @@ create_node 'driver' as driver
 create_message fast of message_type WheelSpeed and input left=1
 driver publish fast to 'speed' of message_type WheelSpeed
 """
-TYPES_OF_NODES = [
-    f"{SPEED}create_package 'demo' as demo {ABOUT}\ndemo contains driver\n"
-    f"create_package 'demo_interfaces' as other {ABOUT}\ngenerate_package other\n{WRITE}",
-    f"{SPEED}create_package 'demo' as demo {ABOUT}\ndemo contains driver\n{WRITE}".replace(
-        "WheelSpeed", "demo/WheelSpeed"
-    ),
-]
+OF_PACKAGE = SPEED.replace("WheelSpeed", "demo/WheelSpeed")
 LAUNCH = """\
 create_launch 'bringup' as bringup
 bringup starts talker in 'front' remapping 'chatter' to 'words'
@@ -278,9 +272,27 @@ def test_a_taken_name_is_told_once(tmp_path: Path) -> None:
     assert [each.code for each in told].count("taken-package-name") == 1
 
 
-@pytest.mark.parametrize("text", TYPES_OF_NODES, ids=["another package", "the package itself"])
-def test_a_package_of_nodes_builds_no_types_in_ros_2(text: str, tmp_path: Path) -> None:
+def test_a_package_of_nodes_builds_no_types_in_ros_2(tmp_path: Path) -> None:
+    text = f"{OF_PACKAGE}create_package 'demo' as demo {ABOUT}\ndemo contains driver\n{WRITE}"
     _, diagnostics = session(tmp_path, text).plan()
     [found] = [each for each in diagnostics if each.code == "bad-package-file"]
     assert found.span is not None
     assert text[found.span.start :].startswith("create_message_type")
+
+
+BY_BOB = ABOUT.replace("Ada", "Bob")
+TYPES_ALONE = {
+    "alone": SPEED.replace("WheelSpeed", "demo_interfaces/WheelSpeed", 1)
+    + f"create_package 'demo_interfaces' as demo {BY_BOB}\n{WRITE}",
+    "beside its nodes": f"{SPEED}create_package 'demo' as demo {ABOUT}\ndemo contains driver\n"
+    f"create_package 'demo_interfaces' as types {BY_BOB}\ngenerate_package types\n{WRITE}",
+}
+
+
+@pytest.mark.parametrize("text", TYPES_ALONE.values(), ids=list(TYPES_ALONE))
+def test_a_package_may_be_created_for_types_alone(text: str, tmp_path: Path) -> None:
+    assert generate(tmp_path, text) == []
+    made = files(tmp_path)
+    assert b"msg/WheelSpeed.msg" in made["demo_interfaces/CMakeLists.txt"]
+    assert b">Bob<" in made["demo_interfaces/package.xml"]
+    assert b"rosidl_interface_packages" in made["demo_interfaces/package.xml"]

@@ -20,6 +20,7 @@ from plastron_tui.targets.packages.rendering import (
     render_package,
 )
 from plastron_tui.targets.packages.spec import (
+    BuildType,
     PackagedLaunch,
     PackageFile,
     PackageSpec,
@@ -101,6 +102,9 @@ class ProgramPackages:
         definitions = self._own(spec.ros_version)
         home = package.name if spec.ros_version == 1 else interfaces_name(package.name)
         launches, problems = self._launches(package, spec.ros_version)
+        types = definitions.get(package.name, ())
+        if types and spec.ros_version == 2 and not (spec.nodes or launches):
+            return self._types_alone(replace(spec, definitions=types))
         spec = replace(spec, definitions=definitions.get(home, ()), launches=launches)
         rendered = render_package(spec)
         nodes = {node_path(spec, each) for each in spec.nodes}
@@ -111,12 +115,19 @@ class ProgramPackages:
         }
         found = [*problems, *rendered.diagnostics, *self._without_builder(spec)]
         interfaces = interfaces_of(spec)
-        if interfaces is not None:
+        made = {each.package.name for each in self._workspace.written_packages}
+        if interfaces is not None and interfaces.name not in made:
             beside = render_interfaces(interfaces)
             files |= {
                 f"{interfaces.name}/{path}": file for path, file in (beside.files or {}).items()
             }
         return Made(files, tuple(found))
+
+    def _types_alone(self, spec: PackageSpec) -> Made:
+        """Make a package that the program creates for nothing but types."""
+        rendered = render_interfaces(replace(spec, build_type=BuildType.AMENT_CMAKE))
+        files = {f"{spec.name}/{path}": file for path, file in (rendered.files or {}).items()}
+        return Made(files, rendered.diagnostics)
 
     def _without_builder(self, spec: PackageSpec) -> Iterator[Diagnostic]:
         """Tell the types that a package of nodes would have to build, and builds not in ROS 2."""
