@@ -132,7 +132,9 @@ def test_a_member_comes_and_goes_and_every_other_byte_stays(
     assert after is not None
     new = [each for each in _meant(after) if each not in _meant(before)]
     assert [each[0] for each in new] == [added.name]
-    assert _read(replace_member(more, added.name, member_line(added, version)), version) == after
+    line = member_line(added, version)
+    again = replace_member(more, added.name, line, ros_version=version)
+    assert _read(again, version) == after
     assert remove_member(more, added.name) == text
 
 
