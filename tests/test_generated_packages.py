@@ -30,6 +30,7 @@ create_node 'driver' as driver
 create_message fast of message_type WheelSpeed and input left=1
 driver publish fast to 'speed' of message_type WheelSpeed
 """
+OF_PACKAGE = SPEED.replace("WheelSpeed", "demo/WheelSpeed")
 LAUNCH = """\
 create_launch 'bringup' as bringup
 bringup starts talker in 'front' remapping 'chatter' to 'words'
@@ -147,7 +148,7 @@ def test_what_is_written_by_hand_stays(tmp_path: Path) -> None:
     )
     setup.write_text(setup.read_text() + "# mine\n")
     codes = generate(tmp_path, PACKAGE + LISTENER + WRITE)
-    assert codes.count("merged-by-hand") == 2
+    assert codes.count("merged-by-hand") == 1
     assert "<exec_depend>my_tools</exec_depend>" in manifest.read_text()
     assert "ears = demo.ears:main" in setup.read_text()
     assert setup.read_text().endswith("# mine\n")
@@ -277,3 +278,56 @@ def test_a_definition_that_is_not_there_is_told(tmp_path: Path, path: str) -> No
     program = Session(text.encode(), folder / "a.plastron", environ={})
     [found] = program.diagnostics
     assert found.code in ("outside-project", "file-not-found")
+
+
+def test_a_file_that_is_written_no_longer_is_told(tmp_path: Path) -> None:
+    generate(tmp_path, PACKAGE + WRITE)
+    renamed = (PACKAGE + WRITE).replace("create_node 'talker'", "create_node 'speaker'")
+    assert generate(tmp_path, renamed) == ["file-stays", "file-stays"]
+    for name in ("demo/talker.py", "test/test_talker.py"):
+        (tmp_path / "output" / "demo" / name).unlink()
+    assert generate(tmp_path, renamed) == []
+
+
+def test_a_node_comes_beside_a_version_that_was_changed_by_hand(tmp_path: Path) -> None:
+    generate(tmp_path, PACKAGE + WRITE)
+    for name in ("package.xml", "setup.py"):
+        path = tmp_path / "output" / "demo" / name
+        path.write_text(path.read_text().replace("0.0.0", "1.2.3").replace("MIT", "X11"))
+    told = generate(tmp_path, PACKAGE + LISTENER + WRITE)
+    assert set(told) == {"merged-by-hand"}
+    setup = files(tmp_path)["demo/setup.py"]
+    assert b"1.2.3" in setup
+    assert b"ears" in setup
+
+
+def test_a_taken_name_is_told_once(tmp_path: Path) -> None:
+    program = session(tmp_path, f"create_package 'json' as p {ABOUT}\ngenerate_package p\n")
+    told = dict.fromkeys((*program.diagnostics, *program.plan()[1]))
+    assert [each.code for each in told].count("taken-package-name") == 1
+
+
+def test_a_package_of_nodes_builds_no_types_in_ros_2(tmp_path: Path) -> None:
+    text = f"{OF_PACKAGE}create_package 'demo' as demo {ABOUT}\ndemo contains driver\n{WRITE}"
+    _, diagnostics = session(tmp_path, text).plan()
+    [found] = [each for each in diagnostics if each.code == "bad-package-file"]
+    assert found.span is not None
+    assert text[found.span.start :].startswith("create_message_type")
+
+
+BY_BOB = ABOUT.replace("Ada", "Bob")
+TYPES_ALONE = {
+    "alone": SPEED.replace("WheelSpeed", "demo_interfaces/WheelSpeed", 1)
+    + f"create_package 'demo_interfaces' as demo {BY_BOB}\n{WRITE}",
+    "beside its nodes": f"{SPEED}create_package 'demo' as demo {ABOUT}\ndemo contains driver\n"
+    f"create_package 'demo_interfaces' as types {BY_BOB}\ngenerate_package types\n{WRITE}",
+}
+
+
+@pytest.mark.parametrize("text", TYPES_ALONE.values(), ids=list(TYPES_ALONE))
+def test_a_package_may_be_created_for_types_alone(text: str, tmp_path: Path) -> None:
+    assert generate(tmp_path, text) == []
+    made = files(tmp_path)
+    assert b"msg/WheelSpeed.msg" in made["demo_interfaces/CMakeLists.txt"]
+    assert b">Bob<" in made["demo_interfaces/package.xml"]
+    assert b"rosidl_interface_packages" in made["demo_interfaces/package.xml"]

@@ -37,10 +37,9 @@ def command(files: tuple[Path, ...], target: str | None, format_: str) -> None:
     for session in open_sessions(files, report, Options(target=target)):
         diagnostics = session.diagnostics
         workspace = session.workspace
-        has_packages = bool(workspace.written_packages)
-        if not (workspace.generations or has_packages or has_errors(diagnostics)):
+        if not (workspace.is_written or has_errors(diagnostics)):
             diagnostics = (*diagnostics, nothing_to_generate())
-        if has_packages and not has_errors(diagnostics):
+        if workspace.has_more_than_nodes and not has_errors(diagnostics):
             # What files of a package that exists do not take shows when they are changed.
             _, found_in_files = session.plan()
             diagnostics = tuple(dict.fromkeys((*diagnostics, *found_in_files)))

@@ -230,8 +230,8 @@ def nothing_to_generate() -> Diagnostic:
     """Return the warning for a program that makes no file."""
     return Diagnostic(
         codes.NOTHING_TO_GENERATE,
-        "the program generates no node",
-        help="end it with `generate_node` and the variable of a node",
+        "the program generates nothing",
+        help="end it with `generate_node` and the variable of a node, or `generate_package`, say",
         severity=Severity.WARNING,
     )
 

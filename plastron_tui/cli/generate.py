@@ -87,7 +87,8 @@ def _plan(sessions: Sequence[Session], report: Report) -> list[FilePlan]:
     for session in sessions:
         plan, diagnostics = session.plan()
         report.add(diagnostics, session.lines, session.path)
-        if not plan.files and not has_errors(diagnostics):
+        is_idle = not (plan.files or session.workspace.is_written)
+        if is_idle and not has_errors(diagnostics):
             report.add((nothing_to_generate(),), session.lines, session.path)
         for file in plan.files:
             if texts.setdefault(file.path, file.text) != file.text:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.diagnostics import Diagnostic, Label, codes
 from plastron_tui.model.launches import Launch
 from plastron_tui.model.workspace import Node, Workspace
 from plastron_tui.sources.launch.new_elements import CannotWriteError
@@ -19,7 +19,13 @@ from plastron_tui.targets.packages.rendering import (
     render_interfaces,
     render_package,
 )
-from plastron_tui.targets.packages.spec import PackagedLaunch, PackageFile, interfaces_name
+from plastron_tui.targets.packages.spec import (
+    BuildType,
+    PackagedLaunch,
+    PackageFile,
+    PackageSpec,
+    interfaces_name,
+)
 
 from .launch_files import edited_launch, launch_output, packages_of
 from .own_definitions import Packaged, own_definitions, rendered_definitions, used_packages
@@ -96,6 +102,9 @@ class ProgramPackages:
         definitions = self._own(spec.ros_version)
         home = package.name if spec.ros_version == 1 else interfaces_name(package.name)
         launches, problems = self._launches(package, spec.ros_version)
+        types = definitions.get(package.name, ())
+        if types and spec.ros_version == 2 and not (spec.nodes or launches):
+            return self._types_alone(replace(spec, definitions=types))
         spec = replace(spec, definitions=definitions.get(home, ()), launches=launches)
         rendered = render_package(spec)
         nodes = {node_path(spec, each) for each in spec.nodes}
@@ -104,14 +113,40 @@ class ProgramPackages:
             for path, file in (rendered.files or {}).items()
             if path not in nodes
         }
-        found = [*problems, *rendered.diagnostics]
+        found = [*problems, *rendered.diagnostics, *self._without_builder(spec)]
         interfaces = interfaces_of(spec)
-        if interfaces is not None:
+        made = {each.package.name for each in self._workspace.written_packages}
+        if interfaces is not None and interfaces.name not in made:
             beside = render_interfaces(interfaces)
             files |= {
                 f"{interfaces.name}/{path}": file for path, file in (beside.files or {}).items()
             }
         return Made(files, tuple(found))
+
+    def _types_alone(self, spec: PackageSpec) -> Made:
+        """Make a package that the program creates for nothing but types."""
+        rendered = render_interfaces(replace(spec, build_type=BuildType.AMENT_CMAKE))
+        files = {f"{spec.name}/{path}": file for path, file in (rendered.files or {}).items()}
+        return Made(files, rendered.diagnostics)
+
+    def _without_builder(self, spec: PackageSpec) -> Iterator[Diagnostic]:
+        """Tell the types that a package of nodes would have to build, and builds not in ROS 2."""
+        if spec.ros_version == 1 or spec.name not in self._own(spec.ros_version):
+            return
+        for each in self._workspace.types.values():
+            definition = each.definitions.get(spec.ros_version)
+            package = definition.interface.name.package if definition is not None else ""
+            if each.source is None and package == spec.name:
+                yield Diagnostic(
+                    codes.BAD_PACKAGE_FILE,
+                    f"`{spec.name}/{each.name}` is of a package that `create_package` makes, and "
+                    "types of ROS 2 are built in one of their own",
+                    each.span,
+                    help=f"give the package another name than `{spec.name}`"
+                    if not each.package
+                    else f"leave the package out: `{each.name}`",
+                    labels=(Label(spec.span, "made here"),) if spec.span is not None else (),
+                )
 
     def _own(self, version: int) -> Packaged:
         if version not in self._definitions:

@@ -6,12 +6,12 @@ merged three ways, and what both sides changed is a conflict.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, Severity, codes
 from plastron_tui.output.manifest import Manifest
 from plastron_tui.output.merge3 import merge_lines
 from plastron_tui.output.plan import OutputFile
@@ -54,6 +54,34 @@ def text_files(
         made.append(output)
         notes += found
     return made, notes
+
+
+def left_files(written: Iterable[str], folder: Folder) -> list[Diagnostic]:
+    """Tell the files of packages that an earlier run of the program wrote, and this one does not.
+
+    Such are those of a node or a launch file that has another name now.
+
+    Args:
+        written: the files of this run, by the path in the output folder.
+        folder: where they go.
+    """
+    names = set(written)
+    packages = {name.partition("/")[0] for name in names if "/" in name}
+    return [
+        Diagnostic(
+            codes.FILE_STAYS,
+            f"`{name}` is of an earlier run of the program, and stays where it is",
+            file=folder.output / name,
+            help="remove it by hand if nothing else needs it",
+            severity=Severity.WARNING,
+        )
+        for name, base in folder.manifest.bases.items()
+        if name not in names
+        and "/" in name
+        and name.partition("/")[0] in packages
+        and base.get("program") == folder.program
+        and on_disk(folder.output / name) is not None
+    ]
 
 
 def _text_file(name: str, file: PackageFile, folder: Folder) -> tuple[OutputFile, list[Diagnostic]]:

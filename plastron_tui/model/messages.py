@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 
 from plastron_tui.diagnostics import Diagnostic, codes, guess
@@ -15,6 +16,7 @@ from .context import Setting
 from .kinds import Message
 from .mistake import Mistake
 from .named_types import NamedTypes
+from .values import MessageValue
 from .workspace import Workspace
 
 
@@ -84,6 +86,20 @@ class Messages:
             if isinstance(statement, st.CreateNode) and statement.library is not None
         }
         return used - {self._version}
+
+    def values(self) -> Iterator[MessageValue]:
+        """Yield the values of the messages, for each generation of ROS that one is made for."""
+        yield from (each.value for each in self._workspace.messages.values())
+        yield from (each.value for each in self._variants.values() if each is not None)
+
+    def change(self, change: Callable[[MessageValue], MessageValue]) -> None:
+        """Give each message another value."""
+        messages = self._workspace.messages
+        for variable, each in messages.items():
+            messages[variable] = each._replace(value=change(each.value))
+        for key, variant in self._variants.items():
+            if variant is not None:
+                self._variants[key] = variant._replace(value=change(variant.value))
 
     def made_by(self, message: Message) -> st.CreateMessage | None:
         """Return the statement that made a message, None where another program did."""

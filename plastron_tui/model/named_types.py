@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Fix, Label, Span, write
@@ -30,6 +30,19 @@ class _Use(NamedTuple):
     type: Interface
     version: int
     slot: str
+    value: MessageValue
+
+
+class Refitted(NamedTuple):
+    """A statement with values, and what they are of its type as it is now.
+
+    Attributes:
+        span: the statement.
+        value: the values; None where they fit no longer.
+    """
+
+    span: Span
+    value: MessageValue | None
 
 
 class NamedTypes:
@@ -146,18 +159,28 @@ class NamedTypes:
         """Look types up anew: those of the program are others now."""
         self._resolvers.clear()
 
-    def broken_uses(self) -> Iterator[Span]:
-        """Yield the statements whose values fit their type no longer."""
-        return (use.statement.span for use in self._uses if not self._still_fits(use))
+    def refitted(self) -> dict[int, Refitted]:
+        """Fit the values of statements to what their types are now.
 
-    def _still_fits(self, use: _Use) -> bool:
+        Returns:
+            What each is, by the identity of the value that it was.
+        """
+        return {id(use.value): Refitted(use.statement.span, self._anew(use)) for use in self._uses}
+
+    def take(self, fitted: Mapping[int, Refitted]) -> None:
+        """Let the values of statements be those that were fitted to their types anew."""
+        self._uses = [
+            use._replace(value=fitted[id(use.value)].value or use.value) for use in self._uses
+        ]
+
+    def _anew(self, use: _Use) -> MessageValue | None:
         type_ = self.resolver(use.version).catalog.find(use.type.name, use.type.kind)
+        if type_ is None:
+            return use.value
         try:
-            if type_ is not None:
-                self._fit(use.statement, type_, use.version, use.slot)
+            return self._fit(use.statement, type_, use.version, use.slot)
         except Mistake:
-            return False
-        return True
+            return None
 
     def resolver(self, version: int) -> TypeResolver:
         """Return what looks types up in a generation of ROS."""
@@ -184,7 +207,7 @@ class NamedTypes:
         """
         value = self._fit(statement, type_, version, slot)
         if self._workspace.types:
-            self._uses.append(_Use(statement, type_, version, slot))
+            self._uses.append(_Use(statement, type_, version, slot, value))
         return value
 
     def _fit(self, statement: Any, type_: Interface, version: int, slot: str) -> MessageValue:

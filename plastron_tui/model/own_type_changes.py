@@ -11,6 +11,7 @@ from plastron_tui.ros.definition_changes import find_circle
 from plastron_tui.ros.interfaces import InterfaceKind
 
 from .mistake import Mistake
+from .own_type_values import fit_anew
 from .own_types import Definition, OwnType, interfaces_of
 from .run import Run
 from .type_members import nested_names
@@ -50,7 +51,7 @@ def settle(run: Run, statement: Any, own: OwnType, make: Make, variable: str | N
         for version in definitions:
             _check_circle(run, statement, changed, version)
         if before is not None:
-            broken = list(run.types.broken_uses())
+            broken = fit_anew(run)
             if broken:
                 raise in_use(statement, own, broken)
     except Mistake:

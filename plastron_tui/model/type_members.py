@@ -104,7 +104,7 @@ def _member(
     except Mistake:
         message = "a definition holds numbers, texts and lists of them"
         return [Diagnostic(codes.BAD_FIELD, message, _span(statement, each, "value"))]
-    unsure = None if naming.version == 1 else _changed_by_builders(value)
+    unsure = None if naming.version == 1 else changed_by_builders(value)
     if unsure is not None:
         return [Diagnostic(codes.BAD_FIELD, unsure, _span(statement, each, "value"))]
     type_text = naming.full(each.type)
@@ -143,7 +143,7 @@ def _scalar(value: InputValue) -> Scalar:
     return value.value
 
 
-def _changed_by_builders(value: Value | None) -> str | None:
+def changed_by_builders(value: Value | None) -> str | None:
     """Tell why the builders of ROS 2 would not keep a value, None where they do.
 
     Source: rosidl_adapter writes it into IDL, where rosidl_parser decodes escapes once more; a
@@ -153,6 +153,8 @@ def _changed_by_builders(value: Value | None) -> str | None:
     texts = [each for each in values if isinstance(each, str)]
     if any("\\" in each for each in texts):
         return "a text in a definition of ROS 2 does not keep a backslash"
+    if isinstance(value, tuple) and any('"' in each and "'" in each for each in texts):
+        return "a list of texts in a definition of ROS 2 does not keep quotes of both kinds"
     if isinstance(value, tuple) and not all(each.isascii() for each in texts):
         return "a list of texts in a definition of ROS 2 is ASCII alone"
     return None

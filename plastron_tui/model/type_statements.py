@@ -21,15 +21,15 @@ from plastron_tui.language.declaration import Statement
 from plastron_tui.language.definitions import FieldText
 from plastron_tui.ros.definition import parse_definition
 from plastron_tui.ros.definition_edits import add_member, remove_member, replace_member
-from plastron_tui.ros.definition_members import check_type_name, check_type_package
+from plastron_tui.ros.definition_members import check_type_name, check_type_package, generated_stems
 from plastron_tui.ros.definition_text import format_definition
-from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName, Section
+from plastron_tui.ros.interfaces import Constant, Interface, InterfaceKind, InterfaceName, Section
 
 from .mistake import Mistake
 from .own_type_changes import Make, in_use, settle, users_of
 from .own_types import SECTIONS, Definition, DefinitionSource, OwnType
 from .run import Run
-from .type_members import Naming, members_of, section_of
+from .type_members import Naming, changed_by_builders, members_of, section_of
 
 _PARTS: dict[type[Statement], tuple[InterfaceKind, tuple[str, ...]]] = {
     st.CreateMessageType: (InterfaceKind.MESSAGE, ("fields",)),
@@ -120,11 +120,33 @@ def check_type_named(run: Run, statement: Any) -> tuple[str, str]:
                 fix=write(right, where) if is_better else None,
             )
         )
+    _check_files(run, statement, package, name)
     owner = package or run.types.own_package(version)
     if run.types.is_of_ros(owner, version):
         message = f"`{owner}` is a package of ROS, which gets no types of yours"
         raise Mistake(Diagnostic(codes.TYPE_EXISTS, message, where, help="leave the package out"))
     return package, name
+
+
+def _check_files(run: Run, statement: Any, package: str, name: str) -> None:
+    """Check that nothing else of the package gets the files that are generated for a type."""
+    kind = _PARTS[type(statement)][0]
+    beside = [each for each in run.workspace.types.values() if each.package == package]
+    for version in _versions(run):
+        files = generated_stems(name, kind, version)
+        earlier = next(
+            (each for each in beside if files & generated_stems(each.name, each.kind, version)),
+            None,
+        )
+        if earlier is not None:
+            message = f"ROS {version} generates `{name}` and `{earlier.name}` into the same files"
+            label = Label(earlier.span, "first here")
+            where = statement.span_of("type")
+            raise Mistake(
+                Diagnostic(
+                    codes.TYPE_EXISTS, message, where, help="choose another name", labels=(label,)
+                )
+            )
 
 
 def _made(
@@ -229,7 +251,10 @@ def _line(
     read = parse_definition(line, name, InterfaceKind.MESSAGE, version, is_new=True)
     if read.interface is None:
         return [_in_string(each, where) for each in read.diagnostics]
-    return line
+    [member] = members_of(read.interface.sections[0]).values()
+    value = member.value if isinstance(member, Constant) else member.default
+    unsure = changed_by_builders(value) if version == 2 else None
+    return line if unsure is None else [Diagnostic(codes.BAD_FIELD, unsure, where)]
 
 
 def _in_string(found: Diagnostic, where: Span) -> Diagnostic:

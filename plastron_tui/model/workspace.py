@@ -214,6 +214,13 @@ class Workspace:
         """Whether it writes packages, definitions or launch files, or may have to."""
         return bool(self.types or self.written_packages or self.written_launches)
 
+    @property
+    def is_written(self) -> bool:
+        """Whether the program asks for a file, of whatever kind."""
+        return bool(
+            self.generations or self.written_types or self.written_packages or self.written_launches
+        )
+
     def what(self, variable: str) -> tuple[str, Span] | None:
         """Return what a variable stands for, in a word, and since where; None for a free one."""
         named: dict[str, Mapping[str, Node | Message | OwnType | Package | Launch]] = {

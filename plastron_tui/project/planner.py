@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
-from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.diagnostics import Diagnostic, codes, has_errors
 from plastron_tui.model.libraries import written_libraries
 from plastron_tui.project.configuration import Configuration
 from plastron_tui.targets import LIBRARIES, has_target
@@ -176,8 +176,19 @@ class Planner:
             files.append(params)
         files, refused = self._with_loaded([*files, *whole], made, manifest)
         found += refused
+        if self._workspace is not None and not has_errors(found):
+            found += self._left(files, manifest)
         plan, problems = make_plan(output, files, manifest, within=configuration.writes_within)
         return plan, (*found, *problems)
+
+    def _left(self, files: Sequence[OutputFile], manifest: Manifest) -> list[Diagnostic]:
+        """Tell the files of packages that the program has written, and writes no longer."""
+        if not any("/" in each.name for each in files):
+            return []
+        from plastron_tui.generating.text_files import Folder, left_files
+
+        folder = Folder(self._configuration.output, manifest, self._author.name)
+        return left_files((each.name for each in files), folder)
 
     def _whole(
         self, made: Sequence[Generated], manifest: Manifest
@@ -204,14 +215,9 @@ class Planner:
         force = configuration.options.force
         folder = Folder(configuration.output, manifest, self._author.name, force)
         files, notes = text_files(made_of.files, folder)
-        types = workspace.types.values() if self._writes_types(workspace) else ()
+        types = workspace.types.values() if workspace.is_written else ()
         files += loaded_definitions(types, in_place=in_place)
         return [*files, *launches], [*made_of.diagnostics, *notes, *refused]
-
-    @staticmethod
-    def _writes_types(workspace: Workspace) -> bool:
-        """Tell whether the program writes anything: types that it changes are written with it."""
-        return bool(workspace.generations or workspace.written_types or workspace.written_packages)
 
     def _with_loaded(
         self, files: list[OutputFile], made: Sequence[Generated], manifest: Manifest

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from .definition_layout import laid_out
+
 _BLANK = b" \t"
 
 
 def add_member(text: bytes, line: str, section: int = 0) -> bytes:
     """Return the text with a line after the last member of a section, or at the section's end.
 
-    The line ends as the first line of the text does; the end of the text stays as it is. That
-    the section has no member of this name yet is the caller's matter.
+    A constant comes after the last constant, where there is one. The line is laid out as its
+    neighbours are, and ends as the first line of the text does; the end of the text stays as it
+    is. That the section has no member of this name yet is the caller's matter.
 
     Raises:
         ValueError: the text has no such section.
@@ -17,13 +20,15 @@ def add_member(text: bytes, line: str, section: int = 0) -> bytes:
     lines = _lines(text)
     start, end = _section(lines, section)
     members = [at for at in range(start, end) if member_name(lines[at])]
+    new = laid_out(line.encode(), [lines[at].rstrip(b"\r\n") for at in members])
+    if is_constant(new):
+        members = [at for at in members if is_constant(lines[at])] or members
     at = end
     if members:
         at = members[-1] + 1
         while at < end and _continues(lines[at], lines[members[-1]]):
             at += 1
     newline = b"\r\n" if lines and lines[0].endswith(b"\r\n") else b"\n"
-    new = line.encode()
     if at == len(lines) and lines and not lines[-1].endswith(b"\n"):
         return text + newline + new
     return b"".join([*lines[:at], new + newline, *lines[at:]])
@@ -75,13 +80,28 @@ def replace_member(
     new, comment = line.encode(), body[len(code) :]
     if comment and ros_version == 1 and _is_string_constant(new):
         new, comment = comment.lstrip(_BLANK) + (ending or b"\n") + new, b""
+    elif b"#" not in new:
+        like = [each.rstrip(b"\r\n") for each in _members_beside(lines, at)]
+        new, comment = laid_out(new + comment, like), b""
     lines[at] = new + comment + ending
     return b"".join(lines)
+
+
+def _members_beside(lines: list[bytes], at: int) -> list[bytes]:
+    """Return the members of the section that a line is in."""
+    start = next((i for i in range(at, -1, -1) if lines[i].startswith(b"---")), -1) + 1
+    end = next((i for i in range(at, len(lines)) if lines[i].startswith(b"---")), len(lines))
+    return [each for each in lines[start:end] if member_name(each)]
 
 
 def _is_string_constant(line: bytes) -> bool:
     words = line.split(b"#")[0].split(maxsplit=1)
     return len(words) == 2 and words[0] == b"string" and b"=" in words[1]
+
+
+def is_constant(line: bytes) -> bool:
+    """Tell whether the line of a member is that of a constant."""
+    return b"=" in line.split(b"#")[0].split(maxsplit=1)[-1].split(b"'")[0].split(b'"')[0]
 
 
 def member_name(line: bytes) -> str | None:

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from plastron_tui.diagnostics import did_you_mean
 
-from .interfaces import Constant, Field, FieldType, Scalar
+from .interfaces import Constant, Field, FieldType, InterfaceKind, Scalar
 from .primitives import PRIMITIVES, check_scalar, primitive
 from .reserved_words import is_python_word, reserved_by, taken_by
 
@@ -38,6 +38,21 @@ _NAME_RULE = {
     1: "letters, digits and `_`, a letter first",
     2: "lower-case letters, digits and single `_`, a letter first",
 }
+
+
+_LINE_ENDS = "\x0b\x0c\x1c\x1d\x1e\x85\u2028\u2029"
+"""What ends a line besides a newline where `rosidl_adapter` splits a definition."""
+
+
+_OF_ACTION = (
+    "Action",
+    "ActionGoal",
+    "ActionResult",
+    "ActionFeedback",
+    "Goal",
+    "Result",
+    "Feedback",
+)
 
 
 class MemberPart(str, Enum):
@@ -158,6 +173,22 @@ def check_type_package(name: str, ros_version: int) -> str | None:
     if language is not None:
         return f"`{name}` cannot name a package of types: it is a word of {language}"
     return None
+
+
+def generated_stems(name: str, kind: InterfaceKind, ros_version: int) -> frozenset[str]:
+    """Return what the files are called that are generated for a type, with their folder.
+
+    Source: in ROS 2 rosidl_pycommon, which puts a `_` where a word begins: `http_server` for
+    `HTTPServer`; in ROS 1 actionlib_msgs, which makes messages of an action.
+    """
+    if ros_version == 1:
+        is_action = kind is InterfaceKind.ACTION
+        names = [f"{name}{ending}" for ending in _OF_ACTION] if is_action else [name]
+        folder = InterfaceKind.MESSAGE.value if is_action else kind.value
+        return frozenset(f"{folder}/{each}" for each in names)
+    spread = re.sub("(.)([A-Z][a-z]+)", r"\1_\2", name)
+    stem = re.sub("([a-z0-9])([A-Z])", r"\1_\2", spread).lower()
+    return frozenset((f"{kind.value}/{stem}",))
 
 
 def constant_type(text: str, ros_version: int) -> MemberMistake | None:
@@ -296,6 +327,8 @@ def _check_text(value: Scalar, is_constant: bool, ros_version: int) -> str | Non
     if ros_version == 1:
         is_cut = value != value.strip()
         return "ROS 1 drops the space around the string of a constant" if is_cut else None
+    if any(each in _LINE_ENDS for each in value):
+        return "ROS 2 takes a character of this text for the end of a line"
     if "#" in value:
         return "in a ROS 2 definition `#` starts a comment, in quotes too"
     if "=" in value and not is_constant:

@@ -43,6 +43,8 @@ def _literal(value: Scalar, ros_version: int) -> str:
         return str(value) if ros_version == 1 else str(value).lower()
     if not isinstance(value, str):
         return repr(value)
-    escaped = value.replace("\\", "\\\\").replace('"', '\\"')
+    # `rosidl_adapter` does not find the end of a text in a list where it has an escaped quote.
+    quote = "'" if '"' in value and "'" not in value else '"'
+    escaped = value.replace("\\", "\\\\").replace(quote, f"\\{quote}")
     escaped = escaped.replace("\n", "\\n").replace("\t", "\\t")
-    return f'"{escaped}"'
+    return f"{quote}{escaped}{quote}"

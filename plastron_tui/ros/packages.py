@@ -7,6 +7,8 @@ read a `package.xml` by.
 
 from __future__ import annotations
 
+import keyword
+import sys
 from string import ascii_letters, ascii_lowercase, digits
 from typing import NamedTuple
 
@@ -89,7 +91,14 @@ def check_package_name(name: str) -> NameProblem | None:
 
 def taken_package_name(name: str) -> str | None:
     """Return why a name that can be a package's is better another's, None where it is free."""
-    return _TAKEN.get(name)
+    if name in _TAKEN:
+        return _TAKEN[name]
+    if keyword.iskeyword(name):
+        return "it is a word of Python, and no program can import it"
+    # A sourced workspace comes before Python's own modules.
+    if name in sys.stdlib_module_names:
+        return "Python has a module of this name, which the package would hide"
+    return None
 
 
 def mended_package_name(name: str) -> str | None:

@@ -81,6 +81,17 @@ def test_program_that_generates_nothing_is_told_so(run: Run, here: Path) -> None
     assert b"warning[nothing-to-generate]" in result.stderr
 
 
+def test_a_type_alone_is_something_to_generate(run: Run, here: Path) -> None:
+    (here / "W.msg").write_text("int8 a\n")
+    program = "load_type 'W.msg' as W\nW has_field \"int8 b\"\ngenerate_type W\n"
+    write(here, program)
+    for states in (b"changed", b""):
+        result = run("generate", "--in-place", "a.plastron")
+        assert (result.returncode, result.stderr) == (0, b"")
+        assert states in result.stdout
+    assert run("check", "a.plastron").stderr == b""
+
+
 def test_two_programs_do_not_overwrite_each_other(run: Run, here: Path) -> None:
     write(here, TALKER, "a.plastron")
     write(here, TALKER.replace("hello", "bye"), "b.plastron")

@@ -14,6 +14,10 @@ USED = f"{A}create_message m of message_type A and input x=5\n"
 ROSPY = "create_node 'n' as n using rospy\n"
 RCLPY = "create_node 'n' as n using rclpy\n"
 
+SLASH = "A has_field \"string y 'b\\\\c'\""
+LISTED = "create_message_type A with string[] x default "
+QUOTES = '["a\'\\""]'
+
 MADE = {
     "create_message_type A with none\n": "",
     A: "int32 x\n",
@@ -25,6 +29,9 @@ MADE = {
     'create_message_type A with string NAME = "a b"\n': 'string NAME="a b"\n',
     "create_message_type A with int32[3] x default [1, 2, 3]\n": "int32[3] x [1, 2, 3]\n",
     "create_message_type A with string<=5[<=3] names\n": "string<=5[<=3] names\n",
+    'create_message_type A with string[] x default ["a \\"b\\"", "c"]\n': (
+        'string[] x [\'a "b"\', "c"]\n'
+    ),
     S: "int32 x\n---\n",
     "create_action_type A with none returning bool ok reporting float32 left\n": (
         "---\nbool ok\n---\nfloat32 left\n"
@@ -44,6 +51,9 @@ WRONG: list[tuple[str, str, str, str, str | None]] = [
     ("", "create_message_type Bad/A with none", "bad-type-name", "Bad/A", None),
     ("", "create_message_type std_msgs/A with none", "type-exists", "std_msgs/A", "leave"),
     (A, "create_message_type A with none", "type-exists", "A", "`A has_field"),
+    (A, "create_service_type a with none returning none", "bad-type-name", "a", "`A`"),
+    ("create_message_type HTTPServer with none\n", "create_message_type HttpServer with none",
+     "type-exists", "HttpServer", "another name"),
     (RCLPY, "create_message_type n with none", "variable-exists", "n", None),
     (A, "create_node 'n' as A", "variable-exists", "A", None),
     ("", "create_message_type A with float64 leftWheel", "bad-field", "leftWheel", "lower-case"),
@@ -62,6 +72,9 @@ WRONG: list[tuple[str, str, str, str, str | None]] = [
     ("", "create_message_type A with int32 linux", "bad-field", "linux", None),
     (A, 'A has_field "int32 x"', "field-exists", '"int32 x"', None),
     (A, 'A has_field "int32"', "bad-field", '"int32"', "float64 x"),
+    ("", 'create_message_type A with string x default "a\u2028b"', "bad-field", '"a\u2028b"', None),
+    (A, SLASH, "bad-field", SLASH.removeprefix("A has_field "), None),
+    ("", f"{LISTED}{QUOTES}", "bad-field", QUOTES, None),
     (A, 'A has_field "foo y"', "unknown-type", "foo", None),
     (A, 'A has_field "A a"', "circular-type", "A", None),
     (A, 'A has_field "int32 y" in response', "no-such-field", "response", "leave it out"),
@@ -151,6 +164,15 @@ def test_what_one_ros_cannot_have_is_told_where_it_is_used() -> None:
     use = f"{text}{ROSPY}subscribe n to 'a' of message_type A\n"
     [found] = run(use, "rclpy").diagnostics
     assert found.message == "`A` is no type of ROS 1: ROS 1 has no bounded types"
+
+
+def test_messages_of_an_action_of_ros_1_are_no_other_messages() -> None:
+    action = "create_action_type Dock with none returning none reporting none\n"
+    message = "create_message_type DockGoal with none\n"
+    for text, where in ((action + message, "DockGoal"), (message + action, "Dock")):
+        assert list(run(text, "rclpy").diagnostics) == []
+        [found] = run(text, "rospy").diagnostics
+        assert (found.code, marked(text, found)) == ("type-exists", where)
 
 
 def test_a_type_that_the_program_is_not_for_may_be_for_its_nodes() -> None:

@@ -15,6 +15,7 @@ from plastron_tui.ros.packages import (
     check_version,
     mended_package_name,
     parse_maintainer,
+    taken_package_name,
 )
 
 TEXTS = st.one_of(
@@ -116,3 +117,11 @@ def test_a_maintainer_is_read_or_told(text: str) -> None:
 )
 def test_key_of_a_module(module: str, ros_version: int, key: str | None) -> None:
     assert key_of_module(module, ros_version, {"std_msgs"}) == key
+
+
+@pytest.mark.parametrize(
+    ("name", "owner"), [("class", "word of Python"), ("json", "module"), ("rover", None)]
+)
+def test_names_that_python_has(name: str, owner: str | None) -> None:
+    taken = taken_package_name(name)
+    assert owner in taken if owner is not None and taken is not None else taken is owner

@@ -158,7 +158,8 @@ UNSAFE_TRUST_STORE = Code(
 
 NOTHING_TO_GENERATE = Code(
     "nothing-to-generate",
-    "A program generates no node. End it with `generate_node` and the variable of a node.",
+    "A program generates no node, package, launch file or type. End it with `generate_node` and "
+    "the variable of a node, or with `generate_package`, `generate_launch` or `generate_type`.",
 )
 
 PORT_BY_HAND = Code(

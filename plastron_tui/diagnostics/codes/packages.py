@@ -114,8 +114,8 @@ OTHER_ROS = Code(
 
 FILE_STAYS = Code(
     "file-stays",
-    "An executable was taken out of a package that exists, and its file is left there: something "
-    "else may need it. Remove it by hand where nothing does.",
+    "An executable was taken out of a package, or has another name, and its file is left there: "
+    "something else may need it. Remove it by hand where nothing does.",
     severity=Severity.WARNING,
 )
 

@@ -18,7 +18,15 @@ from plastron_tui.ros.primitives import LARGEST_FLOAT, check_scalar, primitive
 from ..computed_values import written_as
 from ..mistake import Mistake
 from ..value_diagnostics import span
-from ..values import Computed, OfParameter, OfReceived, Value, calculated, computed_fields
+from ..values import (
+    Computed,
+    OfParameter,
+    OfReceived,
+    Value,
+    calculated,
+    computed_fields,
+    computed_in,
+)
 from .parameter import Parameter, find_parameter
 
 if TYPE_CHECKING:
@@ -111,6 +119,18 @@ def check_computed(
             use = _Use(field, each, whole, source, whole if made is None else where)
         mistakes = _mistakes(run, node, use, heard) or ()
         raise Mistake(*(_placed(found, use, is_sure=written is not None) for found in mistakes))
+
+
+def can_compute(run: Run, node: Node, value: Value, heard: Sequence[Field] | None = None) -> bool:
+    """Tell whether a node has all that a value is computed of, and fits the fields that it is for.
+
+    Args:
+        run: what is checked.
+        node: the node.
+        value: the value.
+        heard: the fields of what is received then, None where nothing is.
+    """
+    return all(_mistakes(run, node, _unwritten(each), heard) is None for each in computed_in(value))
 
 
 def _placed(found: Diagnostic, use: _Use, *, is_sure: bool) -> Diagnostic:

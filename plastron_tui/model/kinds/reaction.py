@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import operator as operators
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, codes, guess, write
+from plastron_tui.diagnostics import Diagnostic, Span, codes, guess, write
 from plastron_tui.language.statements import Publish
-from plastron_tui.ros.interfaces import FieldType, Interface, InterfaceKind, Scalar
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import Field, FieldType, Interface, InterfaceKind, Scalar
 from plastron_tui.ros.primitives import primitive
 
 from ..computed_values import received
@@ -135,6 +136,20 @@ def _condition(run: Run, statement: Publish, node: Node, type_: Interface) -> Co
         where = statement.span_of("condition")
         raise Mistake(Diagnostic(codes.VALUE_OUT_OF_RANGE, problem, where))
     return Condition(given.quantifier, source, given.operator, given.value.value)
+
+
+def can_compare(condition: Condition, fields: Sequence[Field], catalog: Catalog) -> bool:
+    """Tell whether a condition can hold, and fail, of a message with these fields."""
+    try:
+        compared = type_received(condition.source, fields, catalog, Span(0, 0))
+    except Mistake:
+        return False
+    found, version = what_of(compared, catalog.ros_version), catalog.ros_version
+    operator, value = condition.operator, condition.value
+    if found.is_list != (condition.quantifier is not None):
+        return False
+    is_comparable = _is_comparable(found.kind, operator, value)
+    return is_comparable and _foregone(compared, operator, value, version) is None
 
 
 def _is_comparable(kind: object, operator: str, value: Scalar) -> bool:

@@ -104,7 +104,7 @@ class GenerateDialog(Dialog[bool]):
         found = self.problems or (
             Diagnostic(
                 codes.NOTHING_TO_GENERATE,
-                "the program generates no node",
+                "the program generates nothing",
                 help="end it with `generate_node` and the variable of a node",
             ),
         )

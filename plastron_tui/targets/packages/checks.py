@@ -17,7 +17,6 @@ from plastron_tui.ros.packages import (
     check_package_name,
     check_text,
     check_version,
-    taken_package_name,
 )
 
 from .spec import PROPRIETARY, BuildType, PackageSpec
@@ -38,10 +37,6 @@ def is_refused(diagnostics: Iterable[Diagnostic]) -> bool:
 
 def _head(spec: PackageSpec) -> Iterator[Diagnostic]:
     yield from _told(codes.BAD_PACKAGE_NAME, check_package_name(spec.name), spec.span)
-    taken = taken_package_name(spec.name)
-    if taken is not None:
-        message = f"the name `{spec.name}` is taken: {taken}"
-        yield Diagnostic(codes.TAKEN_PACKAGE_NAME, message, spec.span)
     yield from _told(codes.BAD_PACKAGE_TEXT, check_version(spec.version), spec.span)
     if spec.description:
         problem = check_text(spec.description, "the description of a package")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import Enum
 from typing import NamedTuple
@@ -137,13 +137,16 @@ class PackageSpec:
 
     @property
     def summary(self) -> str:
-        """What it says of itself: a description has to be there (REP 149)."""
+        """What it says of itself: a description has to be there (REP 149).
+
+        It names nothing that comes and goes: it stands beside the version, which people change.
+        """
         if self.description:
             return self.description.strip()
         if self.nodes:
-            return f"The nodes {_listed(each.node.name for each in self.nodes)}"
+            return f"The nodes of {self.name}"
         if self.definitions and not self.launches:
-            return f"The interface types {_listed(each.name for each in self.definitions)}"
+            return f"The interface types of {self.name}"
         return f"The launch files of {self.name}"
 
     @property
@@ -183,8 +186,3 @@ class RenderedPackage(NamedTuple):
 
     files: Mapping[str, PackageFile] | None
     diagnostics: tuple[Diagnostic, ...] = ()
-
-
-def _listed(names: Iterable[str]) -> str:
-    *most, last = names
-    return f"{', '.join(most)} and {last}" if most else last
