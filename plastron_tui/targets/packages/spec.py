@@ -141,10 +141,10 @@ class PackageSpec:
         if self.description:
             return self.description.strip()
         if self.nodes:
-            return f"The nodes {_listed(each.node.name for each in self.nodes)}"
+            return f"Nodes {_listed(each.node.name for each in self.nodes)}"
         if self.definitions and not self.launches:
-            return f"The interface types {_listed(each.name for each in self.definitions)}"
-        return f"The launch files of {self.name}"
+            return f"Interface types {_listed(each.name for each in self.definitions)}"
+        return f"Launch files of {self.name}"
 
     @property
     def person(self) -> Maintainer:
