@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from pathlib import Path
 from typing import NamedTuple
 
@@ -112,6 +113,10 @@ WRONG = {
         'A has_field "B b"\n' + TALKER,
         "circular-type]: `A` contains itself: `A` in `B` in `A`", "a.plastron:3:13", '"B b"',
     ),
+    "cycle of types that are made": Wrong(
+        {}, "create_message_type A with B b\ncreate_message_type B with A a\n" + TALKER,
+        "unknown-type]: no message type `B` is known in ROS 2 kilted", "a.plastron:1:28", "B",
+    ),
     "cycle of definition files": Wrong(
         {"A.msg": "B b\n", "B.msg": "A a\n"},
         "load_type 'demo/A.msg' as a\nload_type 'demo/B.msg' as b\n" + TALKER,
@@ -152,7 +157,7 @@ def test_is_told_and_nothing_is_written(
 def underlined(told: str) -> str:
     """Return what the first carets stand below; "" where there is one below a single place."""
     lines = told.splitlines()
-    for line, marks in zip(lines, lines[1:], strict=False):
+    for line, marks in pairwise(lines):
         if "^" in marks:
             start = marks.index("^")
             return line[start : start + marks.count("^")].rstrip()
