@@ -96,13 +96,12 @@ def _for_tests(spec: PackageSpec) -> set[str]:
     return needed
 
 
+# ament_lint_auto runs those of a CMake package with their defaults, by which the quotes and the
+# docstrings of nodes are not written.
+_CMAKE_LINTERS = ("ament_cmake_lint_cmake", "ament_cmake_xmllint", "ament_lint_auto")
+
 _LINTERS: Mapping[BuildType, Iterable[str]] = {
     BuildType.AMENT_PYTHON: ("ament_flake8", "ament_pep257", "python3-pytest"),
-    BuildType.AMENT_CMAKE: ("ament_cmake_lint_cmake", "ament_cmake_xmllint", "ament_lint_auto"),
-    BuildType.AMENT_CMAKE_PYTHON: (
-        "ament_cmake_lint_cmake",
-        "ament_cmake_pep257",
-        "ament_cmake_xmllint",
-        "ament_lint_auto",
-    ),
+    BuildType.AMENT_CMAKE: _CMAKE_LINTERS,
+    BuildType.AMENT_CMAKE_PYTHON: _CMAKE_LINTERS,
 }

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import shutil
 import subprocess
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -86,20 +87,24 @@ def generate(library: str, folder: Path) -> Path:
     return source
 
 
-def check_style(source: Path, library: str) -> None:
-    """Let the readers and linters of ROS read the packages."""
-    found = find_packages(str(source)).values()
-    types = {each.name: each.get_build_type() for each in sorted(found, key=lambda one: one.name)}
-    assert types == PACKAGES[library]
+def check_style(source: Path, kinds: Mapping[str, str]) -> None:
+    """Let the readers and linters of ROS read the packages, given by name with their kinds."""
+    found = sorted(find_packages(str(source)).values(), key=lambda each: each.name)
+    assert {each.name: each.get_build_type() for each in found} == kinds
     path = {"PATH": f"{SCRIPTS}:{SYSTEM}"}
     listed = call(["colcon", "list"], source.parent, path).splitlines()
-    assert listed == [f"{name}\tsrc/{name}\t(ros.{kind})" for name, kind in types.items()]
-    xml = [*source.glob("*/package.xml"), *source.glob("*/launch/*")]
-    assert len(xml) == len(found) + 2
+    assert listed == [f"{name}\tsrc/{name}\t(ros.{kind})" for name, kind in kinds.items()]
     skip_without("xmllint", path=SYSTEM)
+    xml = [*source.glob("*/package.xml"), *source.glob("*/launch/*")]
+    assert len(xml) == len(kinds) + 2
     assert call(["xmllint", "--noout", *xml], source, path) == ""
     assert "No problems found" in call(["ament_lint_cmake", source], source, path)
-    if library == "rospy":
+    for each in found:
+        # What ament_lint_auto does of them: each with its defaults.
+        asked = {depend.name.removeprefix("ament_cmake_") for depend in each.test_depends}
+        for name in asked & {"copyright", "flake8", "pep257"}:
+            call([f"ament_{name}", source / each.name], source, path)
+    if set(kinds.values()) == {"catkin"}:
         told = call(["catkin_lint", "-W2", "--strict", "--offline", source], source, path)
         assert "found 0 problems" in told
 
@@ -111,9 +116,11 @@ def test_installed_executables_exchange_own_types(build_type: BuildType, tmp_pat
     wheels = complete_ros2(tmp_path)
     skip_without("colcon", "cmake", "make", "c++", path=wheels["PATH"])
     source = generate("rclpy", tmp_path)
-    check_style(source, "rclpy")
+    kinds = PACKAGES["rclpy"]
     if build_type is not BuildType.AMENT_PYTHON:
         build_otherwise(source, build_type, tmp_path)
+        kinds = kinds | {"rover": "ament_cmake"}
+    check_style(source, kinds)
     workspace = source.parent
     told = call(["colcon", "build"], workspace, wheels)
     assert "Summary: 3 packages finished" in told
@@ -165,7 +172,7 @@ def test_roslaunch_starts_nodes_that_exchange_own_types(tmp_path: Path) -> None:
     find_ros(1)
     skip_without("catkin_make", "roslaunch", "rosmaster", "rostopic", path=SYSTEM)
     source = generate("rospy", tmp_path)
-    check_style(source, "rospy")
+    check_style(source, PACKAGES["rospy"])
     workspace = source.parent
     system = {"PATH": SYSTEM, "ROS_IP": "127.0.0.1", **graph_of(tmp_path)}
     call(["catkin_make", "-j2"], workspace, system)
