@@ -127,7 +127,7 @@ class Session:
         """What is wrong with the definitions that the program asks for, or has asked for."""
         # A file that is made asks for more: a port for the types of the other ROS.
         is_known = self._interpretation is not None
-        return self._type_problems if is_known else self._configuration.type_problems
+        return self._type_problems if is_known else self._configuration.type_problems()
 
     def snapshot(self) -> Session:
         """Return a session of the program as it is now, for another thread.
@@ -182,7 +182,8 @@ class Session:
             setting = self._new_setting(loader)
             self._configuration.leave_type_problems()
             self._interpretation = interpret(self.program, setting, self._fitters, pulse)
-            self._type_problems = self._configuration.type_problems
+            versions = self._interpretation.workspace.ros_versions(setting.ros_version)
+            self._type_problems = self._configuration.type_problems(versions)
             self._fitters = {}
             loader.forget_others()
         return self._interpretation

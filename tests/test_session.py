@@ -53,6 +53,39 @@ def test_files_that_were_written_are_loaded_when_that_is_told(tmp_path: Path) ->
     assert list(made.workspace.nodes["talker"].of(Publisher)) == ["chatter"]
 
 
+SPEED = """\
+create_message_type Axle with float64 angle default 0.5
+create_node 'talker' as talker
+subscribe talker to 'speeds' of message_type {}
+"""
+DEFINED = {
+    "float64 x": [],
+    # A field of ROS 1 has no default value: the program is not for ROS 1.
+    "float64 x 0.5": [],
+    "floot64 x": ["unknown-type", "bad-definition"],
+}
+
+
+@pytest.mark.parametrize("definition", DEFINED)
+@pytest.mark.parametrize("name", ["Speed", "own_msgs/Speed"])
+def test_definitions_count_beside_types_of_the_program(
+    definition: str, name: str, tmp_path: Path
+) -> None:
+    (tmp_path / "own_msgs" / "msg").mkdir(parents=True)
+    (tmp_path / "own_msgs" / "msg" / "Speed.msg").write_text(f"{definition}\n")
+    made = session(tmp_path, SPEED.format(name), target="rclpy")
+    assert codes(made) == DEFINED[definition]
+
+
+def test_what_a_program_wrote_for_one_ros_is_no_mistake_in_the_other(tmp_path: Path) -> None:
+    text = SPEED.format("Axle") + "create_message_type Box with Axle axle\ngenerate_node talker\n"
+    write(session(tmp_path, text, target="rclpy").plan()[0])
+    assert list((tmp_path / "output").glob("*/msg/Axle.msg"))
+    # The type is looked for elsewhere now, and is found where it was written.
+    broken = text.replace("float64 angle default 0.5", "uint8 angle default 300")
+    assert codes(session(tmp_path, broken, target="rclpy")) == ["bad-field"]
+
+
 def wrong_types(folder: Path) -> None:
     """Write definitions of ROS 1: one names the header shortly, and others hold that."""
     (folder / "mine" / "msg").mkdir(parents=True)

@@ -35,7 +35,9 @@ class Consequences:
         """Remember what a statement without effect was to make: it is broken, not missing."""
         declaration = DECLARATIONS[type(statement)]
         filled = [(slot.kind, getattr(statement, slot.name)) for slot in declaration.slots]
-        self._declared.update(text for kind, text in filled if kind.makes is not None)
+        made = (text for kind, text in filled if kind.makes is not None)
+        # A type is called by its name, whether its package is written or not.
+        self._declared.update(text.rpartition("/")[2] for text in made)
         self._uncreated.update(text for kind, text in filled if kind is SlotKind.NODE_NAME)
         names = [spelled(text) for kind, text in filled if kind in _NAMES]
         if names and declaration.undoes is None:

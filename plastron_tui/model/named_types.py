@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Fix, Label, Span, write
+from plastron_tui.diagnostics import Diagnostic, Fix, Label, Span, codes, write
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.lowering import Program
 from plastron_tui.language.statements import CreatePackage
@@ -13,6 +13,7 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface, InterfaceKind
 from plastron_tui.ros.packages import check_package_name, mended_package_name
 
+from .consequences import Consequences
 from .context import Setting
 from .libraries import default_library
 from .mistake import Mistake
@@ -49,17 +50,23 @@ class NamedTypes:
     """Looks up the types that statements name, and fits values to them."""
 
     def __init__(
-        self, setting: Setting, workspace: Workspace, fitters: Mapping[int, Fitter]
+        self,
+        setting: Setting,
+        workspace: Workspace,
+        consequences: Consequences,
+        fitters: Mapping[int, Fitter],
     ) -> None:
         """Start with nothing.
 
         Args:
             setting: what programs are interpreted in.
             workspace: what the program has built so far.
+            consequences: tells what merely follows from an earlier mistake.
             fitters: those of an earlier interpretation, by their generation of ROS.
         """
         self._setting = setting
         self._workspace = workspace
+        self._consequences = consequences
         self._version = setting.ros_version(None)
         self._resolvers: dict[int, TypeResolver] = {}
         self._package: str | None = None
@@ -77,6 +84,8 @@ class NamedTypes:
         used = self._used_by_file(statement, text, kind)
         if used is not None:
             return used
+        if self.is_broken(text, found):
+            raise Mistake
         where = statement.span_of("type")
         own = self._own(text, kind)
         if own is not None and version in own.wrong:
@@ -87,6 +96,13 @@ class NamedTypes:
             remedy = found.help
             fix = None if found.right is None else write(found.right, where)
         raise Mistake(Diagnostic(found.code, found.message, where, help=remedy, fix=fix))
+
+    def is_broken(self, text: str, problem: TypeProblem) -> bool:
+        """Tell whether a type that is not known was to be made by a broken statement."""
+        name = text.rpartition("/")[2]
+        if problem.code != codes.UNKNOWN_TYPE or name in self._workspace.types:
+            return False
+        return self._consequences.declares(name)
 
     def _own(self, text: str, kind: InterfaceKind) -> OwnType | None:
         own = self._workspace.types.get(text.rpartition("/")[2])

@@ -49,7 +49,7 @@ class Run:
         self.workspace = Workspace()
         self.consequences = Consequences()
         self.checks = Checks(setting, self.workspace, self.consequences)
-        self.types = NamedTypes(setting, self.workspace, fitters)
+        self.types = NamedTypes(setting, self.workspace, self.consequences, fitters)
         self.messages = Messages(
             setting, self.workspace, self.checks, self.types, self.consequences
         )

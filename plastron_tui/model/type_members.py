@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
@@ -46,15 +46,21 @@ class Naming(NamedTuple):
         package: the package of the definition.
         resolver: looks types up.
         own: the type itself, of which it can have no field.
+        is_broken: tells whether a type that is not known was to be made by a broken statement.
     """
 
     version: int
     package: str
     resolver: TypeResolver
-    own: str = ""
+    own: str
+    is_broken: Callable[[str, TypeProblem], bool]
 
     def full(self, type_text: str) -> str | TypeProblem:
-        """Return a type as a definition of the package has it: with its package, if another's."""
+        """Return a type as a definition of the package has it: with its package, if another's.
+
+        Raises:
+            Mistake: the type is not there because of an earlier mistake.
+        """
         base, bracket, array = type_text.partition("[")
         name, bound, length = base.partition("<=")
         if primitive(name, self.version) is not None or (name, self.version) == ("Header", 1):
@@ -63,6 +69,8 @@ class Naming(NamedTuple):
             return TypeProblem(codes.CIRCULAR_TYPE, f"`{self.own}` contains itself", None)
         found = self.resolver.resolve(name, InterfaceKind.MESSAGE)
         if isinstance(found, TypeProblem):
+            if self.is_broken(name, found):
+                raise Mistake
             right = nearest(name, PRIMITIVES[self.version]) if name.islower() else None
             is_slip = right is not None and found.code == codes.UNKNOWN_TYPE
             return found._replace(help=f"did you mean `{right}`?") if is_slip else found
@@ -74,12 +82,21 @@ class Naming(NamedTuple):
 def section_of(
     statement: Statement, fields: Sequence[FieldText], naming: Naming
 ) -> Section | list[Diagnostic]:
-    """Return what some fields of a statement make of a definition, or all that is wrong."""
+    """Return what some fields of a statement make of a definition, or all that is wrong.
+
+    Raises:
+        Mistake: nothing is wrong but that types are not there because of an earlier mistake.
+    """
     members: list[Field | Constant] = []
     wrong: list[Diagnostic] = []
     names: set[str] = set()
+    is_broken = False
     for each in fields:
-        found = _member(statement, each, naming)
+        try:
+            found = _member(statement, each, naming)
+        except Mistake:
+            is_broken = True
+            continue
         if isinstance(found, list):
             wrong += found
         elif found.name in names:
@@ -90,6 +107,8 @@ def section_of(
             names.add(found.name)
     if wrong:
         return wrong
+    if is_broken:
+        raise Mistake
     return Section(
         tuple(each for each in members if isinstance(each, Field)),
         tuple(each for each in members if isinstance(each, Constant)),

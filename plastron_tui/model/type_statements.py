@@ -158,7 +158,8 @@ def _made(
     version: int,
 ) -> Definition | list[Diagnostic]:
     own = name.name if kind is InterfaceKind.MESSAGE else ""
-    naming = Naming(version, name.package, run.types.resolver(version), own)
+    types = run.types
+    naming = Naming(version, name.package, types.resolver(version), own, types.is_broken)
     sections: list[Section] = []
     wrong: list[Diagnostic] = []
     for _, fields in parts:
@@ -241,7 +242,8 @@ def _line(
     if len(words) < 2 or "\n" in written:
         message = "this is neither a field nor a constant"
         return [Diagnostic(codes.BAD_FIELD, message, where, help='write "float64 x", say')]
-    naming = Naming(version, name.package, run.types.resolver(version), name.name)
+    types = run.types
+    naming = Naming(version, name.package, types.resolver(version), name.name, types.is_broken)
     full = naming.full(words[0])
     if not isinstance(full, str):
         start = where.start + 1 + statement.definition.index(words[0])

@@ -107,6 +107,8 @@ class TypeResolver:
             for full in self.catalog.names(kind)
             if package is None or full.package == package
         }
+        if name in names:
+            return TypeProblem(codes.UNKNOWN_TYPE, message, "its definition file has a mistake")
         guess = nearest(name, names)
         if guess is None:
             return TypeProblem(codes.UNKNOWN_TYPE, message, "`plastron types` lists what is known")

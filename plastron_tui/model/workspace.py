@@ -6,7 +6,7 @@ that targets, panels and graphs see one kind of node.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -220,6 +220,15 @@ class Workspace:
         return bool(
             self.generations or self.written_types or self.written_packages or self.written_launches
         )
+
+    def ros_versions(self, version_of: Callable[[str | None], int]) -> set[int]:
+        """Return the generations of ROS that it is for, by that of a client library.
+
+        None is asked for as the client library of what names none.
+        """
+        named = {each.library for each in self.nodes.values()}
+        asked = {each.library for each in self.generations}
+        return {version_of(each) for each in {None, *named, *asked}}
 
     def what(self, variable: str) -> tuple[str, Span] | None:
         """Return what a variable stands for, in a word, and since where; None for a free one."""

@@ -5,7 +5,7 @@ It is read when it is first asked for, and made anew when the user trusts the pr
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 from functools import cached_property, partial
 from pathlib import Path
@@ -150,10 +150,15 @@ class Configuration:
         refusal = partial(outside_definition, folders=own, boundary=self.boundary)
         return Catalog(distribution, own, installed, refusal)
 
-    @property
-    def type_problems(self) -> tuple[Diagnostic, ...]:
-        """What is wrong with definitions that were asked for, at all or since they were left."""
-        problems = (found for catalog in self._catalogs.values() for found in catalog.problems)
+    def type_problems(self, versions: Collection[int] = (1, 2)) -> tuple[Diagnostic, ...]:
+        """Return what is wrong with definitions that were asked for, or since they were left.
+
+        Args:
+            versions: the generations of ROS that count; a type of one may be looked for in the
+                other one only to say so.
+        """
+        catalogs = (self._catalogs[each] for each in versions if each in self._catalogs)
+        problems = (found for catalog in catalogs for found in catalog.problems)
         # The catalogs of both generations of ROS may have asked for one definition.
         return tuple(dict.fromkeys(problems))
 

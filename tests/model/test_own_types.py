@@ -156,6 +156,37 @@ def test_a_type_is_used_from_the_next_line_on() -> None:
     assert found.code == "unknown-type"
 
 
+USES = """\
+create_message_type B with A a, A[] more
+create_service_type S with B b returning none
+create_message m of message_type A and input none
+n publish m to 'a' of message_type A
+n provides_service 's' of service_type S
+A has_field "int32 y"
+generate_type A
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "code"),
+    [
+        ("create_message_type A with flot64 x", "unknown-type"),
+        ("create_message_type own_msgs/A with float64 x, float64 x", "bad-field"),
+        ("create_message_type A with A a", "circular-type"),
+        ("create_message_type A width float64 x", "syntax-error"),
+    ],
+)
+def test_a_broken_type_is_told_once(line: str, code: str) -> None:
+    found = run(f"create_node 'n' as n\n{line}\n{USES}").diagnostics
+    assert [each.code for each in found] == [code]
+
+
+def test_what_else_is_wrong_in_a_type_is_told() -> None:
+    line = "create_message_type B with A a, Nowhere x, uint8 n default 300"
+    found = run(f"create_message_type A with flot64 x\n{line}\n").diagnostics
+    assert [each.code for each in found] == ["unknown-type", "unknown-type", "bad-field"]
+
+
 def test_what_one_ros_cannot_have_is_told_where_it_is_used() -> None:
     text = "create_message_type A with string<=5 x\n"
     assert list(run(text, "rclpy").diagnostics) == []

@@ -130,11 +130,12 @@ class Catalog:
     def with_own(self, interfaces: Mapping[_Key, Interface]) -> Catalog:
         """Return a catalog in which a program's own types come before all others.
 
-        What was found so far is kept only where there is no own type that it may contain.
+        What was found so far is kept only where there is no own type that it may contain. What
+        is wrong in definitions, either asked for, both catalogs list.
         """
         other = copy(self)
         other._overlay = dict(interfaces)
-        other.problems, other._open, other._candidates = [], [], {}
+        other._open, other._candidates = [], {}
         if interfaces or self._overlay:
             other._found, other._wrong = dict(self._undefined), {}
         return other

@@ -158,14 +158,23 @@ def parse_cmake(text: bytes, path: Path) -> Listing:
         ) from None
     root = parser.parse(text).root_node
     if root.has_error:
-        wrong = next(each for each in _all(root) if each.is_error or each.is_missing)
-        raise _broken(text, path, (wrong.start_byte, wrong.end_byte))
+        raise _broken(text, path, _first_wrong(root))
     comments = tuple(
         (each.start_byte, each.end_byte) for each in _all(root) if each.type.endswith("_comment")
     )
     listing = Listing(text, path, _Builder(text, path).statements(root, 0), comments)
     _check_lines(listing)
     return listing
+
+
+def _first_wrong(root: Node) -> tuple[int, int]:
+    """Return where the first syntax error is; a command that is not closed begins there."""
+    wrong = next(each for each in _all(root) if each.is_error or each.is_missing)
+    command = wrong.parent
+    if wrong.is_missing and wrong.type == ")" and command is not None:
+        opening = next((each for each in command.children if each.type == "("), command)
+        return command.start_byte, opening.end_byte
+    return wrong.start_byte, wrong.end_byte
 
 
 def _broken(text: bytes, path: Path, span: tuple[int, int]) -> RefusedError:

@@ -91,7 +91,7 @@ def interfaces_of(spec: PackageSpec) -> PackageSpec | None:
     return replace(
         spec,
         name=interfaces_name(spec.name),
-        description=f"The interface types of {spec.name}",
+        description=f"Interface types of {spec.name}",
         nodes=(),
         launches=(),
         configs=(),

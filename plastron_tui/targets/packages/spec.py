@@ -144,10 +144,10 @@ class PackageSpec:
         if self.description:
             return self.description.strip()
         if self.nodes:
-            return f"The nodes of {self.name}"
+            return f"Nodes of {self.name}"
         if self.definitions and not self.launches:
-            return f"The interface types of {self.name}"
-        return f"The launch files of {self.name}"
+            return f"Interface types of {self.name}"
+        return f"Launch files of {self.name}"
 
     @property
     def person(self) -> Maintainer:

@@ -17,7 +17,9 @@ HEAD = "project(rover)\nfind_package(ament_cmake REQUIRED)\n"
 CATKIN = "project(rover)\nfind_package(catkin REQUIRED)\n"
 
 BROKEN = {
-    "project(rover\n": 2,
+    "project(rover\n": 1,
+    "project(rover)\nset(a (b\nset(c d)\n": 2,
+    "project(rover)\nset(a\nset(c d)\n": 2,
     "project(rover))\n": 1,
     'project(rover)\nset(x "a)\n': 2,
     "project(rover)\nif(X)\n": 2,

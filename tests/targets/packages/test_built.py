@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import os
-import shutil
 import subprocess
 import sys
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from machine import skip_or_fail
 from made_packages import TALKER, spec_of, with_types, write
+from ros_workspaces import SCRIPTS, SYSTEM, call, skip_without
 
 from plastron_tui.targets.packages import BuildType, render_package
 
@@ -22,30 +21,6 @@ create_node 'lamp' as lamp managed
 lamp provides_service 'switch' of service_type SetBool
 generate_node lamp
 """
-SYSTEM = "/usr/sbin:/usr/bin:/sbin:/bin"
-SCRIPTS = Path(sys.executable).parent
-
-
-def call(command: list[str], folder: Path, environ: dict[str, str]) -> str:
-    """Run a command that has to succeed, and return what it says."""
-    ended = subprocess.run(
-        command,
-        cwd=folder,
-        env={"HOME": str(folder), "LC_ALL": "C.UTF-8", **environ},
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-        timeout=600,
-        check=False,
-    )
-    assert ended.returncode == 0, ended.stdout
-    return ended.stdout
-
-
-def skip_without(*programs: str, path: str) -> None:
-    for program in programs:
-        if shutil.which(program, path=path) is None:
-            skip_or_fail(f"there is no `{program}`")
 
 
 @pytest.mark.long(1)

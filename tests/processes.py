@@ -13,7 +13,7 @@ from pathlib import Path
 
 from machine import wait_until
 
-PROGRAMS = Path(__file__).parents[1] / "programs"
+PROGRAMS = Path(__file__).with_name("programs")
 PLASTRON = Path(sys.executable).with_name("plastron")
 
 # rospy closes its topics before `is_shutdown` says so: a timer or a callback whose turn it is in
