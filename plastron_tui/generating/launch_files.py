@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from pathlib import Path
+from dataclasses import replace
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
@@ -14,8 +14,12 @@ from plastron_tui.ros.launch_text import Kind, Substitution
 from plastron_tui.sources.launch.edits import add, remove
 from plastron_tui.sources.launch.xml_reader import read_launch_xml
 from plastron_tui.targets.launch.program import FindExecutable, request_of
+from plastron_tui.targets.packages.spec import PackageFile
 
+from .destination import Writing
 from .file_names import is_same_path
+from .launch_layers import Version, in_place
+from .text_files import Folder, text_files
 
 
 class EditedLaunch(NamedTuple):
@@ -52,24 +56,36 @@ def edited_launch(launch: Launch, find: FindExecutable) -> EditedLaunch:
     return EditedLaunch(document.text)
 
 
-def launch_output(source: LaunchSource, text: bytes, output: Path, *, in_place: bool) -> OutputFile:
-    """Return a changed launch file as it is to be written.
+def launch_output(
+    launch: Launch, made: bytes, find: FindExecutable, folder: Folder, writing: Writing
+) -> tuple[OutputFile, tuple[Diagnostic, ...]]:
+    """Return a changed launch file as it is to be written, and what is to be said of it.
 
     Args:
-        source: what it was loaded from.
-        text: what it shall hold.
-        output: the output folder.
-        in_place: whether it is written over the file that it came from.
+        launch: the launch file, which was loaded.
+        made: what it shall hold.
+        find: tells which package a node of the program is in.
+        folder: the output folder.
+        writing: whether it is written over the file that it came from, and what is known of that.
     """
+    source = launch.source
+    assert source is not None, "the launch file was loaded"
     name = source.path.name
-    is_over = in_place or is_same_path(output / name, source.path)
-    return OutputFile(
-        name,
-        text,
-        is_executable=False,
-        merged_from=source.text if is_over else None,
-        path=source.path if is_over else None,
-    )
+    if not writing.in_place and not is_same_path(folder.output / name, source.path):
+        (file,), notes = text_files({name: PackageFile(made)}, folder)
+        return file, tuple(notes)
+    version = Version(source.text, made)
+    pure = _without_handwork(launch, source, find) or version
+    return in_place(source, version, pure, writing)
+
+
+def _without_handwork(launch: Launch, source: LaunchSource, find: FindExecutable) -> Version | None:
+    """Return what a program makes of the text that it first started from, None where it cannot."""
+    if source.origin is None:
+        return None
+    original = source.origin.original
+    edited = edited_launch(replace(launch, source=source._replace(text=original)), find)
+    return None if edited.text is None else Version(original, edited.text)
 
 
 def packages_of(source: LaunchSource) -> Iterator[str]:

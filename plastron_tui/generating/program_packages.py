@@ -26,13 +26,13 @@ from .own_definitions import Packaged, own_definitions, rendered_definitions, us
 from .package_spec import package_spec
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from plastron_tui.model.packages import Package
     from plastron_tui.output.plan import OutputFile
 
     from .apply_changes import Library
+    from .destination import Writing
     from .generation import Generated
+    from .text_files import Folder
 
 
 class Made(NamedTuple):
@@ -163,14 +163,9 @@ class ProgramPackages:
     def _launches_alone(self) -> Iterator[Made]:
         """Yield the launch files that are written for their own sake."""
         assert self._default is not None
-        held = {
-            variable
-            for each in self._workspace.written_packages
-            for variable in each.package.contents
-        }
         last = {each.launch.variable: each.launch for each in self._workspace.written_launches}
         for variable, launch in last.items():
-            if variable in held or launch.source is not None:
+            if variable in self._held or launch.source is not None:
                 continue
             version = self._version_of(launch)
             written = self._written(launch, version)
@@ -180,22 +175,33 @@ class ProgramPackages:
                 yield Made({written.name: PackageFile(written.text)})
 
     def loaded_launches(
-        self, output: Path, *, in_place: bool
+        self, folder: Folder, writing: Writing
     ) -> tuple[list[OutputFile], list[Diagnostic]]:
-        """Return the launch files that the program loads and writes, as it changes them."""
+        """Return the launch files that the program loads and writes, as it changes them.
+
+        One that a package contains is written with the package.
+        """
         files: list[OutputFile] = []
-        problems: list[Diagnostic] = []
+        found: list[Diagnostic] = []
         last = {each.launch.variable: each for each in self._workspace.written_launches}
         for launch, span in last.values():
-            if launch.source is None:
+            if launch.source is None or launch.variable in self._held:
                 continue
             written = self._written(launch, launch.source.format.ros_version)
             if isinstance(written, Diagnostic):
                 has_place = written.span is not None or written.file is not None
-                problems.append(written if has_place else written._replace(span=span))
-            else:
-                files.append(launch_output(launch.source, written.text, output, in_place=in_place))
-        return files, problems
+                found.append(written if has_place else written._replace(span=span))
+                continue
+            file, notes = launch_output(launch, written.text, self._executable, folder, writing)
+            files.append(file)
+            found += notes
+        return files, found
+
+    @property
+    def _held(self) -> set[str]:
+        """The variables of what is in a package that is written."""
+        packages = (each.package for each in self._workspace.written_packages)
+        return {variable for package in packages for variable in package.contents}
 
     def _version_of(self, launch: Launch) -> int:
         """Return the generation of ROS that a launch file is for: that of what it starts."""

@@ -15,6 +15,7 @@ from plastron_tui.targets import LIBRARIES, has_target
 if TYPE_CHECKING:
     # To check a program takes no more of this than what nothing can write.
     from plastron_tui.generating.apply_changes import Library
+    from plastron_tui.generating.destination import Writing
     from plastron_tui.generating.file_names import FileNames
     from plastron_tui.generating.generation import Generated
     from plastron_tui.model.own_types import OwnInterfaces
@@ -112,25 +113,27 @@ class Planner:
         manifests: Callable[[Path], Manifest],
         generations: Sequence[Generation] = (),
     ) -> Generated:
-        from plastron_tui.generating.destination import Writing
         from plastron_tui.generating.generation import Generated, generate, nodes_of_file
 
-        configuration, options = self._configuration, self._configuration.options
         library = self._library(generation.library)
         if library is None:
             return Generated(generation, None, (_unsupported(generation),))
         source = generation.node.source
         own = None if source is None else self._library(source.library)
-        writing = Writing(
-            configuration.output,
+        nodes = nodes_of_file(generation, generations)
+        return generate(generation, library, self._writing(manifests), own=own, nodes=nodes)
+
+    def _writing(self, manifests: Callable[[Path], Manifest]) -> Writing:
+        from plastron_tui.generating.destination import Writing
+
+        return Writing(
+            self._configuration.output,
             manifests,
             self._author,
             self._names(lambda folder: self._manifest(folder)[0]),
-            options.in_place,
-            options.force,
+            self._configuration.options.in_place,
+            self._configuration.options.force,
         )
-        nodes = nodes_of_file(generation, generations)
-        return generate(generation, library, writing, own=own, nodes=nodes)
 
     def _names(self, manifest: Callable[[Path], Manifest]) -> FileNames:
         from plastron_tui.generating.file_names import FileNames
@@ -200,9 +203,10 @@ class Planner:
         )
         made_of = packages.made()
         in_place = configuration.options.in_place
-        launches, refused = packages.loaded_launches(configuration.output, in_place=in_place)
         force = configuration.options.force
         folder = Folder(configuration.output, manifest, self._author.name, force)
+        writing = self._writing(lambda folder: self._manifest(folder)[0])
+        launches, refused = packages.loaded_launches(folder, writing)
         files, notes = text_files(made_of.files, folder)
         types = workspace.types.values() if self._writes_types(workspace) else ()
         files += loaded_definitions(types, in_place=in_place)
