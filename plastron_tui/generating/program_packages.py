@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.model.launch_checks import in_no_package
 from plastron_tui.model.launches import Launch
 from plastron_tui.model.workspace import Node, Workspace
 from plastron_tui.sources.launch.new_elements import CannotWriteError
@@ -214,17 +215,8 @@ class ProgramPackages:
 
     def _written(self, launch: Launch, version: int) -> PackagedLaunch | Diagnostic:
         """Write a launch file, or say what it cannot say."""
-        homeless = next(
-            (each for each in launch.starts.values() if each.node and each.node.home is None), None
-        )
-        if homeless is not None and homeless.node is not None:
-            variable = homeless.node.variable
-            return Diagnostic(
-                codes.IN_NO_PACKAGE,
-                f"`{variable}` is in no package, and a launch file starts what packages have",
-                homeless.span,
-                help=f"put it into one: `PACKAGE contains {variable}`",
-            )
+        for problem in in_no_package(launch):
+            return problem
         name_and_text = self._name_and_text(launch, version)
         if isinstance(name_and_text, Diagnostic):
             return name_and_text

@@ -83,6 +83,7 @@ class Start(NamedTuple):
         settings: values of its parameters.
         parameters: a file with values of its parameters, None for none.
         span: the statement.
+        where: what is started, in the statement.
     """
 
     node: Node | None
@@ -95,6 +96,7 @@ class Start(NamedTuple):
     settings: tuple[tuple[str, Setting], ...]
     parameters: str | None
     span: Span
+    where: Span
 
     @property
     def run_name(self) -> str:
