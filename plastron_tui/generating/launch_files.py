@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from dataclasses import replace
+from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.launches import Launch, LaunchSource
+from plastron_tui.model.package_source import PackageSource
+from plastron_tui.model.packages import Package
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.ros.launch import Include, StartedNode, items_of
 from plastron_tui.ros.launch_text import Kind, Substitution
@@ -57,24 +61,28 @@ def edited_launch(launch: Launch, find: FindExecutable) -> EditedLaunch:
 
 
 def launch_output(
-    launch: Launch, made: bytes, find: FindExecutable, folder: Folder, writing: Writing
+    launch: Launch,
+    named: tuple[str, PackageFile],
+    find: FindExecutable,
+    folder: Folder,
+    writing: Writing,
 ) -> tuple[OutputFile, tuple[Diagnostic, ...]]:
     """Return a changed launch file as it is to be written, and what is to be said of it.
 
     Args:
         launch: the launch file, which was loaded.
-        made: what it shall hold.
+        named: what it is called in the output folder, and what it shall hold.
         find: tells which package a node of the program is in.
         folder: the output folder.
         writing: whether it is written over the file that it came from, and what is known of that.
     """
     source = launch.source
     assert source is not None, "the launch file was loaded"
-    name = source.path.name
+    name, file = named
     if not writing.in_place and not is_same_path(folder.output / name, source.path):
-        (file,), notes = text_files({name: PackageFile(made)}, folder)
-        return file, tuple(notes)
-    version = Version(source.text, made)
+        (output,), notes = text_files({name: file}, folder)
+        return output, tuple(notes)
+    version = Version(source.text, file.text)
     pure = _without_handwork(launch, source, find) or version
     return in_place(source, version, pure, writing)
 
@@ -86,6 +94,25 @@ def _without_handwork(launch: Launch, source: LaunchSource, find: FindExecutable
     original = source.origin.original
     edited = edited_launch(replace(launch, source=source._replace(text=original)), find)
     return None if edited.text is None else Version(original, edited.text)
+
+
+def is_within(package: Package, launch: Launch) -> bool:
+    """Tell whether a loaded launch file is one of a loaded package's own files."""
+    return package.source is not None and _inner(package.source, launch) is not None
+
+
+def name_within(package: Package, launch: Launch) -> str:
+    """Return what such a file is called in the output folder."""
+    assert package.source is not None
+    return f"{package.name}/{_inner(package.source, launch)}"
+
+
+def _inner(package: PackageSource, launch: Launch) -> str | None:
+    if launch.source is None:
+        return None
+    path = Path(os.path.realpath(launch.source.path))
+    folder = Path(os.path.realpath(package.folder))
+    return path.relative_to(folder).as_posix() if path.is_relative_to(folder) else None
 
 
 def packages_of(source: LaunchSource) -> Iterator[str]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.launch_checks import in_no_package
-from plastron_tui.model.launches import Launch
+from plastron_tui.model.launches import Launch, LaunchGeneration
 from plastron_tui.model.workspace import Node, Workspace
 from plastron_tui.sources.launch.new_elements import CannotWriteError
 from plastron_tui.targets.launch.program import Executable, request_of
@@ -22,11 +22,12 @@ from plastron_tui.targets.packages.rendering import (
 )
 from plastron_tui.targets.packages.spec import PackagedLaunch, PackageFile, interfaces_name
 
-from .launch_files import edited_launch, launch_output, packages_of
+from .launch_files import edited_launch, is_within, launch_output, name_within, packages_of
 from .own_definitions import Packaged, own_definitions, rendered_definitions, used_packages
 from .package_spec import package_spec
 
 if TYPE_CHECKING:
+    from plastron_tui.diagnostics import Span
     from plastron_tui.model.packages import Package
     from plastron_tui.output.plan import OutputFile
 
@@ -185,18 +186,49 @@ class ProgramPackages:
         files: list[OutputFile] = []
         found: list[Diagnostic] = []
         last = {each.launch.variable: each for each in self._workspace.written_launches}
-        for launch, span in last.values():
-            if launch.source is None or launch.variable in self._held:
+        homes: dict[str, Package] = {}
+        for package, variable, launch, where in self._contained_launches():
+            if is_within(package, launch):
+                last[variable] = LaunchGeneration(launch, where)
+                homes[variable] = package
+        for variable, (launch, span) in last.items():
+            if launch.source is None or (variable in self._held and variable not in homes):
                 continue
             written = self._written(launch, launch.source.format.ros_version)
             if isinstance(written, Diagnostic):
                 has_place = written.span is not None or written.file is not None
                 found.append(written if has_place else written._replace(span=span))
                 continue
-            file, notes = launch_output(launch, written.text, self._executable, folder, writing)
+            home = homes.get(variable)
+            name = launch.source.path.name if home is None else name_within(home, launch)
+            named = name, PackageFile(written.text)
+            file, notes = launch_output(launch, named, self._executable, folder, writing)
             files.append(file)
             found += notes
         return files, found
+
+    def of_loaded(
+        self, package: Package
+    ) -> tuple[dict[str, PackagedLaunch], tuple[Diagnostic, ...]]:
+        """Return the launch files that a loaded package contains, by variable."""
+        assert package.source is not None
+        found: dict[str, PackagedLaunch] = {}
+        problems: list[Diagnostic] = []
+        for each, variable, launch, _ in self._contained_launches():
+            if each is package:
+                written = self._written(launch, package.source.ros_version)
+                if isinstance(written, Diagnostic):
+                    problems.append(written)
+                else:
+                    found[variable] = written
+        return found, tuple(problems)
+
+    def _contained_launches(self) -> Iterator[tuple[Package, str, Launch, Span]]:
+        last = {each.package.variable: each.package for each in self._workspace.written_packages}
+        for package in last.values():
+            for variable, contained in package.contents.items():
+                if isinstance(contained.item, Launch):
+                    yield package, variable, contained.item, contained.span
 
     @property
     def _held(self) -> set[str]:

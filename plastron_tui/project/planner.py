@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from plastron_tui.generating.destination import Writing
     from plastron_tui.generating.file_names import FileNames
     from plastron_tui.generating.generation import Generated
+    from plastron_tui.generating.program_packages import ProgramPackages
     from plastron_tui.model.own_types import OwnInterfaces
     from plastron_tui.model.source import FileSet
     from plastron_tui.model.workspace import Generation, Workspace
@@ -190,17 +191,10 @@ class Planner:
         if workspace is None or not workspace.has_more_than_nodes:
             return [], []
         from plastron_tui.generating.own_definitions import loaded_definitions
-        from plastron_tui.generating.program_packages import ProgramPackages
         from plastron_tui.generating.text_files import Folder, text_files
 
         configuration = self._configuration
-        packages = ProgramPackages(
-            workspace,
-            made,
-            self._library,
-            configuration.ros.library,
-            python_launch=configuration.project.launch == "python",
-        )
+        packages = self._packages(workspace, made)
         made_of = packages.made()
         in_place = configuration.options.in_place
         force = configuration.options.force
@@ -212,6 +206,18 @@ class Planner:
         files += loaded_definitions(types, in_place=in_place)
         return [*files, *launches], [*made_of.diagnostics, *notes, *refused]
 
+    def _packages(self, workspace: Workspace, made: Sequence[Generated]) -> ProgramPackages:
+        from plastron_tui.generating.program_packages import ProgramPackages
+
+        configuration = self._configuration
+        return ProgramPackages(
+            workspace,
+            made,
+            self._library,
+            configuration.ros.library,
+            python_launch=configuration.project.launch == "python",
+        )
+
     @staticmethod
     def _writes_types(workspace: Workspace) -> bool:
         """Tell whether the program writes anything: types that it changes are written with it."""
@@ -221,13 +227,13 @@ class Planner:
         self, files: list[OutputFile], made: Sequence[Generated], manifest: Manifest
     ) -> tuple[list[OutputFile], tuple[Diagnostic, ...]]:
         """Add the files of the packages that the program loads, as it changes them."""
-        written = () if self._workspace is None else self._workspace.written_packages
+        workspace = self._workspace
         loaded = {
             each.package.variable: each.package
-            for each in written
+            for each in (() if workspace is None else workspace.written_packages)
             if each.package.source is not None
         }
-        if not loaded:
+        if workspace is None or not loaded:
             return files, ()
         from plastron_tui.generating.loaded_package import loaded_package_files
 
@@ -235,8 +241,12 @@ class Planner:
         told: tuple[Diagnostic, ...] = ()
         for package in loaded.values():
             output, in_place = self._configuration.output, self._configuration.options.in_place
+            launches, problems = self._packages(workspace, made).of_loaded(package)
+            told += problems
+            if problems:
+                continue
             changed = loaded_package_files(
-                package, made, libraries, output, manifest, in_place=in_place
+                package, made, libraries, output, manifest, launches, in_place=in_place
             )
             files = [each for each in files if each.name not in changed.nodes]
             files += changed.files

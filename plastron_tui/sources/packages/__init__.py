@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .changing import Changed, add_launch, add_node, remove_executable
+from .changing import Changed, add_launch, add_node, remove_executable, remove_launch
 from .reading import PACKAGE_XML, PackageFiles, named_elsewhere, read_package_files
 
 __all__ = [
@@ -14,4 +14,5 @@ __all__ = [
     "named_elsewhere",
     "read_package_files",
     "remove_executable",
+    "remove_launch",
 ]
