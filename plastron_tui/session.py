@@ -225,7 +225,13 @@ class Session:
             "" if self.path is None else self.path.stem,
             DefinitionReader(self.folder, self.boundary),
             PackageReader(self.folder, self.boundary, self._files.packages),
-            LaunchReader(self.folder, self.boundary),
+            LaunchReader(
+                self.folder,
+                self.boundary,
+                self._name,
+                self.document.text,
+                self._files.manifest,
+            ),
         )
 
     @property

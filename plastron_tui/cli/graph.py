@@ -92,7 +92,10 @@ def _show_launch_files(
         report.add(found.diagnostics, lambda path: None if path is None else lines_of(path))
 
 
-LAUNCH_ENDINGS = (".launch", ".launch.xml", ".launch.py", "_launch.xml", "_launch.py")
+LAUNCH_ENDINGS = (
+    *(".launch", ".launch.xml", ".launch.py", ".launch.yaml", ".launch.yml"),
+    *("_launch.xml", "_launch.py", "_launch.yaml", "_launch.yml"),
+)
 """How the names of launch files end."""
 
 

@@ -2,20 +2,28 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.launches import Launch, LaunchSource
+from plastron_tui.model.package_source import PackageSource
+from plastron_tui.model.packages import Package
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.ros.launch import Include, StartedNode, items_of
 from plastron_tui.ros.launch_text import Kind, Substitution
 from plastron_tui.sources.launch.edits import add, remove
 from plastron_tui.sources.launch.xml_reader import read_launch_xml
 from plastron_tui.targets.launch.program import FindExecutable, request_of
+from plastron_tui.targets.packages.spec import PackageFile
 
+from .destination import Writing
 from .file_names import is_same_path
+from .launch_layers import Version, in_place
+from .text_files import Folder, text_files
 
 
 class EditedLaunch(NamedTuple):
@@ -52,24 +60,59 @@ def edited_launch(launch: Launch, find: FindExecutable) -> EditedLaunch:
     return EditedLaunch(document.text)
 
 
-def launch_output(source: LaunchSource, text: bytes, output: Path, *, in_place: bool) -> OutputFile:
-    """Return a changed launch file as it is to be written.
+def launch_output(
+    launch: Launch,
+    named: tuple[str, PackageFile],
+    find: FindExecutable,
+    folder: Folder,
+    writing: Writing,
+) -> tuple[OutputFile, tuple[Diagnostic, ...]]:
+    """Return a changed launch file as it is to be written, and what is to be said of it.
 
     Args:
-        source: what it was loaded from.
-        text: what it shall hold.
-        output: the output folder.
-        in_place: whether it is written over the file that it came from.
+        launch: the launch file, which was loaded.
+        named: what it is called in the output folder, and what it shall hold.
+        find: tells which package a node of the program is in.
+        folder: the output folder.
+        writing: whether it is written over the file that it came from, and what is known of that.
     """
-    name = source.path.name
-    is_over = in_place or is_same_path(output / name, source.path)
-    return OutputFile(
-        name,
-        text,
-        is_executable=False,
-        merged_from=source.text if is_over else None,
-        path=source.path if is_over else None,
-    )
+    source = launch.source
+    assert source is not None, "the launch file was loaded"
+    name, file = named
+    if not writing.in_place and not is_same_path(folder.output / name, source.path):
+        (output,), notes = text_files({name: file}, folder)
+        return output, tuple(notes)
+    version = Version(source.text, file.text)
+    pure = _without_handwork(launch, source, find) or version
+    return in_place(source, version, pure, writing)
+
+
+def _without_handwork(launch: Launch, source: LaunchSource, find: FindExecutable) -> Version | None:
+    """Return what a program makes of the text that it first started from, None where it cannot."""
+    if source.origin is None:
+        return None
+    original = source.origin.original
+    edited = edited_launch(replace(launch, source=source._replace(text=original)), find)
+    return None if edited.text is None else Version(original, edited.text)
+
+
+def is_within(package: Package, launch: Launch) -> bool:
+    """Tell whether a loaded launch file is one of a loaded package's own files."""
+    return package.source is not None and _inner(package.source, launch) is not None
+
+
+def name_within(package: Package, launch: Launch) -> str:
+    """Return what such a file is called in the output folder."""
+    assert package.source is not None
+    return f"{package.name}/{_inner(package.source, launch)}"
+
+
+def _inner(package: PackageSource, launch: Launch) -> str | None:
+    if launch.source is None:
+        return None
+    path = Path(os.path.realpath(launch.source.path))
+    folder = Path(os.path.realpath(package.folder))
+    return path.relative_to(folder).as_posix() if path.is_relative_to(folder) else None
 
 
 def packages_of(source: LaunchSource) -> Iterator[str]:

@@ -28,9 +28,12 @@ from plastron_tui.sources.packages import (
     finds_scripts,
     named_elsewhere,
     remove_executable,
+    remove_launch,
 )
 from plastron_tui.targets.packages.dependencies import dependencies_of
 from plastron_tui.targets.packages.spec import BuildType, PackagedLaunch, PackagedNode, PackageSpec
+
+from .launch_files import is_within, name_within
 
 if TYPE_CHECKING:
     from plastron_tui.model.package_source import PackageSource
@@ -44,6 +47,9 @@ if TYPE_CHECKING:
 _DEPENDS = "depends"
 """The dependencies that came with a node's file, as the manifest remembers them."""
 
+
+_INSTALLED = "installed"
+"""Whether it was with a launch file that the package began to install it."""
 
 _LAUNCH = "launch"
 _NO_LAUNCHES: Mapping[str, PackagedLaunch] = {}
@@ -88,6 +94,7 @@ def loaded_package_files(
     assert source is not None, "the package was loaded"
     work = _Change(package, source, libraries, output, manifest, in_place, dict(source.texts))
     work.take_out()
+    work.take_out_launches()
     by_variable = {each.generation.node.variable: each for each in made}
     for variable, contained in package.contents.items():
         generated = by_variable.get(variable)
@@ -130,6 +137,34 @@ class _Change:
                 message = f"`{file}` of `{self.source.name}` stays where it is"
                 help_ = "remove it by hand if nothing else needs it"
                 self.found.append(Diagnostic(codes.FILE_STAYS, message, span, help=help_))
+
+    def take_out_launches(self) -> None:
+        """Take out the launch files that the program takes out of the package."""
+        back = [each.item.name for each in self.package.contents.values()]
+        for file, span in self.package.removed_launches.items():
+            others = [each for each in self.source.launches if each != file]
+            folder = file.partition("/")[0]
+            # In CMake the folder is installed: with other files in it, it stays.
+            is_shared = self.source.build_type != "ament_python" and any(
+                each.startswith(f"{folder}/") for each in others
+            )
+            stays = self._remembered(file, _INSTALLED) is False or is_shared
+            keys = self._added(file) or {}
+            changed = remove_launch(
+                self.source, self.texts, file, keys, is_installed_elsewhere=stays
+            )
+            name = file.rpartition("/")[2]
+            if self._take(changed, span) and name.partition(".launch")[0] not in back:
+                message = f"`{file}` of `{self.source.name}` stays where it is"
+                help_ = "remove it by hand if nothing else needs it"
+                self.found.append(Diagnostic(codes.FILE_STAYS, message, span, help=help_))
+
+    def _remembered(self, file: str, what: str) -> object:
+        """Return what the manifest has of a file, None where nothing tells."""
+        for name in (self._entry(file), f"{self.source.name}/{file}"):
+            if what in self.manifest.bases.get(name, {}):
+                return self.manifest.bases[name][what]
+        return None
 
     def _needs(self, text: bytes) -> Mapping[str, Sequence[str]]:
         """Return what a Python text needs to run, by key, each with its modules."""
@@ -187,18 +222,38 @@ class _Change:
             message = f"the launch file `{contained.name}` is not written into `{self.source.name}`"
             self.found.append(Diagnostic(codes.EDIT_REFUSED, message, contained.span))
             return
-        file = f"{_LAUNCH}/{launch.name}"
+        is_within = isinstance(contained.item, Launch) and self._within(contained.item)
+        file = is_within or f"{_LAUNCH}/{launch.name}"
         known = self.source.texts.get(file)
-        if known not in (None, launch.text) and not self._is_own(file):
+        if not is_within and known not in (None, launch.text) and not self._is_own(file):
             self.found.append(self._taken(file, contained.span))
             return
         keys = sorted(
             {*launch.needs, "roslaunch" if self.source.ros_version == 1 else "ros2launch"}
         )
-        changed = add_launch(self.source, self.texts, file, keys)
+        before = self.texts
+        changed = add_launch(self.source, before, file, keys)
         self._take(changed, contained.span)
-        made = OutputFile(f"{self.source.name}/{file}", launch.text, is_executable=False)
+        if is_within:
+            # It is changed as a launch file that is loaded.
+            self.texts.pop(file, None)
+            return
+        is_new = any(before[name] != self.texts[name] for name in before if name != PACKAGE_XML)
+        if self._remembered(file, _INSTALLED) is True and self._is_own(file):
+            is_new = True
+        made = OutputFile(
+            f"{self.source.name}/{file}",
+            launch.text,
+            is_executable=False,
+            base={_INSTALLED: is_new},
+        )
         self._write_node(made, changed.added)
+
+    def _within(self, launch: Launch) -> str | None:
+        """Return the path in the package of a launch file that was loaded from it."""
+        if not is_within(self.package, launch):
+            return None
+        return name_within(self.package, launch).partition("/")[2]
 
     def _is_own(self, file: str) -> bool:
         """Tell whether an earlier run wrote a file, where this one would write over it."""
@@ -257,11 +312,10 @@ class _Change:
 
         Each with whether other files of the package named it then.
         """
-        for name in (self._entry(file), f"{self.source.name}/{file}"):
-            known = self.manifest.bases.get(name, {}).get(_DEPENDS)
-            if isinstance(known, dict):
-                return {key: value is True for key, value in known.items()}
-        return None
+        known = self._remembered(file, _DEPENDS)
+        if not isinstance(known, dict):
+            return None
+        return {key: value is True for key, value in known.items()}
 
     def _write_node(self, file: OutputFile, added: Sequence[str]) -> None:
         """Write a file of a node, and remember which dependencies came with it."""

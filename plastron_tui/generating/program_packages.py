@@ -7,7 +7,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Label, codes
-from plastron_tui.model.launches import Launch
+from plastron_tui.model.launch_checks import in_no_package
+from plastron_tui.model.launches import Launch, LaunchGeneration
 from plastron_tui.model.workspace import Node, Workspace
 from plastron_tui.sources.launch.new_elements import CannotWriteError
 from plastron_tui.targets.launch.program import Executable, request_of
@@ -27,18 +28,19 @@ from plastron_tui.targets.packages.spec import (
     interfaces_name,
 )
 
-from .launch_files import edited_launch, launch_output, packages_of
+from .launch_files import edited_launch, is_within, launch_output, name_within, packages_of
 from .own_definitions import Packaged, own_definitions, rendered_definitions, used_packages
 from .package_spec import package_spec
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
+    from plastron_tui.diagnostics import Span
     from plastron_tui.model.packages import Package
     from plastron_tui.output.plan import OutputFile
 
     from .apply_changes import Library
+    from .destination import Writing
     from .generation import Generated
+    from .text_files import Folder
 
 
 class Made(NamedTuple):
@@ -198,14 +200,9 @@ class ProgramPackages:
     def _launches_alone(self) -> Iterator[Made]:
         """Yield the launch files that are written for their own sake."""
         assert self._default is not None
-        held = {
-            variable
-            for each in self._workspace.written_packages
-            for variable in each.package.contents
-        }
         last = {each.launch.variable: each.launch for each in self._workspace.written_launches}
         for variable, launch in last.items():
-            if variable in held or launch.source is not None:
+            if variable in self._held or launch.source is not None:
                 continue
             version = self._version_of(launch)
             written = self._written(launch, version)
@@ -215,22 +212,64 @@ class ProgramPackages:
                 yield Made({written.name: PackageFile(written.text)})
 
     def loaded_launches(
-        self, output: Path, *, in_place: bool
+        self, folder: Folder, writing: Writing
     ) -> tuple[list[OutputFile], list[Diagnostic]]:
-        """Return the launch files that the program loads and writes, as it changes them."""
+        """Return the launch files that the program loads and writes, as it changes them.
+
+        One that a package contains is written with the package.
+        """
         files: list[OutputFile] = []
-        problems: list[Diagnostic] = []
+        found: list[Diagnostic] = []
         last = {each.launch.variable: each for each in self._workspace.written_launches}
-        for launch, span in last.values():
-            if launch.source is None:
+        homes: dict[str, Package] = {}
+        for package, variable, launch, where in self._contained_launches():
+            if is_within(package, launch):
+                last[variable] = LaunchGeneration(launch, where)
+                homes[variable] = package
+        for variable, (launch, span) in last.items():
+            if launch.source is None or (variable in self._held and variable not in homes):
                 continue
             written = self._written(launch, launch.source.format.ros_version)
             if isinstance(written, Diagnostic):
                 has_place = written.span is not None or written.file is not None
-                problems.append(written if has_place else written._replace(span=span))
-            else:
-                files.append(launch_output(launch.source, written.text, output, in_place=in_place))
-        return files, problems
+                found.append(written if has_place else written._replace(span=span))
+                continue
+            home = homes.get(variable)
+            name = launch.source.path.name if home is None else name_within(home, launch)
+            named = name, PackageFile(written.text)
+            file, notes = launch_output(launch, named, self._executable, folder, writing)
+            files.append(file)
+            found += notes
+        return files, found
+
+    def of_loaded(
+        self, package: Package
+    ) -> tuple[dict[str, PackagedLaunch], tuple[Diagnostic, ...]]:
+        """Return the launch files that a loaded package contains, by variable."""
+        assert package.source is not None
+        found: dict[str, PackagedLaunch] = {}
+        problems: list[Diagnostic] = []
+        for each, variable, launch, _ in self._contained_launches():
+            if each is package:
+                written = self._written(launch, package.source.ros_version)
+                if isinstance(written, Diagnostic):
+                    problems.append(written)
+                else:
+                    found[variable] = written
+        return found, tuple(problems)
+
+    def _contained_launches(self) -> Iterator[tuple[Package, str, Launch, Span]]:
+        last = {each.package.variable: each.package for each in self._workspace.written_packages}
+        for package in last.values():
+            for variable, contained in package.contents.items():
+                if isinstance(contained.item, Launch):
+                    yield package, variable, contained.item, contained.span
+
+    @property
+    def _held(self) -> set[str]:
+        """The variables of what is in a package that is written."""
+        packages = (each.package for each in self._workspace.written_packages)
+        return {variable for package in packages for variable in package.contents}
 
     def _version_of(self, launch: Launch) -> int:
         """Return the generation of ROS that a launch file is for: that of what it starts."""
@@ -243,17 +282,8 @@ class ProgramPackages:
 
     def _written(self, launch: Launch, version: int) -> PackagedLaunch | Diagnostic:
         """Write a launch file, or say what it cannot say."""
-        homeless = next(
-            (each for each in launch.starts.values() if each.node and each.node.home is None), None
-        )
-        if homeless is not None and homeless.node is not None:
-            variable = homeless.node.variable
-            return Diagnostic(
-                codes.IN_NO_PACKAGE,
-                f"`{variable}` is in no package, and a launch file starts what packages have",
-                homeless.span,
-                help=f"put it into one: `PACKAGE contains {variable}`",
-            )
+        for problem in in_no_package(launch):
+            return problem
         name_and_text = self._name_and_text(launch, version)
         if isinstance(name_and_text, Diagnostic):
             return name_and_text

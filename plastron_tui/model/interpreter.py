@@ -19,6 +19,7 @@ from . import launch_statements
 from .circles import check_circles
 from .context import Setting
 from .kinds import EDITABLE, EndpointKind
+from .launch_checks import check_launches
 from .load_package import load_package
 from .meetings import check_meetings
 from .mistake import Mistake
@@ -27,7 +28,7 @@ from .own_types import OwnInterfaces
 from .package_statements import contains, create_package, generate_package, no_longer_contains
 from .rename import rename
 from .run import Run
-from .stale_statements import late_changes
+from .stale_statements import late_changes, late_changes_of_parts
 from .statement_checks import all_wrong
 from .type_statements import (
     create_type,
@@ -84,6 +85,8 @@ def interpret(
         diagnostics += tuple(late_changes(program, workspace))
         diagnostics += tuple(check_meetings(program, workspace, version_of))
         diagnostics += tuple(check_circles(workspace, version_of))
+        diagnostics += tuple(late_changes_of_parts(program, workspace))
+        diagnostics += tuple(check_launches(workspace))
     workspace = interpreter.workspace
     own_types = {each: interpreter.own_types(each) for each in (1, 2)} if workspace.types else {}
     return Interpretation(workspace, diagnostics, interpreter.fitters, own_types)

@@ -174,6 +174,7 @@ def _start(run: Run, statement: st.Starts) -> Start:
         tuple(_settings(statement, version)),
         statement.parameters,
         statement.span,
+        where,
     )
 
 

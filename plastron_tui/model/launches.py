@@ -16,20 +16,41 @@ if TYPE_CHECKING:
     from .workspace import Node
 
 
+class LaunchOrigin(NamedTuple):
+    """What a program started from where it changed a launch file in place before.
+
+    Attributes:
+        original: what it started from then.
+        present: what the file holds now.
+        is_whole: whether all that was changed by hand since is in what it starts from now.
+    """
+
+    original: bytes
+    present: bytes
+    is_whole: bool
+
+
 class LaunchSource(NamedTuple):
     """A launch file that exists.
 
     Attributes:
         path: where it is.
-        text: what it holds.
+        text: what the program starts from: what the file holds, without what it wrote itself.
         format: what it is written in.
-        launch: what it says.
+        launch: what that text says.
+        origin: where the text comes from if it is not simply what the file holds.
     """
 
     path: Path
     text: bytes
     format: Format
     launch: LaunchFile
+    origin: LaunchOrigin | None = None
+
+    @property
+    def present(self) -> bytes:
+        """What the file holds."""
+        return self.text if self.origin is None else self.origin.present
 
 
 class LoadedLaunch(NamedTuple):
@@ -62,6 +83,7 @@ class Start(NamedTuple):
         settings: values of its parameters.
         parameters: a file with values of its parameters, None for none.
         span: the statement.
+        where: what is started, in the statement.
     """
 
     node: Node | None
@@ -74,6 +96,7 @@ class Start(NamedTuple):
     settings: tuple[tuple[str, Setting], ...]
     parameters: str | None
     span: Span
+    where: Span
 
     @property
     def run_name(self) -> str:

@@ -66,6 +66,14 @@ class PackageSource:
         """Return what starts an executable, which a program may name without `.py`."""
         return next((each for each in (name, f"{name}.py") if each in self.executables), None)
 
+    def launch(self, name: str) -> str | None:
+        """Return the launch file that a program may name without its ending."""
+        for file in self.launches:
+            base = file.rpartition("/")[2]
+            if name in (base, base.partition(".launch")[0]):
+                return file
+        return None
+
 
 class LoadedPackage(NamedTuple):
     """What a reader made of a folder; None with the reason."""

@@ -222,8 +222,11 @@ def no_longer_contains(run: Run, statement: st.NoLongerContains) -> None:
     for key in held:
         _take_out(package, key)
     there = None if package.source is None else package.source.executable(name)
+    launch = None if package.source is None else package.source.launch(name)
     if there is not None:
         package.removed[there] = statement.span
+    elif launch is not None:
+        package.removed_launches[launch] = statement.span
     elif not held:
         names = [each.name for each in package.contents.values()]
         if package.source is not None:

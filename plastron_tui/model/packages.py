@@ -46,6 +46,7 @@ class Package:
         source: the files that a loaded package came from, None for one that was created.
         contents: what the program put into it, by variable, in that order.
         removed: what the program took out of it that it did not put there, by executable.
+        removed_launches: the launch files that it took out likewise, by their paths.
     """
 
     name: str
@@ -57,10 +58,16 @@ class Package:
     source: PackageSource | None = None
     contents: dict[str, Contained] = field(default_factory=dict)
     removed: dict[str, Span] = field(default_factory=dict)
+    removed_launches: dict[str, Span] = field(default_factory=dict)
 
     def snapshot(self) -> Package:
         """Return the package as it is now, untouched by what later statements do to it."""
-        return replace(self, contents=dict(self.contents), removed=dict(self.removed))
+        return replace(
+            self,
+            contents=dict(self.contents),
+            removed=dict(self.removed),
+            removed_launches=dict(self.removed_launches),
+        )
 
 
 class PackageGeneration(NamedTuple):

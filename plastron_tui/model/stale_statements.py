@@ -62,6 +62,40 @@ def late_changes(program: Program, workspace: Workspace) -> Iterator[Diagnostic]
         )
 
 
+def late_changes_of_parts(program: Program, workspace: Workspace) -> Iterator[Diagnostic]:
+    """Yield a warning for each statement that changes a package or a launch file too late.
+
+    A launch file in a package that is written is written as it is at the program's end, and so
+    are types.
+    """
+    packages = {each.package.variable: each.span for each in workspace.written_packages}
+    held = {variable for each in workspace.written_packages for variable in each.package.contents}
+    launches = {
+        each.launch.variable: each.span
+        for each in workspace.written_launches
+        if each.launch.variable not in held
+    }
+    written: dict[SlotKind, tuple[str, Mapping[str, Span]]] = {
+        SlotKind.PACKAGE: ("generate_package", packages),
+        SlotKind.LAUNCH: ("generate_launch", launches),
+    }
+    for statement in program.statements if packages or launches else ():
+        type_: Any = type(statement)  # which mypy takes for not hashable
+        declaration = DECLARATIONS[type_]
+        for slot in () if declaration.writes_file else declaration.slots:
+            verb, last = written.get(slot.kind, ("", {}))
+            variable = getattr(statement, slot.name) if last else ""
+            where = last.get(variable)
+            if where is not None and where.start <= statement.span.start:
+                yield Diagnostic(
+                    codes.CHANGED_AFTER_GENERATING,
+                    f"this comes after `{variable}` was generated, and is not in its files",
+                    statement.span,
+                    help=f"write it before `{verb} {variable}`",
+                    labels=(Label(where, "generated here"),),
+                )
+
+
 def _generation(
     statement: Statement, named: _Named, last: Mapping[str, Generation]
 ) -> Generation | None:

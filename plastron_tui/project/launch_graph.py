@@ -13,12 +13,11 @@ from plastron_tui.model.loading import add_found
 from plastron_tui.model.source import LARGEST_FILE, SourceUnit
 from plastron_tui.model.workspace import Node, Workspace
 from plastron_tui.regular_files import read_regular, reason
-from plastron_tui.ros.launch_resolution import Started, resolve
+from plastron_tui.ros.launch_resolution import Opened, Started, resolve
 from plastron_tui.ros.launch_text import Scope
 from plastron_tui.ros.run_names import Remap, RunNames
-from plastron_tui.sources.launch.python_reader import read_launch_python
+from plastron_tui.sources.launch.reader import read_launch
 from plastron_tui.sources.launch.unresolved import warnings_of
-from plastron_tui.sources.launch.xml_reader import read_launch_xml
 from plastron_tui.sources.setup_py.reader import read_setup
 
 from .loader import read_node, with_others
@@ -48,15 +47,18 @@ def launch_graph(path: Path, arguments: Mapping[str, str], boundary: Boundary) -
     except OSError as error:
         message = f"`{path.name}` cannot be read: {reason(error)}"
         return LaunchGraph(None, (Diagnostic(codes.UNREADABLE_FILE, message, file=path),))
-    is_python = path.suffix == ".py"
-    read = read_launch_python(text, path) if is_python else read_launch_xml(text, path)
+    read = read_launch(text, path)
     if read.launch is None:
         return LaunchGraph(None, read.diagnostics)
     packages = _packages(boundary.root if boundary.allows(path) else path.parent, boundary)
     # The folder that is installed as the share is, in the source, the package's own.
     folders = {name: str(folder) for name, folder in packages.items()}
     scope = Scope(arguments, {}, str(path.absolute().parent), folders.get)
-    resolved = resolve(read.launch, read.format.ros_version, scope, str(path))
+
+    def opened(name: str) -> Opened:
+        return _open(Path(name), boundary)
+
+    resolved = resolve(read.launch, read.format.ros_version, scope, str(path), opened)
     found = [*read.diagnostics, *warnings_of(resolved)]
     whole = Workspace()
     sources: dict[tuple[str, str], SourceUnit | None] = {}
@@ -69,6 +71,23 @@ def launch_graph(path: Path, arguments: Mapping[str, str], boundary: Boundary) -
         node = _node(started, sources[key], whole)
         whole.nodes[node.variable] = node
     return LaunchGraph(whole, tuple(found))
+
+
+def _open(path: Path, boundary: Boundary) -> Opened:
+    """Read a launch file that another one includes; one beyond the project is left out."""
+    if not path.is_absolute():
+        return Opened(None, 2, "", "its path has to be a whole one")
+    if not boundary.allows(path):
+        return Opened(None, 2, "", f"it is {boundary.place_of(path)}")
+    try:
+        text = read_regular(path, LARGEST_FILE)
+    except (OSError, ValueError) as error:
+        return Opened(None, 2, "", reason(error))
+    read = read_launch(text, path)
+    if read.launch is None:
+        why = read.diagnostics[0].message if read.diagnostics else "it is no launch file"
+        return Opened(None, 2, "", why)
+    return Opened(read.launch, read.format.ros_version, str(path.parent))
 
 
 def _packages(root: Path, boundary: Boundary) -> dict[str, Path]:

@@ -13,19 +13,46 @@ from plastron_tui.model.source import LARGEST_FILE
 from plastron_tui.regular_files import read_regular, reason
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from plastron_tui.boundary import Boundary
+    from plastron_tui.generating.launch_layers import Start
+    from plastron_tui.output.manifest import Reading
 
 _ENDINGS = (".launch", ".xml")
+_MANIFEST = ".plastron.json"
 _ONLY_READ = {".py": "Python", ".yaml": "YAML", ".yml": "YAML"}
 
 
 class LaunchReader:
-    """Reads launch files by their paths from the program's folder, within the project."""
+    """Reads launch files by their paths from the program's folder, within the project.
 
-    def __init__(self, folder: Path, boundary: Boundary) -> None:
-        """Set where files are looked for, and how far the project reaches."""
+    A file that the program itself changed on an earlier run stands for what the program started
+    from then, with what was changed by hand since.
+    """
+
+    def __init__(
+        self,
+        folder: Path,
+        boundary: Boundary,
+        program: str,
+        text: bytes,
+        manifest: Callable[[Path], Reading],
+    ) -> None:
+        """Set where files are looked for.
+
+        Args:
+            folder: the program's folder.
+            boundary: how far the project reaches.
+            program: the name of the program's file, "" where it has none.
+            text: the program.
+            manifest: reads a folder's manifest.
+        """
         self._folder = folder
         self._boundary = boundary
+        self._program = program
+        self._text = text
+        self._manifest = manifest
 
     def __call__(self, source: str) -> LoadedLaunch:
         """Read the file that a `load_launch` asks for."""
@@ -47,10 +74,26 @@ class LaunchReader:
             return _failed(codes.UNREADABLE_FILE, f"`{source}` cannot be read: {reason(error)}")
         from plastron_tui.sources.launch.xml_reader import read_launch_xml
 
+        start = self._started(path, text)
+        origin = None if start is None else start.origin
+        text = text if start is None else start.text
         read = read_launch_xml(text, path)
         if read.launch is None:
             return LoadedLaunch(None, read.diagnostics)
-        return LoadedLaunch(LaunchSource(path, text, read.format, read.launch), read.diagnostics)
+        found = LaunchSource(path, text, read.format, read.launch, origin)
+        return LoadedLaunch(found, read.diagnostics)
+
+    def _started(self, path: Path, present: bytes) -> Start | None:
+        """Return what the program started from when it changed a file, None where it did not."""
+        folder = Path(os.path.realpath(path)).parent
+        if not self._program or not (folder / _MANIFEST).is_file():
+            return None
+        from plastron_tui.generating.launch_layers import find_start
+        from plastron_tui.output.manifest import digest
+        from plastron_tui.output.patch_stack import Author
+
+        author = Author(self._program, digest(self._text), self._folder)
+        return find_start(path, present, author, lambda folder: self._manifest(folder)[0])
 
     def _not_there(self, source: str, path: Path) -> LoadedLaunch:
         try:

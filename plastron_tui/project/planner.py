@@ -15,8 +15,10 @@ from plastron_tui.targets import LIBRARIES, has_target
 if TYPE_CHECKING:
     # To check a program takes no more of this than what nothing can write.
     from plastron_tui.generating.apply_changes import Library
+    from plastron_tui.generating.destination import Writing
     from plastron_tui.generating.file_names import FileNames
     from plastron_tui.generating.generation import Generated
+    from plastron_tui.generating.program_packages import ProgramPackages
     from plastron_tui.model.own_types import OwnInterfaces
     from plastron_tui.model.source import FileSet
     from plastron_tui.model.workspace import Generation, Workspace
@@ -112,25 +114,27 @@ class Planner:
         manifests: Callable[[Path], Manifest],
         generations: Sequence[Generation] = (),
     ) -> Generated:
-        from plastron_tui.generating.destination import Writing
         from plastron_tui.generating.generation import Generated, generate, nodes_of_file
 
-        configuration, options = self._configuration, self._configuration.options
         library = self._library(generation.library)
         if library is None:
             return Generated(generation, None, (_unsupported(generation),))
         source = generation.node.source
         own = None if source is None else self._library(source.library)
-        writing = Writing(
-            configuration.output,
+        nodes = nodes_of_file(generation, generations)
+        return generate(generation, library, self._writing(manifests), own=own, nodes=nodes)
+
+    def _writing(self, manifests: Callable[[Path], Manifest]) -> Writing:
+        from plastron_tui.generating.destination import Writing
+
+        return Writing(
+            self._configuration.output,
             manifests,
             self._author,
             self._names(lambda folder: self._manifest(folder)[0]),
-            options.in_place,
-            options.force,
+            self._configuration.options.in_place,
+            self._configuration.options.force,
         )
-        nodes = nodes_of_file(generation, generations)
-        return generate(generation, library, writing, own=own, nodes=nodes)
 
     def _names(self, manifest: Callable[[Path], Manifest]) -> FileNames:
         from plastron_tui.generating.file_names import FileNames
@@ -198,38 +202,44 @@ class Planner:
         if workspace is None or not workspace.has_more_than_nodes:
             return [], []
         from plastron_tui.generating.own_definitions import loaded_definitions
-        from plastron_tui.generating.program_packages import ProgramPackages
         from plastron_tui.generating.text_files import Folder, text_files
 
         configuration = self._configuration
-        packages = ProgramPackages(
+        packages = self._packages(workspace, made)
+        made_of = packages.made()
+        in_place = configuration.options.in_place
+        force = configuration.options.force
+        folder = Folder(configuration.output, manifest, self._author.name, force)
+        writing = self._writing(lambda folder: self._manifest(folder)[0])
+        launches, refused = packages.loaded_launches(folder, writing)
+        files, notes = text_files(made_of.files, folder)
+        types = workspace.types.values() if workspace.is_written else ()
+        files += loaded_definitions(types, in_place=in_place)
+        return [*files, *launches], [*made_of.diagnostics, *notes, *refused]
+
+    def _packages(self, workspace: Workspace, made: Sequence[Generated]) -> ProgramPackages:
+        from plastron_tui.generating.program_packages import ProgramPackages
+
+        configuration = self._configuration
+        return ProgramPackages(
             workspace,
             made,
             self._library,
             configuration.ros.library,
             python_launch=configuration.project.launch == "python",
         )
-        made_of = packages.made()
-        in_place = configuration.options.in_place
-        launches, refused = packages.loaded_launches(configuration.output, in_place=in_place)
-        force = configuration.options.force
-        folder = Folder(configuration.output, manifest, self._author.name, force)
-        files, notes = text_files(made_of.files, folder)
-        types = workspace.types.values() if workspace.is_written else ()
-        files += loaded_definitions(types, in_place=in_place)
-        return [*files, *launches], [*made_of.diagnostics, *notes, *refused]
 
     def _with_loaded(
         self, files: list[OutputFile], made: Sequence[Generated], manifest: Manifest
     ) -> tuple[list[OutputFile], tuple[Diagnostic, ...]]:
         """Add the files of the packages that the program loads, as it changes them."""
-        written = () if self._workspace is None else self._workspace.written_packages
+        workspace = self._workspace
         loaded = {
             each.package.variable: each.package
-            for each in written
+            for each in (() if workspace is None else workspace.written_packages)
             if each.package.source is not None
         }
-        if not loaded:
+        if workspace is None or not loaded:
             return files, ()
         from plastron_tui.generating.loaded_package import loaded_package_files
 
@@ -237,8 +247,12 @@ class Planner:
         told: tuple[Diagnostic, ...] = ()
         for package in loaded.values():
             output, in_place = self._configuration.output, self._configuration.options.in_place
+            launches, problems = self._packages(workspace, made).of_loaded(package)
+            told += problems
+            if problems:
+                continue
             changed = loaded_package_files(
-                package, made, libraries, output, manifest, in_place=in_place
+                package, made, libraries, output, manifest, launches, in_place=in_place
             )
             files = [each for each in files if each.name not in changed.nodes]
             files += changed.files

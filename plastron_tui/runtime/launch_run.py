@@ -130,7 +130,10 @@ def _node(started: Started, environment: Environment, packages: Packages) -> Nod
         return _told(message, started.file, started.place)._replace(help=help_)
 
     if started.container is not None:
-        return wrong(f"`{started.executable}` is a component, and `run` starts no containers")
+        return wrong(
+            f"`{started.executable}` is a component, and `run` starts no containers",
+            "a component is C++ code that its container loads: start the file with `ros2 launch`",
+        )
     label = f"{started.package}/{started.executable}"
     executable = packages.executable(started.package, started.executable, environment.python)
     if executable is None:

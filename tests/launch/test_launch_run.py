@@ -166,6 +166,17 @@ def test_what_cannot_be_started_is_told_and_nothing_is(
     assert all(each.file is not None for each in prepared.diagnostics)
 
 
+def test_why_a_component_is_not_started_is_said(project: Path) -> None:
+    words = (
+        '<load_composable_node target="c"><composable_node pkg="demo" plugin="demo::A"/>'
+        "</load_composable_node>"
+    )
+    (found,) = _prepared(project, words).diagnostics
+    assert found.help is not None
+    assert "C++" in found.help
+    assert "ros2 launch" in found.help
+
+
 def test_near_names_are_offered(project: Path) -> None:
     (found,) = _prepared(project, '<node pkg="demo" exec="talkr"/>').diagnostics
     assert found.help == "did you mean `talker`?"

@@ -16,8 +16,13 @@ talker publish m to 'chatter' of message_type String at 1 hz
 generate_node talker using rclpy
 create_launch 'bringup' as bringup
 """
+PACKAGE = """\
+create_package 'demo' as demo described_as "x" maintained_by "A <a@b.example>" licensed_under "MIT"
+demo contains talker
+"""
 FULL = (
     HEAD
+    + PACKAGE
     + """\
 bringup has_argument 'robot' with default "rover"
 bringup starts talker in 'front' remapping 'chatter' to 'hello' setting 'speed' = 0.5, 'id' = "1"
@@ -92,3 +97,48 @@ def test_what_is_taken_back_leaves_nothing(statements: str) -> None:
     session = Session((HEAD + statements).encode())
     assert session.diagnostics == ()
     assert request_of(session.workspace.launches["bringup"], 2, _own).added.items == ()
+
+
+@pytest.mark.parametrize(
+    "statements, wrong",
+    [
+        ("bringup starts talker as 'x'\ngenerate_launch bringup\n", "talker"),
+        (f"{PACKAGE}demo no_longer_contains talker\nbringup starts talker\n"
+         "demo contains bringup\ngenerate_package demo\n", "talker"),
+        ("bringup starts talker\n", None),
+        (f"bringup starts talker\ngenerate_launch bringup\n{PACKAGE}", None),
+    ],
+)  # fmt: skip
+def test_what_is_in_no_package_is_told_where_it_is_started(
+    statements: str, wrong: str | None
+) -> None:
+    text = HEAD + statements
+    found = [each for each in Session(text.encode()).diagnostics if each.severity.value == "error"]
+    assert [each.code for each in found] == ([] if wrong is None else ["in-no-package"])
+    for each in found:
+        assert each.span is not None
+        assert text[each.span.start : each.span.end] == wrong
+        assert text[: each.span.start].endswith("bringup starts ")
+
+
+@pytest.mark.parametrize(
+    "statements, late",
+    [
+        ("generate_launch bringup\nbringup starts 'demo/b'\n", "bringup starts 'demo/b'"),
+        ("generate_launch bringup\nbringup has_argument 'a'\ngenerate_launch bringup\n", None),
+        (f"{PACKAGE}generate_package demo\ndemo contains bringup\n", "demo contains bringup"),
+        (f"{PACKAGE}demo contains bringup\ngenerate_launch bringup\nbringup starts 'demo/b'\n"
+         "generate_package demo\n", None),
+    ],
+)  # fmt: skip
+def test_what_comes_after_writing_is_told(statements: str, late: str | None) -> None:
+    text = HEAD + statements
+    found = [
+        each
+        for each in Session(text.encode()).diagnostics
+        if each.code == "changed-after-generating"
+    ]
+    assert len(found) == (late is not None)
+    for each in found:
+        assert each.span is not None
+        assert text[each.span.start : each.span.end] == late

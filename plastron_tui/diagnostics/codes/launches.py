@@ -7,11 +7,19 @@ from plastron_tui.diagnostics.code import Code
 from .programs import TALKING
 
 _BRINGUP = f"{TALKING}create_launch 'bringup' as bringup\n"
+_PACKAGE = """\
+create_package 'demo' as demo described_as "Says hello." maintained_by "Ada <ada@example.com>" \
+licensed_under "MIT"
+demo contains talker
+generate_package demo
+"""
 _FULL = f"{_BRINGUP}bringup starts talker\n"
 
 IN_NO_PACKAGE = Code(
     "in-no-package",
     "A launch file is to start a node that is in no package: it starts what packages install.",
+    bad=f"{_FULL}generate_launch bringup\n",
+    good=f"{_FULL}{_PACKAGE}generate_launch bringup\n",
 )
 
 LAUNCH_EXISTS = Code(

@@ -170,7 +170,8 @@ IDLE_NODE = Code(
 CHANGED_AFTER_GENERATING = Code(
     "changed-after-generating",
     "A statement changes a node after `generate_node` has written it, so that the change is in "
-    "no file. `generate_node` writes a node as it is at that point: put it last.",
+    "no file. `generate_node` writes a node as it is at that point: put it last. Packages and "
+    "launch files likewise.",
     severity=Severity.WARNING,
     bad=f"{LISTENER}generate_node listener\nsubscribe listener to 'alarm' of message_type String\n",
     good=f"{LISTENER}subscribe listener to 'alarm' of message_type String\n"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .changing import Changed, add_launch, add_node, remove_executable
+from .changing import Changed, add_launch, add_node, remove_executable, remove_launch
 from .reading import PACKAGE_XML, PackageFiles, finds_scripts, named_elsewhere, read_package_files
 
 __all__ = [
@@ -15,4 +15,5 @@ __all__ = [
     "named_elsewhere",
     "read_package_files",
     "remove_executable",
+    "remove_launch",
 ]

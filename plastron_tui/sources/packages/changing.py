@@ -87,6 +87,46 @@ def add_launch(
     return after if after.texts is None else _add_dependencies(source, after.texts, keys)
 
 
+def remove_launch(
+    source: PackageSource,
+    texts: Mapping[str, bytes],
+    file: str,
+    keys: Iterable[str],
+    *,
+    is_installed_elsewhere: bool,
+) -> Changed:
+    """Let a package install a launch file no more, nor depend on what only that needed.
+
+    Its file stays.
+
+    Args:
+        source: the package.
+        texts: what its files hold by now.
+        file: the launch file, by its path in the package.
+        keys: the dependencies that came with it; one that another file names stays.
+        is_installed_elsewhere: whether what installs it was there before, and stays.
+    """
+    folder = file.partition("/")[0]
+    after = Changed(dict(texts))
+    if source.build_type == "ament_python":
+        from plastron_tui.sources.setup_py.data_files import remove_data_file
+
+        path = source.folder / SETUP_PY
+        if not is_installed_elsewhere:
+            edited = remove_data_file(texts[SETUP_PY], path, folder, file)
+            after = _with(texts, SETUP_PY, edited)
+    elif not is_installed_elsewhere:
+        from plastron_tui.sources.cmake.shares import remove_shared
+
+        path = source.folder / CMAKE_LISTS
+        after = _with(texts, CMAKE_LISTS, remove_shared(texts[CMAKE_LISTS], path, file))
+    if after.texts is None or not source.is_whole:
+        return after
+    others = {name: each for name, each in after.texts.items() if name not in (file, PACKAGE_XML)}
+    gone = [key for key in keys if not any(named_elsewhere(others, (key,)))]
+    return _remove_dependencies(source, after.texts, gone)
+
+
 def remove_executable(
     source: PackageSource,
     texts: Mapping[str, bytes],
