@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from command_line import LISTENER, TALKER, Run
-from machine import wait_until
+from machine import mostly_long, wait_until
 from ros_runs import Ros, make_ros, said_by
 
 from plastron_tui.runtime.parameters import SetStatus
@@ -240,6 +240,7 @@ def is_said(ros: Ros, *state: object) -> bool:
     )
 
 
+@pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rospy"]), indirect=True)
 @pytest.mark.live
 def test_a_run_has_the_names_and_values_that_are_asked_for(ros: Ros) -> None:
     (ros.folder / "config").mkdir()

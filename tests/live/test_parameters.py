@@ -77,6 +77,7 @@ def test_a_parameter_is_used_by_the_next_message(graph: Graph, tmp_path: Path) -
     assert not own_tracebacks(node.output)
 
 
+@pytest.mark.long
 def test_what_no_field_can_hold_is_not_sent(graph: Graph, tmp_path: Path) -> None:
     node = graph.run_and_wait(generate_one("cruiser", tmp_path, graph.target))
     # The master of ROS 1 has integers of 32 bits.

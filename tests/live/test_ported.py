@@ -293,6 +293,7 @@ if __name__ == "__main__":
 """
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("graph", ["ros2"], indirect=True)
 def test_a_ported_loop_outlives_its_callbacks_and_ends(graph: Graph, tmp_path: Path) -> None:
     node = run_ported(graph, tmp_path / "loop.py", LOOP)

@@ -70,7 +70,9 @@ def test_a_package_is_written_with_its_nodes_as_they_are_then() -> None:
         f"{FULL}create_node 'other' as other\nother repeats f at 1 hz\n"
         "generate_package rover\nrover no_longer_contains n\nrover contains other\n"
     )
-    found = workspace(text)
+    later = run(text)
+    assert [each.code for each in later.diagnostics] == ["changed-after-generating"] * 2
+    found = later.workspace
     [written] = found.written_packages
     [node] = found.generations
     assert list(written.package.contents) == ["n"]
