@@ -144,7 +144,7 @@ class PackageSpec:
         if self.description:
             return self.description.strip()
         if self.nodes:
-            return f"Nodes of {self.name}"
+            return f"Generated nodes of {self.name}"
         if self.definitions and not self.launches:
             return f"Interface types of {self.name}"
         return f"Launch files of {self.name}"
