@@ -65,12 +65,14 @@ def value_of(name: Text, source: str, type_: str | None, ros_version: int) -> Pa
     """
     is_text = type_ in ("str", "string")
     found = parse_text(source, ros_version)
-    if ros_version == 2 and not is_text and "$(" not in source:
+    if ros_version == 2 and not is_text:
         value = typed_as(source, type_, 2)
         if isinstance(value, tuple):
             parts = [parse_text(x, 2).literal if isinstance(x, str) else x for x in value]
-            return ParameterValue(name, tuple(x for x in parts if x is not None))
-        if isinstance(value, str):
+            known = tuple(x for x in parts if x is not None)
+            if len(known) == len(parts):
+                return ParameterValue(name, known)
+        elif isinstance(value, str) and "$(" not in source:
             found = parse_text(value, 2)
     literal = found.literal
     if literal is None:
