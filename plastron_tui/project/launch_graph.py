@@ -16,7 +16,7 @@ from plastron_tui.regular_files import read_regular, reason
 from plastron_tui.ros.launch_resolution import Opened, Started, resolve
 from plastron_tui.ros.launch_text import Scope
 from plastron_tui.ros.run_names import Remap, RunNames
-from plastron_tui.sources.launch.reader import read_launch
+from plastron_tui.sources.launch.reader import open_included, read_launch
 from plastron_tui.sources.launch.unresolved import warnings_of
 from plastron_tui.sources.setup_py.reader import read_setup
 
@@ -55,8 +55,11 @@ def launch_graph(path: Path, arguments: Mapping[str, str], boundary: Boundary) -
     folders = {name: str(folder) for name, folder in packages.items()}
     scope = Scope(arguments, {}, str(path.absolute().parent), folders.get)
 
+    def beyond(file: Path) -> str:
+        return "" if boundary.allows(file) else f"it is {boundary.place_of(file)}"
+
     def opened(name: str) -> Opened:
-        return _open(Path(name), boundary)
+        return open_included(Path(name), beyond)
 
     resolved = resolve(read.launch, read.format.ros_version, scope, str(path), opened)
     found = [*read.diagnostics, *warnings_of(resolved)]
@@ -71,23 +74,6 @@ def launch_graph(path: Path, arguments: Mapping[str, str], boundary: Boundary) -
         node = _node(started, sources[key], whole)
         whole.nodes[node.variable] = node
     return LaunchGraph(whole, tuple(found))
-
-
-def _open(path: Path, boundary: Boundary) -> Opened:
-    """Read a launch file that another one includes; one beyond the project is left out."""
-    if not path.is_absolute():
-        return Opened(None, 2, "", "its path has to be a whole one")
-    if not boundary.allows(path):
-        return Opened(None, 2, "", f"it is {boundary.place_of(path)}")
-    try:
-        text = read_regular(path, LARGEST_FILE)
-    except (OSError, ValueError) as error:
-        return Opened(None, 2, "", reason(error))
-    read = read_launch(text, path)
-    if read.launch is None:
-        why = read.diagnostics[0].message if read.diagnostics else "it is no launch file"
-        return Opened(None, 2, "", why)
-    return Opened(read.launch, read.format.ros_version, str(path.parent))
 
 
 def _packages(root: Path, boundary: Boundary) -> dict[str, Path]:

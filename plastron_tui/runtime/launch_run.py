@@ -10,12 +10,11 @@ from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes, did_you_mean
 from plastron_tui.import_path import command
-from plastron_tui.regular_files import read_regular, reason
 from plastron_tui.ros.launch import Argument, LaunchFile, Place, items_of
 from plastron_tui.ros.launch_resolution import Opened, Resolved, Started, resolve
 from plastron_tui.ros.launch_text import Scope
 from plastron_tui.ros.parameter_values import yaml_text
-from plastron_tui.sources.launch.reader import LARGEST, read_launch
+from plastron_tui.sources.launch.reader import open_included
 
 from .environment import Environment, missing_package, missing_packages
 from .launch import NodeFile
@@ -83,26 +82,13 @@ def _resolved(
 ) -> Resolved:
     scope = Scope(arguments, environ, str(file.parent), packages.share)
 
+    def beyond(file: Path) -> str:
+        return "" if packages.has(file) else "it is neither in the project nor installed"
+
     def opened(path: str) -> Opened:
-        return _open(Path(path), packages)
+        return open_included(Path(path), beyond)
 
     return resolve(launch, ros_version, scope, str(file), opened)
-
-
-def _open(path: Path, packages: Packages) -> Opened:
-    if not path.is_absolute():
-        return Opened(None, 2, "", "its path has to be a whole one")
-    if not packages.has(path):
-        return Opened(None, 2, "", "it is neither in the project nor installed")
-    try:
-        source = read_regular(path, LARGEST)
-    except (OSError, ValueError) as error:
-        return Opened(None, 2, "", reason(error))
-    read = read_launch(source, path)
-    if read.launch is None:
-        why = read.diagnostics[0].message if read.diagnostics else "it is no launch file"
-        return Opened(None, 2, "", why)
-    return Opened(read.launch, read.format.ros_version, str(path.parent))
 
 
 def _arguments(launch: LaunchFile, file: Path, given: Mapping[str, str]) -> Iterator[Diagnostic]:
