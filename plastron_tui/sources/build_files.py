@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from fnmatch import fnmatchcase
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, ParamSpec
 
 from plastron_tui.diagnostics import Code, Diagnostic, Span, codes
 
@@ -13,6 +13,9 @@ from .splices import line_number
 
 LARGEST = 500_000
 """In bytes: far more than any build file that people write, and what parses within a second."""
+
+
+_Given = ParamSpec("_Given")
 
 
 class Edited(NamedTuple):
@@ -28,6 +31,14 @@ class RefusedError(Exception):
     def __init__(self, diagnostic: Diagnostic) -> None:
         super().__init__(diagnostic.message)
         self.diagnostic = diagnostic
+
+
+def edited(change: Callable[_Given, bytes], *args: _Given.args, **kwargs: _Given.kwargs) -> Edited:
+    """Return what a change makes of a build file, or why it is refused."""
+    try:
+        return Edited(change(*args, **kwargs))
+    except RefusedError as refused:
+        return Edited(None, (refused.diagnostic,))
 
 
 def refusal(

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 
 from plastron_tui.diagnostics import Diagnostic, codes
-from plastron_tui.sources.build_files import Edited, RefusedError, refusal, take_back
+from plastron_tui.sources.build_files import Edited, RefusedError, edited, refusal, take_back
 from plastron_tui.sources.splices import Splice, apply
 
 from .arguments import argument_removals, command_removals, insert_argument
@@ -21,10 +21,7 @@ Facts = Counter[tuple[object, ...]]
 
 def change(text: bytes, path: Path, edit: Callable[[CMakeLists], bytes]) -> Edited:
     """Change a file, or say why not."""
-    try:
-        return Edited(edit(interpret(parse_cmake(text, path))))
-    except RefusedError as refused:
-        return Edited(None, (refused.diagnostic,))
+    return edited(lambda: edit(interpret(parse_cmake(text, path))))
 
 
 def build_type_of(lists: CMakeLists) -> str:

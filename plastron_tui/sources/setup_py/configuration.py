@@ -14,7 +14,14 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
-from plastron_tui.sources.build_files import Edited, RefusedError, check_text, refusal, take_back
+from plastron_tui.sources.build_files import (
+    Edited,
+    RefusedError,
+    check_text,
+    edited,
+    refusal,
+    take_back,
+)
 from plastron_tui.sources.splices import Splice, apply, indent_of, newline_of
 
 from .items import sorted_index
@@ -59,18 +66,12 @@ def read_scripts(text: bytes, path: Path) -> tuple[ConsoleScript, ...] | None:
 
 def add_script(text: bytes, path: Path, name: str, target: str) -> Edited:
     """Make a function an executable of the package, below the other console scripts."""
-    try:
-        return Edited(_add(text, path, name, target))
-    except RefusedError as refused:
-        return Edited(None, (refused.diagnostic,))
+    return edited(_add, text, path, name, target)
 
 
 def remove_script(text: bytes, path: Path, name: str) -> Edited:
     """Take an executable out; one that was added before leaves the bytes that were there."""
-    try:
-        return Edited(_remove(text, path, name))
-    except RefusedError as refused:
-        return Edited(None, (refused.diagnostic,))
+    return edited(_remove, text, path, name)
 
 
 def check_project(text: bytes, path: Path) -> None:

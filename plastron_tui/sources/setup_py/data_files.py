@@ -9,7 +9,7 @@ from pathlib import Path
 from tree_sitter import Node
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
-from plastron_tui.sources.build_files import Edited, RefusedError, refusal, take_back
+from plastron_tui.sources.build_files import Edited, RefusedError, edited, refusal, take_back
 from plastron_tui.sources.splices import Splice, apply, newline_of
 
 from .items import insert, removals
@@ -27,18 +27,12 @@ def add_data_file(text: bytes, path: Path, folder: str, file: str) -> Edited:
         folder: the folder below `share/PACKAGE`, such as `launch`.
         file: the file, by its path from the package's folder.
     """
-    try:
-        return Edited(_add(text, path, folder, file))
-    except RefusedError as refused:
-        return Edited(None, (refused.diagnostic,))
+    return edited(_add, text, path, folder, file)
 
 
 def remove_data_file(text: bytes, path: Path, folder: str, file: str) -> Edited:
     """Install a file no more; one that a pattern covers stays covered."""
-    try:
-        return Edited(_remove(text, path, folder, file))
-    except RefusedError as refused:
-        return Edited(None, (refused.diagnostic,))
+    return edited(_remove, text, path, folder, file)
 
 
 def _destination(setup: Setup, described: SetupFile, folder: str) -> str:

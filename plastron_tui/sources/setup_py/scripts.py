@@ -9,7 +9,7 @@ from pathlib import Path
 from tree_sitter import Node
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
-from plastron_tui.sources.build_files import Edited, RefusedError, refusal, take_back
+from plastron_tui.sources.build_files import Edited, RefusedError, edited, refusal, take_back
 from plastron_tui.sources.splices import Splice, apply, indent_of, line_start, newline_of
 
 from .items import insert, removals, sorted_index
@@ -35,18 +35,12 @@ def add_console_script(text: bytes, path: Path, name: str, target: str) -> Edite
     Nothing changes where it is one already. Otherwise the result was read again: it has that
     script more, and nothing else is different.
     """
-    try:
-        return Edited(_add(text, path, name, target))
-    except RefusedError as refused:
-        return Edited(None, (refused.diagnostic,))
+    return edited(_add, text, path, name, target)
 
 
 def remove_console_script(text: bytes, path: Path, name: str) -> Edited:
     """Take an executable out; one that was added before leaves the bytes that were there."""
-    try:
-        return Edited(_remove(text, path, name))
-    except RefusedError as refused:
-        return Edited(None, (refused.diagnostic,))
+    return edited(_remove, text, path, name)
 
 
 def _add(text: bytes, path: Path, name: str, target: str) -> bytes:
