@@ -164,8 +164,6 @@ def _merged(
     source: LaunchSource, known: bytes, before: bytes, version: Version, pure: Version
 ) -> bytes | None:
     """Bring what was changed by hand into what the program makes, None where both do not fit."""
-    if pure.made == known:
-        return before
     merged = merge_lines(known, pure.made, before)
     if merged is not None and read_launch_xml(merged, source.path).launch is not None:
         return merged
