@@ -19,7 +19,7 @@ def parse_rules_once(
     tie_breaker: int = 0,
     scope: str = "",
 ) -> list[RuleSet]:
-    """Parse rules, unless another style sheet with the same variables has: they follow from these."""
+    """Parse rules, unless another style sheet with the same variables has."""
     source = (css, read_from, is_default_rules, tie_breaker, scope)
     key = (frozenset(stylesheet._variables.items()), *source)
     if key not in _parsed:
