@@ -49,7 +49,7 @@ _DEPENDS = "depends"
 
 
 _INSTALLED = "installed"
-"""Whether it was with a launch file that the package began to install it."""
+"""Whether it was with a node's or a launch file that the package began to install it."""
 
 _LAUNCH = "launch"
 _NO_LAUNCHES: Mapping[str, PackagedLaunch] = {}
@@ -129,14 +129,31 @@ class _Change:
             file = self.source.executables[name].file
             added = None if file is None else self._added(file)
             ours = {each for each in self.source.texts if self._added(each) is not None}
-            changed = remove_executable(self.source, self.texts, name, self._needs, added, ours)
+            was_there = file is not None and self._remembered(file, _INSTALLED) is False
+            changed = remove_executable(
+                self.source,
+                self.texts,
+                name,
+                self._needs,
+                added,
+                ours,
+                is_installed_elsewhere=was_there,
+            )
             if not self._take(changed, span) or file is None:
                 continue
             is_back = any(each.name == name for each in self.package.contents.values())
             if file in self.source.texts and not is_back:
-                message = f"`{file}` of `{self.source.name}` stays where it is"
-                help_ = "remove it by hand if nothing else needs it"
-                self.found.append(Diagnostic(codes.FILE_STAYS, message, span, help=help_))
+                self.found.append(self._stays(name, file, span, was_there))
+
+    def _stays(self, name: str, file: str, span: Span, was_there: bool) -> Diagnostic:
+        """Tell that the file of an executable stays, and what installs it still."""
+        message = f"`{file}` of `{self.source.name}` stays where it is"
+        if was_there:
+            known = self.source.executables[name]
+            message += f", and line {known.line} of `{known.where}`, which was there before the "
+            message += "node, installs it"
+        help_ = "remove it by hand if nothing else needs it"
+        return Diagnostic(codes.FILE_STAYS, message, span, help=help_)
 
     def take_out_launches(self) -> None:
         """Take out the launch files that the program takes out of the package."""
@@ -203,11 +220,19 @@ class _Change:
         )
         keys, unknown = self._keys(node, library)
         self.found += unknown
-        changed = add_node(self.source, self.texts, contained.name, file, keys)
+        before = self.texts
+        changed = add_node(self.source, before, contained.name, file, keys)
         if self._take(changed, contained.span) and not finds_scripts(self.source):
             self.found.append(self._elsewhere(contained))
+        is_new = self._begins_to_install(before, file)
         for each in generated.files.output_files():
-            self._write_node(each, changed.added)
+            base = None if each.base is None else {**each.base, _INSTALLED: is_new}
+            self._write_node(replace(each, base=base), changed.added)
+
+    def _begins_to_install(self, before: Mapping[str, bytes], file: str) -> bool:
+        """Tell whether it is with a file that the package begins to install it, or did before."""
+        is_new = any(before[name] != self.texts[name] for name in before if name != PACKAGE_XML)
+        return is_new or (self._remembered(file, _INSTALLED) is True and self._is_own(file))
 
     def _elsewhere(self, contained: Contained) -> Diagnostic:
         message = (
@@ -238,14 +263,11 @@ class _Change:
             # It is changed as a launch file that is loaded.
             self.texts.pop(file, None)
             return
-        is_new = any(before[name] != self.texts[name] for name in before if name != PACKAGE_XML)
-        if self._remembered(file, _INSTALLED) is True and self._is_own(file):
-            is_new = True
         made = OutputFile(
             f"{self.source.name}/{file}",
             launch.text,
             is_executable=False,
-            base={_INSTALLED: is_new},
+            base={_INSTALLED: self._begins_to_install(before, file)},
         )
         self._write_node(made, changed.added)
 
