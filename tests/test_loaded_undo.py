@@ -39,7 +39,8 @@ AMENT_CALLS = {
         "file(GLOB x nodes/l*.py)\ninstall(PROGRAMS ${x} nodes/b.py DESTINATION lib/demo)\n"
     ),
     "a loop over names": (
-        "foreach(x listener)\n  install(PROGRAMS nodes/${x}.py DESTINATION lib/demo)\nendforeach()\n"
+        "foreach(x listener)\n"
+        "  install(PROGRAMS nodes/${x}.py DESTINATION lib/demo)\nendforeach()\n"
     ),
     "a loop that has it already": (
         "foreach(x listener talker)\n"
