@@ -139,3 +139,38 @@ def test_what_a_pattern_installs_that_no_program_added_is_not_taken_out(tmp_path
     assert told.code == "computed-build-file"
     assert "line 11 of `CMakeLists.txt`" in told.message
     assert texts(package) == before
+
+
+_BRINGUP = """\
+load_package 'demo' as demo
+create_launch 'bringup' as bringup
+bringup starts 'other/eye'
+demo contains bringup
+generate_package demo
+"""
+_OTHER_NAME = "name it otherwise: `contains … as 'other_name'`"
+_LOAD = "change it with `load_launch`, or call this one another name than `bringup`"
+
+
+@pytest.mark.parametrize("in_place", [False, True])
+@pytest.mark.parametrize(
+    ("program", "file", "help_"),
+    [(IN, "nodes/talker.py", _OTHER_NAME), (_BRINGUP, "launch/bringup.launch.xml", _LOAD)],
+)
+def test_the_remedy_for_a_file_that_is_there_works(
+    program: str, file: str, help_: str, in_place: bool, tmp_path: Path
+) -> None:
+    lay(tmp_path, {**AMENT_CMAKE, file: "by hand\n"})
+    [told] = run(program, tmp_path, "rclpy", in_place=in_place)
+    assert (told.code, told.help) == ("already-contained", help_)
+
+
+@pytest.mark.parametrize("program", [IN, _BRINGUP])
+def test_what_an_earlier_run_put_in_place_is_written_in_place(program: str, tmp_path: Path) -> None:
+    lay(tmp_path, AMENT_CMAKE)
+    assert run(program, tmp_path, "rclpy", in_place=True) == ()
+    changed = program.replace("2 hz", "3 hz").replace("'other/eye'", "'other/ear'")
+    [told] = run(changed, tmp_path, "rclpy")
+    help_ = "write over it with `--in-place`, as the run did that made it"
+    assert (told.code, told.help) == ("already-contained", help_)
+    assert run(changed, tmp_path, "rclpy", in_place=True) == ()

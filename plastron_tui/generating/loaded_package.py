@@ -100,8 +100,8 @@ def loaded_package_files(
         generated = by_variable.get(variable)
         if isinstance(contained.item, Node) and generated is not None:
             work.put(contained, generated)
-        elif isinstance(contained.item, Launch):
-            work.put_launch(contained, launches.get(variable))
+        elif isinstance(contained.item, Launch) and variable in launches:
+            work.put_launch(contained, contained.item, launches[variable])
     if any(each.severity is Severity.ERROR for each in work.found):
         return LoadedFiles((), frozenset(), tuple(work.found))
     return LoadedFiles((*work.files(), *work.written), frozenset(work.moved), tuple(work.found))
@@ -205,7 +205,8 @@ class _Change:
         text = generated.files.files.main
         known = self.source.texts.get(file)
         if known not in (None, text) and not self._is_own(file):
-            self.found.append(self._taken(file, contained.span))
+            help_ = "name it otherwise: `contains … as 'other_name'`"
+            self.found.append(self._taken(file, contained.span, help_))
             return
         library = self.libraries[generated.generation.library]
         name = file.rpartition("/")[2]
@@ -241,17 +242,16 @@ class _Change:
         help_ = f"`install_scripts=$base/lib/{self.source.name}` below `[install]` of `setup.cfg`"
         return Diagnostic(codes.SCRIPT_ELSEWHERE, message, contained.span, help=help_)
 
-    def put_launch(self, contained: Contained, launch: PackagedLaunch | None) -> None:
-        """Put a launch file into the package's folder `launch`; None where it cannot be written."""
-        if launch is None:
-            message = f"the launch file `{contained.name}` is not written into `{self.source.name}`"
-            self.found.append(Diagnostic(codes.EDIT_REFUSED, message, contained.span))
-            return
-        is_within = isinstance(contained.item, Launch) and self._within(contained.item)
+    def put_launch(self, contained: Contained, item: Launch, launch: PackagedLaunch) -> None:
+        """Put a launch file into the package's folder `launch`, or leave it where it is in it."""
+        is_within = self._within(item)
         file = is_within or f"{_LAUNCH}/{launch.name}"
         known = self.source.texts.get(file)
         if not is_within and known not in (None, launch.text) and not self._is_own(file):
-            self.found.append(self._taken(file, contained.span))
+            help_ = (
+                f"change it with `load_launch`, or call this one another name than `{item.name}`"
+            )
+            self.found.append(self._taken(file, contained.span, help_))
             return
         keys = sorted(
             {*launch.needs, "roslaunch" if self.source.ros_version == 1 else "ros2launch"}
@@ -281,16 +281,14 @@ class _Change:
         """Tell whether an earlier run wrote a file, where this one would write over it."""
         return self._is_in_place(file) and self._entry(file) in self.manifest
 
-    def _taken(self, file: str, span: Span) -> Diagnostic:
+    def _taken(self, file: str, span: Span, help_: str) -> Diagnostic:
         message = f"the package `{self.source.name}` has a file `{file}` already"
         for there in self.source.executables.values():
             if there.file == file:
                 message += f": line {there.line} of `{there.where}` installs it"
                 break
-        help_ = (
-            "name it otherwise: `contains … as 'other_name'`, or write over the package with "
-            "`--in-place` where an earlier run made the file"
-        )
+        if not self._is_in_place(file) and self._entry(file) in self.manifest:
+            help_ = "write over it with `--in-place`, as the run did that made it"
         return Diagnostic(codes.ALREADY_CONTAINED, message, span, help=help_)
 
     def _keys(
