@@ -362,8 +362,10 @@ class _Change:
         for name, text in self.texts.items():
             before = self.source.texts[name]
             is_over = self._is_in_place(name)
-            # What an earlier run changed is as it was before when nothing of it is left.
-            is_left = not is_over and f"{self.source.name}/{name}" in self.manifest
+            # What an earlier run changed is as it was before when nothing of it is left. What it
+            # copied has a base.
+            there, manifest = f"{self.source.name}/{name}", self.manifest
+            is_left = not is_over and there in manifest and there not in manifest.bases
             if text == before and not is_left:
                 continue
             found.append(

@@ -36,7 +36,11 @@ _TEXTS = frozenset(
 )  # fmt: skip
 """What may name a package, or a file of this one; without an ending there are scripts."""
 
-_BUILT = frozenset({"build", "install", "devel", "log", "node_modules", "__pycache__"})
+BUILT_FOLDERS = frozenset({"build", "install", "devel", "log"})
+"""What builds leave beside the files of a package."""
+
+CACHES = frozenset({"node_modules", "__pycache__"})
+_BUILT = BUILT_FOLDERS | CACHES
 _MOST_FILES = 4_000
 _MOST_BYTES = 16_000_000
 _LARGEST_BUILD_FILE = 4_000_000

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from plastron_tui.generating.generation import Generated
     from plastron_tui.generating.program_packages import ProgramPackages
     from plastron_tui.model.own_types import OwnInterfaces
+    from plastron_tui.model.packages import Package
     from plastron_tui.model.source import FileSet
     from plastron_tui.model.workspace import Generation, Workspace
     from plastron_tui.output.manifest import Manifest, Reading
@@ -145,7 +146,11 @@ class Planner:
         return FileNames(configuration.output, manifest, name, is_plain, self._written)
 
     def plan(
-        self, made: Sequence[Generated], *, is_preview: bool = False
+        self,
+        made: Sequence[Generated],
+        *,
+        is_preview: bool = False,
+        has_copies: bool = True,
     ) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
         """Compare the files of nodes with the disk; the diagnostics say why one is missing.
 
@@ -154,6 +159,8 @@ class Planner:
             is_preview: whether the plan is only looked at: where the project is not trusted, it
                 is made without what that stands against, and without the files of the program as
                 a whole.
+            has_copies: whether it has the files too that the program leaves as they are in the
+                packages that it loads.
         """
         from plastron_tui.generating.program_files import ProgramFiles, program_files
         from plastron_tui.output.plan import FilePlan, make_plan
@@ -178,9 +185,10 @@ class Planner:
         files = [file for each in (*sets, *common.files) for file in each.output_files()]
         if params is not None:
             files.append(params)
-        files, refused = self._with_loaded([*files, *whole], made, manifest)
+        has_copies = has_copies and not is_preview
+        files, refused = self._with_loaded([*files, *whole], made, manifest, has_copies=has_copies)
         found += refused
-        if self._workspace is not None and not has_errors(found):
+        if self._workspace is not None and has_copies and not has_errors(found):
             found += self._left(files, manifest)
         plan, problems = make_plan(output, files, manifest, within=configuration.writes_within)
         return plan, (*found, *problems)
@@ -230,7 +238,12 @@ class Planner:
         )
 
     def _with_loaded(
-        self, files: list[OutputFile], made: Sequence[Generated], manifest: Manifest
+        self,
+        files: list[OutputFile],
+        made: Sequence[Generated],
+        manifest: Manifest,
+        *,
+        has_copies: bool,
     ) -> tuple[list[OutputFile], tuple[Diagnostic, ...]]:
         """Add the files of the packages that the program loads, as it changes them."""
         workspace = self._workspace
@@ -257,7 +270,27 @@ class Planner:
             files = [each for each in files if each.name not in changed.nodes]
             files += changed.files
             told += changed.diagnostics
+            if has_copies and not in_place and not has_errors(changed.diagnostics):
+                files, notes = self._with_copies(package, files, manifest)
+                told += notes
         return files, told
+
+    def _with_copies(
+        self, package: Package, files: list[OutputFile], manifest: Manifest
+    ) -> tuple[list[OutputFile], tuple[Diagnostic, ...]]:
+        """Add the other files of a package, of which the output folder gets the changed ones."""
+        from .package_copy import CopySetting, with_copies
+
+        configuration = self._configuration
+        setting = CopySetting(
+            configuration.output,
+            manifest,
+            configuration.boundary,
+            self._author.name,
+            configuration.options.force,
+        )
+        copied = with_copies(package, files, setting)
+        return list(copied.files), copied.diagnostics
 
     def _params(self, manifest: Manifest) -> OutputFile | None:
         """Make the parameter file of all that is generated, where the project reaches so far."""

@@ -119,6 +119,14 @@ FILE_STAYS = Code(
     severity=Severity.WARNING,
 )
 
+NOT_COPIED = Code(
+    "not-copied",
+    "The output folder gets a loaded package as a whole, so that it is built from there, and here "
+    "something of it is missing: the package has more than 2,000 files or 32 MB, or a link of it "
+    "leads out of the project. With `--in-place` the package is changed where it is.",
+    severity=Severity.WARNING,
+)
+
 SCRIPT_ELSEWHERE = Code(
     "script-elsewhere",
     "A package of `ament_python` installs its executables where `ros2 run` does not look for them: "

@@ -1,0 +1,177 @@
+"""A loaded package in the output folder: whole, so that it is built from there."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+from loaded_packages import AMENT_PYTHON, IN, KINDS, OUT, TALKER, lay, run, texts
+
+from plastron_tui.project import package_copy
+
+NOTHING = f"{TALKER}generate_package demo\n"
+BINARY = bytes(range(256)) * 8
+
+
+def package(folder: Path) -> Path:
+    """Lay a package with files of every sort."""
+    made = lay(folder, AMENT_PYTHON)
+    (folder / ".git").mkdir()
+    lay(folder, {"meshes/wheel.stl": BINARY, "resource/demo": b"", "demo/log/__init__.py": b""})
+    lay(folder, {"scripts/go.sh": b"#!/bin/sh\r\n", "config/a.yaml": b"\xef\xbb\xbfa: 1\r\n"})
+    (made / "scripts/go.sh").chmod(0o755)
+    (made / "setup.py").chmod(0o755)
+    return made
+
+
+def lay_others(made: Path) -> None:
+    """Lay beside the files what is no part of a package."""
+    for name in (
+        *(".git/config", ".vscode/a.json", "build/lib/x.py", "install/x", "log/x"),
+        *("demo/__pycache__/a.pyc", "inner/package.xml", "inner/a.py"),
+    ):
+        (made / name).parent.mkdir(parents=True, exist_ok=True)
+        (made / name).write_bytes(b"no")
+
+
+def test_output_has_what_the_package_has(tmp_path: Path) -> None:
+    made = package(tmp_path)
+    before = texts(made)
+    lay_others(made)
+    assert run(IN, tmp_path, "rclpy") == ()
+    output = tmp_path / "output/demo"
+    after = texts(output)
+    assert set(after) == {*before, "demo/talker.py"}
+    assert {each for each in before if after[each] != before[each]} == {"setup.py", "package.xml"}
+    for name in before:
+        assert os.access(output / name, os.X_OK) == os.access(made / name, os.X_OK), name
+    assert run(IN, tmp_path, "rclpy") == ()
+    assert texts(output) == after
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_package_is_copied_that_nothing_is_changed_of(kind: str, tmp_path: Path) -> None:
+    library, files = KINDS[kind]
+    made = lay(tmp_path, files)
+    assert run(NOTHING, tmp_path, library) == ()
+    assert texts(tmp_path / "output/demo") == texts(made)
+
+
+def test_links_become_what_they_lead_to_within_the_project(tmp_path: Path) -> None:
+    project = tmp_path / "project"
+    made = package(project)
+    (tmp_path / "secret").mkdir()
+    (tmp_path / "secret/key").write_text("secret")
+    lay(project, {"near.yaml": b"near", "deep/far.yaml": b"far"}, "shared")
+    for name, to in {
+        "config/near.yaml": project / "shared/near.yaml",
+        "shared": project / "shared",
+        "again": made,
+        "demo/up": project,
+        "nowhere": project / "nothing",
+        "key": tmp_path / "secret/key",
+        "secret": tmp_path / "secret",
+    }.items():
+        (made / name).symlink_to(to)
+    os.mkfifo(made / "pipe")
+    told = run(NOTHING, project, "rclpy")
+    output = project / "output/demo"
+    after = texts(output)
+    assert [each.code for each in told] == ["not-copied"]
+    assert "`again`, `demo/up`, `key` and 3 more" in told[0].message
+    assert after["config/near.yaml"] == after["shared/near.yaml"] == b"near"
+    assert after["shared/deep/far.yaml"] == b"far"
+    assert not any(b"secret" in each for each in after.values())
+    assert not any(each.is_symlink() for each in output.rglob("*"))
+
+
+def test_an_output_folder_in_the_package_is_no_part_of_it(tmp_path: Path) -> None:
+    made = lay(tmp_path, AMENT_PYTHON)
+    program = IN.replace("'demo' as", "'.' as")
+    for _ in range(2):
+        assert run(program, made, "rclpy") == ()
+    assert set(texts(made / "output")) == {f"demo/{each}" for each in AMENT_PYTHON} | {
+        "demo/demo/talker.py"
+    }
+
+
+def test_a_package_in_the_output_folder_is_changed_there(tmp_path: Path) -> None:
+    made = lay(tmp_path / "output", AMENT_PYTHON)
+    assert run(IN.replace("'demo' as", "'output/demo' as"), tmp_path, "rclpy") == ()
+    assert set(texts(made)) == {*AMENT_PYTHON, "demo/talker.py"}
+    assert not (tmp_path / "output/demo/output").exists()
+
+
+@pytest.mark.parametrize(
+    ("limit", "value"), [("MOST_FILES", 5), ("MOST_BYTES", 2_000), ("_MOST_NAMES", 4)]
+)
+def test_what_is_too_large_is_told(
+    limit: str, value: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made = package(tmp_path)
+    monkeypatch.setattr(package_copy, limit, value)
+    [told] = run(IN, tmp_path, "rclpy")
+    assert (told.code, told.severity.value) == ("not-copied", "warning")
+    assert "too large" in told.message
+    output = set(texts(tmp_path / "output/demo"))
+    assert output == {"demo/talker.py", "setup.py", "package.xml"}
+    assert run(IN, tmp_path, "rclpy", in_place=True) == ()
+    assert "demo/talker.py" in texts(made)
+
+
+def test_handwork_in_a_copy_is_kept(tmp_path: Path) -> None:
+    made = package(tmp_path)
+    run(IN, tmp_path, "rclpy")
+    copy = tmp_path / "output/demo/config/a.yaml"
+    copy.write_text("mine")
+    for _ in range(2):
+        assert run(IN, tmp_path, "rclpy") == ()
+        assert copy.read_text() == "mine"
+    (made / "config/a.yaml").write_text("theirs")
+    [told] = run(IN, tmp_path, "rclpy")
+    assert told.code == "file-conflict"
+    assert copy.read_text() == "mine"
+
+
+def test_a_copy_follows_the_package(tmp_path: Path) -> None:
+    made = package(tmp_path)
+    run(IN, tmp_path, "rclpy")
+    (made / "config/a.yaml").write_text("theirs")
+    assert run(IN, tmp_path, "rclpy") == ()
+    assert (tmp_path / "output/demo/config/a.yaml").read_text() == "theirs"
+    (made / "config/a.yaml").unlink()
+    [told] = run(IN, tmp_path, "rclpy")
+    assert (told.code, "demo/config/a.yaml" in told.message) == ("file-stays", True)
+
+
+def test_a_file_that_is_there_already_is_not_written_over(tmp_path: Path) -> None:
+    package(tmp_path)
+    lay(tmp_path / "output", {"config/a.yaml": b"mine"})
+    before = texts(tmp_path)
+    [told] = run(IN, tmp_path, "rclpy")
+    assert told.code == "file-conflict"
+    assert texts(tmp_path) == before
+
+
+def test_what_cannot_be_read_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    package(tmp_path)
+
+    def refuse(path: Path, limit: int) -> bytes:
+        raise PermissionError(13, "Permission denied", os.fspath(path))
+
+    monkeypatch.setattr(package_copy, "read_regular", refuse)
+    before = texts(tmp_path)
+    [told] = run(IN, tmp_path, "rclpy")
+    assert told.code == "unreadable-file"
+    assert "`demo/log/__init__.py` of `demo` cannot be read: permission denied" in told.message
+    assert texts(tmp_path) == before
+
+
+def test_what_was_put_in_place_is_copied_too(tmp_path: Path) -> None:
+    made = package(tmp_path)
+    run(IN, tmp_path, "rclpy", in_place=True)
+    assert run(IN, tmp_path, "rclpy") == ()
+    assert texts(tmp_path / "output/demo") == texts(made)
+    assert [each.code for each in run(OUT, tmp_path, "rclpy")] == ["file-stays"]
+    assert b"talker" not in texts(tmp_path / "output/demo")["setup.py"]
