@@ -251,7 +251,10 @@ ROS 2. What the nodes import is in its `package.xml`. A node is started by its n
 
 `load_package 'src/rover' as rover` reads a package that exists. What `contains` asks for is then written
 into its `package.xml`, `setup.py` or `CMakeLists.txt`, where each has its like; what a file computes, and
-Plastron is not sure of, is refused with the line.
+Plastron is not sure of, is refused with the line. The output folder gets the whole package, changed, so
+that it is built from there ([more](commands.md#packages-that-exist)); with `--in-place` it is changed
+where it is. `no_longer_contains` takes out what `contains` put in, to the byte; the file of the node stays,
+and a warning says so.
 
 A launch file starts nodes, each with its name, namespace, other names for its topics, and parameters, and
 includes other launch files. It is XML in both generations of ROS; with `launch: python` in
