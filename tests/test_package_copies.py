@@ -20,6 +20,7 @@ def package(folder: Path) -> Path:
     (folder / ".git").mkdir()
     lay(folder, {"meshes/wheel.stl": BINARY, "resource/demo": b"", "demo/log/__init__.py": b""})
     lay(folder, {"scripts/go.sh": b"#!/bin/sh\r\n", "config/a.yaml": b"\xef\xbb\xbfa: 1\r\n"})
+    lay(folder, {"worlds/.a.wbproj": b"Webots"})
     (made / "scripts/go.sh").chmod(0o755)
     (made / "setup.py").chmod(0o755)
     return made
@@ -28,7 +29,15 @@ def package(folder: Path) -> Path:
 def lay_others(made: Path) -> None:
     """Lay beside the files what is no part of a package."""
     for name in (
-        *(".git/config", ".vscode/a.json", "build/lib/x.py", "install/x", "log/x"),
+        *(
+            ".git/config",
+            ".gitignore",
+            ".plastron-1.new",
+            ".vscode/a.json",
+            "build/lib/x.py",
+            "install/x",
+            "log/x",
+        ),
         *("demo/__pycache__/a.pyc", "inner/package.xml", "inner/a.py"),
     ):
         (made / name).parent.mkdir(parents=True, exist_ok=True)

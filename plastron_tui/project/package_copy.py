@@ -14,6 +14,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
+from plastron_tui.output.manifest import NAME as MANIFEST
+from plastron_tui.output.own_files import PREFIX
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.regular_files import read_regular, reason
 from plastron_tui.sources.packages.reading import PACKAGE_XML
@@ -70,7 +72,7 @@ class _TooMuchError(Exception):
 def with_copies(package: Package, changed: Sequence[OutputFile], setting: CopySetting) -> Copy:
     """Add the files of a package to those that a program changes, in the package or elsewhere.
 
-    Hidden files, what builds leave and packages inside are no part of it. A link within the
+    Hidden folders, what builds leave and packages inside are no part of it. A link within the
     project becomes what it leads to.
 
     Args:
@@ -113,6 +115,12 @@ def with_copies(package: Package, changed: Sequence[OutputFile], setting: CopySe
         for each in changed
     ]
     return Copy((*kept, *copies), tuple(_told(source, walk.left_out, span)))
+
+
+def _is_part(hidden: Path) -> bool:
+    """Tell whether a hidden file may be one of those that a package installs."""
+    is_own = hidden.name == MANIFEST or hidden.name.startswith((PREFIX, ".git"))
+    return not is_own and hidden.is_file() and not hidden.is_symlink()
 
 
 def _told(source: PackageSource, left_out: Sequence[str], span: Span) -> Iterator[Diagnostic]:
@@ -160,7 +168,7 @@ class _Walk:
     def _within(self, inner: str, above: tuple[str, ...]) -> Iterator[tuple[str, Path]]:
         """Yield the files of a folder; `above` are the real paths of it and those around it."""
         folder = self.folder / inner
-        names = sorted(each.name for each in folder.iterdir() if not each.name.startswith("."))
+        names = sorted(each.name for each in folder.iterdir())
         self.left -= len(names)
         if self.left < 0:
             raise _TooMuchError
@@ -168,6 +176,8 @@ class _Walk:
             return
         for name in names:
             path, here = folder / name, f"{inner}{name}"
+            if name.startswith(".") and not _is_part(path):
+                continue
             if not name.isprintable() or "\\" in name:
                 self.left_out.append(here.encode("unicode_escape", "replace").decode())
             elif path.is_dir():
