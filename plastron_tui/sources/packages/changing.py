@@ -199,7 +199,8 @@ def _uninstalled(source: PackageSource, texts: Mapping[str, bytes], executable: 
     if after.texts is None:
         return after
     if after.texts[known.where] == texts[known.where]:
-        message = f"line {known.line} of `{known.where}` installs `{executable}` among others"
+        message = f"line {known.line} of `{known.where}` installs `{executable}`"
+        message += " by a pattern or in a branch"
         return Changed(None, (Diagnostic(codes.COMPUTED_BUILD_FILE, message, file=path),))
     return after
 
