@@ -184,3 +184,44 @@ def test_what_was_put_in_place_is_copied_too(tmp_path: Path) -> None:
     assert texts(tmp_path / "output/demo") == texts(made)
     assert [each.code for each in run(OUT, tmp_path, "rclpy")] == ["file-stays"]
     assert b"talker" not in texts(tmp_path / "output/demo")["setup.py"]
+
+
+_LISTENER = """\
+import rclpy
+from std_msgs.msg import String
+
+rclpy.init()
+node = rclpy.create_node('listener')
+node.create_subscription(String, 'chatter', print, 10)
+rclpy.spin(node)
+"""
+_LAUNCH = '<launch>\n  <node pkg="demo" exec="listener"/>\n</launch>\n'
+ALONE = """\
+load 'demo/demo/listener.py' as ears
+subscribe ears to 'other' of message_type String
+generate_node ears
+load_type 'demo/msg/A.msg' as A
+A has_field "int32 y"
+generate_type A
+load_launch 'demo/launch/b.launch.xml' as b
+b starts 'other/ear'
+generate_launch b
+load_package 'demo' as demo
+generate_package demo
+"""
+
+
+def test_the_copy_has_what_becomes_of_files_that_are_loaded_alone(tmp_path: Path) -> None:
+    package(tmp_path)
+    lay(tmp_path, {"demo/listener.py": _LISTENER, "msg/A.msg": "int32 x\n"})
+    lay(tmp_path, {"launch/b.launch.xml": _LAUNCH})
+    for _ in range(2):
+        assert run(ALONE, tmp_path, "rclpy") == ()
+        made = texts(tmp_path / "output")
+        for name, file in {
+            "listener.py": "demo/listener.py",
+            "A.msg": "msg/A.msg",
+            "b.launch.xml": "launch/b.launch.xml",
+        }.items():
+            assert made[f"demo/{file}"] == made[name], name
+            assert made[name] != texts(tmp_path / "demo")[file], name

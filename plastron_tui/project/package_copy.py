@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import stat
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -69,7 +69,12 @@ class _TooMuchError(Exception):
     """A package is larger than what is copied."""
 
 
-def with_copies(package: Package, changed: Sequence[OutputFile], setting: CopySetting) -> Copy:
+def with_copies(
+    package: Package,
+    changed: Sequence[OutputFile],
+    known: Mapping[str, bytes],
+    setting: CopySetting,
+) -> Copy:
     """Add the files of a package to those that a program changes, in the package or elsewhere.
 
     Hidden folders, what builds leave and packages inside are no part of it. A link within the
@@ -78,6 +83,7 @@ def with_copies(package: Package, changed: Sequence[OutputFile], setting: CopySe
     Args:
         package: the package, which was loaded; one in the output folder is not copied.
         changed: the files that the program changes or makes.
+        known: what becomes of files that the program loads by themselves, by their real paths.
         setting: where they go.
     """
     source, span = package.source, package.span
@@ -99,7 +105,7 @@ def with_copies(package: Package, changed: Sequence[OutputFile], setting: CopySe
             if in_output in own:
                 walk.executable[in_output] = is_executable
                 continue
-            text = source.texts.get(name)
+            text = known.get(os.path.realpath(path), source.texts.get(name))
             text = read_regular(path, MOST_BYTES) if text is None else text
             copies.append(_copy(in_output, text, is_executable, setting))
     except _TooMuchError:

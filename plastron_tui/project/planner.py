@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
@@ -271,12 +272,40 @@ class Planner:
             files += changed.files
             told += changed.diagnostics
             if has_copies and not in_place and not has_errors(changed.diagnostics):
-                files, notes = self._with_copies(package, files, manifest)
+                known = self._changed_alone(files, made)
+                files, notes = self._with_copies(package, files, known, manifest)
                 told += notes
         return files, told
 
+    def _changed_alone(
+        self, files: Sequence[OutputFile], made: Sequence[Generated]
+    ) -> dict[str, bytes]:
+        """Return what becomes of files that the program loads by themselves, by their real paths.
+
+        Where a package has such a file, the copy of the package has it as it becomes.
+        """
+        assert self._workspace is not None
+        by_name = {each.name: each.text for each in files}
+        types = self._workspace.types.values()
+        launches = [each.launch.source for each in self._workspace.written_launches]
+        paths = [
+            *(each.source.path for each in types if each.source is not None),
+            *(each.path for each in launches if each is not None),
+        ]
+        found = [(path, by_name.get(path.name)) for path in paths]
+        for each in made:
+            source = each.generation.node.source
+            is_ported = source is not None and source.library != each.generation.library
+            if source is not None and each.files is not None and not is_ported:
+                found.append((source.path, each.files.files.main))
+        return {os.path.realpath(path): text for path, text in found if text is not None}
+
     def _with_copies(
-        self, package: Package, files: list[OutputFile], manifest: Manifest
+        self,
+        package: Package,
+        files: list[OutputFile],
+        known: Mapping[str, bytes],
+        manifest: Manifest,
     ) -> tuple[list[OutputFile], tuple[Diagnostic, ...]]:
         """Add the other files of a package, of which the output folder gets the changed ones."""
         from .package_copy import CopySetting, with_copies
@@ -289,7 +318,7 @@ class Planner:
             self._author.name,
             configuration.options.force,
         )
-        copied = with_copies(package, files, setting)
+        copied = with_copies(package, files, known, setting)
         return list(copied.files), copied.diagnostics
 
     def _params(self, manifest: Manifest) -> OutputFile | None:
