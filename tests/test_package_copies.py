@@ -164,17 +164,25 @@ def test_a_file_that_is_there_already_is_not_written_over(tmp_path: Path) -> Non
 
 
 def test_what_cannot_be_read_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    package(tmp_path)
+    made = package(tmp_path)
+    deep = made / "/".join(["a"] * 200)
+    deep.mkdir(parents=True)
+    (deep / "x").write_text("deep")
 
-    def refuse(path: Path, limit: int) -> bytes:
-        raise PermissionError(13, "Permission denied", os.fspath(path))
+    def read(path: Path, limit: int) -> bytes:
+        if path.suffix == ".stl":
+            raise PermissionError(13, "Permission denied", os.fspath(path))
+        return path.read_bytes()
 
-    monkeypatch.setattr(package_copy, "read_regular", refuse)
-    before = texts(tmp_path)
+    monkeypatch.setattr(package_copy, "read_regular", read)
     [told] = run(IN, tmp_path, "rclpy")
-    assert told.code == "unreadable-file"
-    assert "`demo/log/__init__.py` of `demo` cannot be read: permission denied" in told.message
-    assert texts(tmp_path) == before
+    assert (told.code, told.severity.value) == ("not-copied", "warning")
+    assert "`meshes/wheel.stl`" in told.message
+    assert "`a/a/a" in told.message
+    assert set(texts(made)) - set(texts(tmp_path / "output/demo")) == {
+        "meshes/wheel.stl",
+        f"{'a/' * 200}x",
+    }
 
 
 def test_what_was_put_in_place_is_copied_too(tmp_path: Path) -> None:
@@ -225,3 +233,21 @@ def test_the_copy_has_what_becomes_of_files_that_are_loaded_alone(tmp_path: Path
         }.items():
             assert made[f"demo/{file}"] == made[name], name
             assert made[name] != texts(tmp_path / "demo")[file], name
+
+
+@pytest.mark.parametrize("in_place", [False, True])
+def test_folders_may_be_deeper_than_what_calls_itself(in_place: bool, tmp_path: Path) -> None:
+    made = package(tmp_path)
+    before, here = texts(made), Path.cwd()
+    os.chdir(made)
+    try:
+        for _ in range(1_200):
+            Path("a").mkdir()
+            os.chdir("a")
+    finally:
+        os.chdir(here)
+    told = run(IN, tmp_path, "rclpy", in_place=in_place)
+    assert [each.code for each in told] == ([] if in_place else ["not-copied"])
+    output = made if in_place else tmp_path / "output/demo"
+    assert (output / "demo/talker.py").is_file()
+    assert all((output / name).is_file() for name in before)

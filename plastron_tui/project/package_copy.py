@@ -17,10 +17,10 @@ from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.output.manifest import NAME as MANIFEST
 from plastron_tui.output.own_files import PREFIX
 from plastron_tui.output.plan import OutputFile
-from plastron_tui.regular_files import read_regular, reason
+from plastron_tui.regular_files import read_regular
 from plastron_tui.sources.packages.reading import PACKAGE_XML
 
-from .package_reader import BUILT_FOLDERS, CACHES
+from .package_reader import BUILT_FOLDERS, CACHES, DEEPEST
 
 if TYPE_CHECKING:
     from plastron_tui.boundary import Boundary
@@ -106,16 +106,16 @@ def with_copies(
                 walk.executable[in_output] = is_executable
                 continue
             text = known.get(os.path.realpath(path), source.texts.get(name))
-            text = read_regular(path, MOST_BYTES) if text is None else text
+            try:
+                text = read_regular(path, MOST_BYTES) if text is None else text
+            except OSError:
+                walk.left_out.append(name)
+                continue
             copies.append(_copy(in_output, text, is_executable, setting))
     except _TooMuchError:
         message = f"`{source.name}` is too large to be copied: output has what is changed of it"
         help_ = "write over the package with `--in-place`; it is built where it is"
         return Copy(tuple(changed), (Diagnostic(codes.NOT_COPIED, message, span, help=help_),))
-    except OSError as error:
-        name = os.path.relpath(error.filename or source.folder, source.folder)
-        message = f"`{name}` of `{source.name}` cannot be read: {reason(error)}"
-        return Copy((), (Diagnostic(codes.UNREADABLE_FILE, message, span),))
     kept = [
         replace(each, is_executable=walk.executable.get(each.name, each.is_executable))
         for each in changed
@@ -135,7 +135,7 @@ def _told(source: PackageSource, left_out: Sequence[str], span: Span) -> Iterato
     names = ", ".join(f"`{each}`" for each in left_out[:_MOST_TOLD])
     more = len(left_out) - _MOST_TOLD
     message = f"not copied of `{source.name}`: {names}" + (f" and {more} more" if more > 0 else "")
-    help_ = "links that lead out of the project, or nowhere, and what is no file, stay behind"
+    help_ = "what cannot be read stays behind, as do links that lead out of the project, or nowhere"
     yield Diagnostic(codes.NOT_COPIED, message, span, help=help_)
 
 
@@ -174,7 +174,11 @@ class _Walk:
     def _within(self, inner: str, above: tuple[str, ...]) -> Iterator[tuple[str, Path]]:
         """Yield the files of a folder; `above` are the real paths of it and those around it."""
         folder = self.folder / inner
-        names = sorted(each.name for each in folder.iterdir())
+        try:
+            names = sorted(each.name for each in folder.iterdir())
+        except OSError:
+            self.left_out.append(inner)
+            return
         self.left -= len(names)
         if self.left < 0:
             raise _TooMuchError
@@ -191,7 +195,8 @@ class _Walk:
                 is_built = name in CACHES or (not inner and name in BUILT_FOLDERS)
                 if is_built or real == os.path.realpath(self.setting.output):
                     continue
-                if path.is_symlink() and (real in above or not self._allows(path)):
+                is_astray = path.is_symlink() and (real in above or not self._allows(path))
+                if is_astray or inner.count("/") >= DEEPEST:
                     self.left_out.append(here)
                     continue
                 yield from self._within(f"{here}/", (*above, real))

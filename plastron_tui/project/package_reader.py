@@ -39,6 +39,9 @@ _TEXTS = frozenset(
 BUILT_FOLDERS = frozenset({"build", "install", "devel", "log"})
 """What builds leave beside the files of a package."""
 
+DEEPEST = 64
+"""How many folders of a package a file may be in."""
+
 CACHES = frozenset({"node_modules", "__pycache__"})
 _BUILT = BUILT_FOLDERS | CACHES
 _MOST_FILES = 4_000
@@ -169,7 +172,7 @@ def _files(folder: Path) -> Iterator[str]:
         here = "" if inner == folder else f"{inner.relative_to(folder).as_posix()}/"
         folders[:] = (
             []
-            if is_other
+            if is_other or here.count("/") >= DEEPEST
             else sorted(each for each in folders if not each.startswith(".") and each not in _BUILT)
         )
         if not is_other:

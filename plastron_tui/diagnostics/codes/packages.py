@@ -122,8 +122,9 @@ FILE_STAYS = Code(
 NOT_COPIED = Code(
     "not-copied",
     "The output folder gets a loaded package as a whole, so that it is built from there, and here "
-    "something of it is missing: the package has more than 2,000 files or 32 MB, or a link of it "
-    "leads out of the project. With `--in-place` the package is changed where it is.",
+    "something of it is missing: the package has more than 2,000 files or 32 MB, or something of "
+    "it cannot be read, or is a link that leads out of the project. With `--in-place` the package "
+    "is changed where it is.",
     severity=Severity.WARNING,
 )
 
