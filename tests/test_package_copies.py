@@ -251,3 +251,11 @@ def test_folders_may_be_deeper_than_what_calls_itself(in_place: bool, tmp_path: 
     output = made if in_place else tmp_path / "output/demo"
     assert (output / "demo/talker.py").is_file()
     assert all((output / name).is_file() for name in before)
+
+
+def test_a_copy_is_no_rest_of_an_earlier_run_when_the_package_is_changed_itself(
+    tmp_path: Path,
+) -> None:
+    package(tmp_path)
+    for in_place in (False, True, False):
+        assert run(IN, tmp_path, "rclpy", in_place=in_place) == ()

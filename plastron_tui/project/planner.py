@@ -196,12 +196,13 @@ class Planner:
 
     def _left(self, files: Sequence[OutputFile], manifest: Manifest) -> list[Diagnostic]:
         """Tell the files of packages that the program has written, and writes no longer."""
-        if not any("/" in each.name for each in files):
+        written = [each.name for each in files if each.path is None]
+        if not any("/" in each for each in written):
             return []
         from plastron_tui.generating.text_files import Folder, left_files
 
         folder = Folder(self._configuration.output, manifest, self._author.name)
-        return left_files((each.name for each in files), folder)
+        return left_files(written, folder)
 
     def _whole(
         self, made: Sequence[Generated], manifest: Manifest
