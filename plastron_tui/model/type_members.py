@@ -174,6 +174,10 @@ def changed_by_builders(value: Value | None) -> str | None:
         return "a text in a definition of ROS 2 does not keep a backslash"
     if isinstance(value, tuple) and any('"' in each and "'" in each for each in texts):
         return "a list of texts in a definition of ROS 2 does not keep quotes of both kinds"
+    if isinstance(value, tuple) and any(
+        each[:1] in "'\"" and each[:1] == each[-1:] for each in texts if each
+    ):
+        return "a list of texts in a definition of ROS 2 does not keep the quotes around a text"
     if isinstance(value, tuple) and not all(each.isascii() for each in texts):
         return "a list of texts in a definition of ROS 2 is ASCII alone"
     return None

@@ -23,13 +23,14 @@ from plastron_tui.ros.definition import parse_definition
 from plastron_tui.ros.definition_edits import add_member, remove_member, replace_member
 from plastron_tui.ros.definition_members import check_type_name, check_type_package, generated_stems
 from plastron_tui.ros.definition_text import format_definition
-from plastron_tui.ros.interfaces import Constant, Interface, InterfaceKind, InterfaceName, Section
+from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName, Section
 
+from .field_lines import field_line
 from .mistake import Mistake
 from .own_type_changes import Make, in_use, settle, users_of
 from .own_types import SECTIONS, Definition, DefinitionSource, OwnType
 from .run import Run
-from .type_members import Naming, changed_by_builders, members_of, section_of
+from .type_members import Naming, members_of, section_of
 
 _PARTS: dict[type[Statement], tuple[InterfaceKind, tuple[str, ...]]] = {
     st.CreateMessageType: (InterfaceKind.MESSAGE, ("fields",)),
@@ -208,7 +209,7 @@ def has_field(run: Run, statement: st.HasField) -> None:
 
     def make(version: int) -> Definition | list[Diagnostic]:
         name = InterfaceName(own.package or run.types.own_package(version), own.name)
-        line = _line(run, statement, name, version)
+        line = field_line(run, statement, name, version)
         if isinstance(line, list):
             return line
         before = own.definitions[version]
@@ -230,33 +231,6 @@ def has_field(run: Run, statement: st.HasField) -> None:
         return _read_again(text, name, own.kind, version, where)
 
     settle(run, statement, own, make, variable=statement.type)
-
-
-def _line(
-    run: Run, statement: st.HasField, name: InterfaceName, version: int
-) -> str | list[Diagnostic]:
-    """Return the line of a definition that a statement has in quotes, its type in full."""
-    where = statement.span_of("definition")
-    written = statement.definition.strip()
-    words = written.split(maxsplit=1)
-    if len(words) < 2 or "\n" in written:
-        message = "this is neither a field nor a constant"
-        return [Diagnostic(codes.BAD_FIELD, message, where, help='write "float64 x", say')]
-    types = run.types
-    naming = Naming(version, name.package, types.resolver(version), name.name, types.is_broken)
-    full = naming.full(words[0])
-    if not isinstance(full, str):
-        start = where.start + 1 + statement.definition.index(words[0])
-        span = Span(start, start + len(words[0].encode()))
-        return [Diagnostic(full.code, full.message, span, help=full.help)]
-    line = f"{full} {words[1]}"
-    read = parse_definition(line, name, InterfaceKind.MESSAGE, version, is_new=True)
-    if read.interface is None:
-        return [_in_string(each, where) for each in read.diagnostics]
-    [member] = members_of(read.interface.sections[0]).values()
-    value = member.value if isinstance(member, Constant) else member.default
-    unsure = changed_by_builders(value) if version == 2 else None
-    return line if unsure is None else [Diagnostic(codes.BAD_FIELD, unsure, where)]
 
 
 def _in_string(found: Diagnostic, where: Span) -> Diagnostic:

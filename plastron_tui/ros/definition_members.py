@@ -305,6 +305,7 @@ def _check_elements(
     elements = value if isinstance(value, tuple) else (value,)
     for element in elements:
         problem = check_scalar(type_.name, element, ros_version, type_.string_bound)
+        problem = problem or _check_tabs(type_, element)
         problem = problem or _check_text(element, is_constant, ros_version)
         if problem is not None:
             return problem
@@ -314,6 +315,17 @@ def _check_elements(
         if is_short or (most is not None and len(value) > most):
             return f"{len(value)} elements do not fit `{type_}`"
     return None
+
+
+def _check_tabs(type_: FieldType, value: Scalar) -> str | None:
+    """Tell where a text is too long for its bound as `rosidl_adapter` counts: before escapes."""
+    if type_.string_bound is None or not isinstance(value, str):
+        return None
+    tabs = value.count("\t")
+    count = len(value) + tabs
+    if not tabs or count <= type_.string_bound:
+        return None
+    return f"{count} characters do not fit `{type_}`: builders count a tab as two, `\\t`"
 
 
 def _check_text(value: Scalar, is_constant: bool, ros_version: int) -> str | None:

@@ -14,7 +14,8 @@ USED = f"{A}create_message m of message_type A and input x=5\n"
 ROSPY = "create_node 'n' as n using rospy\n"
 RCLPY = "create_node 'n' as n using rclpy\n"
 
-SLASH = "A has_field \"string y 'b\\\\c'\""
+VALUE = "'b\\\\c'"
+SLASH = f'A has_field "string y {VALUE}"'
 LISTED = "create_message_type A with string[] x default "
 QUOTES = '["a\'\\""]'
 
@@ -73,10 +74,22 @@ WRONG: list[tuple[str, str, str, str, str | None]] = [
     (A, 'A has_field "int32 x"', "field-exists", '"int32 x"', None),
     (A, 'A has_field "int32"', "bad-field", '"int32"', "float64 x"),
     ("", 'create_message_type A with string x default "a\u2028b"', "bad-field", '"a\u2028b"', None),
-    (A, SLASH, "bad-field", SLASH.removeprefix("A has_field "), None),
+    (A, SLASH, "bad-field", VALUE, None),
     ("", f"{LISTED}{QUOTES}", "bad-field", QUOTES, None),
     (A, 'A has_field "foo y"', "unknown-type", "foo", None),
     (A, 'A has_field "A a"', "circular-type", "A", None),
+    (A, 'A has_field "  int32 class"', "bad-field", "class", "class_value"),
+    (A, 'A has_field "Pose2D  class"', "bad-field", "class", "class_value"),
+    (A, 'A has_field "string<=2 y \'äöü\'"', "bad-field", "'äöü'", None),
+    ("", LISTED + '["\\""]', "bad-field", '["\\""]', None),
+    ("", LISTED + '["\\"ab\\""]', "bad-field", '["\\"ab\\""]', None),
+    (A, 'A has_field "uint8 \\u004eO = 300 # high"', "bad-field", "300", None),
+    (A, 'A has_field "int32<=2 y"', "bad-field", "<=2", None),
+    (A, 'A has_field "int32 linux"', "bad-field", "linux", None),
+    (A, 'A has_field "string y \'\U0001f600\tb\'"', "bad-field", "\t", "t"),
+    (A, 'A has_field "string y \'\\ud83d\\ude00\\tb\'"', "bad-field", "\\t", "t"),
+    (A, 'A has_field "string<=3 y \'a\\\\tb\'"', "bad-field", "'a\\\\tb'", None),
+    ("", 'create_message_type A with string<=3 x default "a\\tb"', "bad-field", '"a\\tb"', None),
     (A, 'A has_field "int32 y" in response', "no-such-field", "response", "leave it out"),
     (S, 'S has_field "int32 y" in respons', "no-such-field", "respons", "`response`"),
     (S, "S no_longer_has_field 'x' in response", "no-such-field", "'x'", None),
@@ -84,7 +97,7 @@ WRONG: list[tuple[str, str, str, str, str | None]] = [
     (A, "AA no_longer_has_field 'x'", "unknown-own-type", "AA", "`A`"),
     (RCLPY, "n no_longer_has_field 'x'", "unknown-own-type", "n", "`n` is a node"),
     ("", 'String has_field "int32 x"', "unknown-own-type", "String", None),
-    (B, 'A has_field "B b"', "circular-type", '"B b"', None),
+    (B, 'A has_field "B b"', "circular-type", "B", None),
     (B, "drop_type A", "type-in-use", "drop_type A", None),
     (USED, "drop_type A", "type-in-use", "drop_type A", None),
     (USED, "A no_longer_has_field 'x'", "type-in-use", "A no_longer_has_field 'x'", None),
