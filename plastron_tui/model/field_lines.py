@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
@@ -88,7 +89,10 @@ def field_line(
     start = text.index(type_)
     written = _Written(statement, type_, rest, start, text.index(rest, start + len(type_)))
     types = run.types
-    naming = Naming(version, name.package, types.resolver(version), name.name, types.is_broken)
+    explain = partial(types.explain, statement)
+    naming = Naming(
+        version, name.package, types.resolver(version), name.name, types.is_broken, explain
+    )
     full = naming.full(type_)
     if not isinstance(full, str):
         return [Diagnostic(full.code, full.message, written_type(statement), help=full.help)]

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from plastron_tui.diagnostics import Diagnostic, Label, codes, guess, write
+from plastron_tui.diagnostics import Diagnostic, Label, Span, codes, guess, write
 from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.language import statements as st
+from plastron_tui.language.declaration import Statement
+from plastron_tui.language.text_places import span_in_text
+from plastron_tui.ros.names import NameProblem
 from plastron_tui.ros.package_keys import find_license, licenses
 from plastron_tui.ros.packages import (
     check_package_name,
@@ -57,7 +60,7 @@ def check_package_named(run: Run, statement: st.CreatePackage) -> None:
             Diagnostic(
                 codes.BAD_PACKAGE_NAME,
                 problem.message,
-                where,
+                _place(statement, "name", problem),
                 help=None if right is None else f"write '{right}'",
                 fix=None if right is None else write(f"'{right}'", where),
             )
@@ -80,8 +83,15 @@ def check_description(_: Run, statement: st.CreatePackage) -> None:
     if statement.description:
         problem = check_text(statement.description, "the description of a package")
         if problem is not None:
-            where = statement.span_of("description")
+            where = _place(statement, "description", problem)
             raise Mistake(Diagnostic(codes.BAD_PACKAGE_TEXT, problem.message, where))
+
+
+def _place(statement: Statement, slot: str, problem: NameProblem) -> Span:
+    """Return where something wrong stands in a text of a statement."""
+    start, end = problem.offset, problem.offset + problem.length
+    is_whole = end - start >= len(getattr(statement, slot))
+    return statement.span_of(slot) if is_whole else span_in_text(statement, slot, start, end)
 
 
 def check_maintainer(_: Run, statement: st.CreatePackage) -> None:
@@ -92,6 +102,8 @@ def check_maintainer(_: Run, statement: st.CreatePackage) -> None:
     maintainer, problem = parse_maintainer(statement.maintainer)
     if maintainer is None or problem is not None:
         message = "this names nobody" if problem is None else problem.message
+        if problem is not None:
+            where = _place(statement, "maintainer", problem)
         help_ = 'write "Ada <ada@example.com>"'
         raise Mistake(Diagnostic(codes.BAD_MAINTAINER, message, where, help=help_))
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 from plastron_tui.diagnostics import (
@@ -160,7 +161,8 @@ def _made(
 ) -> Definition | list[Diagnostic]:
     own = name.name if kind is InterfaceKind.MESSAGE else ""
     types = run.types
-    naming = Naming(version, name.package, types.resolver(version), own, types.is_broken)
+    explain = partial(types.explain, statement)
+    naming = Naming(version, name.package, types.resolver(version), own, types.is_broken, explain)
     sections: list[Section] = []
     wrong: list[Diagnostic] = []
     for _, fields in parts:

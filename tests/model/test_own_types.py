@@ -162,6 +162,40 @@ def test_a_type_belongs_to_the_package(text: str, version: int) -> None:
     assert str(name) == f"{PACKAGES[text, version]}/A"
 
 
+LATER = [
+    ("create_message_type A with B b\ncreate_message_type B with A a\n", "circular-type",
+     "`A` contains itself: `A` in `B` in `A`", "B"),
+    ("create_message_type A with B[] b\ncreate_message_type B with p/C c\n"
+     "create_message_type p/C with string s, A[<=3] a\n", "circular-type",
+     "`A` contains itself: `A` in `C` in `B` in `A`", "B[]"),
+    (f'{A}A has_field "B b"\ncreate_message_type B with A a\n', "circular-type",
+     "`A` contains itself: `A` in `B` in `A`", "B"),
+    ("create_message_type A with B b\ncreate_message_type B with int32 a\n", "unknown-type",
+     "`B` is made further down, and used here already", "B"),
+    ("create_message_type A with B b\ncreate_message_type B with C c\n"
+     "create_message_type C with B b\n", "unknown-type",
+     "`B` is made further down, and used here already", "B"),
+    ("create_service_type A with B b returning none\ncreate_message_type B with int32 x\n",
+     "unknown-type", "`B` is made further down, and used here already", "B"),
+    ("create_message m of message_type q/B and input x=1\ncreate_message_type q/B with int32 x\n",
+     "unknown-type", "`B` is made further down, and used here already", "q/B"),
+    ("create_message m of message_type q/B and input x=1\ncreate_message_type B with int32 x\n",
+     "unknown-type", None, "q/B"),
+    ("create_message m of message_type B and input x=1\n"
+     "create_service_type B with int32 x returning none\n", "unknown-type", None, "B"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "code", "message", "where"), LATER)
+def test_a_type_is_made_before_it_is_used(
+    text: str, code: str, message: str | None, where: str
+) -> None:
+    found, *others = run(text, "rclpy").diagnostics
+    assert (found.code, marked(text, found)) == (code, where)
+    assert not others or code == "unknown-type"
+    assert (found.message == message) if message else ("further down" not in found.message)
+
+
 def test_a_type_is_used_from_the_next_line_on() -> None:
     use = "create_message m of message_type A and input x=5\n"
     assert list(run(A + use, "rclpy").diagnostics) == []
