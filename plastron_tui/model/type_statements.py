@@ -190,6 +190,7 @@ def load_type(run: Run, statement: st.LoadType) -> None:
         raise Mistake(*(each._replace(span=where) for each in loaded.diagnostics))
     path, text, package, kind = loaded.definition
     name = InterfaceName(package, path.stem)
+    _check_first(run, statement, kind, name)
 
     def make(version: int) -> Definition | list[Diagnostic]:
         read = parse_definition(text, name, kind, version, path)
@@ -201,6 +202,27 @@ def load_type(run: Run, statement: st.LoadType) -> None:
     source = DefinitionSource(path, text)
     own = OwnType(path.stem, package, kind, statement.span, source=source)
     settle(run, statement, own, make, variable=statement.variable)
+
+
+def _check_first(
+    run: Run, statement: st.LoadType, kind: InterfaceKind, name: InterfaceName
+) -> None:
+    """Check that the program has no type of the kind and name that a definition file has."""
+    version = run.checks.version(None)
+    for other in run.workspace.types.values():
+        owner = other.package or run.types.own_package(version)
+        if (other.kind, owner, other.name) != (kind, name.package, name.name):
+            continue
+        message = f"the program has a type `{name}` already"
+        raise Mistake(
+            Diagnostic(
+                codes.TYPE_EXISTS,
+                message,
+                statement.span_of("source"),
+                help="load it once, or a file of another package",
+                labels=(Label(other.span, "first here"),),
+            )
+        )
 
 
 def has_field(run: Run, statement: st.HasField) -> None:

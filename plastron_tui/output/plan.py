@@ -173,8 +173,8 @@ def make_plan(
         if isinstance(new, Diagnostic):
             diagnostics.append(new)
         elif planned.setdefault(new.path, new).text != new.text:
-            message = f"two nodes would be written to `{file.name}`"
-            remedy = "give one of the nodes another name"
+            message = f"two texts would be written to `{file.name}`"
+            remedy = "give what one of them is of another name"
             diagnostics.append(_diagnostic(codes.SAME_FILE, message, folder / file.name, remedy))
     return FilePlan(folder, tuple(planned.values()), Path(real_folder)), tuple(diagnostics)
 
