@@ -12,6 +12,7 @@ from plastron_tui.language.text_places import span_in_text
 from plastron_tui.ros.names import NameProblem
 from plastron_tui.ros.package_keys import find_license, licenses
 from plastron_tui.ros.packages import (
+    check_file_name,
     check_package_name,
     check_text,
     parse_maintainer,
@@ -130,6 +131,7 @@ def contains(run: Run, statement: st.Contains) -> None:
     """Put a node or a launch file into a package."""
     package = check_package_there(run, statement)
     item = check_item(run, statement)
+    check_executable(run, statement)
     _check_place(run, statement, package)
     _check_ros(run, statement, package, item)
     contained = Contained(item, statement.executable, statement.span)
@@ -161,6 +163,20 @@ def check_item(run: Run, statement: st.Contains) -> Node | Launch:
     if item is None:
         raise _unknown_item(run, statement)
     return item
+
+
+def check_executable(run: Run, statement: st.Contains) -> None:
+    """Check what one starts a node of a package by: files are called by it."""
+    node = run.workspace.nodes.get(statement.item)
+    name = statement.executable or ("" if node is None else node.name)
+    problem = check_file_name(name, "an executable") if name else None
+    if problem is not None:
+        slot = "item" if statement.executable is None else "executable"
+        where = (
+            _place(statement, slot, problem) if slot == "executable" else statement.span_of(slot)
+        )
+        remedy = None if statement.executable else "name it otherwise: `contains … as 'other_name'`"
+        raise Mistake(Diagnostic(codes.BAD_PACKAGE_FILE, problem.message, where, help=remedy))
 
 
 def _check_place(run: Run, statement: st.Contains, package: Package) -> None:

@@ -22,9 +22,15 @@ from plastron_tui.language.declaration import Statement
 from plastron_tui.language.definitions import FieldText
 from plastron_tui.ros.definition import parse_definition
 from plastron_tui.ros.definition_edits import add_member, remove_member, replace_member
-from plastron_tui.ros.definition_members import check_type_name, check_type_package, generated_stems
+from plastron_tui.ros.definition_members import (
+    check_type_length,
+    check_type_name,
+    check_type_package,
+    generated_stems,
+)
 from plastron_tui.ros.definition_text import format_definition
 from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName, Section
+from plastron_tui.ros.packages import LONGEST_PACKAGE_NAME
 
 from .field_lines import field_line
 from .mistake import Mistake
@@ -109,6 +115,11 @@ def check_type_named(run: Run, statement: Any) -> tuple[str, str]:
         )
     run.checks.new_name(statement, "type", name)
     problem = check_type_package(package, version) if package else None
+    if problem is None and len(package) > LONGEST_PACKAGE_NAME:
+        problem = (
+            f"the name of a package has at most {LONGEST_PACKAGE_NAME} characters, and this one "
+            f"{len(package)}"
+        )
     problem = problem or check_type_name(name, version)
     if problem is not None:
         right = "".join(part[:1].upper() + part[1:] for part in name.split("_"))
@@ -124,6 +135,9 @@ def check_type_named(run: Run, statement: Any) -> tuple[str, str]:
         )
     _check_files(run, statement, package, name)
     owner = package or run.types.own_package(version)
+    too_long = check_type_length(owner, name, _PARTS[type(statement)][0], version)
+    if too_long is not None:
+        raise Mistake(Diagnostic(codes.BAD_TYPE_NAME, too_long, where))
     if run.types.is_of_ros(owner, version):
         message = f"`{owner}` is a package of ROS, which gets no types of yours"
         raise Mistake(Diagnostic(codes.TYPE_EXISTS, message, where, help="leave the package out"))

@@ -45,12 +45,19 @@ MADE = {
     f"{S}S no_longer_has_field 'x' in request\n": "---\n",
 }
 
+LONG = "A" + "a" * 279
+WORDS = "Aa" * 90
 WRONG: list[tuple[str, str, str, str, str | None]] = [
     ("", "create_message_type wheel_speed with none", "bad-type-name", "wheel_speed",
      "write `WheelSpeed`"),
     ("", "create_message_type p/msg/A with none", "bad-type-name", "p/msg/A", "write `p/A`"),
     ("", "create_message_type Bad/A with none", "bad-type-name", "Bad/A", None),
     ("", "create_message_type std_msgs/A with none", "type-exists", "std_msgs/A", "leave"),
+    ("", f"create_message_type {LONG} with none", "bad-type-name", LONG, None),
+    ("", f"create_action_type {WORDS} with none returning none reporting none",
+     "bad-type-name", WORDS, None),
+    ("", f"create_message_type {LONG.lower()}/A with none", "bad-type-name",
+     f"{LONG.lower()}/A", None),
     (A, "create_message_type A with none", "type-exists", "A", "`A has_field"),
     (A, "create_service_type a with none returning none", "bad-type-name", "a", "`A`"),
     ("create_message_type HTTPServer with none\n", "create_message_type HttpServer with none",
@@ -136,6 +143,14 @@ def test_a_mistake_changes_no_type(line: tuple[str, str]) -> None:
     assert {name: each.definitions for name, each in after.items()} == {
         name: each.definitions for name, each in before.items()
     }
+
+
+def test_ros_1_makes_folders_of_a_package_and_a_type() -> None:
+    package, name = "a" * 150, "A" + "a" * 50
+    text = f"create_message_type {package}/{name} with none\n"
+    [found] = run(text, "rospy").diagnostics
+    assert (found.code, marked(text, found)) == ("bad-type-name", f"{package}/{name}")
+    assert list(run(text, "rclpy").diagnostics) == []
 
 
 def test_who_uses_a_type_is_told() -> None:
